@@ -395,7 +395,7 @@ def _room(wish: Wish, state: _State) -> _Verdict:
             return _Verdict("partly", f"storey {_listed(short)} has {_listed([counts[f] for f in short])}", ids)
     elif wanted is None and len(rooms) < 2:
         return _Verdict("partly", "one room where several are asked for", ids)
-    elif wanted is not None and len(rooms) != wanted:
+    elif wanted is not None and (len(rooms) < wanted or (len(rooms) > wanted and not wish.scope.room)):
         return _Verdict("partly", f"{len(rooms)} of {wanted}", ids)
     owners = state.called(wish.scope.room, wish.scope.room_type, floors) if wish.scope.room else []
     bare = [owner.full_id for owner in owners if not any(state.near(owner, room) for room in rooms)]

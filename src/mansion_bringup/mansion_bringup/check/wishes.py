@@ -297,7 +297,8 @@ def _room(wish: Wish, finished: _Finished) -> str:
         numbers = [count for count in alike if count is not None]
         if len(numbers) < len(alike) and len(rooms) < 2:
             return "there is one"
-        if len(numbers) == len(alike) and len(rooms) != sum(numbers):
+        missing = sum(numbers) - len(rooms)
+        if len(numbers) == len(alike) and (missing > 0 or (missing < 0 and not wish.scope.room)):
             return f"there are {len(rooms)}"
     if wish.scope.room:
         for owner_floor, owner in finished.meant(wish.scope.room, wish.scope.room_type, floors):

@@ -212,6 +212,8 @@ def _is_part_of_name(reading: Reading, index: int) -> bool:
 
 def _stands_as_building(reading: Reading, first: int) -> bool:
     """Whether what leads up to a noun phrase lets it name the building, rather than a person or a part of it."""
+    if reading.word(first - 1) in ("are", "is") and first - 2 in reading.taken:
+        return False  # "on the street floor are a flower shop and a barber"
     before = [reading.word(i) for i in range(first - 1, max(first - 4, -1), -1)]
     while before and (before[0] in _SIZES or before[0] in ("a", "an", "the", "our", "my", "new", "of")):
         before = before[1:]

@@ -126,7 +126,9 @@ def read_style(reading: Reading, *, named: bool) -> None:
         reading.facts.styles.append((mention.style, reading.span(mention.first, mention.last)))
         reading.take(mention.first, mention.last)
     # A style with a name of its own says more than "plain" or "traditional".
-    reading.facts.styles.sort(key=lambda style: reading.knowledge.styles[style[0]].like == "")
+    reading.facts.styles.sort(
+        key=lambda style: (is_property(style[1].words.lower()), reading.knowledge.styles[style[0]].like == "")
+    )
 
 
 def read_materials(reading: Reading) -> None:

@@ -149,8 +149,20 @@ def _settle(reading: Reading) -> None:
     facts = reading.facts
     if len(facts.area) > 1:
         called = [q for q in facts.area if _called_total(reading, q)]
+        _leave(reading, facts.area, (called or facts.area)[0])
         facts.area = (called or facts.area)[:1]
+    _leave(reading, facts.floor_area, *facts.floor_area[:1])
     facts.floor_area = facts.floor_area[:1]
+
+
+def _leave(reading: Reading, quantities: list[Quantity], *kept: Quantity) -> None:
+    """Give back the words of areas that nothing is made of, so that they are told of."""
+    others = [q.span for q in quantities if all(abs(q.value - other.value) > 0.5 for other in kept)]
+    starts = {span.start: span.end for span in others}
+    for index, token in enumerate(reading.tokens):
+        if token.start in starts:
+            last = next((i for i in range(index, len(reading.tokens)) if reading.tokens[i].end >= starts[token.start]), index)
+            reading.taken.difference_update(range(index, last + 1))
 
 
 def _called_total(reading: Reading, quantity: Quantity) -> bool:
@@ -198,6 +210,8 @@ def _of_storey(reading: Reading, measure: Measure) -> bool:
         while reading.word(index) in _FILLERS and reading.word(index) not in ("each", "floor") and index > 0:
             index -= 1
         apiece = bool({"each", "apiece"} & set(after[:2])) or reading.word(index) == "each"
+        if reading.words(index - 2, index + 1) == ("each", "of", "them"):
+            apiece, index = True, index - 3
         index -= reading.word(index) == "each"
         while apiece and reading.word(index) in ("of", "with", "at", "having"):
             index -= 1  # "two floors of each 110 m2"
@@ -301,7 +315,7 @@ def _room_of(reading: Reading, measure: Measure, phrases: list[Phrase]) -> int |
     candidates = [
         n
         for n, p in enumerate(phrases)
-        if p.noun_end <= before + 1 <= p.last and p.head in ("room", "building") and p.room_type
+        if p.noun_end <= before + 1 <= p.last and (p.head == "building" or (p.head == "room" and p.room_type))
     ]
     if not candidates:
         candidates = _described(reading, measure, phrases)

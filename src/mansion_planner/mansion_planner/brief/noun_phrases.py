@@ -88,7 +88,7 @@ def _named_again(reading: Reading, chunks: list[tuple[int, int]], phrases: list[
     found = []
     for begin, end in chunks:
         first = unknown.get(reading.words(begin, end))
-        first = first or _by_its_modifier(reading, phrases, begin, end)
+        first = first or _by_its_modifier(reading, phrases, begin, end) or _by_its_head(reading, phrases, begin, end)
         if first is not None and reading.free(begin, end):
             phrase = finished_phrase(reading, "room", begin, end, room=first.room_type, known=first.known)
             reading.take(phrase.first, phrase.last)
@@ -110,6 +110,20 @@ def _by_its_modifier(reading: Reading, phrases: list[Phrase], begin: int, end: i
         and words[-1] not in HEAD_TYPES
     ]
     return named[0] if len({phrase.name for phrase in named}) == 1 else None
+
+
+def _by_its_head(reading: Reading, phrases: list[Phrase], begin: int, end: int) -> Phrase | None:
+    """Return the one room of an earlier sentence that "the dock" is short for: the loading dock."""
+    if end - begin != 1 or reading.word(begin - 1) != "the":
+        return None
+    names = {
+        phrase.name: phrase
+        for phrase in phrases
+        if phrase.head == "room"
+        and phrase.name.endswith(f"_{reading.word(begin)}")
+        and reading.sentence[phrase.first] < reading.sentence[begin]
+    }
+    return next(iter(names.values())) if len(names) == 1 else None
 
 
 def _chunks(reading: Reading) -> list[tuple[int, int]]:

@@ -159,7 +159,7 @@ class NumberedStoreys:
         if (
             reading.starts(index)
             and self.has_floors
-            and following in ("for", "identical", "has", "hold", "contain", "with")
+            and following in ("for", "identical", "has", "hold", "contain", "with", "are", "have")
         ):
             return last > index + 1 or following in ("for", "has", "hold", "contain")
         if reading.starts(index):

@@ -22,7 +22,7 @@ _PROPERTIES = frozenset(
     spiral winding straight curved circular round oval octagonal hexagonal triangular domed arched corner north south
     east west northern southern eastern western northeast northwest southeast southwest passive sustainable solar
     ecological marble oak walnut wooden red blue yellow orange purple pink brown black white grey gray beige turquoise
-    golden automatic electric smart antique floating shallow deep steep kosher halal antistatic
+    golden medieval baroque futuristic steampunk ancient roman egyptian tudor colonial automatic electric smart antique floating shallow deep steep kosher halal antistatic
     """.split()
 )
 _SUBSTANCES = frozenset(

@@ -73,9 +73,10 @@ def read_brief(text: str, knowledge: KnowledgeBase) -> BriefFacts:
     measures = find_measures(reading)
     places = read_storeys(reading)
     read_massing(reading)
-    _Reader(reading, places).read(measures)
+    phrases = _Reader(reading, places).read(measures)
     read_copies(reading, places)
     read_style(reading, named=False)
+    reading.facts.unheeded += unheeded_words(reading, phrases, reading.facts)
     _leave_unread(reading)
     return reading.facts
 
@@ -86,8 +87,8 @@ class _Reader:
     def __init__(self, reading: Reading, places: list[Place]) -> None:
         self.reading, self.facts, self.places = reading, reading.facts, places
 
-    def read(self, measures: list[Measure]) -> None:
-        """Read everything that noun phrases are part of."""
+    def read(self, measures: list[Measure]) -> list[Phrase]:
+        """Read everything that noun phrases are part of; return them."""
         reading = self.reading
         read_adverts(reading)
         self.opening = unknown_building(reading)
@@ -139,7 +140,6 @@ class _Reader:
         read_desk_areas(self.facts)
         self._relations()
         read_completeness(reading)
-        self.facts.unheeded += unheeded_words(reading, self.phrases, self.facts)
         self.facts.excluded.sort(key=lambda entry: entry[1].end)
         for index, token in enumerate(reading.tokens):
             if (
@@ -148,6 +148,7 @@ class _Reader:
                 and any(p.last == index - 1 and p.head == "room" for p in self.phrases)
             ):
                 reading.take(index, index + 1)  # how many a room is for
+        return self.phrases
 
     # The building ---------------------------------------------------------------------------------------------------
 
@@ -222,6 +223,10 @@ class _Reader:
             if held and phrase.name == "locker" and reading.words(self.phrases[number - 1].last, phrase.first) == ("with",):
                 self.phrases[number] = replace(phrase, head="object", category="locker", room_type="")
                 continue
+            if held and self._is_fixture(self.phrases[number - 1], phrase):
+                category, _ = furniture_of(reading.words(phrase.begin, phrase.noun_end))
+                self.phrases[number] = replace(phrase, head="object", category=category, room_type="")
+                continue
             start = phrase.first
             while start > 0 and reading.sentence[start - 1] == reading.sentence[phrase.first]:
                 start -= 1
@@ -230,6 +235,12 @@ class _Reader:
                     if category:
                         self.phrases[number] = replace(phrase, head="object", category=category, room_type="")
                     break
+
+    def _is_fixture(self, room: Phrase, phrase: Phrase) -> bool:
+        """Whether "a bathroom with a shower" speaks of what stands in the bathroom."""
+        between = self.reading.words(room.last, phrase.begin)
+        wet = room.room_type in _BATHROOMS and phrase.name in ("shower", "bath", "toilet", "wc", "walk_in_shower")
+        return wet and between in (("with",), ("with", "a"), ("with", "the")) and not phrase.areas
 
     # Phrases that stand for others ----------------------------------------------------------------------------------
 
@@ -405,6 +416,8 @@ _FURTHER = frozenset("second third another further additional extra".split())
 
 _HOMES = frozenset({"house", "home", "building", "villa", "cottage", "cabin", "bungalow"})
 """Nouns that with "the" mean the whole building."""
+
+_BATHROOMS = frozenset({"bathroom", "ensuite_bathroom", "accessible_toilet"})
 
 _BARE = frozenset({"building", "complex"})
 """Names of a building that say nothing of its use: its rooms do."""

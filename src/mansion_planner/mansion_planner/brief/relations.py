@@ -134,7 +134,7 @@ _MUTUAL = [
     ("alongside",),
     ("beside",),
 ]
-_LEADS = frozenset({"between", "each", *(words[0] for words in (*_BESIDE, *_APART, *_MUTUAL))})
+_LEADS = frozenset({"between", "each", "to", "of", *(words[0] for words in (*_BESIDE, *_APART, *_MUTUAL))})
 """Words that a relation can begin with."""
 _NEGATIONS = frozenset({"not", "no", "never", "neither", "nor", "without", "nowhere", "avoid"})
 _PRONOUNS = frozenset({"it", "them", "this", "that", "which", "these"})
@@ -208,11 +208,28 @@ def _relation_at(reading: Reading, phrases: list[Phrase], rooms: list[int], inde
         )
         if found is not None:
             return found, index + len(mutual)
+    if reading.words(index, index + 2) in (("to", "the"), ("of", "the")) and index not in reading.taken:
+        return _belonging(reading, phrases, rooms, index)
     apart = next((p for p in _APART if reading.words(index, index + len(p)) == p), None)
     beside = apart or max((p for p in _BESIDE if reading.words(index, index + len(p)) == p), key=len, default=None)
     if beside is None or (index in reading.taken and reading.word(index) not in ("direct", "open")):
         return None
     return _directed(reading, phrases, rooms, index, index + len(beside), apart=apart is not None)
+
+
+def _belonging(
+    reading: Reading, phrases: list[Phrase], rooms: list[int], index: int
+) -> tuple[Relation, int] | None:
+    """Read "an ensuite to the master bedroom"."""
+    owned = next((n for n in rooms if phrases[n].last == index and phrases[n].room_type in _OWNED), None)
+    owner = next((n for n in rooms if phrases[n].begin == index + 2 and phrases[n].head == "room"), None)
+    if owned is None or owner is None:
+        return None
+    return Relation((owned,), (owner,), False, index, index + 2), phrases[owner].last
+
+
+_OWNED = frozenset({"ensuite_bathroom", "walk_in_closet", "dressing_room"})
+"""Rooms that belong to another."""
 
 
 def _closes(reading: Reading, last: int, phrases: list[Phrase], rooms: list[int]) -> bool:

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from mansion_language import singular
 from mansion_language.units import AREA
+from mansion_planner.brief.lexicon import Mention
 from mansion_planner.brief.phrase import FUNCTION_WORDS, PLAIN, Phrase, finished_phrase, name_of
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
 from mansion_planner.brief.similarity import HEAD_TYPES, similar_room_type
@@ -450,6 +451,9 @@ def with_users(reading: Reading, phrase: Phrase, names: Mapping[str, int]) -> li
     return rooms
 
 
+_NOTHING = Mention(0, 0)
+
+
 def _of_users(reading: Reading, phrase: Phrase, user: int) -> Phrase:
     """Return a room under the name of those who use it: "changing room for women", "toilet of boys"."""
     who = _SEXES[reading.word(user)]
@@ -481,6 +485,8 @@ def with_purpose(reading: Reading, phrase: Phrase) -> Phrase:
     if reading.word(last) == "for" and reading.word(last + 1) in _PEOPLE_APART:
         return phrase
     begin = last + 1 + (reading.word(last + 1) in ("the", "our", "all", "my", "a"))
+    if reading.word(last + 1) in ("our", "my") and reading.mention_at.get(begin, _NOTHING).building:
+        return phrase  # "a robotics lab for our institute"
     end = begin
     while end < begin + 3 and reading.kind(end) == "word" and reading.word(end) not in FUNCTION_WORDS:
         end += 1

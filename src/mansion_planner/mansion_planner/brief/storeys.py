@@ -30,7 +30,24 @@ def read_storeys(reading: Reading) -> list[Place]:
     settle_counts(reading)
     floors = int(reading.facts.floors[0].value) if reading.facts.floors else 0
     places = [_with_edges(reading, place) if place.last > place.first else place for place in scanner.places]
+    places = _narrowed(reading, places)
     return resolve_rest(places, floors)
+
+
+def _narrowed(reading: Reading, places: list[Place]) -> list[Place]:
+    """Read "by floor from 2nd to 4th" and "on each floor, levels 2 to 6" as each of those storeys."""
+    found: list[Place] = []
+    for place in places:
+        before = found[-1] if found else None
+        several = len(place.refs) > 1 or place.refs[0].kind == "range"
+        if before is not None and before.refs[0].kind == "every" and several:
+            gap = reading.words(before.last, place.first)
+            if gap in ((), ("from",), (",",), ("(",)) and not place.heading:
+                found[-1] = replace(before, refs=place.refs, last=place.last)
+                reading.take(before.first, place.last)
+                continue
+        found.append(place)
+    return found
 
 
 def _with_edges(reading: Reading, place: Place) -> Place:
