@@ -66,6 +66,8 @@ def _score(reading: Reading, phrases: list[Phrase], places: list[Place], phrase:
     is_room = phrase.head == "room" or phrase.building == "office"
     if any(_are_told_apart(phrase, other) for other in phrases):
         return 0.0  # "big studio ... small studio"
+    if reading.word(phrase.last) == "one" and reading.word(phrase.first - 1) in ("a", "the", "and"):
+        return 0.0  # "two kitchens, a meat one and a dairy one"
     score = 6.0 - min(sentence, 4) - 0.1 * number
     owner = reading.word(phrase.first - 1) == "of" and any(place.last == phrase.first - 1 for place in places)
     if owner:  # "on the first floor of a library"

@@ -121,7 +121,7 @@ def read_style(reading: Reading, *, named: bool) -> None:
             reading.take(last, last + 1)
         following = reading.mention_at.get(mention.last)
         terrace = following is not None and following.room == "roof_terrace" and reading.word(following.last) != "house"
-        if not called and (mention.room or mention.building or terrace):
+        if not called and (mention.room or mention.building or terrace or reading.word(mention.first) == "green"):
             continue
         reading.facts.styles.append((mention.style, reading.span(mention.first, mention.last)))
         reading.take(mention.first, mention.last)
@@ -138,8 +138,8 @@ def read_materials(reading: Reading) -> None:
         if surface is None or (surface == "floor" and not _material_ending(reading, i)):
             continue
         first = _material_ending(reading, i)
-        if not first:
-            continue
+        if not first or reading.word(i + 1) in ("between", "around"):
+            continue  # "glass walls between the offices" are not all walls
         words = reading.text[reading.tokens[first - 1].start : reading.tokens[i - 1].end].lower()
         if surface == "floor" and not any(m in words for m in _MATERIALS):
             continue

@@ -33,7 +33,7 @@ def read_furnishings(
     same : dict of int to int
         Phrases that only name an earlier room again, and which.
     """
-    found = _seats(reading, phrases, negated)
+    found = _seats(reading, phrases, negated) + _numbered_places(reading, phrases, negated)
     owners: dict[int, tuple[int | None, bool]] = {}
     rooms = [
         n
@@ -82,7 +82,8 @@ def _seats(reading: Reading, phrases: list[Phrase], negated: dict[int, tuple[int
     """Read how many people a room is for as the seats that it needs: "a dining room for 48 guests", "seating 50"."""
     found = []
     for number, phrase in enumerate(phrases):
-        if phrase.head != "room" or number in negated or phrase.room_type in _UNSEATED:
+        named = phrase.head == "room" or (phrase.head == "building" and not _whole(reading, phrase))
+        if not named or not phrase.room_type or number in negated or phrase.room_type in _UNSEATED:
             continue
         link, at = reading.word(phrase.last), phrase.last + 1
         at += reading.word(at) in ("about", "around", "up", "at", "some")
@@ -105,6 +106,31 @@ def _seats(reading: Reading, phrases: list[Phrase], negated: dict[int, tuple[int
     return found
 
 
+def _numbered_places(
+    reading: Reading, phrases: list[Phrase], negated: dict[int, tuple[int, int]]
+) -> list[ObjectFact]:
+    """Read "three 6-bed dorms" and "a 12-seat boardroom" as the furniture that each such room needs."""
+    found = []
+    for number, phrase in enumerate(phrases):
+        if phrase.head != "room" or number in negated:
+            continue
+        for index in range(max(phrase.first - 2, 0), phrase.noun_end - 1):
+            category = _PLACES.get(reading.word(index + 1))
+            joined = not reading.tokens[index + 1].spaced and reading.kind(index) == "number"
+            if category is None or not joined or not 1 < reading.value(index) <= 100:
+                continue
+            span = reading.span(index, index + 2)
+            found.append(ObjectFact(
+                words=span.words, category=category, span=span, count=int(reading.value(index)), room=phrase.name,
+                room_type=phrase.room_type, each=True, noun=reading.word(index + 1),
+            ))  # fmt: skip
+            reading.take(index, index + 2)
+    return found
+
+
+_PLACES = {"bed": "bed", "seat": "chair", "seater": "chair", "desk": "desk", "person": "chair"}
+"""What a hyphen joins to a number before a room: "6-bed", "12-seat"."""
+
 _UNSEATED = frozenset(
     """
     bedroom storage garage parking bike_storage bathroom toilet cloakroom apparatus_bay dorm_room hostel_dorm
@@ -113,6 +139,7 @@ _UNSEATED = frozenset(
 )
 
 
+_VEHICLES = frozenset({"van", "truck", "car", "garage_car", "bus", "motorcycle", "ambulance"})
 _CARRIES = frozenset({"for", "that", "which", "carry", "carries", "carrying", "take", "takes", "taking", "to", "fit"})
 _POINTS = frozenset({"the", "these", "those", "our", "my", "their", "his", "her", "your"})
 
@@ -120,8 +147,12 @@ _POINTS = frozenset({"the", "these", "those", "our", "my", "their", "his", "her"
 def _passes_by(reading: Reading, phrases: list[Phrase], number: int) -> bool:
     """Whether things are only spoken of: what a lift carries, or "those are for the vehicles"."""
     phrase = phrases[number]
-    if phrase.determiner in _POINTS and not phrase.counted and reading.word(phrase.first - 1) == "for":
-        return True
+    if reading.word(phrase.first - 1) == "for" and not phrase.counted:
+        if phrase.determiner in _POINTS:
+            return True
+        if phrase.category in _VEHICLES:  # "an entrance for ambulances" is about who comes there
+            reading.taken.difference_update(range(phrase.first, phrase.last))
+            return True
     before = phrases[number - 1] if number else None
     if before is None or before.head not in ("elevator", "stair"):
         return False

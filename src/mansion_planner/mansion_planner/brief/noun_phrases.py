@@ -253,6 +253,8 @@ def _headed(reading: Reading, begin: int, end: int, *, whole: bool) -> Phrase | 
         return None
     if not whole and reading.word(end) in ("style", "styled"):
         return None  # "chalet style" is how the building looks
+    if reading.word(end) == "one" and reading.word(begin - 1) in ("a", "an"):
+        return None  # "two kitchens, a meat one and a dairy one"
     category, size = furniture_of(reading.words(begin, end))
     if last in _STAIRS | _LIFTS and size < 2:
         return finished_phrase(reading, "stair" if last in _STAIRS else "elevator", begin, end)

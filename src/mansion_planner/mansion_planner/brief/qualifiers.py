@@ -23,6 +23,7 @@ _PROPERTIES = frozenset(
     east west northern southern eastern western northeast northwest southeast southwest passive sustainable solar
     ecological marble oak walnut wooden red blue yellow orange purple pink brown black white grey gray beige turquoise
     golden medieval baroque futuristic steampunk ancient roman egyptian tudor colonial automatic electric smart antique floating shallow deep steep kosher halal antistatic
+    double-height
     """.split()
 )
 _SUBSTANCES = frozenset(

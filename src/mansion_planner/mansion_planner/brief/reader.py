@@ -181,6 +181,9 @@ class _Reader:
         self.facts.building_name = own_building_name(self.reading, phrase)
         read_bedrooms_of_building(self.reading, phrase)
         read_sizes(self.reading, phrase.first, phrase.noun_end)
+        if phrase.building == "flat" and phrase.counted and (phrase.count or 0) > 1:
+            self.facts.building[-1] = (name, self.reading.span(phrase.begin, phrase.noun_end))
+            return None  # "two flats side by side" are a building and its rooms
         return number
 
     def _plain_rooms(self, phrase: Phrase) -> Phrase:
@@ -196,7 +199,10 @@ class _Reader:
         room = _PLAIN.get(kind) or _PLAIN.get(record.like if record is not None else "")
         if room is not None:
             return replace(phrase, room_type=room, known=True)
-        return replace(phrase, head="unknown") if phrase.name == "room" else phrase
+        if phrase.name != "room":
+            return phrase
+        self.reading.taken.difference_update(range(phrase.first, phrase.last))
+        return replace(phrase, head="unknown")
 
     def _containers(self) -> None:
         """Leave out what only holds rooms that are counted themselves: "wards with twelve patient rooms"."""
@@ -239,7 +245,7 @@ class _Reader:
     def _is_fixture(self, room: Phrase, phrase: Phrase) -> bool:
         """Whether "a bathroom with a shower" speaks of what stands in the bathroom."""
         between = self.reading.words(room.last, phrase.begin)
-        wet = room.room_type in _BATHROOMS and phrase.name in ("shower", "bath", "toilet", "wc", "walk_in_shower")
+        wet = room.room_type in _BATHROOMS and phrase.name in ("shower", "bath", "walk_in_shower")
         return wet and between in (("with",), ("with", "a"), ("with", "the")) and not phrase.areas
 
     # Phrases that stand for others ----------------------------------------------------------------------------------
@@ -453,6 +459,8 @@ def _is_content(reading: Reading, index: int) -> bool:
     token = reading.tokens[index]
     if token.kind == "number" or token.text in ("except", "unless"):
         return True
+    if token.text == "only" and reading.plural(index - 1) and reading.breaks(index + 1):
+        return True  # "on the first floor we want bedrooms only"
     return (
         token.kind == "word"
         and token.text not in FUNCTION_WORDS

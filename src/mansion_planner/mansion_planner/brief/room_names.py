@@ -422,14 +422,19 @@ def with_users(reading: Reading, phrase: Phrase, names: Mapping[str, int]) -> li
     last = phrase.last
     if phrase.head == "room" and reading.word(last) in _SEXES and one_of_several:
         return [_of_users(reading, phrase, last)]  # "vestiary feminine"
-    if phrase.head != "room" or reading.word(last) not in ("for", "of") or reading.word(last + 1) not in _PEOPLE_APART:
+    apart = phrase.plural and "separate" in reading.words(phrase.first - 1, phrase.noun_end)
+
+    def uses(index: int) -> bool:
+        return reading.word(index) in _PEOPLE_APART or (apart and reading.plural(index))
+
+    if phrase.head != "room" or reading.word(last) not in ("for", "of") or not uses(last + 1):
         return [phrase]
     users, index = [last + 1], last + 2
     while reading.word(index) in ("and", ",", "&"):
         index += 1 + (reading.word(index + 1) == "and")
         index += reading.words(index, index + 1) in (("another",), ("one",), ("others",))
         index += reading.word(index) == "for"
-        if reading.word(index) not in _PEOPLE_APART:
+        if not uses(index):
             break
         users.append(index)
         index += 1
@@ -484,6 +489,9 @@ def with_purpose(reading: Reading, phrase: Phrase) -> Phrase:
         return phrase
     if reading.word(last) == "for" and reading.word(last + 1) in _PEOPLE_APART:
         return phrase
+    two = reading.word(last + 2) == "and" and reading.plural(last + 1) and reading.plural(last + 3)
+    if two and phrase.plural and "separate" in reading.words(phrase.first - 1, phrase.noun_end):
+        return phrase  # "separate waiting rooms for cats and dogs"
     begin = last + 1 + (reading.word(last + 1) in ("the", "our", "all", "my", "a"))
     if reading.word(last + 1) in ("our", "my") and reading.mention_at.get(begin, _NOTHING).building:
         return phrase  # "a robotics lab for our institute"

@@ -1,5 +1,6 @@
 """Read which rooms others have for themselves: "bedrooms, each with a bathroom", "a suite with its own pantry"."""
 
+import itertools
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 
@@ -70,6 +71,8 @@ def read_suites(
         gap = set(gap_words)
         if "," in gap and owner not in suites and _list_goes_on(phrases, owner, number, gap_words):
             continue
+        if ("each", "group") in itertools.pairwise(gap_words) or ("per", "group") in itertools.pairwise(gap_words):
+            continue  # "ten offices in two groups, each group with a kitchenette"
         if _measures_each(reading, phrases[owner].last, phrase.begin):
             gap.discard("each")
         tail = reading.words(phrase.last, phrase.last + 1)

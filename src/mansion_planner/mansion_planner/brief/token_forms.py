@@ -14,6 +14,9 @@ def compounds(tokens: list[Token], words: frozenset[str]) -> list[Token]:
         last = joined[-1] if joined else None
         if token.text == "/" and last is not None and last.text == "living" and not token.spaced:
             continue  # "living/dining room" is one room
+        if last is not None and (last.text, token.text) == ("double", "height") and not token.spaced:
+            joined[-1] = replace(token, text="double-height", start=last.start, spaced=last.spaced)
+            continue
         if (last is not None and (last.text, token.text) in _APART) or (
             last is not None
             and not token.spaced

@@ -178,7 +178,8 @@ class _Ledger:
             self.add("total_area", quantity.span, WishValue(area=quantity.value, limit=quantity.limit))
         for quantity in facts.floor_area:
             self.add("floor_area", quantity.span, WishValue(area=quantity.value, limit=quantity.limit))
-        for shape, span in facts.shapes:
+        given_up = self.decisions.given_up
+        for shape, span in (*facts.shapes, *given_up.shapes):
             self.add("outline", span, WishValue(name=shape))
         for style, span in facts.styles:
             self.add("style", span, WishValue(name=style))
@@ -207,7 +208,7 @@ class _Ledger:
         self._vertical()
         for room in (*facts.rooms, *facts.households):
             self._room(room)
-        for name, span in facts.excluded:
+        for name, span in (*facts.excluded, *given_up.excluded):
             self.add("no_room", span, WishValue(name=name, type=name, unwanted=True))
         for name, ref, span in facts.excluded_on:
             self.add("no_room", span, WishValue(name=name, type=name, unwanted=True), Scope(floors=self.floors((ref,))))
@@ -222,7 +223,7 @@ class _Ledger:
 
     def _vertical(self) -> None:
         counts = {q.span: int(q.value) for q in (*self.facts.lifts, *self.facts.stairs)}
-        for name, span in self.facts.vertical:
+        for name, span in (*self.facts.vertical, *self.decisions.given_up.vertical):
             kind: WishKind = "elevator" if name.endswith("elevator") else "stair"
             self.add(kind, span, WishValue(unwanted=name.startswith("no_"), count=counts.get(span)))
 
