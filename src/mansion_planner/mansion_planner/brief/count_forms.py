@@ -58,6 +58,12 @@ def _with_classifiers(tokens: list[Token]) -> list[Token]:
             result += [token, replace(tokens[index + 1], text="bedroom", plural=False, spaced=False)]
             index += 2
             continue
+        if token.text == "half" and _word(tokens, index + 1) in ("a", "dozen"):
+            dozen = index + 1 + (_word(tokens, index + 1) == "a")
+            if _word(tokens, dozen) == "dozen":
+                result.append(replace(tokens[dozen], kind="number", text="six", start=token.start, value=6.0))
+                index = dozen + 1
+                continue
         if _numbers_bedroom(tokens, index):
             result.append(replace(token, text="bedroom"))
             index += 1
@@ -122,7 +128,8 @@ def _opens_advert(tokens: list[Token], index: int) -> bool:
     listed = (
         beds and _word(tokens, index - 1) in (":", "-", "\n") and _word(tokens, index + 2) in (",", "/", "and", "+")
     )
-    if listed and _is_count(tokens, index + 3) and _word(tokens, index + 4) in ("bath", "bathroom"):
+    bath = index + 3 + _is_count(tokens, index + 3)
+    if listed and _word(tokens, bath) in ("bath", "bathroom"):
         return True
     bare = _is_count(tokens, index) and _word(tokens, index + 1) == "bed" and _is_count(tokens, index + 2)
     return bare and _word(tokens, index + 3) in ("bath", "bathroom")

@@ -5,7 +5,7 @@ from mansion_planner.brief.qualifiers import is_property
 from mansion_planner.brief.reading import Reading
 from mansion_planner.brief.similarity import room_of_building
 
-__all__ = ["read_materials", "read_style"]
+__all__ = ["read_materials", "read_style", "room_after"]
 
 _MATERIALS = (
     "oak",
@@ -145,7 +145,7 @@ def read_materials(reading: Reading) -> None:
             continue
         room = ""
         if reading.word(i + 1) in ("in", "for", "throughout"):
-            room = _room_after(reading, i + 2)
+            room = room_after(reading, i + 2)
         reading.facts.materials.append(
             MaterialFact(surface, words, room, reading.span(first - 1, i + 1))  # type: ignore[arg-type]
         )
@@ -162,7 +162,7 @@ def _material_ending(reading: Reading, end: int) -> int:
     return first + 1 if first < end else 0
 
 
-def _room_after(reading: Reading, index: int) -> str:
+def room_after(reading: Reading, index: int) -> str:
     """Return the room type named within four words from `index`, in the same clause; empty for none."""
     for at in range(index, index + 4):
         mention = reading.mention_at.get(at)

@@ -5,7 +5,8 @@ from dataclasses import dataclass, replace
 
 from mansion_language.units import AREA, LENGTH
 from mansion_planner.brief.bounds import Limit, limit_of
-from mansion_planner.brief.facts import HeightFact, Quantity
+from mansion_planner.brief.facts import HeightFact, Quantity, Span
+from mansion_planner.brief.finishes import room_after
 from mansion_planner.brief.phrase import Phrase
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
 
@@ -104,6 +105,7 @@ def give_measures(reading: Reading, measures: list[Measure], phrases: list[Phras
     """Give each area to the room, the storeys or the building that it is of; return the phrases with their areas."""
     result = list(phrases)
     plots: list[Quantity] = []
+    single: list[Quantity] = []
     for measure in measures:
         if measure.first in reading.named_areas:
             continue
@@ -130,6 +132,9 @@ def give_measures(reading: Reading, measures: list[Measure], phrases: list[Phras
                 result[several[-1]] = replace(result[several[-1]], areas=measure.values)
             continue
         fact = Quantity(measure.values[0], reading.span(measure.first, measure.last), measure.limit)
+        if _of_one_storey(reading, measure):
+            single.append(fact)
+            continue
         if measure.sides and not _PLOT.isdisjoint(reading.words(max(measure.first - 6, 0), measure.first)):
             plots.append(fact)
         elif _of_storey(reading, measure):
@@ -138,10 +143,43 @@ def give_measures(reading: Reading, measures: list[Measure], phrases: list[Phras
             reading.taken.difference_update(range(measure.first, measure.last))
         elif not _of_part(reading, measure):
             reading.facts.area.append(fact)
+    _settle_storeys(reading, single)
     if not (reading.facts.floor_area or reading.facts.area):
         reading.facts.floor_area += plots  # all that is said of the size
     _settle(reading)
     return result
+
+
+def _of_one_storey(reading: Reading, measure: Measure) -> bool:
+    """Whether an area stands right after the name of one storey: "ground floor 80 m2", "Upper floor (80 m2): ..."."""
+    at = measure.first - 1
+    while reading.word(at) in ("(", ":", ",", "of", "with", "has", "is", "about", "around", "-", "="):
+        at -= 1
+    named = reading.word(at) in FLOOR_WORDS and not reading.plural(at) and at in reading.taken
+    lead = {reading.word(at - 1), reading.word(at - 2)}
+    counted = reading.kind(at - 1) == "number" or not lead.isdisjoint(_EVERY)
+    return named and not counted and at > 0
+
+
+_EVERY = frozenset({"each", "every", "per", "any", "one", "single", "typical", "by", "all", "a"})
+
+
+def _settle_storeys(reading: Reading, single: list[Quantity]) -> None:
+    """Take the areas of storeys that are all alike for that of each; others cannot be met, and are told of."""
+    facts = reading.facts
+    if not single:
+        return
+    alike = max(q.value for q in single) <= 1.15 * min(q.value for q in single)
+    if alike and not facts.floor_area:
+        facts.floor_area.append(single[0])
+    elif not (alike or facts.area):
+        # Storeys have one area each: the sum is kept, and that it is shared out otherwise stays with the wish.
+        start, end = single[0].span.start, single[-1].span.end
+        whole = Span(reading.text[start:end], start, end)
+        facts.area.append(Quantity(sum(q.value for q in single), whole))
+        facts.unheeded += [q.span for q in single]
+    else:
+        _leave(reading, single)
 
 
 def _settle(reading: Reading) -> None:
@@ -253,12 +291,20 @@ def _many_before(reading: Reading, index: int) -> bool:
 
 def _of_something_else(reading: Reading, measure: Measure, phrases: list[Phrase]) -> bool:
     """Whether "of 65 m2" and "12 m2 each" follow rooms, so that they are not said of the building."""
+    before_it = measure.first - 1
+    while before_it >= 0 and reading.word(before_it) in _FILLERS:
+        before_it -= 1
+    if reading.word(before_it) in _OTHERS:
+        return True  # "the largest 80 m2, the others 30 m2 each"
     said = reading.word(measure.first - 1) == "of" or _after(reading, measure, 1) == ["each"]
     sentence = reading.sentence[measure.first]
     before = [p for p in phrases if p.last <= measure.first and reading.sentence[p.first] == sentence]
     near = bool(before) and measure.first - before[-1].last <= 4
     counted = near and before[-1].head == "room" and before[-1].counted and (before[-1].count or 0) > 1
     return said and counted and _TOTALS.isdisjoint(_after(reading, measure, 3))
+
+
+_OTHERS = frozenset("largest biggest smallest other others rest remaining larger smaller bigger".split())
 
 
 def _of_part(reading: Reading, measure: Measure) -> bool:
@@ -402,20 +448,26 @@ def _listed(reading: Reading, measure: Measure, phrase: Phrase, after: list[str]
 
 
 def read_heights(reading: Reading) -> None:
-    """Read "ceilings 5 m high", "a ceiling height of 3.5 m", "4.5 m ceiling"."""
+    """Read "ceilings 5 m high", "a ceiling height of 3.5 m in the hall", "4.5 m ceiling"."""
     for index, token in enumerate(reading.tokens):
         if token.text not in ("ceiling", "headroom") or index in reading.taken:
             continue
-        for number in [*range(index + 1, index + 7), *range(index - 1, index - 5, -1)]:
-            unit = number + 1
-            if reading.kind(number) == "number" and reading.word(unit) in LENGTH and number not in reading.taken:
-                height = reading.value(number) * LENGTH[reading.word(unit)]
-                if not 1.8 <= height <= 30:
-                    break
-                first, last = min(index, number), max(index + 1, unit + 1)
-                last += reading.word(last) in ("high", "height")
-                reading.facts.heights.append(HeightFact(height, "", reading.span(first, last)))
-                reading.take(first, last)
-                break
-            if number > index and reading.breaks(number):
-                break
+        number = _height_near(reading, index)
+        if number is None:
+            continue
+        height = reading.value(number) * LENGTH[reading.word(number + 1)]
+        first, last = min(index, number), max(index + 1, number + 2)
+        last += reading.word(last) in ("high", "height")
+        room = room_after(reading, last + 1) if reading.word(last) in ("in", "for") else ""
+        reading.facts.heights.append(HeightFact(height, room, reading.span(first, last)))
+        reading.take(first, last)
+
+
+def _height_near(reading: Reading, index: int) -> int | None:
+    """Return the number of metres or feet that is said of a ceiling: after it in its sentence, else before it."""
+    after = itertools.takewhile(lambda number: not reading.breaks(number), range(index + 1, index + 7))
+    for number in (*after, *range(index - 1, index - 5, -1)):
+        if reading.kind(number) == "number" and reading.word(number + 1) in LENGTH and number not in reading.taken:
+            height = reading.value(number) * LENGTH[reading.word(number + 1)]
+            return number if 1.8 <= height <= 30 else None
+    return None

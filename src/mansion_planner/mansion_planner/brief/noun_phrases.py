@@ -85,10 +85,11 @@ def _with_own_names(reading: Reading, phrases: list[Phrase]) -> list[Phrase]:
 def _named_again(reading: Reading, chunks: list[tuple[int, int]], phrases: list[Phrase]) -> list[Phrase]:
     """Return later mentions of rooms of unknown kinds: "keep the scriptorium apart from the kitchen"."""
     unknown = {reading.words(p.begin, p.noun_end): p for p in phrases if p.head == "room" and not p.known}
+    heads = _by_head(phrases)
     found = []
     for begin, end in chunks:
         first = unknown.get(reading.words(begin, end))
-        first = first or _by_its_modifier(reading, phrases, begin, end) or _by_its_head(reading, phrases, begin, end)
+        first = first or _by_its_modifier(reading, phrases, begin, end) or _by_its_head(reading, heads, begin, end)
         if first is not None and reading.free(begin, end):
             phrase = finished_phrase(reading, "room", begin, end, room=first.room_type, known=first.known)
             reading.take(phrase.first, phrase.last)
@@ -112,18 +113,22 @@ def _by_its_modifier(reading: Reading, phrases: list[Phrase], begin: int, end: i
     return named[0] if len({phrase.name for phrase in named}) == 1 else None
 
 
-def _by_its_head(reading: Reading, phrases: list[Phrase], begin: int, end: int) -> Phrase | None:
+def _by_head(phrases: list[Phrase]) -> dict[str, Phrase]:
+    """Return rooms by the last word of their names, where no two of other names share it."""
+    named: dict[str, dict[str, Phrase]] = {}
+    for phrase in phrases:
+        if phrase.head == "room" and "_" in phrase.name:
+            named.setdefault(phrase.name.rpartition("_")[2], {}).setdefault(phrase.name, phrase)
+    return {head: next(iter(rooms.values())) for head, rooms in named.items() if len(rooms) == 1}
+
+
+def _by_its_head(reading: Reading, heads: dict[str, Phrase], begin: int, end: int) -> Phrase | None:
     """Return the one room of an earlier sentence that "the dock" is short for: the loading dock."""
     if end - begin != 1 or reading.word(begin - 1) != "the":
         return None
-    names = {
-        phrase.name: phrase
-        for phrase in phrases
-        if phrase.head == "room"
-        and phrase.name.endswith(f"_{reading.word(begin)}")
-        and reading.sentence[phrase.first] < reading.sentence[begin]
-    }
-    return next(iter(names.values())) if len(names) == 1 else None
+    phrase = heads.get(reading.word(begin))
+    earlier = phrase is not None and reading.sentence[phrase.first] < reading.sentence[begin]
+    return phrase if earlier else None
 
 
 def _chunks(reading: Reading) -> list[tuple[int, int]]:

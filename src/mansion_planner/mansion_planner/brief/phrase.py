@@ -34,7 +34,7 @@ FUNCTION_WORDS = frozenset(
     named known planned needed wanted required preferred desired expected apiece respectively etc ie eg namely such
     measure measuring occupy occupying span spanning
     well however therefore moreover nevertheless obviously yes ok pls hello hi dear thanks thank upstairs downstairs
-    upstair downstair throughout everywhere anywhere elsewhere
+    upstair downstair throughout everywhere anywhere elsewhere neither incl
     """.split()
 )
 """Words that no noun phrase of a room goes across."""

@@ -11,7 +11,7 @@ from dataclasses import replace
 from mansion_knowledge import KnowledgeBase
 from mansion_planner.brief.adverts import read_adverts, read_bedrooms_of_building
 from mansion_planner.brief.attachment import Attachment
-from mansion_planner.brief.building import building_phrase, own_building_name, unknown_building
+from mansion_planner.brief.building import building_phrase, is_compound, own_building_name, unknown_building
 from mansion_planner.brief.bystanders import without_bystanders
 from mansion_planner.brief.coreference import coreferences
 from mansion_planner.brief.desk_areas import read_desk_areas
@@ -190,6 +190,8 @@ class _Reader:
         """Read "40 rooms" in a hotel, hospital or dormitory as the rooms that it is for; elsewhere they stay unread."""
         if phrase.head == "building" and not phrase.room_type:
             return replace(phrase, room_type=similar_room_type(phrase.name, self.reading.knowledge), known=False)
+        if phrase.head == "building" and phrase.counted and phrase.plural and is_compound(self.reading, phrase):
+            return replace(phrase, known=False)
         if phrase.name == "hall" and phrase.room_type == "hallway" and sum(phrase.areas[:1]) >= 40.0:
             return replace(phrase, room_type="assembly_hall")
         if phrase.head != "room" or phrase.name not in ("room", "guest_room") or not phrase.counted:
@@ -222,6 +224,11 @@ class _Reader:
     def _fittings(self) -> None:
         """Read "every cell fitted with bunk, toilet and desk" as furniture, though a toilet can be a room as well."""
         reading = self.reading
+        fitted = {
+            reading.sentence[index]: index
+            for index in reversed(range(len(reading.tokens)))
+            if reading.word(index) in ("fitted", "equipped", "furnished") and reading.word(index + 1) == "with"
+        }
         for number, phrase in enumerate(self.phrases):
             if phrase.head != "room" or phrase.areas:
                 continue
@@ -233,14 +240,10 @@ class _Reader:
                 category, _ = furniture_of(reading.words(phrase.begin, phrase.noun_end))
                 self.phrases[number] = replace(phrase, head="object", category=category, room_type="")
                 continue
-            start = phrase.first
-            while start > 0 and reading.sentence[start - 1] == reading.sentence[phrase.first]:
-                start -= 1
-                if reading.word(start) in ("fitted", "equipped", "furnished") and reading.word(start + 1) == "with":
-                    category, _ = furniture_of(reading.words(phrase.begin, phrase.noun_end))
-                    if category:
-                        self.phrases[number] = replace(phrase, head="object", category=category, room_type="")
-                    break
+            if fitted.get(reading.sentence[phrase.first], phrase.first) < phrase.first:
+                category, _ = furniture_of(reading.words(phrase.begin, phrase.noun_end))
+                if category:
+                    self.phrases[number] = replace(phrase, head="object", category=category, room_type="")
 
     def _is_fixture(self, room: Phrase, phrase: Phrase) -> bool:
         """Whether "a bathroom with a shower" speaks of what stands in the bathroom."""
@@ -449,6 +452,13 @@ def _leave_unread(reading: Reading) -> None:
             first = -1
 
 
+_RELATING = frozenset(
+    """
+    above below beneath underneath over under behind beside near opposite surrounded share overlooking except unless
+    """.split()
+)
+"""Words that tell where a room is, or what it shares; where no relation was read they are told of."""
+
 _REQUESTS = frozenset(
     "design generate imagine think thank suppose assume kindly hereby attach attached regards".split()
 )
@@ -457,8 +467,15 @@ _REQUESTS = frozenset(
 
 def _is_content(reading: Reading, index: int) -> bool:
     token = reading.tokens[index]
-    if token.kind == "number" or token.text in ("except", "unless"):
+    if token.kind == "number":
         return True
+    grounded = reading.word(index + 1) in ("ground", "grade") or reading.kind(index + 1) in ("number", "unit")
+    if token.kind == "ordinal" or (token.text in _RELATING and not grounded):
+        return True
+    if reading.word(index - 1) == "(" and reading.word(index + 1) == ")" and token.text in PLAIN:
+        return True  # "kitchen (open)"
+    if token.text in ("same", "different") and reading.word(index + 1) in FLOOR_WORDS and index + 1 not in reading.taken:
+        return True  # "on the same floor as"
     if token.text == "only" and reading.plural(index - 1) and reading.breaks(index + 1):
         return True  # "on the first floor we want bedrooms only"
     return (

@@ -22,7 +22,7 @@ FLOOR_WORDS = frozenset(
 _BREAKS = frozenset({".", ";", "\n", "!", "?"})
 _ABBREVIATIONS = frozenset(
     """
-    approx ca incl max min no nr sq etc st vs eg resp
+    approx ca dr incl max min no nr sq etc st vs eg resp
     """.split()
 )
 

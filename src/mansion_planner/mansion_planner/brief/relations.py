@@ -4,7 +4,8 @@ A relation joins the room named last before it and the rooms named right after i
 """
 
 import itertools
-from dataclasses import dataclass
+from bisect import bisect_left
+from dataclasses import dataclass, replace
 
 from mansion_planner.brief.phrase import Phrase
 from mansion_planner.brief.reading import Reading
@@ -181,10 +182,22 @@ def read_relations(reading: Reading, phrases: list[Phrase], excluded_phrases: se
             index += 1
             continue
         relation, last = found
+        relation = _of_subject(reading, phrases, relation, relations[-1] if relations else None)
         relations.append(relation)
         reading.take(relation.first, relation.last)
         index = max(last, index + 1)
     return relations
+
+
+def _of_subject(
+    reading: Reading, phrases: list[Phrase], relation: Relation, before: Relation | None
+) -> Relation:
+    """Return a relation that goes on after a comma as of the same room: "beside the dock, away from the boiler"."""
+    if before is None or relation.lefts != before.rights[-1:] or before.lefts == before.rights:
+        return relation
+    between = reading.words(phrases[relation.lefts[0]].last, relation.first)
+    joined = between in ((",",), (",", "and"), (",", "but"), ("but",), ("and",))
+    return replace(relation, lefts=before.lefts) if joined else relation
 
 
 def _relation_at(reading: Reading, phrases: list[Phrase], rooms: list[int], index: int) -> tuple[Relation, int] | None:
@@ -223,9 +236,13 @@ def _belonging(
     reading: Reading, phrases: list[Phrase], rooms: list[int], index: int
 ) -> tuple[Relation, int] | None:
     """Read "an ensuite to the master bedroom"."""
-    owned = next((n for n in rooms if phrases[n].last == index and phrases[n].room_type in _OWNED), None)
-    owner = next((n for n in rooms if phrases[n].begin == index + 2 and phrases[n].head == "room"), None)
-    if owned is None or owner is None:
+    at = bisect_left(rooms, index, key=lambda n: phrases[n].last)
+    if at + 1 >= len(rooms):
+        return None
+    owned, owner = rooms[at], rooms[at + 1]
+    if phrases[owned].last != index or phrases[owned].room_type not in _OWNED:
+        return None
+    if phrases[owner].begin != index + 2 or phrases[owner].head != "room":
         return None
     return Relation((owned,), (owner,), False, index, index + 2), phrases[owner].last
 
@@ -377,7 +394,7 @@ def _right(reading: Reading, phrases: list[Phrase], rooms: list[int], last: int)
     if not following or phrases[following[0]].begin - last > 5:
         return []
     if reading.breaks(last - 1) or any(
-        word in (",", ":", ")") for word in reading.words(last, phrases[following[0]].first)
+        word in (",", ":", ")", "with") for word in reading.words(last, phrases[following[0]].first)
     ):
         return []
     rights = [following[0]]

@@ -370,7 +370,7 @@ _NO_ROOMS = frozenset(
     material colour color area interior facade terrace steps step ramp way time year day night week money budget lot
     plenty kind sort type size shape plan layout entrance access room place part one none whole wood oak brick stone
     glass steel concrete marble gold silver white black green blue red furniture gross net total rectangle footprint
-    square thing stuff number escape dust water power heating cooling air sun daylight privacy quiet peace m metre
+    square thing stuff number largest biggest smallest other larger smaller bigger star escape dust water power heating cooling air sun daylight privacy quiet peace m metre
     meter roof
     """.split()
 )

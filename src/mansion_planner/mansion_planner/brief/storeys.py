@@ -6,7 +6,7 @@ top"), as a set ("every floor", "all but the last") or from the storey named bef
 
 from dataclasses import replace
 
-from mansion_planner.brief.facts import FloorRef
+from mansion_planner.brief.facts import FloorRef, Quantity
 from mansion_planner.brief.named_storeys import COPULAS, TOPS, NamedStoreys
 from mansion_planner.brief.numbered_storeys import NumberedStoreys
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
@@ -286,9 +286,15 @@ class _Scanner:
             return [FloorRef("every")], last + 1  # "three apartments by floor"
         if word not in ("every", "each", "all", "per", "both", "any", "either", "whole"):
             return None
+        if word in ("every", "each") and reading.word(last) in ("second", "other") and not reading.plural(last + 1):
+            if reading.word(last + 1) in FLOOR_WORDS:
+                return [FloorRef("even")], last + 2  # "every second floor"
         if reading.word(last) == "of":
             last += 1 + (reading.word(last + 1) in ("the", "its", "our", "these", "those"))
         last += reading.word(last) in ("the", "our", "single", "one")
+        counted = reading.kind(last) == "number" and reading.word(last + 1) in FLOOR_WORDS
+        if counted and reading.value(last) > 1 and not reading.facts.floors:
+            reading.facts.floors.append(Quantity(reading.value(last), reading.span(last, last + 2)))
         last += reading.kind(last) == "number"
         upper = reading.word(last) in ("upper", "other", "guest", "remaining")
         last += upper or reading.word(last) in ("residential", "office", "typical")

@@ -125,7 +125,7 @@ def wishes_of(decisions: Decisions, knowledge: KnowledgeBase) -> list[Wish]:
     ]
 
 
-_QUALIFIED = frozenset({"room", "object", "stair", "elevator", "building_type"})
+_QUALIFIED = frozenset({"total_area", "room", "object", "stair", "elevator", "building_type"})
 """Kinds of wishes for things that can have properties."""
 
 
