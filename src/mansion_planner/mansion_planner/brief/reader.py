@@ -6,6 +6,7 @@ content words that belong to none are reported as not understood. No step looks 
 is proportional to the length of the text.
 """
 
+from collections.abc import Callable
 from dataclasses import replace
 
 from mansion_knowledge import KnowledgeBase
@@ -46,8 +47,8 @@ from mansion_planner.brief.wishes import read_copies, read_massing, read_shape, 
 __all__ = ["read_brief"]
 
 
-def read_brief(text: str, knowledge: KnowledgeBase) -> BriefFacts:
-    """Return what `text` states; never raises, whatever the text.
+def read_brief(text: str, knowledge: KnowledgeBase, *, cancelled: Callable[[], bool] = lambda: False) -> BriefFacts:
+    """Return what `text` states, whatever the text is.
 
     Parameters
     ----------
@@ -55,6 +56,13 @@ def read_brief(text: str, knowledge: KnowledgeBase) -> BriefFacts:
         English, any length; words of other scripts are passed over.
     knowledge : KnowledgeBase
         Gives the names of rooms, buildings and styles.
+    cancelled : callable
+        Asked between the steps whether the reading is not wanted any more.
+
+    Raises
+    ------
+    MansionError
+        ``CANCELED``, of nothing else.
 
     Examples
     --------
@@ -65,7 +73,8 @@ def read_brief(text: str, knowledge: KnowledgeBase) -> BriefFacts:
     >>> [(room.room_type, room.count) for room in facts.rooms]
     [('bedroom', 3)]
     """
-    reading = start_reading(text, knowledge)
+    reading = start_reading(text, knowledge, cancelled)
+    reading.go_on()
     read_materials(reading)
     read_heights(reading)
     read_style(reading, named=True)
@@ -73,7 +82,9 @@ def read_brief(text: str, knowledge: KnowledgeBase) -> BriefFacts:
     measures = find_measures(reading)
     places = read_storeys(reading)
     read_massing(reading)
+    reading.go_on()
     phrases = _Reader(reading, places).read(measures)
+    reading.go_on()
     read_copies(reading, places)
     read_style(reading, named=False)
     reading.facts.unheeded += unheeded_words(reading, phrases, reading.facts)
@@ -94,10 +105,12 @@ class _Reader:
         self.opening = unknown_building(reading)
         phrases = without_bystanders(reading, noun_phrases(reading))
         phrases = desks_as_places(reading, rooms_by_name(reading, phrases))
+        reading.go_on()
         stacked = read_stacking(reading, phrases)
         phrases = [phrase for number, phrase in enumerate(phrases) if number not in stacked]
         self.building = self._name_building(phrases)
         self.phrases = [self._plain_rooms(phrase) for phrase in give_measures(reading, measures, phrases)]
+        reading.go_on()
         read_late_counts(reading, self.phrases)
         self.phrases, self.households = read_households(reading, self.phrases, self.places, self.building)
         self._find_building()
@@ -105,6 +118,7 @@ class _Reader:
         self._fittings()
         shared = read_counts_by_storey(reading, self.phrases, self.places, self.households)
         self._find_building()
+        reading.go_on()
         self.relations = read_relations(reading, self.phrases, set() if self.building is None else {self.building})
         self.negated = negated_phrases(reading, self.phrases)
         self.attached = attach_units(reading, self.places, self.phrases, self.building, self.households)
@@ -112,6 +126,7 @@ class _Reader:
             if phrase.first in shared and number in self.attached:
                 self.attached[number] = Attachment(self.attached[number].refs)
         self._other_names_of_building()
+        reading.go_on()
         self.same, self.groups = coreferences(reading, self.phrases, self._wanted_rooms(), self.relations)
         self._said_with_area()
         self._placed_later()
@@ -122,7 +137,9 @@ class _Reader:
             if self.phrases[n].head == "room" and self.phrases[n].first not in self.households.read
         ]
         read_counts_by_person(reading, self.phrases, rooms, self.same, self.households.inner)
+        reading.go_on()
         suites = read_suites(reading, self.phrases, rooms, self.same, self.households.inner)
+        reading.go_on()
         self._occupants()
         self._vertical()
         self.facts.objects += read_furnishings(reading, self.phrases, self.attached, self.negated, self.same)
