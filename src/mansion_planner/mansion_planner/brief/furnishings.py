@@ -112,7 +112,8 @@ def _numbered_places(
     """Read "three 6-bed dorms" and "a 12-seat boardroom" as the furniture that each such room needs."""
     found = []
     for number, phrase in enumerate(phrases):
-        if phrase.head != "room" or number in negated:
+        named = phrase.head == "room" or (phrase.head == "building" and not _whole(reading, phrase))
+        if not named or not phrase.room_type or number in negated:
             continue
         for index in range(max(phrase.first - 2, 0), phrase.noun_end - 1):
             category = _PLACES.get(reading.word(index + 1))

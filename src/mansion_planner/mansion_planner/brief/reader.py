@@ -101,7 +101,7 @@ class _Reader:
     def read(self, measures: list[Measure]) -> list[Phrase]:
         """Read everything that noun phrases are part of; return them."""
         reading = self.reading
-        read_adverts(reading)
+        read_adverts(reading, self.places)
         self.opening = unknown_building(reading)
         phrases = without_bystanders(reading, noun_phrases(reading))
         phrases = desks_as_places(reading, rooms_by_name(reading, phrases))
