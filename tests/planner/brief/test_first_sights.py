@@ -124,7 +124,7 @@ def test_a_house_without_stairs_has_one_storey() -> None:
          ("loading_dock", "warehouse"), False),
     ],
 )  # fmt: skip
-def test_relations(text: str, pair: tuple[str, str], apart: bool) -> None:  # noqa: FBT001
+def test_relations(text: str, pair: tuple[str, str], apart: bool) -> None:
     facts = read(text)
     assert pair in [(fact.first_name, fact.second_name) for fact in (facts.apart if apart else facts.adjacent)]
 

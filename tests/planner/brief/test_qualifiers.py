@@ -57,7 +57,7 @@ def test_names_and_praise_are_no_properties(text: str) -> None:
 
 def test_a_property_of_a_room_is_no_style_of_the_building() -> None:
     assert read("a house with two bright bedrooms").styles == []
-    assert [name for name, _ in read("Fitness studio. Bright and modern.").styles][0] == "modern"
+    assert next(name for name, _ in read("Fitness studio. Bright and modern.").styles) == "modern"
 
 
 def test_the_wish_of_an_unheeded_word_says_so() -> None:

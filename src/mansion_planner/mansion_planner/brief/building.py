@@ -66,8 +66,10 @@ def _score(reading: Reading, phrases: list[Phrase], places: list[Place], phrase:
     is_room = phrase.head == "room" or phrase.building == "office"
     if any(_are_told_apart(phrase, other) for other in phrases):
         return 0.0  # "big studio ... small studio"
-    if phrase.building == "office" and _has_owner(reading, phrase) and any(
-        other is not phrase and other.building == "office" and _has_owner(reading, other) for other in phrases
+    if (
+        phrase.building == "office"
+        and _has_owner(reading, phrase)
+        and any(other is not phrase and other.building == "office" and _has_owner(reading, other) for other in phrases)
     ):
         return 0.0  # "Dr. Meyer's office and Dr. Lee's office"
     if phrase.counted and (phrase.count or 0) > 1 and phrase.plural and is_compound(reading, phrase):
@@ -201,7 +203,7 @@ def unknown_building(reading: Reading) -> tuple[str, str, int, int] | None:
 
 
 def _names_part(reading: Reading, first: int, last: int, like: str) -> bool:
-    """Whether words name a room, a thing or people rather than a building: "Ward with 12 beds", "Half of the offices"."""
+    """Whether words name a room, a thing or people and no building: "Ward with 12 beds", "Half of the offices"."""
     word = reading.word(last - 1)
     whole = lexicon_of(reading.knowledge).phrases.get(reading.words(first, last))
     listed = reading.word(first - 1) == ":" and whole is not None and whole.room and not whole.building

@@ -96,7 +96,9 @@ _ENDS = frozenset(
     }
 )
 _SUBJECTS = frozenset("do does would i we you they he she it people".split())
-_CONTRASTS = frozenset("to in on at from into onto near next beside by towards toward inside of for like as under".split())
+_CONTRASTS = frozenset(
+    "to in on at from into onto near next beside by towards toward inside of for like as under".split()
+)
 _REFUSALS = frozenset("veto vetoe reject refuse dislike hate replace".split())
 _TIGHT = frozenset("narrow small low tight short slim steep little cramped poor".split())
 _COMPARISONS = frozenset(

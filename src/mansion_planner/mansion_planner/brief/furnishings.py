@@ -106,9 +106,7 @@ def _seats(reading: Reading, phrases: list[Phrase], negated: dict[int, tuple[int
     return found
 
 
-def _numbered_places(
-    reading: Reading, phrases: list[Phrase], negated: dict[int, tuple[int, int]]
-) -> list[ObjectFact]:
+def _numbered_places(reading: Reading, phrases: list[Phrase], negated: dict[int, tuple[int, int]]) -> list[ObjectFact]:
     """Read "three 6-bed dorms" and "a 12-seat boardroom" as the furniture that each such room needs."""
     found = []
     for number, phrase in enumerate(phrases):

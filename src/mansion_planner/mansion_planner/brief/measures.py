@@ -17,8 +17,8 @@ _FILLERS = frozenset(
     of with ( about around at least measuring is has approximately be should covering roughly an area size sized
     each : having = a must will exactly occupying minimum than more floor something like the region in circa ca
     approx some apiece over for maybe nearly almost are being up to each one - – every max maximum no less not under
-    total below every measure have has some shall larger bigger smaller greater exceed exceeding within limited capped min
-    pass surpass
+    total below every measure have has some shall larger bigger smaller greater exceed exceeding within limited
+    capped min pass surpass
     """.split()
 )
 _TOTALS = frozenset(
@@ -199,7 +199,9 @@ def _leave(reading: Reading, quantities: list[Quantity], *kept: Quantity) -> Non
     starts = {span.start: span.end for span in others}
     for index, token in enumerate(reading.tokens):
         if token.start in starts:
-            last = next((i for i in range(index, len(reading.tokens)) if reading.tokens[i].end >= starts[token.start]), index)
+            last = next(
+                (i for i in range(index, len(reading.tokens)) if reading.tokens[i].end >= starts[token.start]), index
+            )
             reading.taken.difference_update(range(index, last + 1))
 
 

@@ -7,7 +7,17 @@ from mansion_language import Token
 from mansion_planner.brief.lexicon import Mention
 from mansion_planner.brief.reading import Reading
 
-__all__ = ["FUNCTION_WORDS", "PEOPLE", "PLAIN", "UNITS_OF_ROOMS", "Head", "Phrase", "count_before", "finished_phrase", "name_of"]
+__all__ = [
+    "FUNCTION_WORDS",
+    "PEOPLE",
+    "PLAIN",
+    "UNITS_OF_ROOMS",
+    "Head",
+    "Phrase",
+    "count_before",
+    "finished_phrase",
+    "name_of",
+]
 
 Head: TypeAlias = Literal["room", "building", "stair", "elevator", "object", "people", "unknown"]
 

@@ -16,20 +16,20 @@ __all__ = ["is_property", "unheeded_words"]
 
 _PROPERTIES = frozenset(
     """
-    bright dark sunny sunlit sunlight airy daylight panoramic quiet silent noisy acoustic secure bulletproof safe secret
-    hidden accessible barrier wheelchair sterile hygienic hermetic humid waterproof watertight airtight cool warm gated
-    movable mobile modular flexible foldable sliding rotating revolving retractable narrow long tall high low wide
-    spiral winding straight curved circular round oval octagonal hexagonal triangular domed arched corner north south
-    east west northern southern eastern western northeast northwest southeast southwest passive sustainable solar
-    ecological marble oak walnut wooden red blue yellow orange purple pink brown black white grey gray beige turquoise
-    golden medieval baroque futuristic steampunk ancient roman egyptian tudor colonial automatic electric smart antique floating shallow deep steep kosher halal antistatic
-    double-height
+    bright dark sunny sunlit sunlight airy daylight panoramic quiet silent noisy acoustic secure bulletproof safe
+    secret hidden accessible barrier wheelchair sterile hygienic hermetic humid waterproof watertight airtight cool
+    warm gated movable mobile modular flexible foldable sliding rotating revolving retractable narrow long tall high
+    low wide spiral winding straight curved circular round oval octagonal hexagonal triangular domed arched corner
+    north south east west northern southern eastern western northeast northwest southeast southwest passive
+    sustainable solar ecological marble oak walnut wooden red blue yellow orange purple pink brown black white grey
+    gray beige turquoise golden medieval baroque futuristic steampunk ancient roman egyptian tudor colonial
+    automatic electric smart antique floating shallow deep steep kosher halal antistatic double-height
     """.split()
 )
 _SUBSTANCES = frozenset(
     "glass brick concrete timber wood stone bamboo leather steel metal velvet silver square rectangular green".split()
 )
-"""Words for how a thing is that before a room rather say what is done or kept there: a wood shop, a green bean store."""
+"""Words that before a room rather say what is done or kept there: a wood shop, a green bean store."""
 _ENDINGS = ("proof", "proofed", "less", "able", "ible", "resistant", "friendly", "facing", "lit", "ceilinged", "walled")
 _JOINED = frozenset("proof free friendly resistant facing lit height ceilinged walled shaped conditioned".split())
 """Words that make a property of the word that a hyphen joins to them: "sound-proof", "barrier-free", "L-shaped"."""
@@ -37,10 +37,10 @@ _FREE = frozenset({"barrier", "smoke", "dust", "allergy", "column", "step", "noi
 """What "-free" says of a room itself, rather than of what is sold there."""
 _NO_PROPERTIES = frozenset(
     """
-    table stable cable vegetable bed shed seed feed speed reed shared combined dedicated detached attached mixed terraced
-    semidetached integrated enclosed fitted built sized need used furnished equipped needed wanted required separated
-    united limited advanced embedded hundred kindred sacred listed unlimited assisted supervised gifted disabled injured
-    retired homeless wireless related stepped recessed closed mirrored covered
+    table stable cable vegetable bed shed seed feed speed reed shared combined dedicated detached attached mixed
+    terraced semidetached integrated enclosed fitted built sized need used furnished equipped needed wanted required
+    separated united limited advanced embedded hundred kindred sacred listed unlimited assisted supervised gifted
+    disabled injured retired homeless wireless related stepped recessed closed mirrored covered
     """.split()
 )
 _KINDS = frozenset({"room", "building", "object", "stair", "elevator"})

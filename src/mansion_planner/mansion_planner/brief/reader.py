@@ -250,7 +250,11 @@ class _Reader:
             if phrase.head != "room" or phrase.areas:
                 continue
             held = number > 0 and self.phrases[number - 1].head == "room"
-            if held and phrase.name == "locker" and reading.words(self.phrases[number - 1].last, phrase.first) == ("with",):
+            if (
+                held
+                and phrase.name == "locker"
+                and reading.words(self.phrases[number - 1].last, phrase.first) == ("with",)
+            ):
                 self.phrases[number] = replace(phrase, head="object", category="locker", room_type="")
                 continue
             if held and self._is_fixture(self.phrases[number - 1], phrase):
@@ -491,7 +495,11 @@ def _is_content(reading: Reading, index: int) -> bool:
         return True
     if reading.word(index - 1) == "(" and reading.word(index + 1) == ")" and token.text in PLAIN:
         return True  # "kitchen (open)"
-    if token.text in ("same", "different") and reading.word(index + 1) in FLOOR_WORDS and index + 1 not in reading.taken:
+    if (
+        token.text in ("same", "different")
+        and reading.word(index + 1) in FLOOR_WORDS
+        and index + 1 not in reading.taken
+    ):
         return True  # "on the same floor as"
     if token.text == "only" and reading.plural(index - 1) and reading.breaks(index + 1):
         return True  # "on the first floor we want bedrooms only"

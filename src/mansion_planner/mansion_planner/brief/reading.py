@@ -150,9 +150,7 @@ class Reading:
         return self.taken.isdisjoint(range(first, last))
 
 
-def start_reading(
-    text: str, knowledge: KnowledgeBase, cancelled: Callable[[], bool] = lambda: False
-) -> Reading:
+def start_reading(text: str, knowledge: KnowledgeBase, cancelled: Callable[[], bool] = lambda: False) -> Reading:
     """Tokenise `text`, correct misspelt words and find the phrases of the knowledge base."""
     lexicon = lexicon_of(knowledge)
     tokens = compounds(

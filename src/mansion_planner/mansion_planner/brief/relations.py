@@ -189,9 +189,7 @@ def read_relations(reading: Reading, phrases: list[Phrase], excluded_phrases: se
     return relations
 
 
-def _of_subject(
-    reading: Reading, phrases: list[Phrase], relation: Relation, before: Relation | None
-) -> Relation:
+def _of_subject(reading: Reading, phrases: list[Phrase], relation: Relation, before: Relation | None) -> Relation:
     """Return a relation that goes on after a comma as of the same room: "beside the dock, away from the boiler"."""
     if before is None or relation.lefts != before.rights[-1:] or before.lefts == before.rights:
         return relation
@@ -232,9 +230,7 @@ def _relation_at(reading: Reading, phrases: list[Phrase], rooms: list[int], inde
     return _directed(reading, phrases, rooms, index, index + len(beside), apart=apart is not None)
 
 
-def _belonging(
-    reading: Reading, phrases: list[Phrase], rooms: list[int], index: int
-) -> tuple[Relation, int] | None:
+def _belonging(reading: Reading, phrases: list[Phrase], rooms: list[int], index: int) -> tuple[Relation, int] | None:
     """Read "an ensuite to the master bedroom"."""
     at = bisect_left(rooms, index, key=lambda n: phrases[n].last)
     if at + 1 >= len(rooms):

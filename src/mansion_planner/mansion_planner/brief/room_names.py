@@ -1,7 +1,7 @@
 """Read what rooms are called beyond their kind: own names, what they are for, and kinds that nobody knows."""
 
 import re
-from collections.abc import Collection, Mapping
+from collections.abc import Mapping
 from dataclasses import replace
 
 from mansion_language import singular
@@ -364,14 +364,14 @@ def _has_measure(reading: Reading, end: int) -> bool:
 _HOLDS = frozenset("holding containing with houses housing has have holds".split())
 _NO_ROOMS = frozenset(
     """
-    surface built gfa extension capacity volume rest remainder minimum maximum footprint
-    group team year department style look feel window door wall ceiling roof floor view light noise smell garden outside
-    street visitor guest gate fence plot river lake sea hill park field forest
-    material colour color area interior facade terrace steps step ramp way time year day night week money budget lot
-    plenty kind sort type size shape plan layout entrance access room place part one none whole wood oak brick stone
-    glass steel concrete marble gold silver white black green blue red furniture gross net total rectangle footprint
-    square thing stuff number largest biggest smallest other larger smaller bigger star escape dust water power heating cooling air sun daylight privacy quiet peace m metre
-    meter roof
+    surface built gfa extension capacity volume rest remainder minimum maximum footprint group team year department
+    style look feel window door wall ceiling roof floor view light noise smell garden outside street visitor guest
+    gate fence plot river lake sea hill park field forest material colour color area interior facade terrace steps
+    step ramp way time year day night week money budget lot plenty kind sort type size shape plan layout entrance
+    access room place part one none whole wood oak brick stone glass steel concrete marble gold silver white black
+    green blue red furniture gross net total rectangle footprint square thing stuff number largest biggest smallest
+    other larger smaller bigger star escape dust water power heating cooling air sun daylight privacy quiet peace m
+    metre meter roof
     """.split()
 )
 

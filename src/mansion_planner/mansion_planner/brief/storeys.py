@@ -286,9 +286,9 @@ class _Scanner:
             return [FloorRef("every")], last + 1  # "three apartments by floor"
         if word not in ("every", "each", "all", "per", "both", "any", "either", "whole"):
             return None
-        if word in ("every", "each") and reading.word(last) in ("second", "other") and not reading.plural(last + 1):
-            if reading.word(last + 1) in FLOOR_WORDS:
-                return [FloorRef("even")], last + 2  # "every second floor"
+        by_turns = word in ("every", "each") and reading.word(last) in ("second", "other")
+        if by_turns and reading.word(last + 1) in FLOOR_WORDS and not reading.plural(last + 1):
+            return [FloorRef("even")], last + 2  # "every second floor"
         if reading.word(last) == "of":
             last += 1 + (reading.word(last + 1) in ("the", "its", "our", "these", "those"))
         last += reading.word(last) in ("the", "our", "single", "one")

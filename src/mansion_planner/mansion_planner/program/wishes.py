@@ -232,7 +232,9 @@ class _Ledger:
         if not room.known:
             reason = f"no such room is known; planned and furnished like {room.room_type.replace('_', ' ')}"
         whole = room.area is not None and is_whole(room, self.knowledge)
-        value = WishValue(name=room.name, type=room.room_type, count=room.count, area=room.area, whole=whole, limit=room.limit)
+        value = WishValue(
+            name=room.name, type=room.room_type, count=room.count, area=room.area, whole=whole, limit=room.limit
+        )
         self.add("room", room.span, value, Scope(floors=self.floors(room.floors), each=room.each), reason=reason)
         if room.unit:
             self._unit(room)
@@ -242,7 +244,10 @@ class _Ledger:
             many = None if owners is None else owners * (child.count or 1)
             scope = Scope(floors=self.floors(room.floors), each=room.each, room=room.name, room_type=room.room_type)
             self.add(
-                "room", child.span, WishValue(name=child.name, type=child.room_type, count=many, area=child.area, limit=child.limit), scope
+                "room",
+                child.span,
+                WishValue(name=child.name, type=child.room_type, count=many, area=child.area, limit=child.limit),
+                scope,
             )
 
     def _unit(self, room: RoomFact) -> None:
@@ -252,7 +257,9 @@ class _Ledger:
             reason = ""
             if not child.known:
                 reason = f"no such room is known; planned and furnished like {child.room_type.replace('_', ' ')}"
-            value = WishValue(name=child.name, type=child.room_type, count=child.count, area=child.area, limit=child.limit)
+            value = WishValue(
+                name=child.name, type=child.room_type, count=child.count, area=child.area, limit=child.limit
+            )
             self.add("room", child.span, value, scope, reason=reason)
 
     def _relation(self, kind: WishKind, fact: AdjacencyFact) -> None:
