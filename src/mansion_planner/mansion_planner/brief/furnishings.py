@@ -1,7 +1,7 @@
 """Read which furniture a brief wants, and in which room: "a fireplace in the living room", "each with two beds"."""
 
 from mansion_planner.brief.facts import ObjectFact
-from mansion_planner.brief.phrase import Phrase
+from mansion_planner.brief.phrase import FUNCTION_WORDS, Phrase
 from mansion_planner.brief.reading import Reading
 from mansion_planner.brief.storey_attachment import Attachment
 
@@ -53,11 +53,14 @@ def read_furnishings(
             room = None
         if room is not None and number in negated and _replaced(reading, phrases, negated, number):
             room, each = None, False
+        last = phrase.last if room is not None else _unread_place(reading, phrase)
+        if last > phrase.last:
+            reading.facts.unheeded.append(reading.span(phrase.last, last))
         found.append(
             ObjectFact(
                 words=phrase.label,
                 category=phrase.category,
-                span=reading.span(phrase.first, phrase.last),
+                span=reading.span(phrase.first, last),
                 count=phrase.count,
                 room=room.name if room is not None else "",
                 room_type=room.room_type if room is not None else "",
@@ -69,6 +72,20 @@ def read_furnishings(
             )
         )
     return found
+
+
+def _unread_place(reading: Reading, phrase: Phrase) -> int:
+    """Return where a place that nobody knows ends right after furniture ("a stove in the main nook"), if one does."""
+    index = phrase.last
+    if reading.word(index) not in ("in", "on", "at", "by", "near", "under", "behind") or index in reading.taken:
+        return index
+    last = index + 1
+    while not reading.breaks(last) and reading.kind(last) == "word" and last - index < 5 and last not in reading.taken:
+        last += 1
+    words = [reading.word(i) for i in range(index + 1, last)]
+    while words and (words[-1] in FUNCTION_WORDS or words[-1] in ("and", "or")):
+        words.pop()
+    return index + 1 + len(words) if any(word not in FUNCTION_WORDS for word in words) else index
 
 
 _SEATED = frozenset(

@@ -418,7 +418,10 @@ def _described(reading: Reading, measure: Measure, phrases: list[Phrase]) -> lis
     rooms = [
         n
         for n in before
-        if phrases[n].head in ("room", "building") and phrases[n].room_type and not _is_building(reading, phrases[n])
+        if phrases[n].head in ("room", "building")
+        and phrases[n].room_type
+        and phrases[n].name != "room"
+        and not _is_building(reading, phrases[n])
     ]
     if not rooms or phrases[rooms[-1]].areas:
         return []

@@ -293,7 +293,8 @@ def _headed(reading: Reading, begin: int, end: int, *, whole: bool) -> Phrase | 
         return finished_phrase(reading, "room", begin, end, room="study_room", known=False)
     if last in ("room", "corner") and end - begin == 1 and _has_purpose(reading, end) and not reading.plural(end - 1):
         return finished_phrase(reading, "room", begin, end, room="study_room", known=False)
-    alone = last in _STANDS_ALONE and (reading.plural(end - 1) or count_before(reading, begin, end)[2])
+    _, _, counted, determiner = count_before(reading, begin, end)
+    alone = last in _STANDS_ALONE and (reading.plural(end - 1) or counted or determiner == "the")
     if alone and end - begin == 1:
         return finished_phrase(reading, "room", begin, end, room=HEAD_TYPES[last], known=False)
     if last in HEAD_TYPES and end - begin > 1 and not (last in _NO_HEADS and reading.word(end - 2) in PLAIN):

@@ -249,28 +249,18 @@ class _Reader:
         for number, phrase in enumerate(self.phrases):
             if phrase.head != "room" or phrase.areas:
                 continue
-            held = number > 0 and self.phrases[number - 1].head == "room"
-            if (
-                held
-                and phrase.name == "locker"
-                and reading.words(self.phrases[number - 1].last, phrase.first) == ("with",)
-            ):
-                self.phrases[number] = replace(phrase, head="object", category="locker", room_type="")
-                continue
-            if held and self._is_fixture(self.phrases[number - 1], phrase):
-                category, _ = furniture_of(reading.words(phrase.begin, phrase.noun_end))
+            category, _ = furniture_of(reading.words(phrase.begin, phrase.noun_end))
+            before = self.phrases[number - 1] if number else None
+            listed = fitted.get(reading.sentence[phrase.first], phrase.first) < phrase.first
+            if category and (listed or (before is not None and self._is_fixture(before, phrase))):
                 self.phrases[number] = replace(phrase, head="object", category=category, room_type="")
-                continue
-            if fitted.get(reading.sentence[phrase.first], phrase.first) < phrase.first:
-                category, _ = furniture_of(reading.words(phrase.begin, phrase.noun_end))
-                if category:
-                    self.phrases[number] = replace(phrase, head="object", category=category, room_type="")
 
     def _is_fixture(self, room: Phrase, phrase: Phrase) -> bool:
-        """Whether "a bathroom with a shower" speaks of what stands in the bathroom."""
+        """Whether "a bathroom with a shower" and "a staff room with lockers" speak of what stands in the room."""
         between = self.reading.words(room.last, phrase.begin)
-        wet = room.room_type in _BATHROOMS and phrase.name in ("shower", "bath", "walk_in_shower")
-        return wet and between in (("with",), ("with", "a"), ("with", "the")) and not phrase.areas
+        if room.head != "room" or between not in (("with",), ("with", "a"), ("with", "the")):
+            return False
+        return phrase.name == "locker" or (room.room_type in _BATHROOMS and phrase.name in _FIXTURES)
 
     # Phrases that stand for others ----------------------------------------------------------------------------------
 
@@ -288,6 +278,10 @@ class _Reader:
         sentence = self.reading.sentence[named.first] if named is not None else -1
         buildings = self.reading.knowledge.buildings
         for number, phrase in enumerate(self.phrases):
+            again = named is not None and phrase.count == 1 and self._holds_all(phrase, named)
+            if again and number != self.building:
+                self.phrases[number] = replace(phrase, head="unknown")  # "two levels inside one flat"
+                continue
             if number == self.building or not phrase.building or phrase.plural or phrase.counted or phrase.areas:
                 continue
             if named is not None and phrase.head == "building" and self._is_alone(phrase):
@@ -310,12 +304,38 @@ class _Reader:
             if same_family or phrase.first < named.first:
                 self.phrases[number] = replace(phrase, head="unknown")
 
+    def _holds_all(self, phrase: Phrase, named: Phrase) -> bool:
+        """Whether "inside one flat" speaks of the building, as "in an old factory" does of where it is."""
+        reading, before = self.reading, self.reading.word(phrase.first - 1)
+        buildings = reading.knowledge.buildings
+        if not phrase.building or phrase.first < named.first:
+            return False
+        if before in ("in", "inside", "within", "into") and "old" in reading.words(phrase.first, phrase.noun_end):
+            return reading.sentence[phrase.first] == reading.sentence[named.first]
+        alike = buildings[phrase.building].family == buildings[named.building].family
+        return before in ("inside", "within") and alike
+
     def _said_with_area(self) -> None:
         """Give a room the area that another mention of it has: "beside the live room (70 m2) ... The live room"."""
+        self._said_of_all()
         for number, named in self.same.items():
             phrase, room = self.phrases[number], self.phrases[named]
             if phrase.areas and not room.areas and phrase.name == room.name:
                 self.phrases[named] = replace(room, areas=phrase.areas)
+
+    def _said_of_all(self) -> None:
+        """Read "four classrooms ... six classrooms. Classrooms around 50 m2" as of all that are named before."""
+        before: dict[str, list[int]] = {}
+        for number in self._wanted_rooms():
+            phrase = self.phrases[number]
+            named = before.setdefault(phrase.name, [])
+            if phrase.plural and not phrase.counted and phrase.areas and named and number not in self.same:
+                for other in named:
+                    room = self.phrases[other]
+                    self.phrases[other] = room if room.areas else replace(room, areas=phrase.areas, limit=phrase.limit)
+                self.same[number] = named[-1]
+            elif number not in self.same:
+                named.append(number)
 
     def _is_alone(self, phrase: Phrase) -> bool:
         """Whether a phrase of a style and a noun is a sentence of its own."""
@@ -416,9 +436,10 @@ class _Reader:
     def _relations(self) -> None:
         for relation in self.relations:
             held = self.facts.apart if relation.apart else self.facts.adjacent
+            many = len(held)
             for pair in self._pairs(relation):
                 first, second = (self.phrases[self.same.get(n, n)] for n in pair)
-                if not first.room_type or not second.room_type:
+                if not first.room_type or not second.room_type or "unknown" in (first.head, second.head):
                     continue
                 span = self.reading.span(min(first.begin, relation.first), relation.last)
                 if relation.last <= second.begin and second.noun_end - first.begin < 14:
@@ -430,6 +451,12 @@ class _Reader:
                         first.room_type, second.room_type, span, identifier(first.name), identifier(second.name)
                     )
                 )
+            if len(held) == many:
+                self._tell(relation)
+
+    def _tell(self, relation: Relation) -> None:
+        """Give back the words of a relation that no statement was made of."""
+        self.reading.taken.difference_update(range(relation.first, relation.last))
 
     def _pairs(self, relation: Relation) -> list[tuple[int, int]]:
         whole = relation.lefts[0]
@@ -447,6 +474,7 @@ _FURTHER = frozenset("second third another further additional extra".split())
 _HOMES = frozenset({"house", "home", "building", "villa", "cottage", "cabin", "bungalow"})
 """Nouns that with "the" mean the whole building."""
 
+_FIXTURES = frozenset({"shower", "bath", "walk_in_shower"})
 _BATHROOMS = frozenset({"bathroom", "ensuite_bathroom", "accessible_toilet"})
 
 _BARE = frozenset({"building", "complex"})
@@ -475,7 +503,7 @@ def _leave_unread(reading: Reading) -> None:
 
 _RELATING = frozenset(
     """
-    above below beneath underneath over under behind beside near opposite surrounded share overlooking except unless
+    above below beneath underneath over under behind beside next near opposite surrounded share overlooking except unless
     """.split()
 )
 """Words that tell where a room is, or what it shares; where no relation was read they are told of."""

@@ -390,7 +390,7 @@ def _right(reading: Reading, phrases: list[Phrase], rooms: list[int], last: int)
     if not following or phrases[following[0]].begin - last > 5:
         return []
     if reading.breaks(last - 1) or any(
-        word in (",", ":", ")", "with") for word in reading.words(last, phrases[following[0]].first)
+        word in (",", ":", ")", "with", "and") for word in reading.words(last, phrases[following[0]].first)
     ):
         return []
     rights = [following[0]]

@@ -7,7 +7,7 @@ from dataclasses import replace
 from mansion_language import singular
 from mansion_language.units import AREA
 from mansion_planner.brief.lexicon import Mention
-from mansion_planner.brief.phrase import FUNCTION_WORDS, PLAIN, Phrase, finished_phrase, name_of
+from mansion_planner.brief.phrase import FUNCTION_WORDS, PEOPLE, PLAIN, Phrase, finished_phrase, name_of
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
 from mansion_planner.brief.similarity import HEAD_TYPES, similar_room_type
 
@@ -500,6 +500,8 @@ def with_purpose(reading: Reading, phrase: Phrase) -> Phrase:
         end += 1
     if end == begin:
         return phrase
+    if phrase.name == "room" and phrase.plural and reading.word(end - 1) in PEOPLE:
+        return phrase  # "a flat of three rooms for a young family"
     purpose = "_".join(reading.words(begin, end))
     name = f"{purpose}_{phrase.name}"[:60]
     generic = phrase.name in _PURPOSEFUL
