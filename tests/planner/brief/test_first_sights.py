@@ -160,3 +160,80 @@ def test_rooms_of_their_own_names_are_not_counted_among_others() -> None:
 @pytest.mark.parametrize("text", ["Salon: 6 styling stations", "Flower shop on street floor, two meeting rooms"])
 def test_parts_do_not_name_the_building(text: str) -> None:
     assert "train_station" not in [name for name, _ in read(text).building]
+
+
+def test_things_are_wanted_in_each_of_some_rooms() -> None:
+    found = read("a house. In each of the five bedrooms a wardrobe and a desk").objects
+    assert [(thing.category, thing.room, thing.each) for thing in found] == [
+        ("wardrobe", "bedroom", True),
+        ("desk", "bedroom", True),
+    ]
+
+
+@pytest.mark.parametrize(
+    ("text", "name", "count", "each"),
+    [
+        ("an office of six floors with 40 offices on floors 2 to 5", "office", 40, False),
+        ("a hotel of six floors with eight guest rooms on floors 2 to 5", "guest_room", 8, True),
+        ("a nursing home, three floors, each with 12 bedrooms", "bedroom", 12, True),
+    ],
+)
+def test_a_number_is_of_all_storeys_or_of_each(text: str, name: str, count: int, *, each: bool) -> None:
+    assert [(room.count, room.each) for room in read(text).rooms if room.name == name] == [(count, each)]
+
+
+def test_each_of_the_people_has_rooms() -> None:
+    assert rooms("a practice of two doctors, each with a consulting room and an examination room") == [
+        ("consulting_room", 2),
+        ("examination_room", 2),
+    ]
+
+
+def test_both_of_two_rooms_are_placed() -> None:
+    found = read("a hotel. Put the sauna next to the gym and both in the basement").rooms
+    assert [(room.name, where(room.floors)) for room in found] == [
+        ("sauna", [("basement", 0, 0)]),
+        ("gym", [("basement", 0, 0)]),
+    ]
+
+
+def test_only_too_long_corridors_are_unwanted() -> None:
+    facts = read("an office with two meeting rooms and no corridors longer than 10 m")
+    assert facts.excluded == []
+    assert "corridors longer" in [span.words for span in facts.unread]
+
+
+def test_nothing_but_some_rooms() -> None:
+    assert [span.words for span in read("I want nothing but a living room, a bedroom and a bathroom").only] == [
+        "nothing but"
+    ]
+
+
+def test_nobody_lives_in_the_studios_of_a_school() -> None:
+    found = read("a dance school: large studio 90 m2, small studio 45 m2").rooms
+    assert [(room.room_type, room.known) for room in found] == [("art_room", False), ("art_room", False)]
+
+
+def test_furniture_of_the_building_is_looked_for_in_all_of_it() -> None:
+    program = plan_building(BuildRequest(description="a farm shop with a cold counter and an office")).program
+    assert [wish.scope.room for wish in program.wishes if wish.kind == "object"] == [""]
+
+
+def test_areas_of_all_rooms_of_a_name_are_said_later() -> None:
+    found = read("a school of two floors. Ground floor: four classrooms. Upper floor: six classrooms. "
+                 "Classrooms around 50 m2.").rooms  # fmt: skip
+    assert [(room.count, room.area) for room in found] == [(4, 50.0), (6, 50.0)]
+
+
+def test_beds_of_each_room_are_not_rooms_of_each_room() -> None:
+    assert rooms("a hostel with four dormitories with 6 beds each and two shower rooms") == [
+        ("dormitory", 4),
+        ("shower_room", 2),
+    ]
+
+
+@pytest.mark.parametrize(
+    "text", ["a maisonette: two levels inside one flat, 90 m2", "a loft of 140 m2 in an old factory"]
+)
+def test_where_a_building_lies_is_no_room(text: str) -> None:
+    assert read(text).rooms == []

@@ -33,6 +33,7 @@ def unread(text: str) -> str:
         ("a house with a spiral staircase", ["spiral"]),
         ("a haunted manor", ["haunted"]),
         ("a medieval tavern", ["medieval"]),
+        ("a cabin with a wood stove in the main nook", ["in the main nook"]),
     ],
 )
 def test_properties_that_nothing_is_made_of_are_kept(text: str, words: list[str]) -> None:

@@ -68,7 +68,7 @@ def limit_of(reading: Reading, first: int, last: int) -> Limit:
     The words that say so are taken.
     """
     index = first
-    while reading.word(index - 1) in _BETWEEN and first - index < 4:
+    while first - index < 4 and (reading.word(index - 1) in _BETWEEN or _abbreviates(reading, index - 1)):
         index -= 1
     for end in dict.fromkeys((first, index)):
         for words, limit in _BEFORE.items():
@@ -84,6 +84,10 @@ def limit_of(reading: Reading, first: int, last: int) -> Limit:
             reading.take(last, last + len(words))
             return limit
     return ""
+
+
+def _abbreviates(reading: Reading, index: int) -> bool:
+    return reading.word(index) == "." and not reading.breaks(index)
 
 
 def _turned(limit: Limit) -> Limit:

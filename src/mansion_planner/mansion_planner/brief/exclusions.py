@@ -144,7 +144,7 @@ def negated_phrases(reading: Reading, phrases: list[Phrase]) -> dict[int, tuple[
         length = _negation(reading, index)
         if length:
             for number in _reached(reading, phrases, starts, index + length):
-                if reading.kind(phrases[number].first - 1) == "ordinal":
+                if reading.kind(phrases[number].first - 1) == "ordinal" or _is_compared(reading, phrases[number].last):
                     reading.taken.difference_update(range(phrases[number].first - 1, phrases[number].last))
                     phrases[number] = replace(phrases[number], head="unknown")  # "instead of the second bedroom"
                     continue
@@ -152,6 +152,12 @@ def negated_phrases(reading: Reading, phrases: list[Phrase]) -> dict[int, tuple[
             if length and any(first == index for first, _ in found.values()):
                 reading.take(index, index + length)
     return found
+
+
+def _is_compared(reading: Reading, index: int) -> bool:
+    """Whether what is unwanted is only too large or small: "no corridors longer than 10 m"."""
+    word = reading.word(index)
+    return "than" in reading.words(index + 1, index + 3) and (word.endswith("er") or word in ("more", "less"))
 
 
 def _joined_before(reading: Reading, phrases: list[Phrase], number: int) -> list[int]:
@@ -284,6 +290,7 @@ def read_completeness(reading: Reading) -> None:
             only
             or (pair == ("no", "other") and reading.word(index + 2) in ("room", "space"))
             or pair == ("nothing", "besides")
+            or (pair == ("nothing", "but") and reading.word(index - 1) in ("want", "need", "with", "", ".", "have"))
         ):
             reading.facts.only.append(reading.span(index, index + 2))
             reading.take(index, index + 3)

@@ -246,6 +246,8 @@ def _owner(reading: Reading, phrases: list[Phrase], rooms: list[int], number: in
     before = _listed_with(reading, phrases, rooms, before, number)
     gap = reading.words(phrases[before].last, phrase.first)
     tail = reading.words(phrase.last, phrase.last + 2)
+    if not _EACH.isdisjoint(reading.words(max(phrases[before].first - 3, 0), phrases[before].first)):
+        return before, True  # "in each of the five bedrooms a wardrobe"
     each = not _EACH.isdisjoint(gap) or phrases[before].determiner in _EACH or bool({"each", "apiece"} & set(tail))
     return before, each or ((phrases[before].count or 2) > 1 and "with" in gap)
 

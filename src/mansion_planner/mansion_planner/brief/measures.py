@@ -350,7 +350,11 @@ def _room_of(reading: Reading, measure: Measure, phrases: list[Phrase]) -> int |
     while (
         before >= 0
         and before + 1 not in ends
-        and (reading.word(before) in _FILLERS or (reading.word(before) == "," and not comma))
+        and (
+            reading.word(before) in _FILLERS
+            or (reading.word(before) == "," and not comma)
+            or (reading.word(before) == "." and not reading.breaks(before))
+        )
     ):
         comma = comma or reading.word(before) == ","
         before -= 1

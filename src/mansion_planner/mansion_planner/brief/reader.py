@@ -36,7 +36,7 @@ from mansion_planner.brief.qualifiers import is_property, unheeded_words
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading, start_reading
 from mansion_planner.brief.relations import Relation, read_relations
 from mansion_planner.brief.room_facts import RoomStatements, identifier
-from mansion_planner.brief.similarity import similar_room_type
+from mansion_planner.brief.similarity import HEAD_TYPES, similar_room_type
 from mansion_planner.brief.stacked_uses import read_stacking
 from mansion_planner.brief.storey_attachment import Attachment
 from mansion_planner.brief.storeys import read_storeys
@@ -211,10 +211,14 @@ class _Reader:
             return replace(phrase, known=False)
         if phrase.name == "hall" and phrase.room_type == "hallway" and sum(phrase.areas[:1]) >= 40.0:
             return replace(phrase, room_type="assembly_hall")
-        if phrase.head != "room" or phrase.name not in ("room", "guest_room") or not phrase.counted:
-            return phrase
         kind = self.facts.building[0][0] if self.facts.building else ""
         record = self.reading.knowledge.buildings.get(kind)
+        works = record is not None and record.family in _WORKING
+        if works and phrase.room_type == "studio_apartment" and phrase.name.rpartition("_")[2] == "studio":
+            # nobody lives in a dance school
+            return replace(phrase, head="room", building="", room_type=HEAD_TYPES["studio"], known=False)
+        if phrase.head != "room" or phrase.name not in ("room", "guest_room") or not phrase.counted:
+            return phrase
         room = _PLAIN.get(kind) or _PLAIN.get(record.like if record is not None else "")
         if room is not None:
             return replace(phrase, room_type=room, known=True)
@@ -477,6 +481,9 @@ _HOMES = frozenset({"house", "home", "building", "villa", "cottage", "cabin", "b
 _FIXTURES = frozenset({"shower", "bath", "walk_in_shower"})
 _BATHROOMS = frozenset({"bathroom", "ensuite_bathroom", "accessible_toilet"})
 
+_WORKING = frozenset({"office", "industry", "education", "culture", "sport", "retail"})
+"""Families of buildings whose studios are to work in."""
+
 _BARE = frozenset({"building", "complex"})
 """Names of a building that say nothing of its use: its rooms do."""
 
@@ -503,7 +510,8 @@ def _leave_unread(reading: Reading) -> None:
 
 _RELATING = frozenset(
     """
-    above below beneath underneath over under behind beside next near opposite surrounded share overlooking except unless
+    above below beneath underneath over under behind beside next near opposite surrounded share overlooking except
+    unless
     """.split()
 )
 """Words that tell where a room is, or what it shares; where no relation was read they are told of."""

@@ -286,6 +286,11 @@ class _Scanner:
             return [FloorRef("every")], last + 1  # "three apartments by floor"
         if word not in ("every", "each", "all", "per", "both", "any", "either", "whole"):
             return None
+        counted = (
+            reading.word(index - 1) == "," and reading.word(index - 2) in FLOOR_WORDS and index - 2 in reading.taken
+        )
+        if word == "each" and counted and reading.word(last) in ("with", "has", "having", "contain", "hold"):
+            return [FloorRef("every")], last  # "three floors, each with 12 rooms"
         by_turns = word in ("every", "each") and reading.word(last) in ("second", "other")
         if by_turns and reading.word(last + 1) in FLOOR_WORDS and not reading.plural(last + 1):
             return [FloorRef("even")], last + 2  # "every second floor"

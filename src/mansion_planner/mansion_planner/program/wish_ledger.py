@@ -281,9 +281,16 @@ class _Ledger:
             unwanted=wanted.excluded,
             exact=wanted.exact and not wanted.excluded,
         )
-        self.add(
-            kind,
-            wanted.span,
-            value,
-            Scope(floors=self.floors(wanted.floors), room=wanted.room, room_type=wanted.room_type, each=wanted.each),
-        )
+        self.add(kind, wanted.span, value, self._place_of(wanted))
+
+    def _place_of(self, wanted: ObjectFact) -> Scope:
+        """Return where furniture is wanted; in the whole building where its room only names that."""
+        floors = self.floors(wanted.floors)
+        names = (self.facts.building_name, *(name for name, _ in self.facts.building))
+        titles = {span.words.lower().replace(" ", "_") for _, span in self.facts.building}
+        stated = {room.name for room in self.facts.rooms} | {room.room_type for room in self.facts.rooms}
+        lists = self.decisions.building.storeys.values()
+        usual = any(entry.room_type == wanted.room_type for entries in lists for entry in entries)
+        if wanted.room in {*names, *titles} and wanted.room not in stated and not usual:
+            return Scope(floors=floors, each=wanted.each)
+        return Scope(floors=floors, room=wanted.room, room_type=wanted.room_type, each=wanted.each)
