@@ -73,7 +73,8 @@ def read_suites(
             continue
         if ("each", "group") in itertools.pairwise(gap_words) or ("per", "group") in itertools.pairwise(gap_words):
             continue  # "ten offices in two groups, each group with a kitchenette"
-        if phrase.counted and gap_words[-2:] == ("each", "and") and phrases[number - 1].head == "object":
+        lead = reading.words(phrase.first - 2, phrase.first)
+        if phrase.counted and lead == ("each", "and") and phrases[number - 1].head == "object":
             continue  # "dormitories with 6 beds each and two shower rooms"
         if _measures_each(reading, phrases[owner].last, phrase.begin):
             gap.discard("each")
