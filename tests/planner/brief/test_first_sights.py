@@ -237,3 +237,13 @@ def test_beds_of_each_room_are_not_rooms_of_each_room() -> None:
 )
 def test_where_a_building_lies_is_no_room(text: str) -> None:
     assert read(text).rooms == []
+
+
+def test_furniture_of_a_room_on_each_storey_is_for_each_such_room() -> None:
+    found = read("an office of 8 floors. Floors 2 to 7: open office with 24 desks, two meeting rooms.").objects
+    assert [(thing.count, thing.each) for thing in found] == [(24, True)]
+
+
+def test_each_room_of_a_kind_means_several() -> None:
+    assert rooms("a house. Every bedroom must be larger than 12 m2") == [("bedroom", None)]
+    assert rooms("12 flats on 4 floors, each with a kitchen")[0] == ("flat", 12)

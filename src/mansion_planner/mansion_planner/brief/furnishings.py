@@ -1,5 +1,7 @@
 """Read which furniture a brief wants, and in which room: "a fireplace in the living room", "each with two beds"."""
 
+import itertools
+
 from mansion_planner.brief.facts import ObjectFact
 from mansion_planner.brief.phrase import FUNCTION_WORDS, Phrase
 from mansion_planner.brief.reading import Reading
@@ -53,6 +55,7 @@ def read_furnishings(
             room = None
         if room is not None and number in negated and _replaced(reading, phrases, negated, number):
             room, each = None, False
+        each = each or (room is not None and owner in attached and attached[owner].each)
         last = phrase.last if room is not None else _unread_place(reading, phrase)
         if last > phrase.last:
             reading.facts.unheeded.append(reading.span(phrase.last, last))
@@ -246,7 +249,8 @@ def _owner(reading: Reading, phrases: list[Phrase], rooms: list[int], number: in
     before = _listed_with(reading, phrases, rooms, before, number)
     gap = reading.words(phrases[before].last, phrase.first)
     tail = reading.words(phrase.last, phrase.last + 2)
-    if not _EACH.isdisjoint(reading.words(max(phrases[before].first - 3, 0), phrases[before].first)):
+    ahead = reading.words(max(phrases[before].first - 3, 0), phrases[before].first)
+    if ("each", "of") in itertools.pairwise(ahead):
         return before, True  # "in each of the five bedrooms a wardrobe"
     each = not _EACH.isdisjoint(gap) or phrases[before].determiner in _EACH or bool({"each", "apiece"} & set(tail))
     return before, each or ((phrases[before].count or 2) > 1 and "with" in gap)

@@ -150,7 +150,7 @@ class RoomStatements:
             room_type=phrase.room_type,
             name=identifier(phrase.name) or phrase.room_type,
             span=span,
-            count=phrase.count,
+            count=None if phrase.determiner in ("each", "every") and not phrase.counted else phrase.count,
             area=phrase.areas[0] if phrase.areas else None,
             floors=place.refs,
             each=place.each,

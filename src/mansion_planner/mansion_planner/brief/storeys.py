@@ -244,6 +244,17 @@ class _Scanner:
             token.text for token in self.reading.tokens
         )
 
+    def _names_several(self, index: int) -> bool:
+        """Whether rooms or units in the plural stand before a token in its sentence: "12 flats on 4 floors, each"."""
+        reading = self.reading
+        at = index - 1
+        while at >= 0 and reading.sentence[at] == reading.sentence[index] and index - at < 30:
+            mention = reading.mention_at.get(at)
+            if mention is not None and mention.plural and (mention.room or mention.building):
+                return True
+            at -= 1
+        return False
+
     def _counts(self, index: int) -> bool:
         """Whether a plural with a number stands before a token: "three small apartments"."""
         reading = self.reading
@@ -289,6 +300,7 @@ class _Scanner:
         counted = (
             reading.word(index - 1) == "," and reading.word(index - 2) in FLOOR_WORDS and index - 2 in reading.taken
         )
+        counted = counted and not self._names_several(index)
         if word == "each" and counted and reading.word(last) in ("with", "has", "having", "contain", "hold"):
             return [FloorRef("every")], last  # "three floors, each with 12 rooms"
         by_turns = word in ("every", "each") and reading.word(last) in ("second", "other")
