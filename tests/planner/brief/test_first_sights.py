@@ -247,3 +247,7 @@ def test_furniture_of_a_room_on_each_storey_is_for_each_such_room() -> None:
 def test_each_room_of_a_kind_means_several() -> None:
     assert rooms("a house. Every bedroom must be larger than 12 m2") == [("bedroom", None)]
     assert rooms("12 flats on 4 floors, each with a kitchen")[0] == ("flat", 12)
+
+
+def test_a_number_that_a_hyphen_joins_is_no_count() -> None:
+    assert [thing.count for thing in read("a house with a four-poster bed in the bedroom").objects] == [1]

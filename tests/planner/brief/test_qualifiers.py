@@ -75,6 +75,7 @@ def test_the_wish_of_an_unheeded_word_says_so() -> None:
         ("a house with a study on a different floor from the nursery", "different"),
         ("a house with a kitchen (open) and a bath", "open"),
         ("a flat with three rooms", "three rooms"),
+        ("Two-family house with a bath", "Two"),
         ("a house with glass walls between the bedrooms", "glass walls"),
         ("on the first floor of the house we want bedrooms only", "only"),
         ("a clinic, and a gate for ambulances", "ambulances"),

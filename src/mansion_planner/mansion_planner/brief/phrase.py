@@ -192,6 +192,10 @@ def count_before(reading: Reading, begin: int, end: int) -> tuple[int, int | Non
         ):
             index -= 1  # "two-bedroom" is an adjective
             continue
+        if reading.kind(index) == "number" and reading.text[
+            reading.tokens[index].end : reading.tokens[index].end + 1
+        ] in ("-", "‑"):
+            break  # "two-family house", "four-poster bed"
         if reading.kind(index) == "number" and not reading.tokens[index].spaced and reading.kind(index - 1) == "word":
             break  # "BSL-3 laboratory" has the number in its name
         if reading.kind(index) == "number" and index not in reading.taken:
