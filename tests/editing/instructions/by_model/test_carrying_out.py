@@ -165,7 +165,7 @@ def test_a_quote_without_its_negation_does_nothing(model: Any) -> None:
 
 def test_a_deletion_in_another_language_needs_a_word_for_it(model: Any) -> None:
     sofa = {"kind": "remove", "things": {"noun": "sofa", "definite": True}}
-    text = "Rück das Sofa ein wenig näher ans Fenster heran"
+    text = "Rück das Sofa ein wenig näher an das Fenster"
     assert not model.does(text, said({**sofa, "quote": text})).done
     assert model.editor.state.find("F1/hall/sofa_1") is not None
     text = "Entferne bitte das Sofa aus der Diele im Erdgeschoss"
