@@ -17,7 +17,7 @@ from typing import Any
 
 import msgspec
 
-from mansion_bringup.cli.edit import open_editor
+from mansion_bringup.editor import open_editor
 from mansion_editing.agent.facts import Action, Policy, Verdict
 from mansion_editing.agent.instruct import instruct, run_agent
 from mansion_msgs_py.codec import decode, encode_bytes
