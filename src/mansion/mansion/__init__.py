@@ -14,6 +14,8 @@ a message, as the command line prints them.
 
 from typing import TYPE_CHECKING, Any
 
+from mansion_msgs_py import __version__
+
 if TYPE_CHECKING:
     from mansion.building import Building
     from mansion.edits import Edit
@@ -50,6 +52,7 @@ __all__ = [
     "Rooms",
     "Selection",
     "Wishes",
+    "__version__",
     "build",
     "build_building",
     "connect",
@@ -58,7 +61,6 @@ __all__ = [
     "plan_building",
 ]
 
-__version__ = "0.1.0"
 
 _HOMES = {
     "BuildRequest": "mansion_msgs_py.request",

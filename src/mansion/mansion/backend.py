@@ -1,6 +1,5 @@
 """Who edits a building and moves its robots: this process, or a node graph (`mansion.graph`)."""
 
-import weakref
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, Protocol
 
@@ -15,6 +14,7 @@ if TYPE_CHECKING:
     from mansion.robot import RobotPort
     from mansion_editing.editor import SceneEditor
     from mansion_skills import Robot as LocalRobot
+    from mansion_skills.engine import Engine
     from mansion_skills.skills.declaration import Skill
 
 __all__ = ["Backend", "History", "InProcess", "Planner"]
@@ -51,6 +51,7 @@ class InProcess:
     def __init__(self, folder: Path) -> None:
         self._folder = folder
         self._editors: dict[str, SceneEditor] = {}
+        self._engine: Engine | None = None
 
     def _editor(self, physics: str) -> "SceneEditor":
         from mansion_bringup.editor import ENGINE_EXTRAS, open_editor
@@ -87,8 +88,11 @@ class InProcess:
     def robot(self, session: str, *, reset: bool) -> "RobotPort":
         """See `Backend.robot`."""
         from mansion_skills import Robot as LocalRobot
+        from mansion_skills.engine import Engine
 
-        return _LocalPort(LocalRobot(self._folder, session, reset=reset))
+        # One engine, so that robots of one building meet in one world.
+        self._engine = self._engine or Engine()
+        return _LocalPort(LocalRobot(self._folder, session, reset=reset, engine=self._engine))
 
 
 class _LocalPort:
@@ -107,12 +111,13 @@ class _LocalPort:
         from mansion_bringup.extras import require_extra
 
         require_extra("sim")
+        from mansion.viewpoints import close_with
         from mansion_skills.vision import Camera
 
         key = (width or 640, height or 480, fov or 90.0)
         if key not in self._cameras:
             camera = Camera(self._robot, *key)
-            weakref.finalize(self, camera.close)
+            close_with(self, camera)
             self._cameras[key] = camera
         picture: npt.NDArray[np.uint8] = self._cameras[key].render(depth=False, segmentation=False).rgb
         return picture

@@ -195,12 +195,12 @@ class Building(Closing):
         from mansion_bringup.extras import require_extra
 
         require_extra("sim")
-        from mansion.viewpoints import Viewpoints
+        from mansion.viewpoints import Viewpoints, close_with
 
         key = (width, height, fov)
         if key not in self._views:
             self._views[key] = Viewpoints(self.folder, width, height, fov)
-            weakref.finalize(self, self._views[key].close)
+            close_with(self, self._views[key])
         return self._views[key].look(place, floor, turn, part)
 
     def show(self, *, browser: bool = True) -> Path:
@@ -345,6 +345,11 @@ class Building(Closing):
             Which robot; the default one when empty.
         reset : bool
             Begin anew: everything back where it was built, the robot at its start.
+
+        Raises
+        ------
+        MansionError
+            ``CONFLICT`` for a reset while other robots are in the building.
 
         Examples
         --------

@@ -1,5 +1,6 @@
 """Pictures of a building as it is built, from its rooms: no session is read, and nothing is moved."""
 
+import weakref
 from pathlib import Path
 from typing import Any, Final, Literal, TypeAlias
 
@@ -12,12 +13,17 @@ from mansion_skills.vision import Camera
 from mansion_skills.vision.viewpoint import stand_at
 from mansion_tasks.tasks.sandbox import Sandbox
 
-__all__ = ["PARTS", "Part", "Viewpoints"]
+__all__ = ["PARTS", "Part", "Viewpoints", "close_with"]
 
 Part: TypeAlias = Literal["rgb", "depth", "segmentation", "panorama"]
 """What of a view is wanted."""
 
 PARTS: Final = ("rgb", "depth", "segmentation", "panorama")
+
+
+def close_with(owner: object, view: Closing) -> None:
+    """Close a view when its owner is gone; at the end of the process its thread has ended already."""
+    weakref.finalize(owner, view.close).atexit = False
 
 
 class Viewpoints(Closing):
