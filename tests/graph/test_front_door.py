@@ -47,10 +47,10 @@ def test_an_edit_lands_through_the_scene_editor_and_is_undone(flat: mansion.Buil
 
 
 def test_a_robot_runs_the_skills_of_the_skill_server(flat: mansion.Building) -> None:
-    for session in ("", "front_door"):
+    for session, room in (("", "kitchen"), ("front_door", "bathroom")):
         robot = flat.robot(session)
-        assert robot.go_to("kitchen").status.value == "SUCCESS"
-        assert robot.where_am_i().room == "F1/kitchen"
+        assert robot.go_to(room).status.value == "SUCCESS"
+        assert robot.where_am_i().room == f"F1/{room}"
         assert robot.pick_up("moon").status.value == "INVALID_ACTION"
     with pytest.raises(mansion.MansionError, match="did you mean landmark"):
         robot.go_to_landmark(landmrk="kitchen")
