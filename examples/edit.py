@@ -8,7 +8,7 @@ import shutil
 from pathlib import Path
 
 from mansion_bringup.editor import open_editor, write_derived
-from mansion_editing.agent.instruct import instruct
+from mansion_editing.instructions.instruct import instruct
 
 INSTRUCTION = "put a red mug on the reception desk"
 

@@ -130,6 +130,8 @@ def test_one_version_everywhere(root: Path, packages: list[Path], monkeypatch: p
         assert catkin_package.parse_package(str(package)).version == __version__, package.name
         assert setup_arguments(package, monkeypatch)["version"] == __version__, package.name
     assert f"\nversion: {__version__}\n" in (root / "CITATION.cff").read_text(encoding="utf-8")
+    changelog = (root / "CHANGELOG.md").read_text(encoding="utf-8")
+    assert re.search(rf"(?m)^## {re.escape(__version__)}( |$)", changelog)
 
 
 def test_descriptions_agree(packages: list[Path], monkeypatch: pytest.MonkeyPatch) -> None:

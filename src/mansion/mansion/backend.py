@@ -3,7 +3,7 @@
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, Protocol
 
-from mansion_msgs_py.editing import AgentReport
+from mansion_msgs_py.editing.instructions import AgentReport
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -67,7 +67,7 @@ class InProcess:
         """See `Backend.instruct`."""
         from mansion_bringup.editor import write_derived
         from mansion_bringup.extras import require_extra
-        from mansion_editing.agent.instruct import instruct
+        from mansion_editing.instructions.instruct import instruct
 
         if planner == "llm":
             require_extra("llm")

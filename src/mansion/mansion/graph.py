@@ -16,7 +16,9 @@ from mansion.homes import Home
 from mansion.plans import Plan
 from mansion_msgs_py.building import LoadBuilding
 from mansion_msgs_py.closing import Closing
-from mansion_msgs_py.editing import AgentReport, EditorInfo, EditResult, InstructArgs, OpenEditorArgs, ToolArgs
+from mansion_msgs_py.editing.changes import EditResult
+from mansion_msgs_py.editing.instructions import AgentReport, InstructArgs
+from mansion_msgs_py.editing.open_buildings import EditorInfo, OpenEditorArgs, ToolArgs
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.skills import Loaded
