@@ -1,5 +1,9 @@
 """The front door over a running graph: the same names, done by its nodes."""
 
+import json
+import os
+import subprocess
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -54,6 +58,26 @@ def test_a_robot_runs_the_skills_of_the_skill_server(flat: mansion.Building) -> 
         assert robot.pick_up("moon").status.value == "INVALID_ACTION"
     with pytest.raises(mansion.MansionError, match="did you mean landmark"):
         robot.go_to_landmark(landmrk="kitchen")
+
+
+def test_the_command_line_runs_the_same_skills(flat: mansion.Building, graph: GraphProcesses) -> None:
+    flat.robot("shell")
+    environment = {**os.environ, "ROS_DOMAIN_ID": str(graph.options.domain_id)}
+    ran = [
+        subprocess.run(
+            [sys.executable, "-m", "mansion_bringup", "skill", *words, "--session", "shell"],
+            capture_output=True,
+            text=True,
+            timeout=60,
+            check=False,
+            env=environment,
+        )
+        for words in (["WhereAmI"], ["PickUp", '{"object": "moon"}'], ["WhereAmI", '{"roam": 1}'])
+    ]
+    assert [done.returncode for done in ran] == [0, 1, 1]
+    assert json.loads(ran[0].stdout)["session"] == "shell"
+    assert json.loads(ran[1].stdout)["status"] == "INVALID_ACTION"
+    assert "INVALID_PAYLOAD" in ran[2].stderr
 
 
 def test_a_robot_sees_through_the_camera_topic(flat: mansion.Building) -> None:

@@ -1,6 +1,7 @@
 """A building as one object: its parts, pictures, changes, files and tasks."""
 
 import gc
+import html
 import pickle
 from dataclasses import FrozenInstanceError
 from importlib.util import find_spec
@@ -127,7 +128,10 @@ def test_what_is_found_in_a_room_is_in_it(flat: mansion.Building) -> None:
     room = flat.rooms["bedroom_1"]
     assert {item.room for item in room.objects.find("lamp")} == {room.id}
     assert flat.rooms.find("the largest room").ids == (max(flat.rooms, key=lambda room: room.area).id,)
+    assert flat.rooms.find("bedrooms") == flat.rooms.filter(type="bedroom")
     assert not flat.rooms.filter(type="kitchen").find("the bathroom")
+    with pytest.raises(mansion.MansionError, match="there is no floor third"):
+        flat.rooms.find("bedrooms on the third floor")
 
 
 def test_tables_are_plain_values(flat: mansion.Building) -> None:
@@ -135,6 +139,15 @@ def test_tables_are_plain_values(flat: mansion.Building) -> None:
     assert row["id"] == flat.objects[0].id and set(row) == set(mansion.Objects.columns)
     shown = flat.objects._repr_html_()
     assert shown.count("<tr>") == 61 and f"and {len(flat.objects) - 60} more" in shown
+
+
+def test_a_receipt_says_what_each_wish_was_read_as() -> None:
+    plan = mansion.plan("a two-storey house with three bedrooms")
+    rows = {row["text"]: row for row in plan.wishes.records()}
+    assert rows["three bedrooms"]["read_as"].startswith("3 bedrooms")
+    assert list(rows["three bedrooms"]) == ["id", "text", "read_as", "kind", "status", "reason"]
+    table = plan.wishes._repr_html_()
+    assert table.count("<th>") == 6 and all(html.escape(row["read_as"]) in table for row in rows.values())
 
 
 def test_a_notebook_shows_plans_and_the_whole(flat: mansion.Building, tmp_path: Path) -> None:

@@ -58,7 +58,7 @@ class Building(Closing):
     def __init__(self, home: Home, backend: Backend | None = None) -> None:
         self._home = home
         self._backend = backend or InProcess(home.folder)
-        self._views: dict[tuple[int, int, float], Viewpoints] = {}
+        self._views: dict[tuple[int, int, float], tuple[Viewpoints, weakref.finalize[[], Building]]] = {}
         self.reload()
 
     def reload(self) -> None:
@@ -199,9 +199,9 @@ class Building(Closing):
 
         key = (width, height, fov)
         if key not in self._views:
-            self._views[key] = Viewpoints(self.folder, width, height, fov)
-            close_with(self, self._views[key])
-        return self._views[key].look(place, floor, turn, part)
+            views = Viewpoints(self.folder, width, height, fov)
+            self._views[key] = (views, close_with(self, views))
+        return self._views[key][0].look(place, floor, turn, part)
 
     def show(self, *, browser: bool = True) -> Path:
         """Open the page with the 3D building in the browser, and return its file.
@@ -426,8 +426,8 @@ class Building(Closing):
         self._home.remove()
 
     def _close_views(self) -> None:
-        for view in self._views.values():
-            view.close()
+        for _, closing in self._views.values():
+            closing()
         self._views.clear()
 
     def __repr__(self) -> str:

@@ -43,10 +43,12 @@ def _has_colours(item: Object, words: str) -> bool:
 
 
 def rooms_fitting(rooms: Sequence[Room], words: str) -> list[Room]:
-    """Return the rooms that words name, the best fits only."""
+    """Return all rooms that words name, in the building's order."""
     from mansion_editing.state import SceneState
     from mansion_editing.tools.perception import find_rooms
 
     scenes = list({room.floor: room.scene for room in rooms}.values())
-    found = {room.id for _, room in find_rooms(SceneState(scenes, load_catalogue()), words)} if scenes else set()
+    if not scenes:
+        return []
+    found = {room.id for _, room in find_rooms(SceneState(scenes, load_catalogue()), words, every=True)}
     return [room for room in rooms if room.id in found]

@@ -160,10 +160,12 @@ class Selection(Collection[T], Generic[T]):
         return f"<{self._counted(len(self))}{': ' if shown else ''}{shown}{more}>"
 
     def _repr_html_(self) -> str:
-        head = "".join(f"<th>{html.escape(name)}</th>" for name in self.columns)
+        records = self[:_ROWS].records()
+        names = records[0] if records else self.columns
+        head = "".join(f"<th>{html.escape(name)}</th>" for name in names)
         rows = [
             "<tr>" + "".join(f"<td>{html.escape(_shown(value))}</td>" for value in record.values()) + "</tr>"
-            for record in self[:_ROWS].records()
+            for record in records
         ]
         more = f"<p>and {len(self) - _ROWS} more</p>" if len(self) > _ROWS else ""
         return f"<table><thead><tr>{head}</tr></thead><tbody>{''.join(rows)}</tbody></table>{more}"
@@ -234,6 +236,11 @@ class Rooms(Selection[Room]):
 
     def find(self, words: str) -> "Rooms":
         """Return the rooms that words name: "the bedrooms", "the largest office on the second floor".
+
+        Raises
+        ------
+        MansionError
+            ``NOT_FOUND`` for words of a floor that is not there.
 
         Examples
         --------
@@ -330,6 +337,13 @@ class Wishes(Selection[Wish]):
     noun = "wish"
     plural = "wishes"
     columns = ("id", "text", "kind", "status", "reason")
+
+    def records(self) -> list[dict[str, Any]]:
+        """Return a dictionary for each wish, with what it was read as beside its words."""
+        from mansion_bringup.cli.wish_reading import read_as
+
+        made = zip(super().records(), self)
+        return [{"id": row.pop("id"), "text": row.pop("text"), "read_as": read_as(wish), **row} for row, wish in made]
 
     @property
     def summary(self) -> str:

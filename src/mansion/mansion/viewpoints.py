@@ -2,7 +2,7 @@
 
 import weakref
 from pathlib import Path
-from typing import Any, Final, Literal, TypeAlias
+from typing import Any, Final, Literal, TypeAlias, TypeVar
 
 import numpy.typing as npt
 
@@ -21,9 +21,17 @@ Part: TypeAlias = Literal["rgb", "depth", "segmentation", "panorama"]
 PARTS: Final = ("rgb", "depth", "segmentation", "panorama")
 
 
-def close_with(owner: object, view: Closing) -> None:
-    """Close a view when its owner is gone; at the end of the process its thread has ended already."""
-    weakref.finalize(owner, view.close).atexit = False
+T = TypeVar("T")
+
+
+def close_with(owner: T, view: Closing) -> "weakref.finalize[[], T]":
+    """Close a view once, when its owner is gone or what is returned is called.
+
+    At the end of the process its thread has ended already, and there is nothing to close.
+    """
+    closing = weakref.finalize(owner, view.close)
+    closing.atexit = False
+    return closing
 
 
 class Viewpoints(Closing):
