@@ -1,8 +1,5 @@
 """``mansion edit``: the scene editor's tools and its agent, on a building's folder."""
 
-import getpass
-import os
-from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -18,13 +15,10 @@ from mansion_msgs_py.task import read_tasks
 if TYPE_CHECKING:
     from mansion_editing.editor import SceneEditor
 
-__all__ = ["open_editor", "register"]
+__all__ = ["register"]
 
 _WRITES = ("PlaceInContainer", "PlaceOnSurface", "MoveObject")
 """Tools that may need physics."""
-
-_EXTRAS = {"mujoco": "sim", "thor": "thor"}
-"""What an engine needs."""
 
 
 def register(app: typer.Typer) -> None:
@@ -59,6 +53,7 @@ def edit(
 
       mansion edit out/office --task tasks.json --id deliver_3
     """
+    from mansion_bringup.editor import open_editor, write_derived
     from mansion_editing.editor import TOOLS
 
     if (task is None) == (not what):
@@ -77,12 +72,14 @@ def edit(
         reports = [_instruct(editor, what, planner, partly=partly)]
     for report in reports:
         print_json(report) if as_json else _show(report)
-    if not dry_run:
-        refresh(editor)
+    if not dry_run and (floors := write_derived(editor)):
+        names = ", ".join(map(str, floors))
+        err.print(f"wrote the files of floor {names} anew", highlight=False)
     if not all(report.done for report in reports):
         raise typer.Exit(1)
 
 
+<<<<<<< HEAD
 def open_editor(building: Path, *, physics: str = "mujoco", who: str = "") -> "SceneEditor":
     """Return an editor of a folder, with the independent check before each edit.
 
@@ -120,6 +117,9 @@ def _now() -> str:
 
 
 def _instruct(editor: "SceneEditor", instruction: str, planner: str, *, partly: bool) -> AgentReport:
+=======
+def _instruct(editor: "SceneEditor", instruction: str, planner: str) -> AgentReport:
+>>>>>>> main
     from mansion_editing.instructions.instruct import instruct
 
     if planner == "llm":
@@ -131,16 +131,6 @@ def _provision(editor: "SceneEditor", file: Path, task_id: str) -> list[AgentRep
     from mansion_editing.provisioning.provision import provision
 
     return [provision(editor, task) for task in read_tasks(file, task_id)]
-
-
-def refresh(editor: "SceneEditor") -> None:
-    """Write anew what is made from the floors that changed."""
-    from mansion_bringup.edit_hooks import building_files, floor_files
-
-    floors = editor.store.refresh(floor_files, building_files)
-    if floors:
-        names = ", ".join(map(str, floors))
-        err.print(f"wrote the files of floor {names} anew", highlight=False)
 
 
 def _show(report: AgentReport) -> None:

@@ -22,7 +22,7 @@ from mansion_msgs_py.editing.changes import EditResult
 from mansion_msgs_py.editing.instructions import AgentReport, AgentStep
 from mansion_msgs_py.errors import MansionError
 
-__all__ = ["carry_out"]
+__all__ = ["MOST_EDITS", "MOST_STEPS", "carry_out", "statement_policy"]
 
 MOST_STEPS, MOST_EDITS = 12_000, 3_000
 """What is enough for a statement about all things of a large building."""
@@ -56,7 +56,7 @@ def carry_out(editor: SceneEditor, instruction: Instruction, text: str, *, partl
             return _amended(editor, first, text)
         if is_taken_back(first, editor):
             return _undone_or_redone(editor, "Undo", first.times)
-    policy = _policy(editor, instruction, partly=partly)
+    policy = statement_policy(editor, instruction, partly=partly)
     return run_policy(editor, policy, text, most_steps=MOST_STEPS, most_edits=MOST_EDITS)
 
 
@@ -83,7 +83,9 @@ def _amended(editor: SceneEditor, statement: History, text: str) -> AgentReport:
     taken_back = _undo_or_redo(editor, "Undo")
     if not taken_back.done:
         return taken_back
-    report = run_policy(editor, _policy(editor, instruction), text, most_steps=MOST_STEPS, most_edits=MOST_EDITS)
+    report = run_policy(
+        editor, statement_policy(editor, instruction), text, most_steps=MOST_STEPS, most_edits=MOST_EDITS
+    )
     if not report.done:
         _undo_or_redo(editor, "Redo")
         return report
@@ -108,7 +110,14 @@ _OF_OPENINGS: Final = (
 )
 
 
-def _policy(editor: SceneEditor, instruction: Instruction, *, partly: bool = False) -> Policy:
+def statement_policy(editor: SceneEditor, instruction: Instruction, *, partly: bool = False) -> Policy:
+    """Carry out the statements of an instruction in turn, and check what became of them.
+
+    Parameters
+    ----------
+    partly : bool
+        As of `carry_out`.
+    """
     asked = [statement for statement in instruction.statements if not isinstance(statement, Mention)]
     missed: list[str] = []
     if instruction.not_understood:
@@ -127,7 +136,7 @@ def _policy(editor: SceneEditor, instruction: Instruction, *, partly: bool = Fal
     state = editor.state
     steps: list[Step] = []
     replies: list[str] = []
-    before = _copied(state)
+    before = state.copied()
     context = replace(context_of(editor), kept=_kept(instruction, state))
     for statement in instruction.statements:
         mark = len(state.pending)
@@ -144,7 +153,7 @@ def _policy(editor: SceneEditor, instruction: Instruction, *, partly: bool = Fal
             state.roll_back(mark)
             missed.append(_refused(error, statement.quote).summary)
             continue
-        after = _copied(state)
+        after = state.copied()
         step = Step(statement, context, before, after)
         wrong = faults([step]) if partly else []
         if wrong:
@@ -172,11 +181,6 @@ def _kept(instruction: Instruction, state: SceneState) -> frozenset[str]:
     """Return the ids of what shall stay as it is, wherever in the instruction that is said."""
     keeps = [s for s in instruction.statements if isinstance(s, Keep) and not s.things.refers]
     return frozenset(item.id for keep in keeps for item in things_of(state, keep.things, Context()))
-
-
-def _copied(state: SceneState) -> SceneState:
-    """Return the scenes as they are now; scenes are never changed in place."""
-    return SceneState([state.scenes[floor] for floor in state.floors], state.catalogue, state.retriever)
 
 
 def _refused(error: Unmet | MansionError, quote: str) -> Verdict:
