@@ -69,9 +69,8 @@ def times_of(seconds: list[float], slowest: str) -> str:
     """Return the times of instructions in words."""
     ordered = sorted(seconds)
     late = ordered[max(0, -(-95 * len(ordered) // 100) - 1)]
-    return (
-        f"median {statistics.median(ordered):.2f} s, 95% within {late:.2f} s, slowest {ordered[-1]:.2f} s ({slowest})"
-    )
+    median = statistics.median(ordered)
+    return f"CPU seconds: median {median:.2f}, 95% within {late:.2f}, slowest {ordered[-1]:.2f} ({slowest})"
 
 
 def main() -> None:

@@ -79,47 +79,7 @@ def edit(
         raise typer.Exit(1)
 
 
-<<<<<<< HEAD
-def open_editor(building: Path, *, physics: str = "mujoco", who: str = "") -> "SceneEditor":
-    """Return an editor of a folder, with the independent check before each edit.
-
-    Raises
-    ------
-    MansionError
-        ``NOT_FOUND`` for no building or no such engine, ``UNAVAILABLE`` when the engine is not installed.
-    """
-    from mansion_assets.catalogue import load_catalogue
-    from mansion_assets.retrieval.configured import configured_retriever
-    from mansion_assets.retrieval.static_vectors import PACKAGED
-    from mansion_bringup.edit_hooks import new_faults, records
-    from mansion_editing.editor import SceneEditor
-    from mansion_editing.physics.engine import engine_named
-    from mansion_editing.storage import BuildingStore
-    from mansion_scene.refurnishing import furnish_room
-
-    if physics in _EXTRAS:
-        ensure_extra(_EXTRAS[physics])
-    if os.environ.get("MANSION_EMBEDDINGS_MODEL") == PACKAGED and not os.environ.get("MANSION_EMBEDDINGS_BASE_URL"):
-        ensure_extra("vectors")
-    store = BuildingStore(building, validator=new_faults, records=records, clock=_now)
-    return SceneEditor(
-        store,
-        load_catalogue(),
-        engine_named(physics),
-        who=who or getpass.getuser(),
-        retriever=configured_retriever(),
-        furnisher=furnish_room,
-    )
-
-
-def _now() -> str:
-    return datetime.now(UTC).isoformat(timespec="seconds")
-
-
 def _instruct(editor: "SceneEditor", instruction: str, planner: str, *, partly: bool) -> AgentReport:
-=======
-def _instruct(editor: "SceneEditor", instruction: str, planner: str) -> AgentReport:
->>>>>>> main
     from mansion_editing.instructions.instruct import instruct
 
     if planner == "llm":
