@@ -104,7 +104,10 @@ class BuildingStore:
 
     def _scene(self, floor: int) -> FloorScene:
         """Return a floor, decoded again only where its file is another one: each is replaced whole."""
-        file = (self.folder / floor_directory(floor) / "scene.json").stat()
+        path = self.folder / floor_directory(floor) / "scene.json"
+        if not path.is_file():
+            return self._reader.scene(floor)  # which says what is missing
+        file = path.stat()
         mark = (file.st_ino, file.st_mtime_ns, file.st_size)
         known = self._scenes.get(floor)
         if known is None or known[0] != mark:
