@@ -20,6 +20,7 @@ __all__ = ["WordIndex", "word_index"]
 _FIELDS: Final = (
     ("name", 3.0, 0.3),
     ("synonym", 2.2, 0.2),
+    ("called", 1.9, 0.2),
     ("use", 1.3, 0.4),
     ("look", 0.8, 0.4),
     ("hypernym", 0.7, 0.4),
@@ -55,7 +56,7 @@ class WordIndex:
         texts = [_texts_of(catalogue, name) for name in self.categories]
         self._words = _postings(texts, plain_words)
         self._stems = _postings(texts, lambda text: [stem(word) for word in plain_words(text)])
-        self._phrases = _phrases(texts, ("name", "synonym"))
+        self._phrases = _phrases(texts, ("name", "synonym", "called"))
         self._names = _phrases(texts, ("name",))
         self._notions: dict[tuple[str, ...], list[int]] = {}
         for notion in hypernyms():
@@ -186,6 +187,7 @@ def _texts_of(catalogue: Catalogue, category: str) -> dict[str, list[str]]:
     return {
         "name": [asset.name, category.replace("_", " ")],
         "synonym": list(asset.synonyms),
+        "called": known.called.split("; "),
         "use": [known.use],
         "look": [known.look],
         "hypernym": hypernyms_of(category),
