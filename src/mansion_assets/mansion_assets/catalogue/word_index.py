@@ -198,7 +198,7 @@ def _texts_of(catalogue: Catalogue, category: str) -> dict[str, list[str]]:
     return {
         "name": [asset.name, category.replace("_", " ")],
         "synonym": list(asset.synonyms),
-        "called": known.called.split("; "),
+        "called": [phrase for phrase in known.called.split("; ") if phrase],
         "use": [known.use],
         "look": [known.look],
         "hypernym": hypernyms_of(category),

@@ -69,7 +69,7 @@ def asset_text(asset: Asset) -> str:
 def phrases_of(asset: Asset) -> list[str]:
     """Return what an asset is called, what it is used for and what it looks like, each phrase once."""
     known = description_of(asset.category)
-    said = [*known.called.split("; "), *known.use.split("; "), *known.look.split("; ")]
+    said = [*known.called.split("; "), *known.use.split("; "), known.look]
     names = [asset.name, asset.category.replace("_", " "), *asset.synonyms]
     return list(dict.fromkeys(phrase for phrase in (*names, *said) if phrase))
 
