@@ -5,12 +5,10 @@ copies lie in ``DIR/edits/documents``. A transaction is written to ``pending.jso
 into the log; whoever takes the lock next finishes what a killed process left.
 """
 
-import fcntl
 import math
 import os
-import time
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from contextlib import AbstractContextManager
 from pathlib import Path
 
 import msgspec
@@ -23,6 +21,7 @@ from mansion_msgs_py.building_folder import INDEX, BuildingFolder, floor_directo
 from mansion_msgs_py.codec import decode, encode_bytes
 from mansion_msgs_py.editing import DocumentChange, ObjectChange, RoomChange, Transaction
 from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.file_locks import hold_lock
 from mansion_msgs_py.files import write_atomic
 from mansion_msgs_py.scene import FloorScene, SceneObject
 from mansion_msgs_py.topology import FloorTopology
@@ -449,8 +448,7 @@ def append_line(path: Path, line: bytes) -> None:
         os.fsync(stream.fileno())
 
 
-@contextmanager
-def locked(path: Path, patience: float = PATIENCE) -> Iterator[None]:
+def locked(path: Path, patience: float = PATIENCE) -> AbstractContextManager[None]:
     """Hold the lock file, waiting for its holder.
 
     Raises
@@ -458,21 +456,7 @@ def locked(path: Path, patience: float = PATIENCE) -> Iterator[None]:
     MansionError
         ``CONFLICT`` when another process keeps it for longer than `patience` seconds.
     """
-    path.parent.mkdir(parents=True, exist_ok=True)
-    with path.open("a") as stream:
-        deadline = time.monotonic() + patience
-        while True:
-            try:
-                fcntl.flock(stream, fcntl.LOCK_EX | fcntl.LOCK_NB)
-                break
-            except OSError:
-                if time.monotonic() >= deadline:
-                    raise MansionError(ErrorCode.CONFLICT, f"another editor holds {path}; try again") from None
-                time.sleep(0.02)
-        try:
-            yield
-        finally:
-            fcntl.flock(stream, fcntl.LOCK_UN)
+    return hold_lock(path, f"another editor holds {path}; try again", patience=patience)
 
 
 def refuse_in_session(folder: Path, changes: Iterable[ObjectChange], scenes: Mapping[int, FloorScene]) -> None:

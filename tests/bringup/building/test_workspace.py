@@ -68,3 +68,29 @@ def test_state_of_running_worlds_is_kept_unless_forced(tmp_path: Path) -> None:
     with pytest.raises(MansionError, match="--force"):
         Workspace(tmp_path, REQUEST)
     Workspace(tmp_path, REQUEST, force=True)
+
+
+def test_a_build_that_comes_during_the_commit_of_another_waits_its_turn(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    refused: list[MansionError] = []
+    rename = Path.rename
+
+    def rename_while_another_comes(path: Path, target: Path) -> Path:
+        with pytest.raises(MansionError) as caught:
+            Workspace(tmp_path / "flat", REQUEST).__enter__()
+        refused.append(caught.value)
+        return rename(path, target)
+
+    with Workspace(tmp_path / "flat", REQUEST) as workspace:
+        workspace.write({"building.json": b"{}"})
+        monkeypatch.setattr(Path, "rename", rename_while_another_comes)
+        workspace.commit()
+    assert [error.code for error in refused] == [ErrorCode.CONFLICT]
+    assert sorted(path.name for path in tmp_path.rglob("*")) == ["building.json", "flat"]
+
+
+def test_a_build_that_fails_leaves_no_lock(tmp_path: Path) -> None:
+    with pytest.raises(ZeroDivisionError), Workspace(tmp_path / "flat", REQUEST):
+        raise ZeroDivisionError
+    assert [path.name for path in tmp_path.iterdir()] == [".flat.partial"]

@@ -1,6 +1,9 @@
 """Building tells how far it is, step by step to the last, and takes the better of two layouts."""
 
 import math
+import threading
+import time
+from multiprocessing import active_children
 from pathlib import Path
 
 import msgspec
@@ -8,6 +11,7 @@ import pytest
 
 from mansion_bringup.pipeline.build import build_building, solve
 from mansion_bringup.pipeline.stages import LocalStages
+from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.layout import FloorLayout, FloorProblem, LayoutRoom
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.world import Progress
@@ -45,3 +49,26 @@ def test_the_places_of_the_sketch_are_taken_where_a_layout_misses_the_areas(
     problem, fallback = (msgspec.structs.replace(plan.problems[0], plan_id=share) for share in (loose, sketched))
     plan = msgspec.structs.replace(plan, problems=[problem], fallbacks=[fallback])
     assert solve(_Solver(), plan, 0).plan_id == taken
+
+
+def test_a_killed_worker_ends_the_build_with_a_line_and_the_next_build_goes_on(tmp_path: Path) -> None:
+    def kill_workers(progress: Progress) -> None:
+        if progress.stage == "plan_program" and progress.done:
+            waiting.set()
+
+    def kill_one() -> None:
+        waiting.wait()
+        while not (children := active_children()):
+            time.sleep(0.01)
+        children[0].kill()
+
+    waiting = threading.Event()
+    killer = threading.Thread(target=kill_one)
+    killer.start()
+    request = BuildRequest(description="a house of two storeys")
+    with pytest.raises(MansionError, match="ended from outside") as caught:
+        build_building(request, tmp_path / "house", jobs=2, report=kill_workers)
+    killer.join()
+    assert caught.value.code == ErrorCode.UNAVAILABLE
+    build_building(request, tmp_path / "house")
+    assert [path.name for path in tmp_path.iterdir()] == ["house"]

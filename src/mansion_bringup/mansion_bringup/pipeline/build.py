@@ -2,8 +2,9 @@
 
 import time
 import traceback
-from collections.abc import Callable
-from concurrent.futures import Executor, Future, ProcessPoolExecutor
+from collections.abc import Callable, Iterator
+from concurrent.futures import BrokenExecutor, Executor, Future, ProcessPoolExecutor
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TypeVar
@@ -114,7 +115,7 @@ def build_building(
     job = _Job(request, stages or LocalStages(), report, cancelled)
     started = time.perf_counter()
     executors = local_executors(jobs) if stages is None else service_executors(stages, jobs, exporter)
-    with Workspace(output, request, force=force) as workspace, executors:
+    with _told_of_killed_workers(), Workspace(output, request, force=force) as workspace, executors:
         plan = _plan(job, workspace)
         layouts = _solve(job, workspace, executors, plan)
         scenes = _furnish(job, workspace, executors, plan, layouts)
@@ -126,6 +127,18 @@ def build_building(
         path = workspace.commit()
     job.step("done", f"wrote {path}", done=1)
     return BuildResult(path, index, summary)
+
+
+@contextmanager
+def _told_of_killed_workers() -> Iterator[None]:
+    try:
+        yield
+    except BrokenExecutor:
+        raise MansionError(
+            ErrorCode.UNAVAILABLE,
+            "a process of the build was ended from outside, as Linux does when memory runs out; the same build goes on"
+            " from the floors that are done, and with one job (--jobs 1) it takes the least memory",
+        ) from None
 
 
 def _plan(job: _Job, workspace: Workspace) -> PlanReply:
@@ -240,6 +253,8 @@ def at_stage(stage: str, call: Callable[[], T]) -> T:
     except MansionError as error:
         part = {"part": error.stage} if error.stage not in ("", stage) else {}
         raise error.with_details(**part, stage=stage) from error
+    except BrokenExecutor:
+        raise
     except Exception as error:
         raise MansionError(
             ErrorCode.INTERNAL,
