@@ -22,7 +22,7 @@ from mansion_msgs_py.codec import decode, encode_bytes
 from mansion_msgs_py.editing import DocumentChange, ObjectChange, RoomChange, Transaction
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.file_locks import hold_lock
-from mansion_msgs_py.files import write_atomic
+from mansion_msgs_py.files import remove_remains, write_atomic
 from mansion_msgs_py.scene import FloorScene, SceneObject
 from mansion_msgs_py.topology import FloorTopology
 from mansion_msgs_py.world import ObjectState, WorldState
@@ -86,6 +86,8 @@ class BuildingStore:
         self.documents = Documents(folder)
         self._edits = folder / "edits"
         self.lock_file = self._edits / "lock"
+        for place in (folder, self._edits, *sorted(folder.glob("floors/*"))):
+            remove_remains(place)
         if (self._edits / "pending.json").exists():
             with locked(self.lock_file):
                 self._recover()

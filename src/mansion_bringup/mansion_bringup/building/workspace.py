@@ -17,7 +17,7 @@ from mansion_msgs_py.building_folder import INDEX, floor_directory
 from mansion_msgs_py.codec import decode, encode_bytes
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.file_locks import hold_lock
-from mansion_msgs_py.files import write_atomic
+from mansion_msgs_py.files import remove_remains, write_atomic
 from mansion_msgs_py.request import BuildRequest
 
 __all__ = ["Workspace"]
@@ -110,8 +110,8 @@ class Workspace:
             (self.partial / name).unlink(missing_ok=True)
         for marker in self.partial.glob("floors/*/.done"):
             marker.unlink()
-        for stale in self.partial.rglob(".*.??????*"):
-            stale.unlink()
+        for folder in (self.partial, *filter(Path.is_dir, self.partial.rglob("*"))):
+            remove_remains(folder)
         old = self.target.parent / f".{self.target.name}.old"
         shutil.rmtree(old, ignore_errors=True)
         if self.target.exists():

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from mansion_msgs_py.codec import decode, encode_bytes
 from mansion_msgs_py.errors import ErrorCode, MansionError
-from mansion_msgs_py.files import write_atomic
+from mansion_msgs_py.files import remove_remains, write_atomic
 from mansion_msgs_py.world import WorldState
 from mansion_skills.world.robot_body import RobotBody
 from mansion_skills.world.world import World
@@ -65,8 +65,7 @@ def save_overlay(path: Path, state: WorldState, *, durable: bool = True) -> None
 
 def load_overlay(path: Path) -> WorldState | None:
     """Return the overlay of a former run, or ``None``; remains of an interrupted write are removed."""
-    for remains in sorted(path.parent.glob(".world.*")):
-        remains.unlink(missing_ok=True)
+    remove_remains(path.parent)
     try:
         return decode(WorldState, path.read_bytes())
     except FileNotFoundError:
