@@ -11,7 +11,7 @@ from typing import Any, Final
 
 import msgspec
 
-from mansion_msgs_py.building_folder import INDEX
+from mansion_msgs_py.building_folder import INDEX, file_in
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.editing import DocumentChange
 from mansion_msgs_py.errors import ErrorCode, MansionError
@@ -104,7 +104,7 @@ class Documents:
 
     def put(self, change: DocumentChange, revision: int | None = None) -> None:
         """Give a document the content that a change has after it; a scene gets a revision."""
-        file = self._folder / change.path
+        file = file_in(self._folder, change.path)
         if not change.after:
             file.unlink(missing_ok=True)
             return

@@ -17,7 +17,7 @@ from mansion_editing.documents import Documents, floor_of, is_scene
 from mansion_editing.room_parts import parts_of, program_with, records_of, topology_with
 from mansion_editing.state import SceneChange, changed, inverse, rebase
 from mansion_msgs_py.building import Building
-from mansion_msgs_py.building_folder import INDEX, BuildingFolder, floor_directory
+from mansion_msgs_py.building_folder import INDEX, BuildingFolder, file_in, floor_directory
 from mansion_msgs_py.codec import decode, encode_bytes
 from mansion_msgs_py.editing import DocumentChange, ObjectChange, RoomChange, Transaction
 from mansion_msgs_py.errors import ErrorCode, MansionError
@@ -84,8 +84,8 @@ class BuildingStore:
         self._clock = clock
         self._reader = BuildingFolder(folder)
         self.documents = Documents(folder)
-        self._edits = folder / "edits"
-        self.lock_file = self._edits / "lock"
+        self.lock_file = file_in(folder, "edits/lock")
+        self._edits = self.lock_file.parent
         for place in (folder, self._edits, *sorted(folder.glob("floors/*"))):
             remove_remains(place)
         if (self._edits / "pending.json").exists():
@@ -150,6 +150,8 @@ class BuildingStore:
         with locked(self.lock_file):
             self._recover()
             before = self.scenes()
+            for floor in before:
+                file_in(self.folder, f"{floor_directory(floor)}/scene.json")
             carried = rebase(changes, before)
             if not (carried or rooms or documents):
                 raise MansionError(ErrorCode.CONFLICT, "nothing to save")
@@ -242,7 +244,7 @@ class BuildingStore:
         self._write_records(transaction.rooms)
         self._recount(scenes if transaction.documents else map(int, transaction.revisions))
         for name, data in (self._records(self.folder, self.scenes()) if self._records else {}).items():
-            write_atomic(self.folder / name, data, durable=True)
+            write_atomic(file_in(self.folder, name), data, durable=True)
         if len(self.log()) < transaction.number:
             append_line(self._edits / "log.jsonl", encode_bytes(transaction))
         (self._edits / "pending.json").unlink()
@@ -270,7 +272,7 @@ class BuildingStore:
             self._write(INDEX, msgspec.structs.replace(building, program=program))
 
     def _write(self, name: str, payload: msgspec.Struct) -> None:
-        write_atomic(self.folder / name, encode_bytes(payload, indent=1), durable=True)
+        write_atomic(file_in(self.folder, name), encode_bytes(payload, indent=1), durable=True)
 
     def _recount(self, floors: Iterable[int]) -> None:
         """Write the numbers of objects of some floors into ``building.json``."""
@@ -356,7 +358,7 @@ class BuildingStore:
                 files.update(files_of(scenes[floor]))
             files.update(whole([scenes[floor] for floor in sorted(scenes)]))
             for name, data in sorted(files.items()):
-                write_atomic(self.folder / name, data, durable=True)
+                write_atomic(file_in(self.folder, name), data, durable=True)
             made.update({str(floor): scenes[floor].revision for floor in behind})
             write_atomic(record, encode_bytes(made), durable=True)
         return behind

@@ -6,7 +6,7 @@ import msgspec
 
 from mansion_msgs_py.program import BuildingProgram, CorePlan, Downgrade
 from mansion_msgs_py.request import BuildRequest
-from mansion_msgs_py.shapes import Identifier
+from mansion_msgs_py.shapes import BuildingId, FileInFolder
 from mansion_msgs_py.usage import LlmUsage
 from mansion_msgs_py.wishes import Wish
 
@@ -23,7 +23,7 @@ class FloorEntry(msgspec.Struct, frozen=True, kw_only=True):
     area: float
     rooms: int
     objects: int
-    files: dict[str, str]
+    files: dict[str, FileInFolder]
 
 
 class Building(msgspec.Struct, frozen=True, kw_only=True):
@@ -35,7 +35,7 @@ class Building(msgspec.Struct, frozen=True, kw_only=True):
         What the description asks for, and what became of it in the finished building.
     """
 
-    building_id: Identifier
+    building_id: BuildingId
     request: BuildRequest
     program: BuildingProgram
     floors: list[FloorEntry]
@@ -43,7 +43,7 @@ class Building(msgspec.Struct, frozen=True, kw_only=True):
     seed: int
     versions: dict[str, str] = {}
     checks: dict[str, int] = {}
-    files: dict[str, str] = {}
+    files: dict[str, FileInFolder] = {}
     wishes: list[Wish] = []
     schema_version: Literal[1] = 1
 
@@ -73,7 +73,7 @@ class BuildingReport(msgspec.Struct, frozen=True, kw_only=True):
         Answers, tokens, time and cost.
     """
 
-    building_id: Identifier
+    building_id: BuildingId
     floors: list[FloorReport]
     downgrades: list[Downgrade]
     seconds: dict[str, float]

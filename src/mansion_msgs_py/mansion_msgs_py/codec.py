@@ -139,6 +139,7 @@ _PATH = re.compile(r"^(?P<what>.*) - at `(?P<path>\$.*)`$", re.DOTALL)
 _STEP = re.compile(r"\.(?P<field>[^.\[\]]+)|\[(?P<index>[^\]]*)\]")
 _UNKNOWN = re.compile(r"^Object contains unknown field `(?P<name>.*)`$", re.DOTALL)
 _MISSING = re.compile(r"^Object missing required field `(?P<name>.*)`$", re.DOTALL)
+_PATTERN = "Expected `str` matching regex"
 _ENUM = re.compile(r"^Invalid enum value (?P<value>.*)$", re.DOTALL)
 
 
@@ -172,6 +173,8 @@ def explained(kind: Any, message: str) -> tuple[str, str]:
     if found := _ENUM.match(what):
         value = found["value"].strip("'")
         return f"{value!r} is not accepted; {choices(value, _values(places), 'values')}", path
+    if what.startswith(_PATTERN) and (said := _descriptions(places)):
+        return f"expected {' or '.join(said)}", path
     return what, path
 
 
@@ -225,6 +228,11 @@ def _fields(places: list[inspect.Type], wanted: str) -> str:
 
 def _structs(places: list[inspect.Type]) -> list[inspect.StructType]:
     return [place for place in places if isinstance(place, inspect.StructType)]
+
+
+def _descriptions(places: list[inspect.Type]) -> list[str]:
+    said = [place.extra_json_schema or {} for place in places if isinstance(place, inspect.Metadata)]
+    return [entry["description"] for entry in said if "description" in entry]
 
 
 def _values(places: list[inspect.Type]) -> list[str]:

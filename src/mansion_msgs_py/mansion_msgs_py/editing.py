@@ -11,7 +11,7 @@ import msgspec
 
 from mansion_msgs_py.program import RoomProgram
 from mansion_msgs_py.scene import Discard, Light, SceneObject, SceneRoom, SpawnPose
-from mansion_msgs_py.shapes import Point3
+from mansion_msgs_py.shapes import FileInFolder, Point3
 from mansion_msgs_py.task import Task
 from mansion_msgs_py.topology import TopologyNode
 
@@ -488,6 +488,9 @@ class RoomChange(msgspec.Struct, frozen=True, kw_only=True):
         return self.after.room.id
 
 
+_Copy: TypeAlias = Annotated[str, msgspec.Meta(pattern="^([0-9a-f]{32})?$")]
+
+
 class DocumentChange(msgspec.Struct, frozen=True, kw_only=True):
     """A document of the building that is replaced whole.
 
@@ -499,9 +502,9 @@ class DocumentChange(msgspec.Struct, frozen=True, kw_only=True):
         Names of the stored copies below ``edits/documents``; empty where the document was or is not there.
     """
 
-    path: str
-    before: str = ""
-    after: str = ""
+    path: FileInFolder
+    before: _Copy = ""
+    after: _Copy = ""
 
     @property
     def id(self) -> str:

@@ -4,7 +4,7 @@ from typing import Annotated, Literal
 
 import msgspec
 
-from mansion_msgs_py.shapes import Area, Identifier, Length, Point, Ring, Segment
+from mansion_msgs_py.shapes import Area, BuildingId, Identifier, Length, Point, Ring, Segment
 from mansion_msgs_py.wishes import Wish
 
 __all__ = [
@@ -177,7 +177,7 @@ class BuildingProgram(msgspec.Struct, frozen=True, kw_only=True):
         The kind of the knowledge base where `building_type` is called otherwise there; else empty.
     """
 
-    building_id: Identifier
+    building_id: BuildingId
     reasoning: str
     vertical_connectivity: VerticalConnectivity
     floors: Annotated[list[FloorProgram], msgspec.Meta(min_length=1)]

@@ -5,7 +5,7 @@ from typing import Annotated, Literal, TypeAlias
 import msgspec
 
 from mansion_msgs_py.program import Downgrade
-from mansion_msgs_py.shapes import Area, Identifier, Length, Point3, Ring, Segment, Size3
+from mansion_msgs_py.shapes import Area, BuildingId, Identifier, Length, Point3, Ring, Segment, Size3
 from mansion_msgs_py.topology import NodeKind
 from mansion_msgs_py.usage import LlmUsage
 
@@ -348,7 +348,7 @@ class FloorScene(msgspec.Struct, frozen=True, kw_only=True):
         Raised by one with each edit.
     """
 
-    building_id: Identifier
+    building_id: BuildingId
     floor: int
     floors: Annotated[int, msgspec.Meta(ge=1)]
     label: str

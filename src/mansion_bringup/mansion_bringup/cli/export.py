@@ -9,7 +9,7 @@ import typer
 from mansion_bringup.cli.console import check_output_file, check_output_folder, err
 from mansion_bringup.extras import ensure_extra
 from mansion_export.formats import export_formats
-from mansion_msgs_py.building_folder import BuildingFolder
+from mansion_msgs_py.building_folder import BuildingFolder, file_in
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import write_atomic
 from mansion_msgs_py.wording import counted
@@ -48,7 +48,7 @@ def export(
         ensure_extra(extra)
     files = formats[to].make(read.scenes())
     for name, data in files.items():
-        write_atomic(target / name, data)
+        write_atomic(file_in(target, name), data)
     size = sum(len(data) for data in files.values()) / 1e6
     err.print(f"wrote {counted(len(files), 'file')}, {size:.1f} MB, to {target}", highlight=False)
     for name in [name for name in files if not name.startswith("meshes/")]:

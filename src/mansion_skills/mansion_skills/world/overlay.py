@@ -4,6 +4,7 @@ import re
 import shutil
 from pathlib import Path
 
+from mansion_msgs_py.building_folder import file_in
 from mansion_msgs_py.codec import decode, encode_bytes
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import remove_remains, write_atomic
@@ -47,7 +48,7 @@ def check_session(session: str) -> str:
 
 def overlay_path(building: Path, session: str) -> Path:
     """Return where a session's overlay lives (see `check_session`)."""
-    return building / "state" / check_session(session) / "world.json"
+    return file_in(building, f"state/{check_session(session)}/world.json")
 
 
 def save_overlay(path: Path, state: WorldState, *, durable: bool = True) -> None:
