@@ -11,7 +11,7 @@ import msgspec
 
 from mansion_msgs_py.program import RoomProgram
 from mansion_msgs_py.scene import Discard, Light, SceneObject, SceneRoom, SpawnPose
-from mansion_msgs_py.shapes import FileInFolder, Point3
+from mansion_msgs_py.shapes import Coordinate, Degrees, FileInFolder, Point3
 from mansion_msgs_py.task import Task
 from mansion_msgs_py.topology import TopologyNode
 
@@ -61,8 +61,6 @@ __all__ = [
 ]
 
 Text = Annotated[str, msgspec.Meta(max_length=400)]
-Coordinate = Annotated[float, msgspec.Meta(ge=-10_000.0, le=10_000.0)]
-Degrees = Annotated[float, msgspec.Meta(ge=-3600.0, le=3600.0)]
 Gap = Annotated[float, msgspec.Meta(ge=0.0, le=100.0)]
 
 Side: TypeAlias = Literal["", "beside", "left", "right", "behind", "front", "under", "above", "between", "around"]

@@ -8,9 +8,14 @@ from typing import Annotated, TypeAlias
 
 import msgspec
 
+from mansion_msgs_py.limits import MAX_COORDINATE, MAX_CORNERS, MAX_FLOOR_AREA, MAX_HEIGHT
+
 __all__ = [
     "Area",
     "BuildingId",
+    "Coordinate",
+    "Degrees",
+    "Elevation",
     "FileInFolder",
     "FileName",
     "Identifier",
@@ -22,16 +27,25 @@ __all__ = [
     "Size3",
 ]
 
-Point: TypeAlias = tuple[float, float]
-Point3: TypeAlias = tuple[float, float, float]
-Ring: TypeAlias = list[Point]
+Coordinate: TypeAlias = Annotated[float, msgspec.Meta(ge=-MAX_COORDINATE, le=MAX_COORDINATE)]
+"""Metres in plan."""
+
+Elevation: TypeAlias = Annotated[float, msgspec.Meta(ge=-MAX_HEIGHT, le=MAX_HEIGHT)]
+"""Metres above the ground, or above a finished floor."""
+
+Degrees: TypeAlias = Annotated[float, msgspec.Meta(ge=-36_000.0, le=36_000.0)]
+"""An angle."""
+
+Point: TypeAlias = tuple[Coordinate, Coordinate]
+Point3: TypeAlias = tuple[Coordinate, Coordinate, Elevation]
+Ring: TypeAlias = Annotated[list[Point], msgspec.Meta(max_length=MAX_CORNERS)]
 Segment: TypeAlias = tuple[Point, Point]
 
-Length: TypeAlias = Annotated[float, msgspec.Meta(gt=0.0)]
+Length: TypeAlias = Annotated[float, msgspec.Meta(gt=0.0, le=MAX_COORDINATE)]
 """A positive length in metres."""
 
-Area: TypeAlias = Annotated[float, msgspec.Meta(gt=0.0)]
-"""A positive area in square metres."""
+Area: TypeAlias = Annotated[float, msgspec.Meta(gt=0.0, le=MAX_FLOOR_AREA)]
+"""A positive area of a room or a storey in square metres."""
 
 Size3: TypeAlias = tuple[Length, Length, Length]
 """Width along the front, depth and height, in metres."""

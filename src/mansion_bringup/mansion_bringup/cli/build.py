@@ -11,7 +11,7 @@ from mansion_bringup.cli.receipt_table import print_receipt, refuse_unmet
 from mansion_bringup.cli.text_argument import TextCommand
 from mansion_msgs_py.building import Building, BuildingReport
 from mansion_msgs_py.building_folder import is_building_folder
-from mansion_msgs_py.codec import decode
+from mansion_msgs_py.codec import convert, decode
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import read_bytes
 from mansion_msgs_py.request import BuildRequest, Footprint
@@ -47,9 +47,7 @@ def request_from_options(
         "seed": seed,
         "planner": planner,
     }
-    from mansion_msgs_py.codec import encode
-
-    return decode(BuildRequest, encode(fields))
+    return convert(BuildRequest, fields)
 
 
 def read_footprint(path: Path) -> Footprint:
