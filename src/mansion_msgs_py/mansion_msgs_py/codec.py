@@ -12,6 +12,7 @@ import msgspec
 from msgspec import inspect
 
 from mansion_msgs_py.errors import ErrorCode, ErrorInfo, ErrorReply, MansionError
+from mansion_msgs_py.limits import MAX_PAYLOAD
 from mansion_msgs_py.wording import choices
 
 __all__ = ["convert", "decode", "decode_reply", "encode", "encode_bytes", "explained", "schema", "to_builtins"]
@@ -83,6 +84,7 @@ def decode(kind: type[T], text: str | bytes) -> T:
     name = getattr(kind, "__name__", str(kind))
     try:
         data = text.encode() if isinstance(text, str) else text
+        _check_size(data, name)
         value: T = _decoder(cast(Hashable, kind)).decode(data if data.strip() else b"{}")
     except msgspec.ValidationError as error:
         raise _unfit(kind, error) from None
@@ -91,6 +93,15 @@ def decode(kind: type[T], text: str | bytes) -> T:
     except RecursionError:
         raise MansionError(ErrorCode.INVALID_PAYLOAD, "JSON nested too deeply", details={"payload": name}) from None
     return value
+
+
+def _check_size(data: bytes, name: str) -> None:
+    if len(data) > MAX_PAYLOAD:
+        raise MansionError(
+            ErrorCode.INVALID_PAYLOAD,
+            f"the JSON has {len(data)} bytes; at most {MAX_PAYLOAD} are read",
+            details={"payload": name},
+        )
 
 
 def convert(kind: type[T], value: Any) -> T:

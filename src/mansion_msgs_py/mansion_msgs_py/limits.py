@@ -15,8 +15,12 @@ __all__ = [
     "MAX_FLOOR_AREA",
     "MAX_HEIGHT",
     "MAX_OBJECTS",
+    "MAX_PAYLOAD",
     "MAX_ROOMS",
 ]
+
+MAX_PAYLOAD: Final = 64_000_000
+"""Bytes of a JSON text."""
 
 MAX_COORDINATE: Final = 2_000.0
 """Metres from the origin in plan."""

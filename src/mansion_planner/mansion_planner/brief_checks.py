@@ -1,7 +1,7 @@
 """What a description must be to be planned: there, not too long, and understood."""
 
 from mansion_msgs_py.errors import ErrorCode, MansionError
-from mansion_msgs_py.limits import MAX_BUILDING_AREA, MAX_FLOOR_AREA, MAX_ROOMS
+from mansion_msgs_py.limits import MAX_BUILDING_AREA, MAX_COORDINATE, MAX_FLOOR_AREA, MAX_ROOMS
 from mansion_msgs_py.program import BuildingProgram
 from mansion_planner.brief.facts import BriefFacts
 
@@ -54,6 +54,15 @@ def check_size(program: BuildingProgram) -> None:
     for floor in program.floors:
         if floor.gross_floor_area > MAX_FLOOR_AREA:
             raise _too_large(f"storey {floor.label or floor.index}", floor.gross_floor_area, MAX_FLOOR_AREA)
+        reach = max((abs(value) for point in floor.outline for value in point), default=0.0)
+        if reach > MAX_COORDINATE:
+            raise MansionError(
+                ErrorCode.INFEASIBLE,
+                f"storey {floor.label or floor.index} of {floor.gross_floor_area:.0f} m2 would be {reach:.0f} m long;"
+                f" at most {MAX_COORDINATE:.0f} m are built",
+                path="$.description",
+                details={"length": reach, "limit": MAX_COORDINATE},
+            )
         if len(floor.rooms) > MAX_ROOMS:
             raise MansionError(
                 ErrorCode.INFEASIBLE,

@@ -27,7 +27,7 @@ def test_a_storey_beyond_the_limit_is_refused(request_: BuildRequest) -> None:
 
 def test_a_building_beyond_the_limit_is_refused() -> None:
     with pytest.raises(MansionError, match="at most 1000000 m2"):
-        plan_building(BuildRequest(description="an office of 60 storeys", floor_area=40_000.0))
+        plan_building(BuildRequest(description="an office of 80 storeys", floor_area=15_000.0))
 
 
 def test_the_solver_refuses_an_outline_beyond_the_limit() -> None:
@@ -36,3 +36,8 @@ def test_the_solver_refuses_an_outline_beyond_the_limit() -> None:
     problem = FloorProblem(boundary=outline, nodes=[ProblemNode(id="hall", type="main")])
     with pytest.raises(MansionError, match="at most 50000 m2"):
         solve_floor(problem)
+
+
+def test_a_storey_longer_than_the_limit_is_refused() -> None:
+    with pytest.raises(MansionError, match="at most 2000 m are built"):
+        plan_building(BuildRequest(description="a warehouse of one floor", floor_area=45_000.0))
