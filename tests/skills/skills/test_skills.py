@@ -353,7 +353,7 @@ def test_a_room_of_any_floor_is_found_by_the_name_that_it_was_given(building: Pa
     [
         ("GoToLandmark", {"landmark": "x" * 1_000_000}),
         ("PickUp", {"object": "x" * 1_000_000}),
-        ("PutDown", {"target": "x" * 1_000_000, "relation": "y" * 1_000_000}),
+        ("Place", {"target": "x" * 1_000_000, "relation": "y" * 1_000_000}),
         ("UseElevator", {"target_floor": "x" * 1_000_000}),
         ("TakeStairs", {"direction": "x" * 1_000_000}),
         ("MoveTo", {"x": "1" * 1_000_000, "y": 1e300}),
