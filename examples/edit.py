@@ -8,7 +8,7 @@ import shutil
 from pathlib import Path
 
 from mansion_bringup.cli.edit import open_editor, refresh
-from mansion_editing.agent.instruct import instruct
+from mansion_editing.instructions.instruct import instruct
 
 INSTRUCTION = "put a red mug on the reception desk"
 

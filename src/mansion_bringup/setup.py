@@ -34,6 +34,7 @@ setup(
         "mansion_export",
         "mansion_geometry",
         "mansion_knowledge",
+        "mansion_language",
         "mansion_llm",
         "mansion_msgs_py",
         "mansion_planner",

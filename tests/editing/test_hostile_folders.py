@@ -9,7 +9,7 @@ from mansion_editing.editor import SceneEditor
 from mansion_editing.storage import BuildingStore
 from mansion_msgs_py.building_folder import INDEX
 from mansion_msgs_py.codec import encode_bytes
-from mansion_msgs_py.editing import DocumentChange, Transaction
+from mansion_msgs_py.editing.changes import DocumentChange, Transaction
 from mansion_msgs_py.errors import MansionError
 
 EditorFactory = Callable[..., SceneEditor]

@@ -7,7 +7,7 @@ import pytest
 
 from mansion_msgs_py.building import LoadBuilding
 from mansion_msgs_py.codec import decode, encode_bytes
-from mansion_msgs_py.editing import PlaceOnSurfaceArgs
+from mansion_msgs_py.editing.objects import PlaceOnSurfaceArgs
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.scene import FloorScene

@@ -8,7 +8,7 @@ import pytest
 from mansion_msgs_py.building import Building, FloorEntry
 from mansion_msgs_py.building_folder import file_in
 from mansion_msgs_py.codec import decode, encode_bytes, to_builtins
-from mansion_msgs_py.editing import DocumentChange
+from mansion_msgs_py.editing.changes import DocumentChange
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import FloorScene
 from mansion_msgs_py.shapes import FileInFolder

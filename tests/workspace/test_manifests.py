@@ -6,6 +6,7 @@ import re
 import runpy
 import subprocess
 import sys
+import tomllib
 from pathlib import Path
 from typing import Any
 
@@ -134,7 +135,11 @@ def test_one_version_everywhere(packages: list[Path], monkeypatch: pytest.Monkey
             catkin_package.parse_package(str(package)).version,
             setup_arguments(package, monkeypatch)["version"],
         }
+    root = Path(__file__).parents[2]
+    versions.add(tomllib.loads((root / "pyproject.toml").read_text())["project"]["version"])
+    versions |= set(re.findall(r"(?m)^version: (.+)$", (root / "CITATION.cff").read_text()))
     assert len(versions) == 1
+    assert re.search(rf"(?m)^## {re.escape(versions.pop())}( |$)", (root / "CHANGELOG.md").read_text())
 
 
 def test_descriptions_agree(packages: list[Path], monkeypatch: pytest.MonkeyPatch) -> None:

@@ -8,7 +8,7 @@ from shapely.geometry import LineString, Polygon
 
 from mansion_assets.catalogue import Asset, Catalogue, RoomFurnishing, furnish_request, load_catalogue
 from mansion_assets.catalogue.records import Item
-from mansion_assets.catalogue.requested import asked_counts, is_a
+from mansion_assets.catalogue.requested_furniture import asked_counts, is_a
 from mansion_geometry.randomness import item_seed
 from mansion_knowledge.object_kinds import answers
 from mansion_msgs_py.placement import PlacedObject, PlacementOpening, PlacementResult, PlacementRoom

@@ -11,7 +11,7 @@ import typer
 from mansion_bringup.cli.console import err, print_json
 from mansion_bringup.cli.text_argument import TextCommand
 from mansion_bringup.extras import ensure_extra
-from mansion_msgs_py.editing import AgentReport
+from mansion_msgs_py.editing.instructions import AgentReport
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.task import read_tasks
 
@@ -119,7 +119,7 @@ def _now() -> str:
 
 
 def _instruct(editor: "SceneEditor", instruction: str, planner: str) -> AgentReport:
-    from mansion_editing.agent.instruct import instruct
+    from mansion_editing.instructions.instruct import instruct
 
     if planner == "llm":
         ensure_extra("llm")
@@ -127,7 +127,7 @@ def _instruct(editor: "SceneEditor", instruction: str, planner: str) -> AgentRep
 
 
 def _provision(editor: "SceneEditor", file: Path, task_id: str) -> list[AgentReport]:
-    from mansion_editing.agent.instruct import provision
+    from mansion_editing.provisioning.provision import provision
 
     return [provision(editor, task) for task in read_tasks(file, task_id)]
 

@@ -3,8 +3,6 @@
 from dataclasses import replace
 from typing import Final
 
-from mansion_editing.agent.facts import Policy, Unmet, Verdict
-from mansion_editing.agent.instruct import run_agent, undo_or_redo
 from mansion_editing.editor import SceneEditor
 from mansion_editing.instructions.checking.faults import Step, faults, moved_aside
 from mansion_editing.instructions.conversation import context_of, is_taken_back, repeated
@@ -12,8 +10,12 @@ from mansion_editing.instructions.doing.carrying_out import carry
 from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.descriptions import things_of
 from mansion_editing.instructions.statements import Ask, History, Instruction, Keep, Mention
+from mansion_editing.runs.policies import Policy, Unmet, Verdict
+from mansion_editing.runs.run import run_policy
 from mansion_editing.state import SceneState
-from mansion_msgs_py.editing import AgentReport
+from mansion_msgs_py.codec import to_builtins
+from mansion_msgs_py.editing.changes import EditResult
+from mansion_msgs_py.editing.instructions import AgentReport, AgentStep
 from mansion_msgs_py.errors import MansionError
 
 __all__ = ["carry_out"]
@@ -43,10 +45,10 @@ def carry_out(editor: SceneEditor, instruction: Instruction, text: str) -> Agent
     (first, *more) = instruction.statements or [Mention()]
     if isinstance(first, History) and not more and not instruction.not_understood:
         if first.what == "redo":
-            return undo_or_redo(editor, "Redo")
+            return _undo_or_redo(editor, "Redo")
         if is_taken_back(first, editor):
-            return undo_or_redo(editor, "Undo")
-    return run_agent(editor, _policy(editor, instruction), text, most_steps=MOST_STEPS, most_edits=MOST_EDITS)
+            return _undo_or_redo(editor, "Undo")
+    return run_policy(editor, _policy(editor, instruction), text, most_steps=MOST_STEPS, most_edits=MOST_EDITS)
 
 
 _EXAMPLES: Final = (
@@ -108,3 +110,23 @@ def _refused(error: Unmet | MansionError, quote: str) -> Verdict:
     candidates = error.info.details.get("candidates", []) if isinstance(error, MansionError) else []
     message = f"{quote}: {reason}" if quote else reason
     return Verdict(message, failed=[message], candidates=[str(name) for name in candidates])
+
+
+def _undo_or_redo(editor: SceneEditor, tool: str) -> AgentReport:
+    """Undo or redo this user's last edit, an instruction as a whole."""
+    thought = f"{tool} the last edit."
+    try:
+        done: EditResult = editor.call(tool)
+    except MansionError as error:
+        step = AgentStep(thought=thought, tool=tool, observation=to_builtins(error.reply()))
+        return AgentReport(message=str(error), done=False, steps=[step], failed=[str(error)])
+    return AgentReport(
+        message=done.message,
+        done=True,
+        steps=[AgentStep(thought=thought, tool=tool, observation=to_builtins(done))],
+        facts=[f"the last edit {'undone' if tool == 'Undo' else 'redone'}"],
+        edits=1,
+        saved=done.saved,
+        transaction=done.transaction,
+        object_ids=done.object_ids,
+    )

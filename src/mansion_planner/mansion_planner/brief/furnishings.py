@@ -1,9 +1,9 @@
 """Read which furniture a brief wants, and in which room: "a fireplace in the living room", "each with two beds"."""
 
-from mansion_planner.brief.attachment import Attachment
 from mansion_planner.brief.facts import ObjectFact
 from mansion_planner.brief.phrase import Phrase
 from mansion_planner.brief.reading import Reading
+from mansion_planner.brief.storey_attachment import Attachment
 
 __all__ = ["read_furnishings"]
 

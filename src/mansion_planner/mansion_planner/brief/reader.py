@@ -10,9 +10,9 @@ from dataclasses import replace
 
 from mansion_knowledge import KnowledgeBase
 from mansion_planner.brief.adverts import read_adverts, read_bedrooms_of_building
-from mansion_planner.brief.attachment import Attachment
+from mansion_planner.brief.background_phrases import without_bystanders
 from mansion_planner.brief.building import building_phrase, own_building_name, unknown_building
-from mansion_planner.brief.bystanders import without_bystanders
+from mansion_planner.brief.building_shape import read_copies, read_massing, read_shape, read_sizes
 from mansion_planner.brief.coreference import coreferences
 from mansion_planner.brief.desk_areas import read_desk_areas
 from mansion_planner.brief.distant_counts import (
@@ -35,12 +35,12 @@ from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading, start_rea
 from mansion_planner.brief.relations import Relation, read_relations
 from mansion_planner.brief.room_facts import RoomStatements, identifier
 from mansion_planner.brief.similarity import similar_room_type
-from mansion_planner.brief.stacking import read_stacking
+from mansion_planner.brief.stacked_uses import read_stacking
+from mansion_planner.brief.storey_attachment import Attachment
 from mansion_planner.brief.storeys import read_storeys
 from mansion_planner.brief.suites import read_suites
 from mansion_planner.brief.unit_storeys import attach_units
 from mansion_planner.brief.units import are_units
-from mansion_planner.brief.wishes import read_copies, read_massing, read_shape, read_sizes
 
 __all__ = ["read_brief"]
 

@@ -3,11 +3,11 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from mansion_planner.brief.attachment import Attachment
 from mansion_planner.brief.facts import RoomFact, Span, UseFact
 from mansion_planner.brief.households import told_apart
 from mansion_planner.brief.phrase import Phrase
 from mansion_planner.brief.reading import Place, Reading
+from mansion_planner.brief.storey_attachment import Attachment
 from mansion_planner.brief.storey_sequences import other_storeys
 from mansion_planner.brief.suites import Suites
 from mansion_planner.brief.units import Households, are_dwellings

@@ -13,7 +13,7 @@ from mansion_planner.program.decisions import Decisions, note
 from mansion_planner.program.furniture_areas import furniture_area, furniture_areas, usual_number
 from mansion_planner.program.household import household_of, is_whole, main_room, private_types
 from mansion_planner.program.model import PlannedRoom, Storey
-from mansion_planner.program.record import Record
+from mansion_planner.program.step_record import Record
 from mansion_planner.program.storeys import entries_of, floors_of
 
 __all__ = ["Allocation", "allocate", "base_rooms", "fill_storey", "fit_areas", "hub_area", "name_rooms", "planned_room"]
