@@ -6,7 +6,15 @@ import msgspec
 
 from mansion_msgs_py.wording import shortened
 
-__all__ = ["MOST_CHARACTERS", "ErrorCode", "ErrorInfo", "ErrorReply", "MansionError"]
+__all__ = [
+    "MOST_CHARACTERS",
+    "MOST_IN_DETAILS",
+    "ErrorCode",
+    "ErrorInfo",
+    "ErrorReply",
+    "MansionError",
+    "refused_by_system",
+]
 
 
 MOST_CHARACTERS: Final = 2_000
@@ -133,3 +141,22 @@ def _short(value: Any) -> Any:
     if isinstance(value, list | tuple):
         return [_short(entry) for entry in value[:MOST_IN_DETAILS]]
     return value
+
+
+def refused_by_system(error: OSError, outcome: str = "") -> MansionError:
+    """Return what the system refused, such as to write to a full disk, as ``UNAVAILABLE`` in one line.
+
+    Parameters
+    ----------
+    error : OSError
+    outcome : str
+        What became of the work, for the end of the message.
+
+    Examples
+    --------
+    >>> str(refused_by_system(OSError(28, "No space left on device", "out/report.json"), "nothing was changed"))
+    'UNAVAILABLE: out/report.json: No space left on device; nothing was changed'
+    """
+    parts = [str(part) for part in (error.filename, error.strerror or error) if part is not None]
+    message = ": ".join(parts)
+    return MansionError(ErrorCode.UNAVAILABLE, f"{message}; {outcome}" if outcome else message)

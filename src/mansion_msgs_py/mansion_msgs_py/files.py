@@ -90,8 +90,10 @@ def write_atomic(path: Path, data: bytes, *, durable: bool = False, mode: int | 
             if mode is not None:
                 fresh.chmod(mode)
             fresh.replace(path)
-    except BaseException:
+    except BaseException as error:
         fresh.unlink(missing_ok=True)
+        if isinstance(error, OSError) and error.filename is None:
+            error.filename = str(path)
         raise
 
 

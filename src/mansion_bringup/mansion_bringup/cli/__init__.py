@@ -8,7 +8,7 @@ from mansion_bringup.cli.app import app
 from mansion_bringup.cli.console import EXIT_INTERRUPTED
 from mansion_bringup.discovery import keep_to_this_machine
 from mansion_bringup.graph.rclpy_available import NO_RCLPY
-from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.errors import ErrorCode, MansionError, refused_by_system
 
 __all__ = ["main"]
 
@@ -41,8 +41,8 @@ def main() -> NoReturn:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         sys.exit(EXIT_FAILURE)
     except OSError as error:
-        if "MANSION_DEBUG" in os.environ or error.filename is None:
+        if "MANSION_DEBUG" in os.environ or error.errno is None:
             raise
-        print(f"error: {error.filename}: {error.strerror}", file=sys.stderr)
+        print(f"error: {refused_by_system(error)}", file=sys.stderr)
         sys.exit(EXIT_FAILURE)
     sys.exit(0)

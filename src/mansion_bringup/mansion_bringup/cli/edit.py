@@ -12,7 +12,7 @@ from mansion_bringup.cli.console import err, print_json
 from mansion_bringup.cli.text_argument import TextCommand
 from mansion_bringup.extras import ensure_extra
 from mansion_msgs_py.editing.instructions import AgentReport
-from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.errors import ErrorCode, MansionError, refused_by_system
 from mansion_msgs_py.task import read_tasks
 
 if TYPE_CHECKING:
@@ -136,7 +136,11 @@ def refresh(editor: "SceneEditor") -> None:
     """Write anew what is made from the floors that changed."""
     from mansion_bringup.edit_hooks import building_files, floor_files
 
-    floors = editor.store.refresh(floor_files, building_files)
+    try:
+        floors = editor.store.refresh(floor_files, building_files)
+    except OSError as error:
+        outcome = "the building is as told, but plans and models made from it are behind; the next edit writes them"
+        raise refused_by_system(error, outcome) from error
     if floors:
         names = ", ".join(map(str, floors))
         err.print(f"wrote the files of floor {names} anew", highlight=False)
