@@ -5,14 +5,18 @@ objects can be reached is the question of `mansion_bringup.check.reach`, which a
 """
 
 import json
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
 from mansion_bringup.check import Fault, check_building
+from mansion_bringup.check.building import check_floors, check_records
 from mansion_msgs_py.building import Building
+from mansion_msgs_py.layout import FloorLayout
+from mansion_msgs_py.scene import FloorScene
+from mansion_msgs_py.topology import FloorTopology
 
-__all__ = ["check_house_files", "check_houses", "verify_building"]
+__all__ = ["check_house_files", "check_houses", "floor_faults", "record_faults", "verify_building"]
 
 
 def check_house_files(folder: Path, building: Building) -> Iterator[Fault]:
@@ -68,3 +72,15 @@ def verify_building(path: Path | str) -> list[Fault]:
         ``NOT_FOUND`` when `path` is no building folder.
     """
     return check_building(path, further=(check_house_files,))
+
+
+def floor_faults(building_id: str, scenes: Sequence[FloorScene], topologies: Sequence[FloorTopology]) -> list[Fault]:
+    """Return the faults of finished floors: the part of `verify_building` that takes its time."""
+    return list(check_floors(building_id, scenes, topologies))
+
+
+def record_faults(
+    folder: Path, building: Building, layouts: Sequence[FloorLayout], scenes: Sequence[FloorScene]
+) -> list[Fault]:
+    """Return the other faults of `verify_building`: those of files and records."""
+    return list(check_records(folder, building, layouts, scenes, (check_house_files,)))

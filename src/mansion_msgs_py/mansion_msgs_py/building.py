@@ -71,6 +71,8 @@ class BuildingReport(msgspec.Struct, frozen=True, kw_only=True):
         With the planner ``llm``: which piece came from the model, which from the rules, and why.
     llm : LlmUsage, optional
         Answers, tokens, time and cost.
+    faults : list of str
+        What ``mansion check`` found when it was built; empty for a sound building.
     """
 
     building_id: BuildingId
@@ -81,6 +83,7 @@ class BuildingReport(msgspec.Struct, frozen=True, kw_only=True):
     sources: dict[str, str] = {}
     llm: LlmUsage | None = None
     wishes: list[Wish] = []
+    faults: list[str] = []
     schema_version: Literal[1] = 1
 
 

@@ -16,11 +16,12 @@ from mansion_msgs_py.building import Building, BuildingReport
 from mansion_msgs_py.building_folder import BuildingFolder, check_building_folder
 from mansion_msgs_py.codec import decode
 from mansion_msgs_py.errors import MansionError
+from mansion_msgs_py.layout import FloorLayout
 from mansion_msgs_py.scene import FloorScene
 from mansion_msgs_py.topology import FloorTopology
 from mansion_msgs_py.wishes import Wish
 
-__all__ = ["FileCheck", "check_building", "check_floors"]
+__all__ = ["FileCheck", "check_building", "check_floors", "check_records", "in_order"]
 
 
 FileCheck = Callable[[Path, Building], Iterable[Fault]]
@@ -50,15 +51,29 @@ def check_building(path: Path | str, further: Sequence[FileCheck] = ()) -> list[
         topologies = [read.topology(floor) for floor in read.floors]
     except MansionError as error:
         return [Fault("FILE", str(error.info.details.get("file", folder)), str(error))]
-    faults = [
-        *check_files(folder, read.building),
-        *check_maps(folder, read.building, scenes),
-        *(fault for further_check in further for fault in further_check(folder, read.building)),
-        *check_request(read.building, layouts, scenes),
-        *check_wishes(read.building, _reported(folder, read.building), layouts, scenes),
-        *check_floors(read.building.building_id, scenes, topologies),
-    ]
+    floors = check_floors(read.building.building_id, scenes, topologies)
+    return in_order([*check_records(folder, read.building, layouts, scenes, further), *floors])
+
+
+def in_order(faults: Iterable[Fault]) -> list[Fault]:
+    """Return faults by kind and place, each once."""
     return sorted(set(faults), key=lambda fault: (fault.kind, fault.where, fault.message))
+
+
+def check_records(
+    folder: Path,
+    building: Building,
+    layouts: Sequence[FloorLayout],
+    scenes: Sequence[FloorScene],
+    further: Sequence[FileCheck] = (),
+) -> Iterator[Fault]:
+    """Yield the faults of files, and of what ``building.json`` says of the floors."""
+    yield from check_files(folder, building)
+    yield from check_maps(folder, building, list(scenes))
+    for further_check in further:
+        yield from further_check(folder, building)
+    yield from check_request(building, layouts, scenes)
+    yield from check_wishes(building, _reported(folder, building), layouts, scenes)
 
 
 def _reported(folder: Path, building: Building) -> list[Wish] | None:

@@ -111,6 +111,17 @@ def build(
     _print_summary(result)
     if strict:
         refuse_unmet(result.building.wishes)
+    _refuse_faults(result)
+
+
+def _refuse_faults(result: "BuildResult") -> None:
+    """Name the faults of a building that does not pass the check, and end with status 1."""
+    faults = result.report.faults
+    for fault in faults:
+        err.print(fault, markup=False, highlight=False)
+    if faults:
+        err.print(f"{result.path} does not pass `mansion check`: {counted(len(faults), 'fault')}", highlight=False)
+        raise typer.Exit(1)
 
 
 def _refuse_unmet_plan(request: BuildRequest) -> None:
