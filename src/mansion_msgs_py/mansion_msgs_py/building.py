@@ -1,12 +1,12 @@
 """``building.json`` and ``report.json``: the index of a building folder, and what was asked and met."""
 
-from typing import Literal
+from typing import Annotated, Literal
 
 import msgspec
 
 from mansion_msgs_py.program import BuildingProgram, CorePlan, Downgrade
 from mansion_msgs_py.request import BuildRequest
-from mansion_msgs_py.shapes import BuildingId, FileInFolder
+from mansion_msgs_py.shapes import BuildingId, FileInFolder, PathText
 from mansion_msgs_py.usage import LlmUsage
 from mansion_msgs_py.wishes import Wish
 
@@ -38,7 +38,7 @@ class Building(msgspec.Struct, frozen=True, kw_only=True):
     building_id: BuildingId
     request: BuildRequest
     program: BuildingProgram
-    floors: list[FloorEntry]
+    floors: Annotated[list[FloorEntry], msgspec.Meta(min_length=1)]
     cores: list[CorePlan]
     seed: int
     versions: dict[str, str] = {}
@@ -100,7 +100,7 @@ class LoadBuilding(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fie
         Begin anew: everything back where the scenes have it, the robot at the spawn pose.
     """
 
-    path: str
+    path: PathText
     session: str = ""
     world: str = "shared"
     reset: bool = False

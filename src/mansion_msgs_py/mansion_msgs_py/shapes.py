@@ -20,6 +20,7 @@ __all__ = [
     "FileName",
     "Identifier",
     "Length",
+    "PathText",
     "Point",
     "Point3",
     "Ring",
@@ -70,6 +71,12 @@ FileName: TypeAlias = Annotated[
     ),
 ]
 """What becomes the name of a file or a part of it."""
+
+PathText: TypeAlias = Annotated[
+    str,
+    msgspec.Meta(pattern=r"^[^\x00]+$", max_length=4096, description="a path of at most 4096 characters without NUL"),
+]
+"""A path on the machine of the node."""
 
 FileInFolder: TypeAlias = Annotated[
     str,

@@ -94,3 +94,23 @@ def test_a_build_that_fails_leaves_no_lock(tmp_path: Path) -> None:
     with pytest.raises(ZeroDivisionError), Workspace(tmp_path / "flat", REQUEST):
         raise ZeroDivisionError
     assert [path.name for path in tmp_path.iterdir()] == [".flat.partial"]
+
+
+@pytest.mark.parametrize("there", [True, False], ids=["to a folder", "dangling"])
+def test_a_link_stays_and_the_building_is_where_it_leads(tmp_path: Path, there: bool) -> None:
+    real, link = tmp_path / "disk" / "flat", tmp_path / "flat"
+    if there:
+        real.mkdir(parents=True)
+    link.symlink_to(real)
+    with Workspace(link, REQUEST) as workspace:
+        workspace.write({"building.json": b"{}"})
+        workspace.commit()
+    assert link.is_symlink() and [path.name for path in real.iterdir()] == ["building.json"]
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["disk", "flat"]
+    assert [path.name for path in real.parent.iterdir()] == ["flat"]
+
+
+def test_a_link_to_itself_is_refused(tmp_path: Path) -> None:
+    (tmp_path / "flat").symlink_to("flat")
+    with pytest.raises(MansionError, match="leads nowhere"):
+        Workspace(tmp_path / "flat", REQUEST)

@@ -43,7 +43,7 @@ class Workspace:
     """
 
     def __init__(self, target: Path, request: BuildRequest, *, force: bool = False) -> None:
-        self.target = target.absolute()
+        self.target = _followed(target.absolute())
         self.partial = self.target.parent / f".{self.target.name}.partial"
         self._key = encode_bytes({"version": __version__, "request": request})
         _check_target(self.target, force=force)
@@ -119,6 +119,16 @@ class Workspace:
         self.partial.rename(self.target)
         shutil.rmtree(old, ignore_errors=True)
         return self.target
+
+
+def _followed(target: Path) -> Path:
+    """Return where a link leads, which is not itself replaced by a folder; other paths as they are."""
+    if not target.is_symlink():
+        return target
+    try:
+        return target.resolve()
+    except (OSError, RuntimeError):
+        raise MansionError(ErrorCode.CONFLICT, f"{target} is a link that leads nowhere; name a folder") from None
 
 
 def _check_target(target: Path, *, force: bool) -> None:

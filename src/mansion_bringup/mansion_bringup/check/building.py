@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from pathlib import Path
+from typing import Final
 
 from mansion_bringup.check.cores import check_cores
 from mansion_bringup.check.fault import Fault
@@ -12,6 +13,7 @@ from mansion_bringup.check.reach import check_reach
 from mansion_bringup.check.request import check_request
 from mansion_bringup.check.rooms import check_partition, check_walls
 from mansion_bringup.check.wishes import check_wishes
+from mansion_geometry.sound_shapes import unsound_shapes
 from mansion_msgs_py.building import Building, BuildingReport
 from mansion_msgs_py.building_folder import BuildingFolder, check_building_folder
 from mansion_msgs_py.codec import decode
@@ -92,6 +94,10 @@ def check_floors(
     yield from identity
     if any(fault.kind == "NUMBER" for fault in identity):
         return
+    unsound = [fault for scene in scenes for fault in _shapes(scene)]
+    yield from unsound
+    if unsound:
+        return
     for scene, topology in zip(scenes, topologies):
         yield from check_partition(scene)
         yield from check_walls(scene)
@@ -99,6 +105,15 @@ def check_floors(
         yield from check_objects(scene)
     yield from check_cores(scenes)
     yield from check_reach(scenes)
+
+
+_SHAPES: Final = {"polygon": "ROOM_SHAPE", "net interior": "ROOM_NET", "segment": "WALL", "outline": "OUTLINE"}
+
+
+def _shapes(scene: FloorScene) -> Iterator[Fault]:
+    """Yield the shapes that no further question can be asked of."""
+    for shape in unsound_shapes(scene):
+        yield Fault(_SHAPES[shape.part], shape.owner, shape.message)
 
 
 def _wished_doors(scene: FloorScene, topology: FloorTopology) -> list[tuple[str, str]]:

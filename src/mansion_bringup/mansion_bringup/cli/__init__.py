@@ -2,6 +2,7 @@
 
 import os
 import sys
+from collections.abc import Sequence
 from typing import NoReturn
 
 from mansion_bringup.cli.app import app
@@ -16,10 +17,22 @@ EXIT_FAILURE = 1
 EXIT_INFEASIBLE = 2
 
 
+def _require_text(arguments: Sequence[str]) -> None:
+    """Refuse bytes that are no UTF-8, which Python passes on as characters that no file or message can hold."""
+    for number, argument in enumerate(arguments, start=1):
+        try:
+            argument.encode()
+        except UnicodeEncodeError:
+            raise MansionError(
+                ErrorCode.INVALID_PAYLOAD, f"argument {number}, {argument[:80]!r}, is no text in UTF-8"
+            ) from None
+
+
 def main() -> NoReturn:
     """Run the command line; expected failures print one line and end with status 1, an infeasible brief with 2."""
     keep_to_this_machine()
     try:
+        _require_text(sys.argv[1:])
         app(prog_name="mansion")
     except KeyboardInterrupt:
         sys.exit(EXIT_INTERRUPTED)

@@ -9,6 +9,7 @@ import typer
 from mansion_bringup.cli.console import check_output_file, check_output_folder, err
 from mansion_bringup.extras import ensure_extra
 from mansion_export.formats import export_formats
+from mansion_geometry.sound_shapes import require_sound_shapes
 from mansion_msgs_py.building_folder import BuildingFolder, file_in
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import write_atomic
@@ -46,7 +47,9 @@ def export(
     check_output_folder(target)
     if extra := formats[to].extra:
         ensure_extra(extra)
-    files = formats[to].make(read.scenes())
+    scenes = read.scenes()
+    require_sound_shapes(scenes)
+    files = formats[to].make(scenes)
     for name, data in files.items():
         write_atomic(file_in(target, name), data)
     size = sum(len(data) for data in files.values()) / 1e6
@@ -72,6 +75,7 @@ def view(
 
     page = output or building / "view.html"
     scenes = BuildingFolder(building).scenes()
+    require_sound_shapes(scenes)
     check_output_file(page)
     write_atomic(page, view_page(scenes).encode())
     typer.echo(str(page))
