@@ -349,6 +349,11 @@ class BuildingStore:
             redoes=_root(last),
         )
 
+    def _behind(self, record: Path) -> list[int]:
+        """Return the floors whose derived files are of another revision than their scenes."""
+        made = _revisions_made(record)
+        return [floor for floor, scene in self.scenes().items() if scene.revision != made.get(str(floor), 1)]
+
     def refresh(
         self,
         files_of: Callable[[FloorScene], Mapping[str, bytes]],
@@ -369,12 +374,14 @@ class BuildingStore:
             The floors that were behind.
         """
         record = self._edits / "derived.json"
+        if not self._behind(record):
+            return []
         with locked(self._edits / "derived.lock", patience=600.0):
-            made = decode(dict[str, int], record.read_bytes()) if record.exists() else {}
-            scenes = self.scenes()
-            behind = [f for f, s in scenes.items() if s.revision != made.get(str(f), 1)]
+            behind = self._behind(record)
             if not behind:
                 return []
+            scenes = self.scenes()
+            made = _revisions_made(record)
             files: dict[str, bytes] = {}
             for floor in behind:
                 files.update(files_of(scenes[floor]))
@@ -384,6 +391,11 @@ class BuildingStore:
             made.update({str(floor): scenes[floor].revision for floor in behind})
             write_atomic(record, encode_bytes(made), durable=True)
         return behind
+
+
+def _revisions_made(record: Path) -> dict[str, int]:
+    """Return the revision of each floor's scene that its derived files were made from."""
+    return decode(dict[str, int], record.read_bytes()) if record.exists() else {}
 
 
 def _refuse_mixed(

@@ -246,3 +246,12 @@ def test_a_session_that_loads_leaves_what_another_is_saving_alone(
     assert a.rotate(90).status is SkillStatus.SUCCESS
     again = pair(building)[0]
     assert again.where_am_i().pose == a.where_am_i().pose
+
+
+def test_the_number_of_sessions_is_limited(building: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("mansion_skills.engine.engine.MOST_SESSIONS", 2)
+    engine = pair(building)[0].engine
+    with pytest.raises(MansionError, match="2 sessions are open") as caught:
+        Robot(building, "third", engine=engine)
+    assert caught.value.code == ErrorCode.CONFLICT
+    Robot(building, "second", engine=engine)
