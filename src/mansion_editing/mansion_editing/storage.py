@@ -305,6 +305,7 @@ class BuildingStore:
         for entry in stale:
             entry["objects"] = counts[entry["floor"]]
         if stale:
+            building["checks"]["objects"] = sum(entry["objects"] for entry in building["floors"])
             files.write(INDEX, encode_bytes(building, indent=1))
 
     def undo(self, who: str) -> Transaction:

@@ -22,7 +22,7 @@ __all__ = [
 MAX_PAYLOAD: Final = 64_000_000
 """Bytes of a JSON text."""
 
-MAX_COORDINATE: Final = 2_000.0
+MAX_COORDINATE: Final = 10_000.0
 """Metres from the origin in plan."""
 
 MAX_HEIGHT: Final = 10_000.0
@@ -43,7 +43,7 @@ MAX_CELLS: Final = 64_000_000
 MAX_FLOORS: Final = 100
 """Storeys above ground; as many again may lie below."""
 
-MAX_CORNERS: Final = 2_000
+MAX_CORNERS: Final = 20_000
 """Points of a ring."""
 
 MAX_ROOMS: Final = 1_000

@@ -39,5 +39,5 @@ def test_the_solver_refuses_an_outline_beyond_the_limit() -> None:
 
 
 def test_a_storey_longer_than_the_limit_is_refused() -> None:
-    with pytest.raises(MansionError, match="at most 2000 m are built"):
+    with pytest.raises(MansionError, match="at most 10000 m are built"):
         plan_building(BuildRequest(description="a warehouse of one floor", floor_area=45_000.0))

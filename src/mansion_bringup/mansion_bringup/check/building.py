@@ -6,12 +6,14 @@ from typing import Final
 
 from mansion_bringup.check.cores import check_cores
 from mansion_bringup.check.fault import Fault
-from mansion_bringup.check.integrity import check_files, check_identity, check_maps
+from mansion_bringup.check.integrity import check_counts, check_files, check_identity, check_maps
+from mansion_bringup.check.lights import check_lights
 from mansion_bringup.check.objects import check_objects
 from mansion_bringup.check.openings import check_openings
 from mansion_bringup.check.reach import check_reach
 from mansion_bringup.check.request import check_request
 from mansion_bringup.check.rooms import check_partition, check_walls
+from mansion_bringup.check.stairs import check_ways_up
 from mansion_bringup.check.wishes import check_wishes
 from mansion_geometry.sound_shapes import unsound_shapes
 from mansion_msgs_py.building import Building, BuildingReport
@@ -26,7 +28,7 @@ from mansion_msgs_py.wishes import Wish
 __all__ = ["FileCheck", "check_building", "check_floors", "check_records", "in_order"]
 
 
-FileCheck = Callable[[Path, Building], Iterable[Fault]]
+FileCheck = Callable[[Path, Building, Sequence[FloorScene]], Iterable[Fault]]
 """Yields the faults of some files of a building folder."""
 
 
@@ -73,7 +75,8 @@ def check_records(
     yield from check_files(folder, building)
     yield from check_maps(folder, building, list(scenes))
     for further_check in further:
-        yield from further_check(folder, building)
+        yield from further_check(folder, building, scenes)
+    yield from check_counts(building, scenes)
     yield from check_request(building, layouts, scenes)
     yield from check_wishes(building, _reported(folder, building), layouts, scenes)
 
@@ -103,7 +106,9 @@ def check_floors(
         yield from check_walls(scene)
         yield from check_openings(scene, _wished_doors(scene, topology))
         yield from check_objects(scene)
+        yield from check_lights(scene)
     yield from check_cores(scenes)
+    yield from check_ways_up(scenes)
     yield from check_reach(scenes)
 
 
