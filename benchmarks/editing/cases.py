@@ -15,8 +15,8 @@ from pathlib import Path
 
 import numpy as np
 
-from mansion_bringup.cli.edit import open_editor
 from mansion_bringup.edit_hooks import building_files, floor_files
+from mansion_bringup.editor import open_editor
 from mansion_bringup.verify import verify_building
 from mansion_editing.editor import SceneEditor
 from mansion_editing.instructions.instruct import instruct

@@ -17,7 +17,7 @@ from typing import Any
 
 import msgspec
 
-from mansion_bringup.cli.edit import open_editor
+from mansion_bringup.editor import open_editor
 from mansion_editing.instructions.instruct import instruct
 from mansion_editing.runs.policies import Action, Policy, Verdict
 from mansion_editing.runs.run import run_policy

@@ -24,7 +24,7 @@ from typing import Any
 from shapely import Polygon
 
 from mansion_bringup.building.files import building_exports, floor_exports
-from mansion_bringup.cli.edit import open_editor
+from mansion_bringup.editor import open_editor
 from mansion_bringup.verify import verify_building
 from mansion_editing.editor import SceneEditor
 from mansion_editing.structure.circulation import is_passage

@@ -62,3 +62,11 @@ def test_the_table_has_a_column_for_it() -> None:
     with console.capture() as captured:
         console.print(receipt_table([wish]))
     assert "2 single beds" in captured.get()
+
+
+def test_bounds_are_read_as_bounds() -> None:
+    value = WishValue(name="classroom", type="classroom", count=4, area=50.0, limit="least")
+    asked = Wish(id="wish_1", text="four classrooms", span=(0, 15), kind="room", value=value)
+    assert read_as(asked) == "4 classrooms of at least 50 m2"
+    whole = Wish(id="wish_2", text="900 m2", span=(0, 6), kind="total_area", value=WishValue(area=900.0, limit="most"))
+    assert read_as(whole) == "at most 900 m2 in all"

@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from typing import Final
 
 from mansion_bringup.building.judged_building import JudgedBuilding
-from mansion_bringup.building.verdicts import AREA_TOLERANCE, Judge, Verdict, listed, met_if, spoken
+from mansion_bringup.building.verdicts import AREA_TOLERANCE, Judge, Verdict, keeps_to, listed, met_if, spoken
 from mansion_msgs_py.shapes import Ring
 from mansion_msgs_py.wishes import Wish
 
@@ -31,6 +31,8 @@ def _total_area(wish: Wish, state: JudgedBuilding) -> Verdict:
     wanted = wish.value.area or 0.0
     above = sum(floor.gross_floor_area for floor in state.program.floors if floor.index >= 1)
     whole = sum(floor.gross_floor_area for floor in state.program.floors)
+    if wish.value.limit:
+        return met_if(keeps_to(wish, above) or keeps_to(wish, whole), f"the building has {whole:.0f} m2")
     off = min(abs(above - wanted), abs(whole - wanted)) / max(wanted, 1.0)
     return met_if(off <= AREA_TOLERANCE, f"the building has {whole:.0f} m2", partly=off <= 2 * AREA_TOLERANCE)
 
@@ -39,6 +41,8 @@ def _floor_area(wish: Wish, state: JudgedBuilding) -> Verdict:
     wanted = wish.value.area or 0.0
     areas = sorted(floor.gross_floor_area for floor in state.program.floors if floor.index >= 1)
     have = areas[len(areas) // 2]
+    if wish.value.limit:
+        return met_if(keeps_to(wish, have), f"a storey has {have:.0f} m2")
     off = abs(have - wanted) / max(wanted, 1.0)
     return met_if(off <= AREA_TOLERANCE, f"a storey has {have:.0f} m2", partly=off <= 2 * AREA_TOLERANCE)
 

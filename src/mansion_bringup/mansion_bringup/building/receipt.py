@@ -9,7 +9,7 @@ from mansion_bringup.building.building_wishes import BUILDING_JUDGES
 from mansion_bringup.building.interior_wishes import INTERIOR_JUDGES
 from mansion_bringup.building.judged_building import JudgedBuilding, finished_building, planned_building
 from mansion_bringup.building.room_wishes import ROOM_JUDGES
-from mansion_bringup.building.verdicts import Judge, Verdict
+from mansion_bringup.building.verdicts import Judge, Verdict, listed
 from mansion_msgs_py.program import BuildingProgram
 from mansion_msgs_py.scene import FloorScene
 from mansion_msgs_py.topology import FloorTopology
@@ -46,6 +46,9 @@ def _judged(wish: Wish, state: JudgedBuilding) -> Wish:
     if verdict.status == "met" and wish.reason and wish.kind in ("room", "building_type"):
         verdict = Verdict("partly", wish.reason, verdict.rooms, verdict.objects)
         reason = wish.reason
+    elif verdict.status == "met" and wish.value.unheeded:
+        reason = f"nothing was made of {listed([repr(word) for word in wish.value.unheeded])}"
+        verdict = Verdict("partly", reason, verdict.rooms, verdict.objects)
     return msgspec.structs.replace(
         wish, status=verdict.status, reason=reason, rooms=list(verdict.rooms), objects=list(verdict.objects)
     )

@@ -5,8 +5,8 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Final
 
-from mansion_bringup.building.judged_building import JudgedBuilding
-from mansion_bringup.building.verdicts import AREA_TOLERANCE, Judge, Verdict, listed, met_if, spoken
+from mansion_bringup.building.judged_building import JudgedBuilding, JudgedRoom
+from mansion_bringup.building.verdicts import AREA_TOLERANCE, Judge, Verdict, keeps_to, listed, met_if, spoken
 from mansion_msgs_py.wishes import Wish
 
 __all__ = ["ROOM_JUDGES"]
@@ -18,6 +18,7 @@ def _room(wish: Wish, state: JudgedBuilding) -> Verdict:
         return _held(wish, state)
     rooms = state.called(value.name, value.type, floors)
     rooms = [room for room in rooms if room.full_id not in state.private] or rooms
+    rooms = [room for room in rooms if not _meant_elsewhere(wish, room, state)] or rooms
     if value.whole:
         rooms = [replace(room, area=room.area + sum(other.area for other in state.behind(room))) for room in rooms]
     ids = [room.full_id for room in rooms]
@@ -35,18 +36,30 @@ def _room(wish: Wish, state: JudgedBuilding) -> Verdict:
             return Verdict("partly", f"storey {listed(short)} has {listed([counts[f] for f in short])}", ids)
     elif wanted is None and len(rooms) < 2:
         return Verdict("partly", "one room where several are asked for", ids)
-    elif wanted is not None and len(rooms) != wanted:
+    elif wanted is not None and (len(rooms) < wanted or (len(rooms) > wanted and not wish.scope.room)):
         return Verdict("partly", f"{len(rooms)} of {wanted}", ids)
     owners = state.called(wish.scope.room, wish.scope.room_type, floors) if wish.scope.room else []
     bare = [owner.full_id for owner in owners if not any(state.near(owner, room) for room in rooms)]
     if bare:
         return Verdict("partly", f"{listed(bare[:3])} has none beside it", ids)
     if value.area is not None:
-        close = [room for room in rooms if _close(room.area, value.area)]
+        close = [
+            room for room in rooms if (keeps_to(wish, room.area) if value.limit else _close(room.area, value.area))
+        ]
         if len(close) < min(_of_that_area(wish, state, len(rooms)), len(rooms)):
             sizes = ", ".join(f"{room.area:.0f}" for room in rooms[:4])
-            return Verdict("partly", f"{sizes} m2 instead of {value.area:.0f} m2", ids)
+            return Verdict("partly", f"{sizes} m2 instead of {_BOUNDS[value.limit]}{value.area:.0f} m2", ids)
     return Verdict("met", "", ids)
+
+
+_BOUNDS = {"most": "at most ", "least": "at least ", "": ""}
+
+
+def _meant_elsewhere(wish: Wish, room: JudgedRoom, state: JudgedBuilding) -> bool:
+    """Whether another wish calls a room by its own name: "classroom 2B" is none of "four classrooms"."""
+    stem, _, number = room.id.rpartition("_")
+    own = {room.id, stem if number.isdigit() else room.id} - {wish.value.name}
+    return any(other.kind == "room" and other.value.name in own for other in state.program.wishes)
 
 
 def _held(wish: Wish, state: JudgedBuilding) -> Verdict:

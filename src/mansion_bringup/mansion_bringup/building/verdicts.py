@@ -7,7 +7,7 @@ from typing import TypeAlias
 from mansion_bringup.building.judged_building import JudgedBuilding
 from mansion_msgs_py.wishes import Wish, WishStatus
 
-__all__ = ["AREA_TOLERANCE", "Judge", "Verdict", "listed", "met_if", "spoken"]
+__all__ = ["AREA_TOLERANCE", "Judge", "Verdict", "keeps_to", "listed", "met_if", "spoken"]
 
 AREA_TOLERANCE = 0.1
 """Share by which an area may miss the one that is asked for and still meet it."""
@@ -30,6 +30,12 @@ Judge: TypeAlias = Callable[[Wish, JudgedBuilding], Verdict]
 def met_if(ok: bool, reason: str, *, partly: bool = False, rooms: Sequence[str] = ()) -> Verdict:
     """Return that a wish is met, or else why it is not, or only in part."""
     return Verdict("met", "", rooms) if ok else Verdict("partly" if partly else "not_met", reason, rooms)
+
+
+def keeps_to(wish: Wish, area: float) -> bool:
+    """Whether an area keeps to a wish's bound, but for a hundredth."""
+    wanted = wish.value.area or 0.0
+    return area <= 1.01 * wanted if wish.value.limit == "most" else area >= 0.99 * wanted
 
 
 def spoken(name: str) -> str:

@@ -66,7 +66,7 @@ def _number_of(wish: Wish, name: str) -> str:
 
 def _size(wish: Wish) -> str:
     value = wish.value
-    area = f" of {value.area:.4g} m2" if value.area is not None else ""
+    area = f" of {_LIMITS[value.limit]}{value.area:.4g} m2" if value.area is not None else ""
     return area + (" in all" if area and value.whole else "")
 
 
@@ -100,7 +100,14 @@ def _amount(noun: str) -> Callable[[Wish], str]:
 
 
 def _area(suffix: str) -> Callable[[Wish], str]:
-    return lambda wish: f"{wish.value.area:.4g} m2 {suffix}" if wish.value.area is not None else ""
+    def said(wish: Wish) -> str:
+        value = wish.value
+        return f"{_LIMITS[value.limit]}{value.area:.4g} m2 {suffix}" if value.area is not None else ""
+
+    return said
+
+
+_LIMITS = {"": "", "most": "at most ", "least": "at least "}
 
 
 def _height(wish: Wish) -> str:

@@ -19,10 +19,13 @@ def read_shape(reading: Reading) -> None:
     """Read the outline's shape: "L-shaped", "in the form of a U", "around a courtyard", "rectangular"."""
     for i in range(len(reading.tokens)):
         word = reading.word(i)
+        if word in _SHAPES and reading.word(i + 1) == "shaped" and _names_room(reading, i + 2):
+            continue  # "an L-shaped living room"
         if word in _SHAPES and (
             reading.word(i + 1) in ("shaped", "shape", "form", "plan", "formed", "outline", "footprint", "layout")
             or " ".join(reading.word(i - k) for k in (3, 2, 1))
             in ("shape of a", "form of a", "shape of an", "form of an")
+            or (reading.word(i - 1) == "of" and reading.word(i - 2) in ("shape", "form") and _is_letter(reading, i))
             or (reading.word(i - 1) in ("a", "an") and not _BENT.isdisjoint(reading.words(max(i - 4, 0), i - 1)))
         ):
             reading.facts.shapes.append((_SHAPES[word], reading.span(i, i + 1 + (reading.word(i + 1) == "shaped"))))
@@ -54,6 +57,22 @@ def read_shape(reading: Reading) -> None:
             reading.take(i, i + 1)
         elif word in ("outline", "footprint", "plan") and "square" in reading.words(i + 1, i + 4):
             reading.facts.shapes.append(("square", reading.span(i, i + 1)))
+
+
+def _is_letter(reading: Reading, index: int) -> bool:
+    token = reading.tokens[index]
+    return reading.text[token.start : token.end].isupper()
+
+
+def _names_room(reading: Reading, index: int) -> bool:
+    """Whether a room is named within three words from a token: what stands before it is said of the room."""
+    for at in range(index, index + 3):
+        mention = reading.mention_at.get(at)
+        if mention is not None:
+            return bool(mention.room) and not mention.building
+        if reading.kind(at) != "word":
+            return False
+    return False
 
 
 def _names_building(reading: Reading, index: int) -> bool:

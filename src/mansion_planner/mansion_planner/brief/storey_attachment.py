@@ -28,6 +28,8 @@ _OPENERS = frozenset(
     , and while but : ( where then - – | with plus whereas also finally
     """.split()
 )
+_MANY = 10
+"""Rooms of a kind that no storey is likely to have each."""
 _JOINTS = frozenset(
     """
     and a an the & one , large small its own as well plus both another two three
@@ -128,6 +130,10 @@ class _Walk:
                 items[position + 1 :] = [item for item in items[position + 1 :] if item[:2] != ("phrase", rest[0])]
                 left.append(rest[0])
                 scope = scope_before
+            elif self.reading.word(place.first - 1) == "both" and len(left) > 1:
+                for target in left[-2:]:  # "the sauna next to the gym, and both in the basement"
+                    self._give(target, place, trailing=True)
+                left = []
             elif self._trails(place, left):
                 for target in self._claimed(place, left, opened=opened):
                     self._give(target, place, trailing=True)
@@ -207,6 +213,8 @@ class _Walk:
             return False
         if phrase.head == "people" and self.reading.word(place.last) in ("with", ":", "has", "have", "get"):
             return False  # "the family upstairs with three bedrooms"
+        if gap[:1] == ("(",) and ")" in gap:
+            gap = gap[gap.index(")") + 1 :]  # "two toilets (m/f) on each level"
         if len(gap) > 6:
             return False
         measures = all(
@@ -276,8 +284,17 @@ class _Walk:
             or not _SHARED_OUT.isdisjoint(near)
             or not _SHARED_OUT.isdisjoint(rest)
             or phrase.determiner == "all"
+            or (trailing and self._is_total(phrase, place))
         )
         self.found[number] = Attachment(place.refs, several and not shared)
+
+    def _is_total(self, phrase: Phrase, place: Place) -> bool:
+        """Whether a large number of rooms is that of all the storeys named after it: "40 offices on floors 2 to 5"."""
+        if place.refs[0].kind not in ("number", "range") or not phrase.counted:
+            return False
+        storeys = sum(ref.last - ref.first + 1 for ref in place.refs)
+        count = phrase.count or 0
+        return storeys > 1 and count >= _MANY * storeys and count % storeys == 0
 
     def _plural_upper(self, place: Place) -> bool:
         return any(

@@ -14,7 +14,7 @@ from mansion_planner.llm.statement_facts import StatementFacts
 
 __all__ = ["joined_facts", "without_rules"]
 
-_UNSPOKEN = frozenset({"size", "setback", "protruding"})
+_UNSPOKEN = frozenset({"size", "setback", "protruding", "unheeded"})
 """What the rules read and no statement of a model can say; it stands wherever its words are."""
 
 _APART = frozenset({"building_name", "building_like", "building_span", "rooms", "unread"})

@@ -8,6 +8,7 @@ import msgspec
 
 from mansion_knowledge import KnowledgeBase, RoomEntry, RoomType
 from mansion_msgs_py.program import TraceEntry
+from mansion_planner.brief.bounds import within_bound
 from mansion_planner.brief.facts import RoomFact
 from mansion_planner.program.decisions import Decisions, note
 from mansion_planner.program.furniture_areas import furniture_area, furniture_areas, usual_number
@@ -313,7 +314,7 @@ def planned_room(
     if fact is not None and fact.unit:
         return _planned_unit(kind, knowledge, fact)
     stated = fact is not None and fact.area is not None
-    wish = fact.area if fact is not None and fact.area is not None else area or kind.usual
+    wish = within_bound(fact.area, fact.limit) if fact is not None and fact.area is not None else area or kind.usual
     furnished = fact is not None and wish > kind.usual
     return PlannedRoom(
         id=fact.name if fact is not None else kind.name,

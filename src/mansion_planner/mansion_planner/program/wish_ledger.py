@@ -2,6 +2,8 @@
 
 from collections.abc import Sequence
 
+import msgspec
+
 from mansion_knowledge import KnowledgeBase
 from mansion_language import singular
 from mansion_msgs_py.program import RequestedObject
@@ -123,6 +125,10 @@ def wishes_of(decisions: Decisions, knowledge: KnowledgeBase) -> list[Wish]:
     ]
 
 
+_QUALIFIED = frozenset({"total_area", "room", "object", "stair", "elevator", "building_type"})
+"""Kinds of wishes for things that can have properties."""
+
+
 class _Ledger:
     def __init__(self, decisions: Decisions, knowledge: KnowledgeBase) -> None:
         self.decisions, self.facts, self.knowledge = decisions, decisions.facts, knowledge
@@ -134,6 +140,9 @@ class _Ledger:
         """Add a statement, unless the same words say the same already."""
         text = " ".join(span.words.split()[:12])
         unread = kind == "unread"
+        unheeded = [w.words for w in self.facts.unheeded if span.start <= w.start and w.end <= span.end]
+        if unheeded and kind in _QUALIFIED:
+            value = msgspec.structs.replace(value, unheeded=unheeded)
         wish = Wish(
             id="wish",
             text=text,
@@ -166,10 +175,11 @@ class _Ledger:
         for quantity in facts.basements:
             self.add("basements", quantity.span, WishValue(count=int(quantity.value)))
         for quantity in facts.area:
-            self.add("total_area", quantity.span, WishValue(area=quantity.value))
+            self.add("total_area", quantity.span, WishValue(area=quantity.value, limit=quantity.limit))
         for quantity in facts.floor_area:
-            self.add("floor_area", quantity.span, WishValue(area=quantity.value))
-        for shape, span in facts.shapes:
+            self.add("floor_area", quantity.span, WishValue(area=quantity.value, limit=quantity.limit))
+        given_up = self.decisions.given_up
+        for shape, span in (*facts.shapes, *given_up.shapes):
             self.add("outline", span, WishValue(name=shape))
         for style, span in facts.styles:
             self.add("style", span, WishValue(name=style))
@@ -198,7 +208,7 @@ class _Ledger:
         self._vertical()
         for room in (*facts.rooms, *facts.households):
             self._room(room)
-        for name, span in facts.excluded:
+        for name, span in (*facts.excluded, *given_up.excluded):
             self.add("no_room", span, WishValue(name=name, type=name, unwanted=True))
         for name, ref, span in facts.excluded_on:
             self.add("no_room", span, WishValue(name=name, type=name, unwanted=True), Scope(floors=self.floors((ref,))))
@@ -213,7 +223,7 @@ class _Ledger:
 
     def _vertical(self) -> None:
         counts = {q.span: int(q.value) for q in (*self.facts.lifts, *self.facts.stairs)}
-        for name, span in self.facts.vertical:
+        for name, span in (*self.facts.vertical, *self.decisions.given_up.vertical):
             kind: WishKind = "elevator" if name.endswith("elevator") else "stair"
             self.add(kind, span, WishValue(unwanted=name.startswith("no_"), count=counts.get(span)))
 
@@ -222,7 +232,9 @@ class _Ledger:
         if not room.known:
             reason = f"no such room is known; planned and furnished like {room.room_type.replace('_', ' ')}"
         whole = room.area is not None and is_whole(room, self.knowledge)
-        value = WishValue(name=room.name, type=room.room_type, count=room.count, area=room.area, whole=whole)
+        value = WishValue(
+            name=room.name, type=room.room_type, count=room.count, area=room.area, whole=whole, limit=room.limit
+        )
         self.add("room", room.span, value, Scope(floors=self.floors(room.floors), each=room.each), reason=reason)
         if room.unit:
             self._unit(room)
@@ -232,7 +244,10 @@ class _Ledger:
             many = None if owners is None else owners * (child.count or 1)
             scope = Scope(floors=self.floors(room.floors), each=room.each, room=room.name, room_type=room.room_type)
             self.add(
-                "room", child.span, WishValue(name=child.name, type=child.room_type, count=many, area=child.area), scope
+                "room",
+                child.span,
+                WishValue(name=child.name, type=child.room_type, count=many, area=child.area, limit=child.limit),
+                scope,
             )
 
     def _unit(self, room: RoomFact) -> None:
@@ -242,7 +257,9 @@ class _Ledger:
             reason = ""
             if not child.known:
                 reason = f"no such room is known; planned and furnished like {child.room_type.replace('_', ' ')}"
-            value = WishValue(name=child.name, type=child.room_type, count=child.count, area=child.area)
+            value = WishValue(
+                name=child.name, type=child.room_type, count=child.count, area=child.area, limit=child.limit
+            )
             self.add("room", child.span, value, scope, reason=reason)
 
     def _relation(self, kind: WishKind, fact: AdjacencyFact) -> None:
@@ -264,9 +281,16 @@ class _Ledger:
             unwanted=wanted.excluded,
             exact=wanted.exact and not wanted.excluded,
         )
-        self.add(
-            kind,
-            wanted.span,
-            value,
-            Scope(floors=self.floors(wanted.floors), room=wanted.room, room_type=wanted.room_type, each=wanted.each),
-        )
+        self.add(kind, wanted.span, value, self._place_of(wanted))
+
+    def _place_of(self, wanted: ObjectFact) -> Scope:
+        """Return where furniture is wanted; in the whole building where its room only names that."""
+        floors = self.floors(wanted.floors)
+        names = (self.facts.building_name, *(name for name, _ in self.facts.building))
+        titles = {span.words.lower().replace(" ", "_") for _, span in self.facts.building}
+        stated = {room.name for room in self.facts.rooms} | {room.room_type for room in self.facts.rooms}
+        lists = self.decisions.building.storeys.values()
+        usual = any(entry.room_type == wanted.room_type for entries in lists for entry in entries)
+        if wanted.room in {*names, *titles} and wanted.room not in stated and not usual:
+            return Scope(floors=floors, each=wanted.each)
+        return Scope(floors=floors, room=wanted.room, room_type=wanted.room_type, each=wanted.each)
