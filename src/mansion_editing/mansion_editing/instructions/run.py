@@ -18,7 +18,7 @@ from mansion_msgs_py.editing.changes import EditResult
 from mansion_msgs_py.editing.instructions import AgentReport, AgentStep
 from mansion_msgs_py.errors import MansionError
 
-__all__ = ["carry_out"]
+__all__ = ["MOST_EDITS", "MOST_STEPS", "carry_out", "statement_policy"]
 
 MOST_STEPS, MOST_EDITS = 12_000, 3_000
 """What is enough for a statement about all things of a large building."""
@@ -48,7 +48,7 @@ def carry_out(editor: SceneEditor, instruction: Instruction, text: str) -> Agent
             return _undo_or_redo(editor, "Redo")
         if is_taken_back(first, editor):
             return _undo_or_redo(editor, "Undo")
-    return run_policy(editor, _policy(editor, instruction), text, most_steps=MOST_STEPS, most_edits=MOST_EDITS)
+    return run_policy(editor, statement_policy(editor, instruction), text, most_steps=MOST_STEPS, most_edits=MOST_EDITS)
 
 
 _EXAMPLES: Final = (
@@ -57,7 +57,8 @@ _EXAMPLES: Final = (
 )
 
 
-def _policy(editor: SceneEditor, instruction: Instruction) -> Policy:
+def statement_policy(editor: SceneEditor, instruction: Instruction) -> Policy:
+    """Carry out the statements of an instruction in turn, and check what became of them."""
     if instruction.not_understood:
         words = "; ".join(repr(part[:80]) for part in instruction.not_understood)
         reason = f"not understood: {words}; {_EXAMPLES}"
@@ -72,14 +73,14 @@ def _policy(editor: SceneEditor, instruction: Instruction) -> Policy:
     state = editor.state
     steps: list[Step] = []
     replies: list[str] = []
-    before = _copied(state)
+    before = state.copied()
     context = replace(context_of(editor), kept=_kept(instruction, state))
     for statement in instruction.statements:
         try:
             done = yield from carry(statement, state, context)
         except (Unmet, MansionError) as error:
             return _refused(error, statement.quote)
-        after = _copied(state)
+        after = state.copied()
         step = Step(statement, context, before, after)
         steps.append(step)
         replies += [done.reply] if done.reply else []
@@ -98,11 +99,6 @@ def _kept(instruction: Instruction, state: SceneState) -> frozenset[str]:
     """Return the ids of what shall stay as it is, wherever in the instruction that is said."""
     keeps = [s for s in instruction.statements if isinstance(s, Keep) and not s.things.refers]
     return frozenset(item.id for keep in keeps for item in things_of(state, keep.things, Context()))
-
-
-def _copied(state: SceneState) -> SceneState:
-    """Return the scenes as they are now; scenes are never changed in place."""
-    return SceneState([state.scenes[floor] for floor in state.floors], state.catalogue, state.retriever)
 
 
 def _refused(error: Unmet | MansionError, quote: str) -> Verdict:
