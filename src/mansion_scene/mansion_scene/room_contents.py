@@ -10,6 +10,7 @@ from mansion_assets.catalogue import Asset, Catalogue, RoomFurnishing, furnish_r
 from mansion_assets.catalogue.records import Item
 from mansion_assets.catalogue.requested import asked_counts, is_a
 from mansion_geometry.randomness import item_seed
+from mansion_knowledge.essentials import Need
 from mansion_knowledge.object_kinds import answers
 from mansion_msgs_py.placement import PlacedObject, PlacementOpening, PlacementResult, PlacementRoom
 from mansion_msgs_py.program import RequestedObject
@@ -18,6 +19,7 @@ from mansion_msgs_py.shapes import Segment
 from mansion_scene.clearance import clear_of_ways
 from mansion_scene.decor import decorate_room, scene_object
 from mansion_scene.decor.frames import Ids
+from mansion_scene.essentials import essential_items, essential_requests, essentials_of, lacking, left_out
 from mansion_scene.placement import place_room
 from mansion_scene.requested_objects import (
     PART,
@@ -129,13 +131,59 @@ class RoomFurnisher:
         standing : sequence of SceneObject
             What is in the room already; it keeps its place and its id, and is not among the objects returned.
         """
+        asked = self._requested.get(room.id, ())
         net = Polygon(room.net_polygon, room.net_holes)
         items = None if self._chooser is None else self._chooser(room, net.area, _extent(net))
-        wishes = self._wishes(room, net, items)
-        counts = asked_counts(self._requested.get(room.id, ()))
+        objects, left = self._furnished(room, standing, items, asked)
+        needs = essentials_of(room, asked)
+        short = lacking(needs, [*standing, *objects])
+        for smallest in (False, True) if short else ():
+            trial, trial_left = self._furnished_usably(room, standing, items, asked, needs, smallest=smallest)
+            still = lacking(needs, [*standing, *trial])
+            if sum(still.values()) < sum(short.values()) and not self._loses(asked, objects, trial):
+                objects, left, short = trial, trial_left, still
+            if not short:
+                break
+        return objects, [*left, *left_out(self._catalogue, room, short)]
+
+    def _furnished_usably(
+        self,
+        room: SceneRoom,
+        standing: Sequence[SceneObject],
+        items: Sequence[Item] | None,
+        asked: Sequence[RequestedObject],
+        needs: Sequence[Need],
+        *,
+        smallest: bool,
+    ) -> tuple[list[SceneObject], list[Discard]]:
+        """Furnish a room with what it cannot be used without asked for, besides what the brief asks for."""
+        wanted = list(lacking(needs, standing))
+        own = self._catalogue.room_program(room.room_type).floor if items is None else items
+        fitting = items if smallest else essential_items(self._catalogue, own, wanted)
+        more = essential_requests(self._catalogue, room.room_type, wanted, smallest=smallest)
+        return self._furnished(room, standing, fitting, [*asked, *more])
+
+    def _loses(
+        self, asked: Sequence[RequestedObject], before: Sequence[SceneObject], after: Sequence[SceneObject]
+    ) -> bool:
+        """Tell whether a room has less of what the brief asks for than before."""
+        counts = asked_counts(asked)
+        short = [shortage(counts, [self._catalogue.asset(o.asset) for o in objects]) for objects in (before, after)]
+        return sum(short[1].values()) > sum(short[0].values())
+
+    def _furnished(
+        self,
+        room: SceneRoom,
+        standing: Sequence[SceneObject],
+        items: Sequence[Item] | None,
+        asked: Sequence[RequestedObject],
+    ) -> tuple[list[SceneObject], list[Discard]]:
+        net = Polygon(room.net_polygon, room.net_holes)
+        wishes = self._wishes(room, net, items, asked)
+        counts = asked_counts(asked)
         free = floor_around(room, standing)
         if counts:
-            wishes, result = self._until_met(free, counts, wishes, self._wishes(room, net, items, compact=True))
+            wishes, result = self._until_met(free, counts, wishes, self._wishes(room, net, items, asked, compact=True))
         else:
             result = self._placed(free, wishes)
         placed = self._scene_objects(free, wishes, result.placements, counts, standing)
@@ -147,11 +195,17 @@ class RoomFurnisher:
             return [*placed, *self._decorated(room, net, wishes, placed, standing)], left
         small, short = self._decorated_as_asked(room, net, wishes, placed, standing, counts)
         categories = {name: asset.category for name, asset in wishes.floor_assets.items()}
-        named = named_as_asked([*placed, *small], self._requested[room.id])
+        named = named_as_asked([*placed, *small], asked)
         return named, [*left, *not_met(self._catalogue, room.id, short, left, categories)]
 
     def _wishes(
-        self, room: SceneRoom, net: Polygon, items: Sequence[Item] | None, *, compact: bool = False
+        self,
+        room: SceneRoom,
+        net: Polygon,
+        items: Sequence[Item] | None,
+        asked: Sequence[RequestedObject],
+        *,
+        compact: bool = False,
     ) -> RoomFurnishing:
         return furnish_request(
             self._catalogue,
@@ -162,7 +216,7 @@ class RoomFurnisher:
             room_id=room.id,
             extent=_extent(net),
             items=items,
-            requested=self._requested.get(room.id, ()),
+            requested=asked,
             compact=compact,
         )
 
