@@ -96,7 +96,8 @@ def main() -> None:
             causes.update((lack.room_type, lack.need) for lack in lacks)
             print(f"{name:22}{seed:>5}{rooms:>7}{bare:>9}{time.process_time() - started:>8.1f}", flush=True)
             for lack in lacks if options.rooms else ():
-                print(f"    {lack.room} ({lack.room_type}, {lack.area:.1f} m2): {lack.have} of {lack.wanted} {lack.need}")
+                what = f"{lack.have} of {lack.wanted} {lack.need}"
+                print(f"    {lack.room} ({lack.room_type}, {lack.area:.1f} m2): {what}")
     for (room_type, need), count in causes.most_common():
         print(f"{count:>5}  {room_type}: {need}")
     print(f"{usable} of {total} rooms have all essentials: {usable / max(total, 1):.2%}")

@@ -13,6 +13,7 @@ from mansion_msgs_py.scene import Discard, SceneObject, SceneRoom
 
 __all__ = ["essential_items", "essential_requests", "essentials_of", "lacking", "left_out"]
 
+
 def essentials_of(room: SceneRoom, requested: Iterable[RequestedObject] = ()) -> list[Need]:
     """Return what a room cannot be used without, except what the brief does not want in it."""
     unwanted = [request.category for request in requested if not request.count]
@@ -72,7 +73,8 @@ def _usual(catalogue: Catalogue, room_type: str, need: Need) -> str:
     """Return the category of the room type's own furniture that meets a need, else the most usual of the need's."""
     card = catalogue.room_program(room_type)
     floor = sorted(card.floor, key=lambda item: item.p < 1.0)
-    held = [item.category for item in (*floor, *card.wall, *card.ceiling, *card.rugs)]
+    held = [*(item.category for item in floor), *(item.category for item in (*card.wall, *card.ceiling))]
+    held += [item.category for item in card.rugs]
     names = [name for one in held for name in ([one] if isinstance(one, str) else one)]
     known = [name for name in need.categories if catalogue.by_category(name)]
     return next((name for name in names if name in known), next(iter(known), ""))

@@ -13,10 +13,12 @@ from shapely.geometry import LineString, MultiLineString, Polygon
 
 from mansion_assets.catalogue import load_catalogue
 from mansion_assets.catalogue.kinds import pieces
+from mansion_bringup.building.outline_turns import TURNS, same_turns, turns_of
+from mansion_bringup.building.substances import is_made_of
+from mansion_bringup.building.usable_rooms import Equipment, equipment_of
 from mansion_knowledge.object_kinds import answers
 from mansion_msgs_py.program import BuildingProgram
 from mansion_msgs_py.scene import FloorScene, SceneObject, SceneRoom
-from mansion_msgs_py.shapes import Ring
 from mansion_msgs_py.topology import FloorTopology
 from mansion_msgs_py.wishes import Wish, WishStatus
 from mansion_scene.structure.floor_structure import ceiling_height
@@ -33,25 +35,6 @@ _CEILING = 0.1
 """Metres by which a ceiling may miss the height that is asked for and still meet it."""
 
 
-_SUBSTANCES = {
-    "wood": "wood wooden hardwood timber parquet plank planks laminate panelling deck decking herringbone"
-    " oak walnut pine maple birch bamboo cherry ash beech mahogany",
-    "carpet": "carpet carpeted carpeting",
-    "tiles": "tile tiles tiled ceramic porcelain terracotta",
-    "marble": "marble",
-    "granite": "granite",
-    "stone": "stone slate limestone",
-    "terrazzo": "terrazzo",
-    "concrete": "concrete cement",
-    "vinyl": "vinyl linoleum lino",
-    "rubber": "rubber",
-    "resin": "resin epoxy",
-    "brick": "brick bricks",
-    "plaster": "plaster plastered drywall",
-}
-"""What surfaces are made of, and the words that say so in a wish, a program or a scene."""
-
-
 @dataclass(frozen=True)
 class _Room:
     """A room of a planned or finished floor."""
@@ -65,6 +48,7 @@ class _Room:
     surfaces: Mapping[str, str] = field(default_factory=dict)
     objects: Counter[str] = field(default_factory=Counter)
     object_ids: Mapping[str, Sequence[str]] = field(default_factory=dict)
+    equipment: Equipment = field(default_factory=Equipment)
 
     @property
     def full_id(self) -> str:
@@ -189,10 +173,10 @@ def _built_room(scene: FloorScene, number: int) -> _Room:
     short = room.id.removeprefix(f"F{scene.floor}/")
     things: dict[str, list[str]] = {}
     numbers: Counter[str] = Counter()
-    for entry in scene.objects:
-        if entry.room == room.id:
-            things.setdefault(entry.category, []).append(entry.id)
-            numbers[entry.category] += _pieces(entry)
+    objects = [entry for entry in scene.objects if entry.room == room.id]
+    for entry in objects:
+        things.setdefault(entry.category, []).append(entry.id)
+        numbers[entry.category] += _pieces(entry)
     return _Room(
         scene.floor,
         short,
@@ -203,6 +187,7 @@ def _built_room(scene: FloorScene, number: int) -> _Room:
         {"floor": room.floor_material, "wall": room.wall_material},
         numbers,
         things,
+        equipment_of(scene, room, objects),
     )
 
 
@@ -239,9 +224,9 @@ def _judged(wish: Wish, state: _State) -> Wish:
         return msgspec.structs.replace(wish, status="not_understood")
     verdict = _JUDGES[wish.kind](wish, state)
     reason = verdict.reason
-    if verdict.status == "met" and wish.reason and wish.kind in ("room", "building_type"):
-        verdict = _Verdict("partly", wish.reason, verdict.rooms, verdict.objects)
-        reason = wish.reason
+    if verdict.status != "not_met" and wish.reason and wish.kind in ("room", "building_type"):
+        reason = f"{wish.reason}; {reason}" if reason else wish.reason
+        verdict = _Verdict("partly", reason, verdict.rooms, verdict.objects)
     return msgspec.structs.replace(
         wish, status=verdict.status, reason=reason, rooms=list(verdict.rooms), objects=list(verdict.objects)
     )
@@ -290,37 +275,20 @@ def _floor_area(wish: Wish, state: _State) -> _Verdict:
     return _met(off <= _AREA, f"a storey has {have:.0f} m2", partly=off <= 2 * _AREA)
 
 
-_TURNS = {"L": "LLLLLR", "U": "LLLLLLRR", "T": "LLLLRLLR", "H": "LLLLRRLLLLRR"}
-"""Left and right turns of an outline that is walked counter-clockwise, from any corner."""
-
-
 def _outline(wish: Wish, state: _State) -> _Verdict:
     ground = next((floor for floor in state.program.floors if floor.index == 1), state.program.floors[0])
-    turns, name = _turns(ground.outline), wish.value.name
+    turns, name = turns_of(ground.outline), wish.value.name
     if name == "courtyard":
         return _met(
-            bool(ground.holes) or _same_turns(turns, _TURNS["U"]),
+            bool(ground.holes) or same_turns(turns, TURNS["U"]),
             f"the outline has {len(turns)} corners and no courtyard",
         )
-    ok = not ground.holes and _same_turns(turns, _TURNS.get(name, "LLLL"))
+    ok = not ground.holes and same_turns(turns, TURNS.get(name, "LLLL"))
     if name == "square" and ok:
         xs, ys = [x for x, _ in ground.outline], [y for _, y in ground.outline]
         ok = 0.9 <= (max(xs) - min(xs)) / max(max(ys) - min(ys), 0.1) <= 1.1
-    others = [form for form, word in _TURNS.items() if _same_turns(turns, word)]
+    others = [form for form, word in TURNS.items() if same_turns(turns, word)]
     return _met(ok, f"the outline is {others[0]}-shaped" if others else f"the outline has {len(turns)} corners")
-
-
-def _turns(ring: Ring) -> str:
-    """Return how an outline turns at each corner; points on a straight line are no corners."""
-    crosses = [
-        (bx - ax) * (cy - by) - (by - ay) * (cx - bx)
-        for (ax, ay), (bx, by), (cx, cy) in zip([ring[-1], *ring[:-1]], ring, [*ring[1:], ring[0]], strict=True)
-    ]
-    return "".join("L" if cross > 0 else "R" for cross in crosses if abs(cross) > 1e-6)
-
-
-def _same_turns(turns: str, word: str) -> bool:
-    return len(turns) == len(word) and turns in word * 2
 
 
 def _style(wish: Wish, state: _State) -> _Verdict:
@@ -388,7 +356,20 @@ def _room(wish: Wish, state: _State) -> _Verdict:
         if len(close) < min(_of_that_area(wish, state, len(rooms)), len(rooms)):
             sizes = ", ".join(f"{room.area:.0f}" for room in rooms[:4])
             return _Verdict("partly", f"{sizes} m2 instead of {value.area:.0f} m2", ids)
-    return _Verdict("met", "", ids)
+    lack = _unusable(rooms, state)
+    return _met(not lack, lack, partly=True, rooms=ids)
+
+
+def _unusable(rooms: Sequence[_Room], state: _State) -> str:
+    """Say what the first rooms that cannot be used have not; empty where all can."""
+    lacks = [(room.full_id, room.equipment.lack(_unwanted_in(room, state))) for room in rooms]
+    return "; ".join(f"{name} {lack}" for name, lack in [entry for entry in lacks if entry[1]][:2])
+
+
+def _unwanted_in(room: _Room, state: _State) -> list[str]:
+    """Return the categories of which the brief wants none in a room."""
+    wishes = [wish for wish in state.program.wishes if wish.kind == "no_object" and wish.value.type]
+    return [wish.value.type for wish in wishes if room in _object_rooms(wish, state)]
 
 
 def _held(wish: Wish, state: _State) -> _Verdict:
@@ -410,7 +391,9 @@ def _held(wish: Wish, state: _State) -> _Verdict:
             small.append(f"{owner.full_id} has {_listed([f'{room.area:.0f}' for room in rooms])} m2")
     if other:
         return _Verdict("partly" if ids else "not_met", _listed(other[:3]), ids)
-    return _met(not small, _listed(small[:3]), partly=True, rooms=ids)
+    held = [room for room in state.rooms if room.full_id in ids]
+    bare = _listed(small[:3]) or _unusable(held, state)
+    return _met(not bare, bare, partly=True, rooms=ids)
 
 
 def _close(area: float, wanted: float | None) -> bool:
@@ -547,25 +530,8 @@ def _height(wish: Wish, state: _State) -> _Verdict:
 def _material(wish: Wish, state: _State) -> _Verdict:
     rooms = _of_type(wish, state)
     surface = "wall" if wish.value.type == "wall" else "floor"
-    have = [room for room in rooms if _is_of(room.surfaces[surface], wish.value.name)]
+    have = [room for room in rooms if is_made_of(room.surfaces[surface], wish.value.name)]
     return _met(2 * len(have) > len(rooms), "most rooms have another material", partly=bool(have))
-
-
-def _is_of(surface: str, wanted: str) -> bool:
-    """Whether a surface is of the substance that is wanted; where only colours are, whether it has one of them."""
-    substances = _substances(wanted)
-    if substances:
-        return not substances.isdisjoint(_substances(surface))
-    return not _material_words(wanted).isdisjoint(_material_words(surface))
-
-
-def _substances(text: str) -> set[str]:
-    words = _material_words(text)
-    return {name for name, known in _SUBSTANCES.items() if not words.isdisjoint(known.split())}
-
-
-def _material_words(text: str) -> set[str]:
-    return set(re.findall("[a-z]+", _words(text.lower()).replace("gray", "grey")))
 
 
 def _of_type(wish: Wish, state: _State) -> list[_Room]:
