@@ -1,13 +1,16 @@
 """Which rooms of whole buildings have what they cannot be used without, over building types and seeds.
 
 python benchmarks/scene/essentials.py [--seeds 0 1] [--only hospital hotel] [--types 10] [--rooms]
+python benchmarks/scene/essentials.py --briefs benchmarks/planning/briefs/first_sight.json     # buildings of sentences
 """
 
 import argparse
+import json
 import time
 from collections import Counter, defaultdict
 from collections.abc import Iterator
 from dataclasses import dataclass
+from pathlib import Path
 
 import msgspec
 
@@ -58,9 +61,9 @@ def lacking(scene: FloorScene) -> tuple[int, list[Lack]]:
     return rooms, lacks
 
 
-def scenes(name: str, seed: int) -> Iterator[FloorScene]:
-    """Yield the finished floors of a building of a type."""
-    request = BuildRequest(description=f"A {name.replace('_', ' ')}", seed=seed)
+def scenes(sentence: str, seed: int) -> Iterator[FloorScene]:
+    """Yield the finished floors of the building of a sentence."""
+    request = BuildRequest(description=sentence, seed=seed)
     stages = LocalStages()
     plan = stages.plan(identified(request))
     layouts = {number: steps.solve(stages, plan, number) for number in steps.distinct_floors(plan)}
@@ -75,21 +78,25 @@ def main() -> None:
     parser.add_argument("--seeds", type=int, nargs="+", default=[0, 1])
     parser.add_argument("--only", nargs="*", choices=sorted(default_knowledge().buildings), help="other types")
     parser.add_argument("--types", type=int, default=len(TYPES), help="how many of the forty types, evenly drawn")
+    parser.add_argument("--briefs", type=Path, help="a list of objects with a `brief` each, instead of types")
     parser.add_argument("--rooms", action="store_true", help="print each room that lacks something")
     options = parser.parse_args()
     step = len(TYPES) / options.types
-    chosen = options.only or [TYPES[int(n * step)] for n in range(options.types)]
+    names = options.only or [TYPES[int(n * step)] for n in range(options.types)]
+    chosen = {name: f"A {name.replace('_', ' ')}" for name in names}
+    if options.briefs:
+        chosen = {entry["brief"][:21]: entry["brief"] for entry in json.loads(options.briefs.read_text())}
     print(f"{'building':22}{'seed':>5}{'rooms':>7}{'lacking':>9}{'CPU s':>8}")
     total, usable, causes = 0, 0, Counter[tuple[str, str]]()
-    for name in chosen:
+    for name, sentence in chosen.items():
         for seed in options.seeds:
             started, rooms, lacks = time.process_time(), 0, list[Lack]()
             try:
-                for scene in scenes(name, seed):
+                for scene in scenes(sentence, seed):
                     some, found = lacking(scene)
                     rooms, lacks = rooms + some, lacks + found
             except MansionError as error:
-                print(f"{name:22}{seed:>5}  {error}")
+                print(f"{name:22}{seed:>5}  {str(error)[:90]}")
                 continue
             bare = len({lack.room for lack in lacks})
             total, usable = total + rooms, usable + rooms - bare

@@ -7,6 +7,7 @@ import msgspec
 from shapely.geometry import LineString, Polygon
 
 from mansion_assets.catalogue import Asset, Catalogue, RoomFurnishing, furnish_request, load_catalogue
+from mansion_assets.catalogue.kinds import pieces
 from mansion_assets.catalogue.records import Item
 from mansion_assets.catalogue.requested import asked_counts, is_a
 from mansion_geometry.randomness import item_seed
@@ -183,7 +184,11 @@ class RoomFurnisher:
         counts = asked_counts(asked)
         free = floor_around(room, standing)
         if counts:
-            wishes, result = self._until_met(free, counts, wishes, self._wishes(room, net, items, asked, compact=True))
+            compact = self._wishes(room, net, items, asked, compact=True)
+            settled = [request for request in asked if request.exact or not request.count]
+            usual = self._wishes(room, net, items, settled)
+            trial = self._until_met(free, counts, wishes, compact)
+            wishes, result = self._no_fewer_than_usual(free, asked, trial, usual)
         else:
             result = self._placed(free, wishes)
         placed = self._scene_objects(free, wishes, result.placements, counts, standing)
@@ -243,9 +248,7 @@ class RoomFurnisher:
         goal = {category: number - beyond.get(category, 0) for category, number in counts.items()}
 
         def lost(trial: _Trial) -> int:
-            wishes, result = trial
-            stand = [wishes.asset_for(p.name, p.size) for p in result.placements]
-            return sum(shortage(goal, stand).values())
+            return sum(shortage(goal, _standing(trial)).values())
 
         best: _Trial | None = None
         least = 0
@@ -262,6 +265,24 @@ class RoomFurnisher:
             if lost(trial) <= least:
                 return trial
         return best
+
+    def _no_fewer_than_usual(
+        self, room: SceneRoom, asked: Sequence[RequestedObject], trial: _Trial, usual: RoomFurnishing
+    ) -> _Trial:
+        """Return a trial, or the room as it is without requests where that has more of what they are for.
+
+        Who asks for a sofa does not want fewer than such a room has anyway.
+        """
+        counts = asked_counts(request for request in asked if not request.exact)
+        planned = placeable(usual)
+        goal = {category: max(n, n and sum(pieces(category, a) for a in planned)) for category, n in counts.items()}
+        if not shortage(goal, _standing(trial)):
+            return trial
+        other = usual, self._placed(room, usual)
+        least = asked_counts(asked)
+        short, otherwise = (sum(shortage(least, _standing(one)).values()) for one in (trial, other))
+        fewer, more = (sum(shortage(goal, _standing(one)).values()) for one in (trial, other))
+        return other if otherwise <= short and more < fewer else trial
 
     def _scene_objects(
         self,
@@ -342,6 +363,12 @@ class RoomFurnisher:
             wanted = with_displaced(self._catalogue, wanted, left)
         unwanted = [category for category, number in counts.items() if not number]
         return [o for o in small if not any(is_a(o.category, category) for category in unwanted)], short
+
+
+def _standing(trial: _Trial) -> list[Asset]:
+    """Return the assets of what stands on the floor after a trial."""
+    wishes, result = trial
+    return [wishes.asset_for(placed.name, placed.size) for placed in result.placements]
 
 
 def _extent(net: Polygon) -> tuple[float, float]:

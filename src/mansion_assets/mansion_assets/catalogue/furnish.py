@@ -408,6 +408,9 @@ class _Draft:
         inside = [a for a in assets if a.size[0] <= long - 0.3 and a.size[1] <= short - 0.3]
         if not inside and item.name in self.asked.least:  # lengthwise in a narrow room
             inside = [a for a in assets if max(a.size[:2]) <= long - 0.3 and min(a.size[:2]) <= short - 0.3]
+        if not inside and item.name in self.asked.least:  # the largest of another size
+            others = [a for a in self.catalogue.choose_from(item.category) if max(a.size[:2]) <= short - 0.3]
+            inside = sorted(others, key=lambda a: (-a.footprint, a.key))[:1]
         assets = inside
         if not assets:
             return None
