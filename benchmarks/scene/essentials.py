@@ -23,14 +23,14 @@ from mansion_msgs_py.request import BuildRequest, identified
 from mansion_msgs_py.scene import FloorScene
 
 TYPES = (
-    "studio_flat", "flat", "house", "townhouse", "villa", "bungalow", "apartment_building", "student_dormitory", "hostel",
-    "hotel", "office", "coworking", "bank", "school", "university", "kindergarten", "music_school", "library_building",
+    "studio_flat", "flat", "house", "townhouse", "villa", "bungalow", "apartment_building", "student_dormitory",
+    "hostel", "hotel", "office", "coworking", "bank", "school", "university", "kindergarten", "music_school", "library_building",
     "museum", "theater", "cinema", "nightclub", "hospital", "clinic", "dental_clinic", "nursing_home",
     "laboratory_building", "supermarket", "shopping_mall", "hair_salon", "restaurant_building", "gym_building",
     "swimming_center", "town_hall", "courthouse", "police_station", "fire_station", "airport_terminal", "factory",
     "farm_building",
 )  # fmt: skip
-"""Forty kinds of building: homes, lodging, work, learning, culture, health, trade, sport, the state, transport, industry."""
+"""Forty kinds of building: homes, lodging, work, learning, culture, health, trade, sport, the state, industry."""
 
 
 @dataclass(frozen=True)

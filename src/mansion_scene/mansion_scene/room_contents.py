@@ -1,6 +1,7 @@
 """Objects of a room: chosen from the catalogue, placed, and decorated (Algorithm 1, lines 12 and 13)."""
 
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from typing import Protocol
 
 import msgspec
@@ -46,6 +47,12 @@ ItemChooser = Callable[[SceneRoom, float, tuple[float, float]], Sequence[Item] |
 """Chooses the floor objects of a room, given the room, its net area and the sides of its bounding rectangle."""
 
 _Trial = tuple[RoomFurnishing, PlacementResult]
+
+_Place = Callable[[RoomFurnishing], PlacementResult]
+"""Places what a room is to have."""
+
+_HIGH_SILL = 1.5
+"""From this sill on a window is for air: a shower may stand before it where there is no other place, metres."""
 
 _PANEL_WALL = 0.4  # metres of wall on each side of a lift's landing door
 
@@ -138,8 +145,8 @@ class RoomFurnisher:
         objects, left = self._furnished(room, standing, items, asked)
         needs = essentials_of(room, asked)
         short = lacking(needs, [*standing, *objects])
-        for smallest in (False, True) if short else ():
-            trial, trial_left = self._furnished_usably(room, standing, items, asked, needs, smallest=smallest)
+        for frugality in range(3) if short else ():
+            trial, trial_left = self._furnished_usably(room, standing, items, asked, needs, frugality)
             still = lacking(needs, [*standing, *trial])
             if sum(still.values()) < sum(short.values()) and not self._loses(asked, objects, trial):
                 objects, left, short = trial, trial_left, still
@@ -154,15 +161,21 @@ class RoomFurnisher:
         items: Sequence[Item] | None,
         asked: Sequence[RequestedObject],
         needs: Sequence[Need],
-        *,
-        smallest: bool,
+        frugality: int,
     ) -> tuple[list[SceneObject], list[Discard]]:
-        """Furnish a room with what it cannot be used without asked for, besides what the brief asks for."""
+        """Furnish a room with what it cannot be used without asked for, besides what the brief asks for.
+
+        Parameters
+        ----------
+        frugality : int
+            0 asks for what such rooms usually have, 1 for the smallest of its kind, 2 puts it before high windows too.
+        """
+        smallest = frugality > 0
         wanted = list(lacking(needs, standing))
         own = self._catalogue.room_program(room.room_type).floor if items is None else items
         fitting = items if smallest else essential_items(self._catalogue, own, wanted)
         more = essential_requests(self._catalogue, room.room_type, wanted, smallest=smallest)
-        return self._furnished(room, standing, fitting, [*asked, *more])
+        return self._furnished(room, standing, fitting, [*asked, *more], high_windows=frugality < 2)
 
     def _loses(
         self, asked: Sequence[RequestedObject], before: Sequence[SceneObject], after: Sequence[SceneObject]
@@ -178,6 +191,8 @@ class RoomFurnisher:
         standing: Sequence[SceneObject],
         items: Sequence[Item] | None,
         asked: Sequence[RequestedObject],
+        *,
+        high_windows: bool = True,
     ) -> tuple[list[SceneObject], list[Discard]]:
         net = Polygon(room.net_polygon, room.net_holes)
         wishes = self._wishes(room, net, items, asked)
@@ -187,8 +202,9 @@ class RoomFurnisher:
             compact = self._wishes(room, net, items, asked, compact=True)
             settled = [request for request in asked if request.exact or not request.count]
             usual = self._wishes(room, net, items, settled)
-            trial = self._until_met(free, counts, wishes, compact)
-            wishes, result = self._no_fewer_than_usual(free, asked, trial, usual)
+            place = partial(self._placed, free, high_windows=high_windows)
+            trial = _until_met(place, counts, wishes, compact)
+            wishes, result = _no_fewer_than_usual(place, asked, trial, usual)
         else:
             result = self._placed(free, wishes)
         placed = self._scene_objects(free, wishes, result.placements, counts, standing)
@@ -225,8 +241,9 @@ class RoomFurnisher:
             compact=compact,
         )
 
-    def _placed(self, room: SceneRoom, wishes: RoomFurnishing) -> PlacementResult:
+    def _placed(self, room: SceneRoom, wishes: RoomFurnishing, *, high_windows: bool = True) -> PlacementResult:
         doors, windows = room_openings(self._structure, room)
+        windows = [window for window in windows if high_windows or window.sill < _HIGH_SILL]
         return place_room(
             PlacementRoom(
                 room_id=room.id,
@@ -239,50 +256,6 @@ class RoomFurnisher:
             ),
             seed=item_seed(self._seed, room.id),
         )
-
-    def _until_met(
-        self, room: SceneRoom, counts: dict[str, int], wishes: RoomFurnishing, compact: RoomFurnishing
-    ) -> _Trial:
-        """Place with less and less of what nobody asked for, until all that the brief asks for stands."""
-        beyond = shortage(counts, placeable(wishes))
-        goal = {category: number - beyond.get(category, 0) for category, number in counts.items()}
-
-        def lost(trial: _Trial) -> int:
-            return sum(shortage(goal, _standing(trial)).values())
-
-        best: _Trial | None = None
-        least = 0
-        for number, trial_wishes in enumerate((in_usual_order(wishes), wishes, *asked_alone(compact))):
-            trial = trial_wishes, self._placed(room, trial_wishes)
-            if best is None or lost(trial) < least:
-                best, least, alone = trial, lost(trial), number > 1
-            if not least:
-                break
-        assert best is not None
-        for share in (0.6, 0.25) if alone else ():
-            fuller = with_usual(best[0], compact, share)
-            trial = fuller, self._placed(room, fuller)
-            if lost(trial) <= least:
-                return trial
-        return best
-
-    def _no_fewer_than_usual(
-        self, room: SceneRoom, asked: Sequence[RequestedObject], trial: _Trial, usual: RoomFurnishing
-    ) -> _Trial:
-        """Return a trial, or the room as it is without requests where that has more of what they are for.
-
-        Who asks for a sofa does not want fewer than such a room has anyway.
-        """
-        counts = asked_counts(request for request in asked if not request.exact)
-        planned = placeable(usual)
-        goal = {category: max(n, n and sum(pieces(category, a) for a in planned)) for category, n in counts.items()}
-        if not shortage(goal, _standing(trial)):
-            return trial
-        other = usual, self._placed(room, usual)
-        least = asked_counts(asked)
-        short, otherwise = (sum(shortage(least, _standing(one)).values()) for one in (trial, other))
-        fewer, more = (sum(shortage(goal, _standing(one)).values()) for one in (trial, other))
-        return other if otherwise <= short and more < fewer else trial
 
     def _scene_objects(
         self,
@@ -363,6 +336,50 @@ class RoomFurnisher:
             wanted = with_displaced(self._catalogue, wanted, left)
         unwanted = [category for category, number in counts.items() if not number]
         return [o for o in small if not any(is_a(o.category, category) for category in unwanted)], short
+
+
+def _until_met(place: _Place, counts: dict[str, int], wishes: RoomFurnishing, compact: RoomFurnishing) -> _Trial:
+    """Place with less and less of what nobody asked for, until all that the brief asks for stands."""
+    beyond = shortage(counts, placeable(wishes))
+    goal = {category: number - beyond.get(category, 0) for category, number in counts.items()}
+
+    def lost(trial: _Trial) -> int:
+        return sum(shortage(goal, _standing(trial)).values())
+
+    best: _Trial | None = None
+    least = 0
+    for number, trial_wishes in enumerate((in_usual_order(wishes), wishes, *asked_alone(compact))):
+        trial = trial_wishes, place(trial_wishes)
+        if best is None or lost(trial) < least:
+            best, least, alone = trial, lost(trial), number > 1
+        if not least:
+            break
+    assert best is not None
+    for share in (0.6, 0.25) if alone else ():
+        fuller = with_usual(best[0], compact, share)
+        trial = fuller, place(fuller)
+        if lost(trial) <= least:
+            return trial
+    return best
+
+
+def _no_fewer_than_usual(
+    place: _Place, asked: Sequence[RequestedObject], trial: _Trial, usual: RoomFurnishing
+) -> _Trial:
+    """Return a trial, or the room as it is without requests where that has more of what they are for.
+
+    Who asks for a sofa does not want fewer than such a room has anyway.
+    """
+    counts = asked_counts(request for request in asked if not request.exact)
+    planned = placeable(usual)
+    goal = {category: max(n, n and sum(pieces(category, a) for a in planned)) for category, n in counts.items()}
+    if not shortage(goal, _standing(trial)):
+        return trial
+    other = usual, place(usual)
+    least = asked_counts(asked)
+    short, otherwise = (sum(shortage(least, _standing(one)).values()) for one in (trial, other))
+    fewer, more = (sum(shortage(goal, _standing(one)).values()) for one in (trial, other))
+    return other if otherwise <= short and more < fewer else trial
 
 
 def _standing(trial: _Trial) -> list[Asset]:
