@@ -24,7 +24,8 @@ from mansion_msgs_py.scene import FloorScene
 
 TYPES = (
     "studio_flat", "flat", "house", "townhouse", "villa", "bungalow", "apartment_building", "student_dormitory",
-    "hostel", "hotel", "office", "coworking", "bank", "school", "university", "kindergarten", "music_school", "library_building",
+    "hostel", "hotel", "office", "coworking", "bank", "school", "university", "kindergarten", "music_school",
+    "library_building",
     "museum", "theater", "cinema", "nightclub", "hospital", "clinic", "dental_clinic", "nursing_home",
     "laboratory_building", "supermarket", "shopping_mall", "hair_salon", "restaurant_building", "gym_building",
     "swimming_center", "town_hall", "courthouse", "police_station", "fire_station", "airport_terminal", "factory",

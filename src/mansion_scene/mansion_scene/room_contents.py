@@ -143,10 +143,11 @@ class RoomFurnisher:
         net = Polygon(room.net_polygon, room.net_holes)
         items = None if self._chooser is None else self._chooser(room, net.area, _extent(net))
         objects, left = self._furnished(room, standing, items, asked)
-        needs = essentials_of(room, asked)
+        # What a model chooses is not overruled; the receipt tells what such a room lacks.
+        needs = essentials_of(room, asked) if items is None else []
         short = lacking(needs, [*standing, *objects])
         for frugality in range(3) if short else ():
-            trial, trial_left = self._furnished_usably(room, standing, items, asked, needs, frugality)
+            trial, trial_left = self._furnished_usably(room, standing, asked, needs, frugality)
             still = lacking(needs, [*standing, *trial])
             if sum(still.values()) < sum(short.values()) and not self._loses(asked, objects, trial):
                 objects, left, short = trial, trial_left, still
@@ -158,7 +159,6 @@ class RoomFurnisher:
         self,
         room: SceneRoom,
         standing: Sequence[SceneObject],
-        items: Sequence[Item] | None,
         asked: Sequence[RequestedObject],
         needs: Sequence[Need],
         frugality: int,
@@ -172,8 +172,8 @@ class RoomFurnisher:
         """
         smallest = frugality > 0
         wanted = list(lacking(needs, standing))
-        own = self._catalogue.room_program(room.room_type).floor if items is None else items
-        fitting = items if smallest else essential_items(self._catalogue, own, wanted)
+        usual = self._catalogue.room_program(room.room_type).floor
+        fitting = None if smallest else essential_items(self._catalogue, usual, wanted)
         more = essential_requests(self._catalogue, room.room_type, wanted, smallest=smallest)
         return self._furnished(room, standing, fitting, [*asked, *more], high_windows=frugality < 2)
 
@@ -368,11 +368,12 @@ def _no_fewer_than_usual(
 ) -> _Trial:
     """Return a trial, or the room as it is without requests where that has more of what they are for.
 
-    Who asks for a sofa does not want fewer than such a room has anyway.
+    Who asks for a sofa does not want fewer than such a room has anyway. Rows of seats are left alone: they stand seat by
+    seat only where they are asked for.
     """
     counts = asked_counts(request for request in asked if not request.exact)
     planned = placeable(usual)
-    goal = {category: max(n, n and sum(pieces(category, a) for a in planned)) for category, n in counts.items()}
+    goal = {category: max(n, n and sum(pieces(category, a) == 1 for a in planned)) for category, n in counts.items()}
     if not shortage(goal, _standing(trial)):
         return trial
     other = usual, place(usual)
