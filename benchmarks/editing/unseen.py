@@ -20,9 +20,9 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-from mansion_bringup.cli.edit import open_editor
+from mansion_bringup.editor import open_editor
 from mansion_bringup.pipeline.build import build_building
-from mansion_editing.agent.instruct import instruct
+from mansion_editing.instructions.instruct import instruct
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.request import BuildRequest
 

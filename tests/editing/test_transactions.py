@@ -11,7 +11,7 @@ from mansion_editing.editor import SceneEditor
 from mansion_editing.storage import BuildingStore
 from mansion_msgs_py.building_folder import BuildingFolder
 from mansion_msgs_py.codec import decode, encode_bytes
-from mansion_msgs_py.editing import DocumentChange, Transaction
+from mansion_msgs_py.editing.changes import DocumentChange, Transaction
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.scene import FloorScene
 from mansion_msgs_py.world import Pose2D, RobotState, WorldState

@@ -7,9 +7,9 @@ import msgspec
 
 from mansion_assets.catalogue import Catalogue
 from mansion_assets.retrieval.retriever import Retriever
-from mansion_editing.change_words import in_words
-from mansion_editing.passages import passages_of
+from mansion_editing.diff_wording import in_words
 from mansion_editing.physics.engine import PhysicsEngine
+from mansion_editing.robot_passages import passages_of
 from mansion_editing.state import Change, SceneState
 from mansion_editing.storage import BuildingStore
 from mansion_editing.tools import (
@@ -25,33 +25,33 @@ from mansion_editing.tools import (
     swapping,
 )
 from mansion_editing.tools.furnishing import Furnisher
-from mansion_editing.waiting import document, room_records, waiting
+from mansion_editing.unsaved_changes import document, room_records, waiting
 from mansion_msgs_py.codec import decode, encode
-from mansion_msgs_py.editing import (
-    CheckPathArgs,
-    CheckSurfaceArgs,
-    ClearRoomArgs,
-    DiffReport,
-    EditResult,
-    FurnishRoomArgs,
-    ListObjectsArgs,
+from mansion_msgs_py.editing.changes import DiffReport, EditResult, ObjectChange, RoomChange, Transaction
+from mansion_msgs_py.editing.objects import (
     MoveObjectArgs,
-    ObjectChange,
     PaintObjectArgs,
     PlaceInContainerArgs,
     PlaceOnSurfaceArgs,
     PlacingWishes,
     RemoveObjectArgs,
-    RenameRoomArgs,
-    ReshapeFloorArgs,
-    RoomChange,
-    SearchAssetsArgs,
-    SearchContentsArgs,
-    SetFinishArgs,
     SetStateArgs,
     SwapObjectsArgs,
-    ToolArgs,
-    Transaction,
+)
+from mansion_msgs_py.editing.open_buildings import ToolArgs
+from mansion_msgs_py.editing.questions import (
+    CheckPathArgs,
+    CheckSurfaceArgs,
+    ListObjectsArgs,
+    SearchAssetsArgs,
+    SearchContentsArgs,
+)
+from mansion_msgs_py.editing.rooms import (
+    ClearRoomArgs,
+    FurnishRoomArgs,
+    RenameRoomArgs,
+    ReshapeFloorArgs,
+    SetFinishArgs,
 )
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.program import RoomProgram

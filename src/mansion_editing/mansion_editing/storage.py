@@ -15,13 +15,13 @@ from pathlib import Path
 
 import msgspec
 
-from mansion_editing.documents import Documents, floor_of, is_scene
+from mansion_editing.document_copies import Documents, floor_of, is_scene
 from mansion_editing.room_parts import parts_of, program_with, records_of, topology_with
 from mansion_editing.state import SceneChange, changed, inverse, rebase
 from mansion_msgs_py.building import Building
 from mansion_msgs_py.building_folder import INDEX, BuildingFolder, floor_directory
 from mansion_msgs_py.codec import decode, encode_bytes
-from mansion_msgs_py.editing import DocumentChange, ObjectChange, RoomChange, Transaction
+from mansion_msgs_py.editing.changes import DocumentChange, ObjectChange, RoomChange, Transaction
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import write_atomic
 from mansion_msgs_py.scene import FloorScene, SceneObject

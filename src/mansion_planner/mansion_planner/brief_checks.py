@@ -50,7 +50,7 @@ def _stated(facts: BriefFacts) -> list[str]:
     return [
         name
         for name, value in vars(facts).items()
-        if value and name not in ("unread", "building_name", "building_like", "building_span", "size")
+        if value and name not in ("unread", "unheeded", "building_name", "building_like", "building_span", "size")
     ]
 
 
@@ -65,6 +65,8 @@ def check_understood(facts: BriefFacts, description: str) -> None:
     stated = _stated(facts)
     unread = sum(len(span.words.split()) for span in facts.unread)
     words = len(description.split())
+    if facts.building and words <= 8:
+        return  # "Flat: 3½ rooms"
     if (stated and unread < 0.6 * words) or (len(stated) > 2 and unread < 0.8 * words):
         return
     raise nothing_understood(facts, description)

@@ -8,9 +8,9 @@ import msgspec
 from shapely.geometry import LineString, Polygon
 
 from mansion_assets.catalogue import Asset, Catalogue, RoomFurnishing, furnish_request, load_catalogue
-from mansion_assets.catalogue.kinds import pieces
+from mansion_assets.catalogue.piece_counts import pieces
 from mansion_assets.catalogue.records import Item
-from mansion_assets.catalogue.requested import asked_counts, is_a
+from mansion_assets.catalogue.requested_furniture import asked_counts, is_a
 from mansion_geometry.randomness import item_seed
 from mansion_knowledge.essentials import Need
 from mansion_knowledge.object_kinds import answers
@@ -368,8 +368,8 @@ def _no_fewer_than_usual(
 ) -> _Trial:
     """Return a trial, or the room as it is without requests where that has more of what they are for.
 
-    Who asks for a sofa does not want fewer than such a room has anyway. Rows of seats are left alone: they stand seat by
-    seat only where they are asked for.
+    Who asks for a sofa does not want fewer than such a room has anyway. Rows of seats are left alone: they stand seat
+    by seat only where they are asked for.
     """
     counts = asked_counts(request for request in asked if not request.exact)
     planned = placeable(usual)

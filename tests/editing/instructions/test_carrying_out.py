@@ -28,7 +28,7 @@ from mansion_editing.instructions.statements import (
     Things,
     Turn,
 )
-from mansion_msgs_py.editing import AgentReport
+from mansion_msgs_py.editing.instructions import AgentReport
 
 KITCHEN, HALL, OFFICE = (Rooms(words=words) for words in ("kitchen", "hall", "private office"))
 TABLE = Place(relation="on", anchor=Things(noun="dining table", definite=True), rooms=KITCHEN)

@@ -2,8 +2,8 @@
 
 from collections.abc import Callable
 
-from mansion_editing.agent.instruct import instruct
 from mansion_editing.editor import SceneEditor
+from mansion_editing.instructions.instruct import instruct
 
 EditorFactory = Callable[..., SceneEditor]
 

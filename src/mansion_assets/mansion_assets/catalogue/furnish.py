@@ -8,7 +8,7 @@ import numpy as np
 
 from mansion_assets.catalogue.asset import Asset
 from mansion_assets.catalogue.catalogue import Catalogue, RoomProgramCard
-from mansion_assets.catalogue.kinds import pair_of_seats
+from mansion_assets.catalogue.piece_counts import pair_of_seats
 from mansion_assets.catalogue.quantities import (
     copies,
     grid,
@@ -19,7 +19,7 @@ from mansion_assets.catalogue.quantities import (
     wanted_seats,
 )
 from mansion_assets.catalogue.records import Arrangement, HangItem, Item, MatrixShape
-from mansion_assets.catalogue.requested import AskedProgram, asked_counts, with_requested, without_small
+from mansion_assets.catalogue.requested_furniture import AskedProgram, asked_counts, with_requested, without_small
 from mansion_geometry.randomness import item_generator
 from mansion_msgs_py.placement import (
     GlobalConstraint,

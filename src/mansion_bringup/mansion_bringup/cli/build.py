@@ -20,7 +20,7 @@ from mansion_msgs_py.wording import counted
 if TYPE_CHECKING:
     from mansion_bringup.pipeline.build import BuildResult
 
-__all__ = ["planner_name", "prepare_planner", "read_footprint", "register", "request_from_options"]
+__all__ = ["planner_name", "read_footprint", "register", "request_from_options"]
 
 
 def register(app: typer.Typer) -> None:
@@ -118,16 +118,15 @@ def build(
 def _refuse_unmet_plan(request: BuildRequest) -> None:
     """Plan first, so that a brief whose wishes no plan meets is refused before anything is built."""
     from mansion_bringup.building.receipt import receipt_of_plan
-    from mansion_bringup.pipeline.stages import LocalStages
-    from mansion_msgs_py.request import identified
+    from mansion_bringup.pipeline.planning import plan_request
 
-    prepare_planner(request)
-    reply = LocalStages().plan(identified(request))
+    reply = plan_request(request)
     refuse_unmet(receipt_of_plan(reply.program, reply.topologies))
 
 
 def _in_processes(request: BuildRequest, output: Path, jobs: int, *, force: bool) -> "BuildResult":
     from mansion_bringup.pipeline.build import build_building
+    from mansion_bringup.pipeline.planning import prepare_planner
 
     prepare_planner(request)
     workers = jobs or min(os.cpu_count() or 1, 8)
@@ -142,25 +141,6 @@ def planner_name(name: str) -> Literal["rules", "llm"]:
     if name == "llm":
         return "llm"
     raise MansionError(ErrorCode.INVALID_PAYLOAD, f"unknown planner {name!r}; use rules or llm", path="$.planner")
-
-
-def prepare_planner(request: BuildRequest) -> None:
-    """See that the planner of a request can work in this process, before anything is begun.
-
-    Raises
-    ------
-    MansionError
-        ``UNAVAILABLE`` when no language model is configured, or its package is missing and cannot be installed.
-    """
-    if request.planner != "llm":
-        return
-    from mansion_bringup.extras import ensure_extra
-    from mansion_llm import load_settings
-
-    settings = load_settings()
-    settings.require_endpoint()
-    if settings.replay is None:
-        ensure_extra("llm")
 
 
 def _through_graph(request: BuildRequest, output: Path, timeout: float, *, force: bool) -> "BuildResult":

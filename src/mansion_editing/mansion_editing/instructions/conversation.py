@@ -24,7 +24,7 @@ from mansion_editing.instructions.statements import (
 )
 from mansion_editing.state import SceneState
 from mansion_editing.storage import landed_by
-from mansion_msgs_py.editing import Transaction
+from mansion_msgs_py.editing.changes import Transaction
 from mansion_msgs_py.errors import ErrorCode, MansionError
 
 __all__ = ["context_of", "is_taken_back", "repeated"]

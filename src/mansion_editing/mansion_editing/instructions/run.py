@@ -3,8 +3,6 @@
 from dataclasses import replace
 from typing import Final
 
-from mansion_editing.agent.facts import Policy, Unmet, Verdict
-from mansion_editing.agent.instruct import run_agent, undo_or_redo
 from mansion_editing.editor import SceneEditor
 from mansion_editing.instructions.checking.faults import Step, faults, moved_aside
 from mansion_editing.instructions.conversation import context_of, is_taken_back, repeated
@@ -12,11 +10,15 @@ from mansion_editing.instructions.doing.carrying_out import carry
 from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.descriptions import things_of
 from mansion_editing.instructions.statements import Ask, History, Instruction, Keep, Mention
+from mansion_editing.runs.policies import Policy, Unmet, Verdict
+from mansion_editing.runs.run import run_policy
 from mansion_editing.state import SceneState
-from mansion_msgs_py.editing import AgentReport
+from mansion_msgs_py.codec import to_builtins
+from mansion_msgs_py.editing.changes import EditResult
+from mansion_msgs_py.editing.instructions import AgentReport, AgentStep
 from mansion_msgs_py.errors import MansionError
 
-__all__ = ["carry_out"]
+__all__ = ["MOST_EDITS", "MOST_STEPS", "carry_out", "statement_policy"]
 
 MOST_STEPS, MOST_EDITS = 12_000, 3_000
 """What is enough for a statement about all things of a large building."""
@@ -43,10 +45,10 @@ def carry_out(editor: SceneEditor, instruction: Instruction, text: str) -> Agent
     (first, *more) = instruction.statements or [Mention()]
     if isinstance(first, History) and not more and not instruction.not_understood:
         if first.what == "redo":
-            return undo_or_redo(editor, "Redo")
+            return _undo_or_redo(editor, "Redo")
         if is_taken_back(first, editor):
-            return undo_or_redo(editor, "Undo")
-    return run_agent(editor, _policy(editor, instruction), text, most_steps=MOST_STEPS, most_edits=MOST_EDITS)
+            return _undo_or_redo(editor, "Undo")
+    return run_policy(editor, statement_policy(editor, instruction), text, most_steps=MOST_STEPS, most_edits=MOST_EDITS)
 
 
 _EXAMPLES: Final = (
@@ -55,7 +57,8 @@ _EXAMPLES: Final = (
 )
 
 
-def _policy(editor: SceneEditor, instruction: Instruction) -> Policy:
+def statement_policy(editor: SceneEditor, instruction: Instruction) -> Policy:
+    """Carry out the statements of an instruction in turn, and check what became of them."""
     if instruction.not_understood:
         words = "; ".join(repr(part[:80]) for part in instruction.not_understood)
         reason = f"not understood: {words}; {_EXAMPLES}"
@@ -70,14 +73,14 @@ def _policy(editor: SceneEditor, instruction: Instruction) -> Policy:
     state = editor.state
     steps: list[Step] = []
     replies: list[str] = []
-    before = _copied(state)
+    before = state.copied()
     context = replace(context_of(editor), kept=_kept(instruction, state))
     for statement in instruction.statements:
         try:
             done = yield from carry(statement, state, context)
         except (Unmet, MansionError) as error:
             return _refused(error, statement.quote)
-        after = _copied(state)
+        after = state.copied()
         step = Step(statement, context, before, after)
         steps.append(step)
         replies += [done.reply] if done.reply else []
@@ -98,13 +101,28 @@ def _kept(instruction: Instruction, state: SceneState) -> frozenset[str]:
     return frozenset(item.id for keep in keeps for item in things_of(state, keep.things, Context()))
 
 
-def _copied(state: SceneState) -> SceneState:
-    """Return the scenes as they are now; scenes are never changed in place."""
-    return SceneState([state.scenes[floor] for floor in state.floors], state.catalogue, state.retriever)
-
-
 def _refused(error: Unmet | MansionError, quote: str) -> Verdict:
     reason = error.info.message if isinstance(error, MansionError) else str(error)
     candidates = error.info.details.get("candidates", []) if isinstance(error, MansionError) else []
     message = f"{quote}: {reason}" if quote else reason
     return Verdict(message, failed=[message], candidates=[str(name) for name in candidates])
+
+
+def _undo_or_redo(editor: SceneEditor, tool: str) -> AgentReport:
+    """Undo or redo this user's last edit, an instruction as a whole."""
+    thought = f"{tool} the last edit."
+    try:
+        done: EditResult = editor.call(tool)
+    except MansionError as error:
+        step = AgentStep(thought=thought, tool=tool, observation=to_builtins(error.reply()))
+        return AgentReport(message=str(error), done=False, steps=[step], failed=[str(error)])
+    return AgentReport(
+        message=done.message,
+        done=True,
+        steps=[AgentStep(thought=thought, tool=tool, observation=to_builtins(done))],
+        facts=[f"the last edit {'undone' if tool == 'Undo' else 'redone'}"],
+        edits=1,
+        saved=done.saved,
+        transaction=done.transaction,
+        object_ids=done.object_ids,
+    )

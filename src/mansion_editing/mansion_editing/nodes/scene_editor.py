@@ -15,11 +15,13 @@ from rclpy.parameter import Parameter
 
 from mansion_assets.catalogue import load_catalogue
 from mansion_assets.retrieval.configured import configured_retriever
-from mansion_editing.agent.instruct import instruct, provision
 from mansion_editing.editor import TOOLS, SceneEditor
+from mansion_editing.instructions.instruct import instruct
 from mansion_editing.physics.engine import engine_named
+from mansion_editing.provisioning.provision import provision
 from mansion_editing.storage import BuildingStore
-from mansion_msgs_py.editing import AgentReport, EditorInfo, InstructArgs, OpenEditorArgs, ProvisionArgs
+from mansion_msgs_py.editing.instructions import AgentReport, InstructArgs, ProvisionArgs
+from mansion_msgs_py.editing.open_buildings import EditorInfo, OpenEditorArgs
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.interfaces import service, topic
 from mansion_msgs_py.nodes.node import MansionNode

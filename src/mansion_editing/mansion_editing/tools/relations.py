@@ -14,7 +14,7 @@ from shapely import LineString, MultiPoint, Point, Polygon
 from mansion_editing.state import SceneState
 from mansion_geometry.object_footprints import footprint, footprint_corners
 from mansion_geometry.plane import turned
-from mansion_msgs_py.editing import Side, Spot
+from mansion_msgs_py.editing.objects import Side, Spot
 from mansion_msgs_py.scene import FloorScene, SceneObject, SceneRoom
 from mansion_msgs_py.shapes import Point as PlanPoint
 from mansion_scene.decor.frames import room_polygon, to_local, wall_edges

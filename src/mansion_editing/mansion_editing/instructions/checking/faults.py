@@ -45,7 +45,7 @@ from mansion_editing.instructions.statements import (
 )
 from mansion_editing.state import SceneState
 
-__all__ = ["Step", "fault", "faults", "moved_aside"]
+__all__ = ["Step", "fault", "faults", "faults_together", "moved_aside"]
 
 
 @dataclass(frozen=True)
@@ -94,6 +94,24 @@ def fault(statement: Statement, before: SceneState, after: SceneState, context: 
         return f"{listed(rest)} changed besides what was asked for"
     others = sorted(diff.rooms - finding.rooms)
     return f"{', '.join(others)} changed besides what was asked for" if others else ""
+
+
+def faults_together(
+    statements: Sequence[Statement], before: SceneState, after: SceneState, context: Context
+) -> list[str]:
+    """Return what does not hold of statements made true in no certain order, and what none of them accounts for.
+
+    Parameters
+    ----------
+    before, after : SceneState
+        The building before and after all that was done.
+    """
+    diff = differences(before, after)
+    findings = [_finding(statement, before, after, context, diff) for statement in statements]
+    out = [finding.fault for finding in findings if finding.fault]
+    accounted = {name for finding in findings for name in finding.accounted}
+    rest = [*sorted(diff.ids - accounted), *sorted(diff.rooms - {name for f in findings for name in f.rooms})]
+    return [*out, f"{listed(rest)} changed besides what was asked for"] if rest else out
 
 
 def _finding(

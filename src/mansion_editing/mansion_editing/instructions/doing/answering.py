@@ -13,7 +13,7 @@ from mansion_editing.instructions.statements import Ask, Place, Rooms, Things
 from mansion_editing.state import SceneState
 from mansion_editing.tools.paths import check_path
 from mansion_language.colours import colour_of
-from mansion_msgs_py.editing import CheckPathArgs
+from mansion_msgs_py.editing.questions import CheckPathArgs
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import SceneObject
 

@@ -4,7 +4,6 @@ from collections.abc import Callable, Generator
 from dataclasses import replace
 from typing import Any, Final
 
-from mansion_editing.agent.facts import Action, Outcome, Unmet
 from mansion_editing.instructions.doing.answering import answer
 from mansion_editing.instructions.doing.changing import paint, reach, set_state
 from mansion_editing.instructions.doing.moving import move, swap, turn
@@ -37,6 +36,7 @@ from mansion_editing.instructions.statements import (
     Swap,
     Turn,
 )
+from mansion_editing.runs.policies import Action, Outcome, Unmet
 from mansion_editing.state import SceneState
 
 __all__ = ["carry"]

@@ -2,7 +2,6 @@
 
 from collections.abc import Sequence
 
-from mansion_editing.agent.facts import Unmet, ask
 from mansion_editing.instructions.doing.work import Done, Work, listed
 from mansion_editing.instructions.meaning.choices import concerned, one_room_each, things_meant
 from mansion_editing.instructions.meaning.context import Context
@@ -10,8 +9,9 @@ from mansion_editing.instructions.meaning.descriptions import rooms_of
 from mansion_editing.instructions.meaning.nouns import has_colour, has_material
 from mansion_editing.instructions.meaning.wording import thing_words
 from mansion_editing.instructions.statements import Paint, Reach, Rooms, SetState, Things
+from mansion_editing.runs.policies import Unmet, ask
 from mansion_editing.state import SceneState
-from mansion_msgs_py.editing import PathReport
+from mansion_msgs_py.editing.questions import PathReport
 from mansion_msgs_py.scene import SceneObject
 
 __all__ = ["able", "ends_of", "paint", "reach", "set_state", "state_word"]

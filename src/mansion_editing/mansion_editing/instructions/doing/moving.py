@@ -6,8 +6,6 @@ from typing import Any
 
 import msgspec
 
-from mansion_editing.agent.facts import Action, Outcome, Scope, Unmet, ask
-from mansion_editing.agent.provisioning import MOST_CARRIERS, find_surfaces, move_after_clearing
 from mansion_editing.instructions.doing.providing import add, wishes_of
 from mansion_editing.instructions.doing.rooms import swap_rooms
 from mansion_editing.instructions.doing.work import Done, Work, listed, live, whereabouts
@@ -19,6 +17,11 @@ from mansion_editing.instructions.meaning.numbers import means_one
 from mansion_editing.instructions.meaning.targets import Target, places_of
 from mansion_editing.instructions.meaning.wording import place_words, thing_words
 from mansion_editing.instructions.statements import Add, Amount, Move, Place, Rooms, Swap, Things, Turn
+from mansion_editing.provisioning.facts import Scope
+from mansion_editing.provisioning.making_room import move_after_clearing
+from mansion_editing.provisioning.satisfying import MOST_CARRIERS
+from mansion_editing.provisioning.usual_places import find_surfaces
+from mansion_editing.runs.policies import Action, Outcome, Unmet, ask
 from mansion_editing.state import SceneState
 from mansion_editing.tools.perception import object_info
 from mansion_msgs_py.scene import SceneObject

@@ -5,18 +5,6 @@ from typing import Any
 
 import msgspec
 
-from mansion_editing.agent.facts import Action, ObjectDescription, Outcome, Scope, Unmet, ask
-from mansion_editing.agent.provisioning import (
-    MOST_CARRIERS,
-    find_assets,
-    find_surfaces,
-    furnish,
-    is_furniture,
-    make_room,
-    place_any,
-    relation_of,
-    rooms_for,
-)
 from mansion_editing.instructions.doing.removing import removed
 from mansion_editing.instructions.doing.work import Done, Work, counted, listed, live
 from mansion_editing.instructions.meaning.choices import things_meant
@@ -27,9 +15,15 @@ from mansion_editing.instructions.meaning.numbers import means_several, new_numb
 from mansion_editing.instructions.meaning.targets import Target, places_of
 from mansion_editing.instructions.meaning.wording import place_words, thing_words
 from mansion_editing.instructions.statements import Add, Amount, Ensure, Place, Replace, Rooms, Things
+from mansion_editing.provisioning.facts import ObjectDescription, Scope
+from mansion_editing.provisioning.making_room import make_room
+from mansion_editing.provisioning.new_objects import find_assets, place_any
+from mansion_editing.provisioning.satisfying import MOST_CARRIERS, furnish
+from mansion_editing.provisioning.usual_places import find_surfaces, is_furniture, relation_of, rooms_for
+from mansion_editing.runs.policies import Action, Outcome, Unmet, ask
 from mansion_editing.state import SceneState
 from mansion_editing.tools.perception import object_info
-from mansion_msgs_py.editing import AssetInfo
+from mansion_msgs_py.editing.questions import AssetInfo
 from mansion_msgs_py.scene import SceneObject
 
 __all__ = ["add", "at_target", "ensure", "place_at", "replace_things", "wishes_of"]

@@ -5,7 +5,6 @@ from collections.abc import Callable, Generator, Sequence
 import msgspec
 
 from mansion_assets.catalogue.vocabulary import stems, vocabulary_of
-from mansion_editing.agent.facts import Action, Outcome, Unmet, ask
 from mansion_editing.instructions.doing.work import Done, Work, counted, listed, live
 from mansion_editing.instructions.meaning.choices import concerned, one_room_each, things_meant
 from mansion_editing.instructions.meaning.context import Context
@@ -14,6 +13,7 @@ from mansion_editing.instructions.meaning.nouns import is_fixed, is_loose, names
 from mansion_editing.instructions.meaning.numbers import means_one
 from mansion_editing.instructions.meaning.wording import place_words, thing_words
 from mansion_editing.instructions.statements import Clear, Place, Remove, Things
+from mansion_editing.runs.policies import Action, Outcome, Unmet, ask
 from mansion_editing.state import SceneState
 from mansion_msgs_py.scene import SceneObject
 

@@ -4,8 +4,8 @@ from collections.abc import Generator, Iterable, Sequence
 from dataclasses import dataclass
 from typing import TypeAlias
 
-from mansion_editing.agent.facts import Action, Outcome
 from mansion_editing.instructions.meaning.context import Context
+from mansion_editing.runs.policies import Action, Outcome
 from mansion_editing.state import SceneState
 from mansion_language import plural
 from mansion_msgs_py.scene import SceneObject

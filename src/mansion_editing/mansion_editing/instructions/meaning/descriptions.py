@@ -15,7 +15,7 @@ from mansion_editing.instructions.statements import Place, Rooms, Things
 from mansion_editing.state import SceneState
 from mansion_editing.tools.perception import contents, on_top
 from mansion_editing.tools.relations import relation_holds
-from mansion_msgs_py.editing import Side
+from mansion_msgs_py.editing.objects import Side
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import SceneObject, SceneRoom
 
