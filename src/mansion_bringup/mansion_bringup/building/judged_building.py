@@ -15,6 +15,7 @@ from shapely.geometry import Polygon
 
 from mansion_assets.catalogue import load_catalogue
 from mansion_assets.catalogue.piece_counts import pieces
+from mansion_bringup.building.usable_rooms import Equipment, equipment_of
 from mansion_msgs_py.program import BuildingProgram
 from mansion_msgs_py.scene import FloorScene, SceneObject, SceneRoom
 from mansion_msgs_py.topology import FloorTopology
@@ -39,6 +40,7 @@ class JudgedRoom:
     surfaces: Mapping[str, str] = field(default_factory=dict)
     objects: Counter[str] = field(default_factory=Counter)
     object_ids: Mapping[str, Sequence[str]] = field(default_factory=dict)
+    equipment: Equipment = field(default_factory=Equipment)
 
     @property
     def full_id(self) -> str:
@@ -154,10 +156,10 @@ def _finished_room(scene: FloorScene, number: int) -> JudgedRoom:
     short = room.id.removeprefix(f"F{scene.floor}/")
     things: dict[str, list[str]] = {}
     numbers: Counter[str] = Counter()
-    for entry in scene.objects:
-        if entry.room == room.id:
-            things.setdefault(entry.category, []).append(entry.id)
-            numbers[entry.category] += _pieces(entry)
+    objects = [entry for entry in scene.objects if entry.room == room.id]
+    for entry in objects:
+        things.setdefault(entry.category, []).append(entry.id)
+        numbers[entry.category] += _pieces(entry)
     return JudgedRoom(
         scene.floor,
         short,
@@ -168,6 +170,7 @@ def _finished_room(scene: FloorScene, number: int) -> JudgedRoom:
         {"floor": room.floor_material, "wall": room.wall_material},
         numbers,
         things,
+        equipment_of(scene, room, objects),
     )
 
 

@@ -5,6 +5,7 @@ from typing import Annotated, Literal, TypeAlias
 import msgspec
 
 from mansion_msgs_py.editing.open_buildings import Text, ToolArgs
+from mansion_msgs_py.shapes import Coordinate, Degrees
 
 __all__ = [
     "MoveObjectArgs",
@@ -19,8 +20,6 @@ __all__ = [
     "SwapObjectsArgs",
 ]
 
-Coordinate = Annotated[float, msgspec.Meta(ge=-10_000.0, le=10_000.0)]
-Degrees = Annotated[float, msgspec.Meta(ge=-3600.0, le=3600.0)]
 Gap = Annotated[float, msgspec.Meta(ge=0.0, le=100.0)]
 
 Side: TypeAlias = Literal["", "beside", "left", "right", "behind", "front", "under", "above", "between", "around"]
