@@ -311,14 +311,15 @@ class BuildingStore:
             files.write(INDEX, encode_bytes(msgspec.structs.replace(building, program=program), indent=1))
 
     def _recount(self, files: ReplacedFiles, floors: Iterable[int]) -> None:
-        """Write the numbers of objects of some floors into ``building.json``."""
+        """Write the numbers of objects of some floors, and of all where it is stated, into ``building.json``."""
         building = msgspec.json.decode((self.folder / INDEX).read_bytes())
         counts = {floor: len(self._reader.scene(floor).objects) for floor in floors}
         stale = [e for e in building["floors"] if e["objects"] != counts.get(e["floor"], e["objects"])]
         for entry in stale:
             entry["objects"] = counts[entry["floor"]]
         if stale:
-            building["checks"]["objects"] = sum(entry["objects"] for entry in building["floors"])
+            if "objects" in building.get("checks", {}):
+                building["checks"]["objects"] = sum(entry["objects"] for entry in building["floors"])
             files.write(INDEX, encode_bytes(building, indent=1))
 
     def undo(self, who: str) -> Transaction:
