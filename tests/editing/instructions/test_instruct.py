@@ -98,3 +98,55 @@ def test_waiting_edits_are_not_mixed_with_those_of_an_instruction(open_editor: E
     with pytest.raises(MansionError) as error:
         instruct(editor, "put an apple on the dining table")
     assert error.value.code == "CONFLICT"
+
+
+@pytest.mark.parametrize(
+    ("text", "gone", "come"),
+    [
+        ("Put two apples on the dining table in the kitchen and take the mug off it.", ["F1/kitchen/mug_1"], 2),
+        ("Put two apples on the dining table in the kitchen. Remove the plate from it.", ["F1/kitchen/plate_1"], 2),
+        ("Remove the mug from the dining table in the kitchen and put a book on it", ["F1/kitchen/mug_1"], 1),
+        ("Clear the dining table in the kitchen and put a book on it.", ["F1/kitchen/mug_1", "F1/kitchen/plate_1"], 1),
+    ],
+)  # fmt: skip
+def test_it_after_on_and_off_is_what_carries_things(editor: SceneEditor, text: str, gone: list[str], come: int) -> None:
+    before = {item.id: item for _, item in editor.state.objects()}
+    report = instruct(editor, text)
+    after = {item.id: item for _, item in editor.state.objects()}
+    assert report.done, report.message
+    assert sorted(set(before) - set(after)) == gone
+    new = [item for name, item in after.items() if name not in before]
+    assert [item.parent for item in new] == ["F1/kitchen/dining_table_1"] * come
+
+
+def test_what_shall_go_from_furniture_and_is_not_there_is_refused_with_what_is(editor: SceneEditor) -> None:
+    report = instruct(editor, "take the laptop off the dining table in the kitchen")
+    assert not report.done and "there is no laptop" in report.message and "F1/kitchen/mug_1" in report.message
+
+
+def test_what_is_left_open_is_the_fridge_and_not_what_went_in(editor: SceneEditor) -> None:
+    report = instruct(editor, "put a cola in the fridge and leave it open")
+    assert report.done and editor.state.get("F1/kitchen/fridge_1")[1].states["open"]
+
+
+@pytest.mark.parametrize(
+    ("text", "chairs"),
+    [
+        ("If there are fewer than five chairs in the hall, add one.", 4),
+        ("If there are fewer than five chairs in the hall, add two.", 5),
+        ("If there are fewer than three chairs in the hall, add one.", 3),
+        ("If there are more than two chairs in the hall, remove one of them.", 2),
+        ("If there are more than three chairs in the hall, remove one of them.", 3),
+        ("If there are less than 4 chairs in the hall, add 2", 5),
+    ],
+)
+def test_conditions_may_tell_a_number(editor: SceneEditor, text: str, chairs: int) -> None:
+    report = instruct(editor, text)
+    assert report.done, report.message
+    there = [item for _, item in editor.state.objects() if item.category == "chair" and item.room == "F1/hall"]
+    assert len(there) == chairs
+
+
+def test_a_question_with_a_number_is_answered_by_that(editor: SceneEditor) -> None:
+    assert instruct(editor, "are there more than three chairs in the hall?").message.startswith("No, there are 3")
+    assert instruct(editor, "are there more than two chairs in the hall?").message.startswith("Yes, there are 3")

@@ -3,7 +3,7 @@
 from mansion_editing.instructions.checking.differences import Differences
 from mansion_editing.instructions.checking.finding import Finding, numbers_meant
 from mansion_editing.instructions.doing.work import listed
-from mansion_editing.instructions.meaning.choices import concerned
+from mansion_editing.instructions.meaning.choices import able_ones, concerned
 from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.descriptions import rooms_of, things_of
 from mansion_editing.instructions.meaning.nouns import has_colour, has_material
@@ -34,11 +34,12 @@ def check_state(
 ) -> Finding:
     """Check that the things meant are open, closed, on or off, and that nothing else of them changed."""
     name, value = statement.state, statement.value
-    fitting = [item for item in concerned(before, statement.things, context) if _has(item, name)]
+    things = able_ones(before, statement.things, context, lambda item: _has(item, name))
+    fitting = [item for item in concerned(before, things, context) if _has(item, name)]
     now = [found[1] for item in fitting if (found := after.find(item.id)) is not None]
     good = {item.id for item in now if bool(item.states.get(name, False)) == value}
     changed = [item.id for item in fitting if item.id in diff.changed]
-    reason = _number_fault(statement.things, fitting, good, changed)
+    reason = _number_fault(things, fitting, good, changed)
     others = [key for key in changed if not _only_state(*diff.changed[key], name)]
     if others:
         reason = f"{listed(others)} changed in more than this"

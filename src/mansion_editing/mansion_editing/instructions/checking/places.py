@@ -8,7 +8,7 @@ from mansion_editing.instructions.checking.differences import Differences, carri
 from mansion_editing.instructions.checking.finding import Finding, any_number, at_shares, numbers_meant, shares_of
 from mansion_editing.instructions.checking.numbers import check_add
 from mansion_editing.instructions.doing.work import listed
-from mansion_editing.instructions.meaning.choices import concerned, from_there
+from mansion_editing.instructions.meaning.choices import at_home, concerned, from_there
 from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.descriptions import rooms_of, things_of
 from mansion_editing.instructions.meaning.directions import direction_of
@@ -25,6 +25,7 @@ def check_move(statement: Move, before: SceneState, after: SceneState, context: 
     """Check that the number meant is at the place now, and that nothing else went there."""
     things, place = statement.things, statement.place
     fitting = concerned(before, things, context)
+    place = at_home(before, things, place, context)
     context = from_there(before, things, place, context)
     if not fitting and statement.or_new:
         new = msgspec.structs.replace(things, definite=False, place=None)

@@ -8,7 +8,17 @@ from mansion_editing.instructions.clauses.states import States, state_set
 from mansion_editing.instructions.phrases.places import read_place
 from mansion_editing.instructions.phrases.word_sets import BACK_IN_PLACE
 from mansion_editing.instructions.phrases.words import STATE_WORDS
-from mansion_editing.instructions.statements import Add, Amount, Ensure, History, Mention, Place, Statement, Things
+from mansion_editing.instructions.statements import (
+    Add,
+    Amount,
+    Ensure,
+    History,
+    Mention,
+    Place,
+    Rooms,
+    Statement,
+    Things,
+)
 
 __all__ = ["Adding"]
 
@@ -59,7 +69,8 @@ class Adding(States, Colours):
         joined, end = self._joined_places(end)
         if any(item.is_room for item in items):
             raise NotUnderstood(place, end)
-        out = [self._added(items, item, self.quote(at, end)) for item in items]
+        more = self._more_of_them(items[0], self.quote(at, end)) if verb == "add" and len(items) == 1 else None
+        out = [more or self._added(items, item, self.quote(at, end)) for item in items]
         for extra in further:
             out += [self._elsewhere(statement, extra) for statement in out[: len(items)]]
         for place_too in joined:
@@ -69,6 +80,16 @@ class Adding(States, Colours):
             out += [msgspec.structs.replace(statement, place=place_too) for statement in out[: len(items)]]
         out = [msgspec.structs.replace(statement, quote=self.quote(at, end)) for statement in out]
         return self._with_companions(items[-1], out, at, end)
+
+    def _more_of_them(self, item: Item, quote: str) -> Add | None:
+        """Read ``add one``, ``add two``: so many more of what was mentioned last, where that is."""
+        phrase = item.phrase
+        amount = phrase.amount
+        bare = phrase.refers == "last" and not phrase.noun.words and not item.places and not amount.of
+        if not bare or amount.kind != "some" or not amount.number:
+            return None
+        more = Things(refers="last", amount=Amount(kind="more", number=amount.number), plural=phrase.plural)
+        return Add(things=more, place=Place(rooms=Rooms(same=True)), quote=quote)
 
     def _joined_places(self, at: int) -> tuple[list[Place], int]:
         """Read ``and in the bathroom`` after a place: the same there."""

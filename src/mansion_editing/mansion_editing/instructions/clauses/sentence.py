@@ -38,6 +38,9 @@ _SKIPPED: Final = COURTESIES | BETWEEN_CLAUSES
 
 _LYING: Final = frozenset("lying standing sitting hanging resting leaning".split())
 
+_RESTS: Final = frozenset("is are lie lies stand stands sit sits hang hangs rest rests".split())
+"""Verbs of a relative clause that say where something is."""
+
 _THOSE: Final = frozenset("the these those my our your them".split())
 
 _EXCEPTIONS: Final = (
@@ -123,7 +126,7 @@ class Sentence(ABC):
                     at += 3
                     at += self.text(at + 1) in ("on", "off", "up")
                 at += 1
-            if self.text(at) in ("is", "are") and self.text(at - 1) in ("that", "which", "who"):
+            if self.text(at) in _RESTS and self.text(at - 1) in ("that", "which", "who"):
                 at += 1
                 while self.text(at) in PARTICIPLES_OF_REST:
                     at += 1

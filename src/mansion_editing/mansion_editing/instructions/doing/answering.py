@@ -59,7 +59,7 @@ def holds(question: Ask, state: SceneState, context: Context) -> bool:
     """
     if question.place is not None and question.place.anchor is not None and question.about == "exists":
         things = question.things or Things(plural=True)
-        return len(all_at(state, things_of(state, things, context), question.place, context)) >= _least(things)
+        return _is_so_many(len(all_at(state, things_of(state, things, context), question.place, context)), things)
     found = _found(question, state, context)
     if question.about == "state":
         name = question.state or "open"
@@ -71,11 +71,17 @@ def holds(question: Ask, state: SceneState, context: Context) -> bool:
         if one and len(set(values)) > 1:
             raise ambiguous(_noun(question), [title_of(state, item) for item in ready], [item.id for item in ready])
         return all(values)
-    return len(found) >= _least(question.things)
+    return _is_so_many(len(found), question.things)
 
 
-def _least(things: Things | None) -> int:
-    return 1 if things is None else max(1, things.amount.number)
+def _is_so_many(count: int, things: Things | None) -> bool:
+    """Whether a number is what words say: at most and exactly so many, otherwise so many or more."""
+    if things is None:
+        return count > 0
+    amount = things.amount
+    if amount.kind in ("at_most", "exactly"):
+        return count <= amount.number and (amount.kind == "at_most" or count == amount.number)
+    return count >= max(1, amount.number)
 
 
 def _found(question: Ask, state: SceneState, context: Context) -> list[SceneObject]:
@@ -131,7 +137,8 @@ def _exists(question: Ask, found: Sequence[SceneObject], said: str, state: Scene
     if not found:
         return f"No, there is no {_noun(question)}{said or ' in the building'}."
     verb = "is" if len(found) == 1 else "are"
-    return f"Yes, there {verb} {counted(len(found), _noun(question))}{said}: {listed(found)}."
+    word = "Yes" if _is_so_many(len(found), question.things) else "No"
+    return f"{word}, there {verb} {counted(len(found), _noun(question))}{said}: {listed(found)}."
 
 
 def _where(question: Ask, found: Sequence[SceneObject], said: str, state: SceneState) -> str:

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from typing import Final
 
 from mansion_editing.instructions.doing.work import Done, Work, listed
-from mansion_editing.instructions.meaning.choices import concerned, one_room_each, things_meant
+from mansion_editing.instructions.meaning.choices import able_ones, concerned, one_room_each, things_meant
 from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.descriptions import rooms_of
 from mansion_editing.instructions.meaning.nouns import has_colour, has_material
@@ -37,7 +37,8 @@ def able(item: SceneObject, state: str) -> bool:
 
 def set_state(statement: SetState, state: SceneState, context: Context) -> Work:
     """Open, close or switch the things that words mean; of several for one thing, the one that is not so yet."""
-    things, name, value = statement.things, statement.state, statement.value
+    name, value = statement.state, statement.value
+    things = able_ones(state, statement.things, context, lambda item: able(item, name))
     word = state_word(name, value=value)
     found = concerned(state, things, context)
     if not found and things.amount.kind == "all" and things.noun and _WHATEVER.search(statement.quote):

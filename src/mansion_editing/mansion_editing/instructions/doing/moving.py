@@ -9,7 +9,7 @@ import msgspec
 from mansion_editing.instructions.doing.providing import add, wishes_of
 from mansion_editing.instructions.doing.rooms import swap_rooms
 from mansion_editing.instructions.doing.work import Done, Work, listed, live, whereabouts
-from mansion_editing.instructions.meaning.choices import from_there, things_meant
+from mansion_editing.instructions.meaning.choices import at_home, from_there, one_room_each, things_meant
 from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.descriptions import all_at, rooms_of, things_of
 from mansion_editing.instructions.meaning.nouns import is_loose
@@ -38,6 +38,8 @@ def move(statement: Move, state: SceneState, context: Context) -> Work:
     if not found and statement.or_new:
         return (yield from add(Add(things=_new(things), place=place), state, context))
     if not found and things.noun and things.place is not None:
+        if things.place.rooms is not None:
+            one_room_each(state, things.place.rooms, context, lambda room: True)
         kind = msgspec.structs.replace(things, place=None, amount=Amount(kind="all", number=0))
         arrived = all_at(state, things_of(state, kind, context), place, context)
         if arrived:
@@ -45,6 +47,7 @@ def move(statement: Move, state: SceneState, context: Context) -> Work:
             said = f"{none}, and {listed(arrived)} {_is([i.id for i in arrived])} there already"
             rooms = tuple(dict.fromkeys(item.room for item in arrived))
             return Done(said, context.followed([item.id for item in arrived], rooms, things.noun))
+    place = at_home(state, things, place, context)
     place, context = _on_other_storey(state, things, place, context)
     targets = _targets(state, place, context)
     there = {item.id for item in all_at(state, found, place, context)}

@@ -11,7 +11,7 @@ from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.descriptions import all_at, anchors_of, carried_by, rooms_of, things_of
 from mansion_editing.instructions.meaning.nouns import is_fixed, is_loose, names_many
 from mansion_editing.instructions.meaning.numbers import means_one
-from mansion_editing.instructions.meaning.wording import counted, place_in, place_words, thing_words
+from mansion_editing.instructions.meaning.wording import bare_words, counted, place_in, place_words, thing_words
 from mansion_editing.instructions.statements import Clear, Place, Remove, Things
 from mansion_editing.runs.policies import Action, Outcome, Unmet, ask
 from mansion_editing.state import SceneState
@@ -55,7 +55,8 @@ def remove(statement: Remove, state: SceneState, context: Context) -> Work:
     if before > len(chosen):
         reply += f"; {before - len(chosen)} of {before} left"
     rooms = tuple(dict.fromkeys(item.room for item in chosen))
-    return Done(reply, context.followed((), rooms, things.noun))
+    holders = tuple(dict.fromkeys(item.parent for item in chosen if item.parent and live(state, [item.parent])))
+    return Done(reply, context.followed((), rooms, things.noun, holders))
 
 
 def _chosen(things: Things, state: SceneState, context: Context) -> list[SceneObject]:
@@ -92,11 +93,23 @@ def _nothing_to_remove(things: Things, state: SceneState, context: Context) -> D
         raise Unmet(f"there is no {thing_words(msgspec.structs.replace(place.anchor, definite=False))}")
     found = concerned(state, things, context)
     where = "" if place is None else f" {place_in(state, place, context)}"
+    if not found and place is not None and place.anchor is not None and means_one(things) and things.definite:
+        raise Unmet(
+            f"there is no {bare_words(things)} {place_in(state, place, context)}{_instead(state, place, context)}"
+        )
     verb = "is" if len(found) == 1 else "are"
     left = counted(len(found), things.noun or "thing")
     rooms = [] if place is None or place.rooms is None else rooms_of(state, place.rooms, context)
     said = f"there was nothing to remove: there {verb} {left}{where}"
     return Done(said, context.followed((), rooms, things.noun))
+
+
+def _instead(state: SceneState, place: Place, context: Context) -> str:
+    """Return in words what is there instead, of what a piece of furniture carries."""
+    if place.relation not in ("on", "in"):
+        return ""
+    there = [item for holder in anchors_of(state, place, context) for item in carried_by(state, holder, place.relation)]
+    return f"; there is {listed(there)}" if there else "; nothing is there"
 
 
 def to_clear(statement: Clear, state: SceneState, context: Context) -> list[SceneObject]:

@@ -23,7 +23,7 @@ from mansion_editing.state import SceneState
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import SceneObject
 
-__all__ = ["Fit", "concerned", "from_there", "one_room_each", "things_meant", "too_few"]
+__all__ = ["Fit", "able_ones", "at_home", "concerned", "from_there", "one_room_each", "things_meant", "too_few"]
 
 Fit: TypeAlias = Callable[[str], bool]
 """Whether a room, by its id, fits the rest of a statement."""
@@ -82,6 +82,20 @@ def from_there(state: SceneState, things: Things, place: Place, context: Context
     return context.followed((), tuple(dict.fromkeys(found)), "")
 
 
+def at_home(state: SceneState, things: Things, place: Place, context: Context) -> Place:
+    """Return the place in the one room that things are in, where words name no room and that has such a place."""
+    anchor = place.anchor
+    if anchor is None or place.rooms is not None or not means_one(anchor) or anchor.refers or anchor.owned:
+        return place
+    if anchor.place is not None or not anchor.definite:
+        return place
+    own = {item.room for item in things_of(state, things, context)}
+    if len(own) != 1:
+        return place
+    here = msgspec.structs.replace(place, rooms=Rooms(words=own.pop()))
+    return here if anchors_of(state, here, context) else place
+
+
 def concerned(state: SceneState, things: Things, context: Context) -> list[SceneObject]:
     """Return the things that words fit and that a statement may change: of several, not what shall be left.
 
@@ -100,6 +114,16 @@ def concerned(state: SceneState, things: Things, context: Context) -> list[Scene
                 ErrorCode.NOT_FOUND, f"there is no {bare_words(spared)}{at_words(spared.place)} to leave out"
             )
     return found if means_one(things) else [item for item in found if item.id not in context.kept]
+
+
+def able_ones(state: SceneState, things: Things, context: Context, able: Callable[[SceneObject], bool]) -> Things:
+    """Return words for what carries the things last mentioned, where ``it`` shall open or switch and only that can."""
+    if things.refers != "last" or things.noun or things.place is not None:
+        return things
+    last = things_of(state, things, context)
+    carriers = list(dict.fromkeys(item.parent for item in last if item.parent is not None))
+    found = None if any(able(item) for item in last) or len(carriers) != 1 else state.find(carriers[0])
+    return Things(noun=found[1].id, definite=True) if found is not None and able(found[1]) else things
 
 
 def things_meant(

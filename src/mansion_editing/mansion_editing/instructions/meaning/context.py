@@ -26,16 +26,28 @@ class Context:
         What the objects were called.
     kept : frozenset of str
         Ids of what the instruction says to leave as it is; not meant where words mean several things.
+    holders : tuple of str
+        Ids of what was mentioned last to put things on, in or under, or to take them from; where it is empty, that is
+        what carries `things`.
     """
 
     things: tuple[str, ...] = ()
     rooms: tuple[str, ...] = ()
     noun: str = ""
     kept: frozenset[str] = frozenset()
+    holders: tuple[str, ...] = ()
 
-    def followed(self, things: Sequence[str], rooms: Sequence[str], noun: str) -> "Context":
+    def followed(
+        self, things: Sequence[str], rooms: Sequence[str], noun: str, holders: Sequence[str] = ()
+    ) -> "Context":
         """Return the context after something else was mentioned; what was not stays."""
-        return Context(tuple(things) or self.things, tuple(rooms) or self.rooms, noun or self.noun, self.kept)
+        return Context(
+            tuple(things) or self.things,
+            tuple(rooms) or self.rooms,
+            noun or self.noun,
+            self.kept,
+            tuple(holders) or (() if things else self.holders),
+        )
 
 
 def ambiguous(words: str, candidates: Sequence[str], ids: Sequence[str]) -> Ambiguous:

@@ -280,8 +280,25 @@ def anchors_of(state: SceneState, place: Place, context: Context) -> list[SceneO
     if place.anchor is None:
         return []
     anchor = place.anchor
+    if anchor.refers == "last" and not anchor.noun and place.relation in ("on", "in", "under", ""):
+        return _receptacles_meant(state, anchor, context)
     if place.rooms is not None and anchor.place is None:
         return things_of(state, msgspec.structs.replace(anchor, place=Place(rooms=place.rooms)), context)
     found = things_of(state, anchor, context)
     rooms = None if place.rooms is None else set(rooms_of(state, place.rooms, context))
     return [item for item in found if rooms is None or item.room in rooms]
+
+
+def _receptacles_meant(state: SceneState, anchor: Things, context: Context) -> list[SceneObject]:
+    """Return what ``on it`` means: what was mentioned last that can carry things, else what carries that.
+
+    After "two apples on the table" one ``it`` is the table; ``them`` are the apples, or what carries them.
+    """
+    last = things_of(state, anchor, context)
+    if context.holders:
+        return _existing(state, context.holders) or last
+    bearing = [item for item in last if (asset := state.asset(item)) is not None and (asset.surfaces or asset.volumes)]
+    if bearing and (len(last) == 1 or anchor.plural or means_several(anchor)):
+        return bearing
+    carriers = list(dict.fromkeys(item.parent for item in last if item.parent is not None))
+    return _existing(state, carriers) or last

@@ -73,6 +73,7 @@ _MANY: Final[dict[str, Callable[[SceneObject], bool]]] = {
     "switchable": lambda item: item.toggleable,
     "openable": lambda item: item.openable,
     "counter": _ending(("counter", "counter_top")),
+    "sink": _ending(("sink", "sink_unit")),
     "furniture": _is_furniture,
     "furnishing": _is_furniture,
     "light": is_light,

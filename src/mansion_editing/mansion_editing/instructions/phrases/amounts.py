@@ -45,8 +45,11 @@ _PHRASES: Final[tuple[tuple[tuple[str, ...], AmountKind], ...]] = (
     (("at", "most"), "at_most"), (("no", "more", "than"), "at_most"), (("not", "more", "than"), "at_most"),
     (("up", "to"), "at_most"), (("maximum",), "at_most"), (("max",), "at_most"), (("a", "maximum", "of"), "at_most"),
     (("a", "total", "of"), "exactly"), (("exactly",), "exactly"), (("only",), "exactly"), (("just",), "exactly"),
-    (("precisely",), "exactly"),
+    (("precisely",), "exactly"), (("fewer", "than"), "at_most"), (("less", "than"), "at_most"),
+    (("more", "than"), "at_least"),
 )  # fmt: skip
+_BEYOND: Final[dict[tuple[str, ...], int]] = {("fewer", "than"): -1, ("less", "than"): -1, ("more", "than"): 1}
+"""What the number is off by after words that leave it out."""
 
 
 def read_amount(words: Sequence[Word], at: int) -> Amounted:
@@ -59,6 +62,7 @@ def read_amount(words: Sequence[Word], at: int) -> Amounted:
             if number is None and text_at(words, place) in ("a", "an"):
                 number = 1
             if number is not None:
+                number += _BEYOND.get(phrase, 0)
                 return Amount(kind=kind, number=number), False, False, place + 1
     first = text_at(words, at)
     number = number_at(words, at)

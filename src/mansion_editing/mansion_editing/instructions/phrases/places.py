@@ -77,6 +77,9 @@ _PREPOSITIONS: Final[tuple[tuple[tuple[str, ...], Relation], ...]] = (
 _EXISTENCE: Final = BE | MODALS | frozenset(["need", "has", "have"])
 """After ``there`` they say that something is, not where."""
 
+_ENDS: Final = ("", ",", ".", ";", "and", "then", "please", "!")
+"""What may follow a preposition that stands alone: ``put a yogurt inside``."""
+
 _SOURCES: Final = frozenset(["from", "off", "out", "away"])
 _GOALS: Final = frozenset(["to", "into", "onto", "back", "over", "up", "down", "towards", "toward"])
 _SPOTS: Final[dict[str, Spot]] = {
@@ -157,6 +160,9 @@ def _unbracketed(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Seque
         if spot in ("window", "door", "wall"):
             return ReadPlace(Place(spot=spot), at, target.end)
         return ReadPlace(Place(facing=target.things()), at, target.end)
+    if text_at(words, at) == "inside" and text_at(words, at + 1) in _ENDS:
+        last = Things(refers="last", definite=True, amount=Amount(number=0))
+        return ReadPlace(Place(relation="in", anchor=last), at, at + 1)
     for phrase, relation in _PREPOSITIONS:
         if tuple(w.text for w in words[at : at + len(phrase)]) != phrase:
             continue

@@ -78,7 +78,9 @@ def on_condition(statement: Statement, condition: Condition) -> Statement:
 
 def _is_about(ask: Ask, statement: Add) -> bool:
     things = ask.things
-    return ask.about == "exists" and things is not None and things.noun == statement.things.noun and ask.place is None
+    if things is None or things.amount.kind != "all":
+        return False
+    return ask.about == "exists" and things.noun == statement.things.noun and ask.place is None
 
 
 def _elliptic(reader: ClauseReader, at: int) -> tuple[Condition, int] | None:
@@ -193,8 +195,9 @@ def _exists(item: Item, place: Place | None) -> Ask:
 
 
 def _any(things: Things) -> Things:
+    counted = things.amount.kind in ("at_most", "exactly")
     number = things.amount.number if things.amount.kind in ("some", "at_least") else 0
-    amount = Amount(kind="all", number=0) if number < 2 else things.amount
+    amount = Amount(kind="all", number=0) if number < 2 and not counted else things.amount
     return msgspec.structs.replace(things, amount=amount, definite=False, place=None)
 
 

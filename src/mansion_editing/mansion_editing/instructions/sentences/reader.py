@@ -363,6 +363,9 @@ class _Reader(Telling, Repeating):
             if isinstance(value, Rooms) and value.same and not value.words and rooms:
                 return rooms
             if isinstance(value, Things) and value.refers == "last" and not value.noun:
+                if value.amount.number and value.amount.kind == "some" and topic.amount.kind != "all":
+                    several = value.amount.number > 1
+                    return msgspec.structs.replace(topic, amount=value.amount, plural=several, definite=False)
                 return topic
             if not isinstance(value, msgspec.Struct):
                 return tuple(named(part) for part in value) if isinstance(value, tuple) else value
