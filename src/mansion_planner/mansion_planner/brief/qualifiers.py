@@ -11,6 +11,7 @@ from mansion_planner.brief.facts import BriefFacts, Span
 from mansion_planner.brief.furniture_words import furniture_of
 from mansion_planner.brief.phrase import Phrase
 from mansion_planner.brief.reading import Reading
+from mansion_planner.brief.sizes import is_size
 
 __all__ = ["is_property", "unheeded_words"]
 
@@ -87,6 +88,8 @@ def _is_own(reading: Reading, phrase: Phrase, index: int) -> bool:
     """Whether a word is a property of what its phrase names: not "corner" in "children's corner room"."""
     if reading.kind(index) != "word" or (reading.word(index) == "corner" and index > phrase.begin):
         return False
+    if is_size(reading.word(index)):
+        return not phrase.size
     return is_property(reading.word(index), things=phrase.head == "object")
 
 

@@ -37,6 +37,7 @@ from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading, start_rea
 from mansion_planner.brief.relations import Relation, read_relations
 from mansion_planner.brief.room_facts import RoomStatements, identifier
 from mansion_planner.brief.similarity import HEAD_TYPES, similar_room_type
+from mansion_planner.brief.sizes import is_size, sized
 from mansion_planner.brief.stacked_uses import read_stacking
 from mansion_planner.brief.storey_attachment import Attachment
 from mansion_planner.brief.storeys import read_storeys
@@ -110,6 +111,7 @@ class _Reader:
         phrases = [phrase for number, phrase in enumerate(phrases) if number not in stacked]
         self.building = self._name_building(phrases)
         self.phrases = [self._plain_rooms(phrase) for phrase in give_measures(reading, measures, phrases)]
+        self.phrases = sized(reading, self.phrases, self.building)
         reading.go_on()
         read_late_counts(reading, self.phrases)
         self.phrases, self.households = read_households(reading, self.phrases, self.places, self.building)
@@ -542,7 +544,7 @@ def _is_content(reading: Reading, index: int) -> bool:
     return (
         token.kind == "word"
         and token.text not in FUNCTION_WORDS
-        and (token.text not in PLAIN or is_property(token.text))
+        and (token.text not in PLAIN or is_property(token.text) or is_size(token.text))
         and token.text not in FLOOR_WORDS
         and token.text not in _REQUESTS
         and len(token.text) > 1
