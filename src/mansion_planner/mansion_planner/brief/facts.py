@@ -144,6 +144,8 @@ class AdjacencyFact:
     ----------
     first_name, second_name : str
         The user's own names, where the rooms have some.
+    each : bool
+        Several rooms are spoken of, and every one of them is to lie so.
     """
 
     first: str
@@ -151,6 +153,7 @@ class AdjacencyFact:
     span: Span
     first_name: str = ""
     second_name: str = ""
+    each: bool = False
 
 
 @dataclass(frozen=True)

@@ -24,6 +24,8 @@ _PROPERTIES = frozenset(
     north south east west northern southern eastern western northeast northwest southeast southwest passive
     sustainable solar ecological marble oak walnut wooden red blue yellow orange purple pink brown black white grey
     gray beige turquoise golden medieval baroque futuristic steampunk ancient roman egyptian tudor colonial
+    american arab brazilian british chinese danish dutch english finnish french german greek indian irish italian
+    korean mexican moorish moroccan norwegian polish portuguese russian scottish spanish swedish swiss thai turkish
     automatic electric smart antique floating shallow deep steep kosher halal antistatic double-height
     """.split()
 )

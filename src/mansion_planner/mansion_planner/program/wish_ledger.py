@@ -272,7 +272,7 @@ class _Ledger:
             other=fact.second_name or fact.second,
             other_type=fact.second,
         )
-        self.add(kind, fact.span, value)
+        self.add(kind, fact.span, value, Scope(each=fact.each))
 
     def _object(self, wanted: ObjectFact) -> None:
         kind: WishKind = "no_object" if wanted.excluded else "object"
