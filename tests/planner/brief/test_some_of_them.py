@@ -65,3 +65,28 @@ def test_each_of_several_rooms_is_to_lie_beside_the_other() -> None:
 )
 def test_words_of_places_and_ways_are_told(text: str, words: str) -> None:
     assert any(words in span.words for span in _facts(text).unread)
+
+
+@pytest.mark.parametrize(
+    ("text", "count"),
+    [
+        ("All bedrooms en suite; four bedrooms", 4),
+        ("A house with three bedrooms en suite and a kitchen", 3),
+        ("A guest house with 6 double rooms ensuite", 6),
+        ("Two of the three bedrooms en suite", 2),
+    ],
+)
+def test_rooms_are_not_named_by_the_bathrooms_that_follow_them(text: str, count: int) -> None:
+    program = plan_building(BuildRequest(description=text)).program
+    assert [w.value.count for w in program.wishes if w.value.type == "ensuite_bathroom"] == [count]
+    assert not [w for w in program.wishes if w.value.type == "kitchen" and w.scope.room]
+
+
+def test_where_a_lift_goes_is_no_place_of_the_room_before() -> None:
+    facts = _facts("An accessible toilet, and a lift to all floors, in a three-storey library")
+    assert [room.each for room in facts.rooms] == [False]
+
+
+def test_a_room_inside_another_is_told() -> None:
+    facts = _facts("A house with an attic. A drying room in the attic")
+    assert [span.words for span in facts.unread] == ["attic"]

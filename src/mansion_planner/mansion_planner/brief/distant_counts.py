@@ -35,6 +35,17 @@ def read_late_counts(reading: Reading, phrases: list[Phrase]) -> None:
 
 def _of_which(reading: Reading, phrases: list[Phrase], index: int) -> int | None:
     """Return the rooms that some of those named before have one of each: "three of which have a bathroom"."""
+    if reading.words(index + 1, index + 3) == ("of", "the"):
+        owner = next((n for n, p in enumerate(phrases) if p.first >= index + 3), len(phrases))
+        if owner + 1 >= len(phrases) or phrases[owner].first > index + 3 or phrases[owner].head != "room":
+            return None
+        after = phrases[owner + 1]
+        gap = set(reading.words(phrases[owner].last, after.begin))
+        has = (
+            gap <= {"with", "have", "has", "having", "a", "an", "their", "own"}
+            and after.begin - phrases[owner].last < 4
+        )
+        return owner + 1 if has and after.head == "room" and not after.counted else None
     if reading.word(index + 1) != "of" or reading.word(index + 2) not in ("which", "them", "these", "those"):
         return None
     if reading.word(index + 3) not in ("have", "has", "with", "having", "get", "need"):

@@ -12,6 +12,7 @@ from dataclasses import replace
 from mansion_knowledge import KnowledgeBase
 from mansion_planner.brief.adverts import read_adverts, read_bedrooms_of_building
 from mansion_planner.brief.background_phrases import without_bystanders
+from mansion_planner.brief.bare_areas import with_bare_areas
 from mansion_planner.brief.building import building_phrase, is_compound, own_building_name, unknown_building
 from mansion_planner.brief.building_shape import read_copies, read_massing, read_shape, read_sizes
 from mansion_planner.brief.coreference import coreferences
@@ -112,7 +113,7 @@ class _Reader:
         phrases = [phrase for number, phrase in enumerate(phrases) if number not in stacked]
         self.building = self._name_building(phrases)
         self.phrases = [self._plain_rooms(phrase) for phrase in give_measures(reading, measures, phrases)]
-        self.phrases = sized(reading, self.phrases, self.building)
+        self.phrases = sized(reading, with_bare_areas(reading, self.phrases), self.building)
         reading.go_on()
         read_late_counts(reading, self.phrases)
         self.phrases, self.households = read_households(reading, self.phrases, self.places, self.building)
@@ -131,6 +132,7 @@ class _Reader:
         self._other_names_of_building()
         reading.go_on()
         self.same, self.groups = coreferences(reading, self.phrases, self._wanted_rooms(), self.relations)
+        self._tell_rooms_within()
         self._said_with_area()
         self._placed_later()
         read_counts_by_group(reading, self.phrases, self.households)
@@ -343,6 +345,14 @@ class _Reader:
                 self.same[number] = named[-1]
             elif number not in self.same:
                 named.append(number)
+
+    def _tell_rooms_within(self) -> None:
+        """Give back the room that another is to be in: "an attic ... a drying room in the attic"."""
+        for number in self.same:
+            inner, outer = self.phrases[number - 1], self.phrases[number]
+            inside = number and inner.head == outer.head == "room" and inner.last == outer.begin - 2
+            if inside and self.reading.words(inner.last, outer.begin) == ("in", "the"):
+                self.reading.taken.difference_update(range(outer.begin, outer.noun_end))
 
     def _is_alone(self, phrase: Phrase) -> bool:
         """Whether a phrase of a style and a noun is a sentence of its own."""

@@ -151,6 +151,8 @@ class _Walk:
         before = self.phrases[left[-1]] if left else None
         if before is None or before.head not in ("elevator", "stair"):
             return False
+        if before.last == place.first and self.reading.word(place.first) in ("to", "serving"):
+            return True
         return self.reading.words(before.last, place.first) in (("to",), ("serving",), ("reaching",), ("up", "to"))
 
     def _within(self, place: Place, scope: Place | None) -> Place:
