@@ -47,9 +47,18 @@ def test_an_area_in_numbers_holds_before_a_size_in_words() -> None:
     assert _room("a house with a large kitchen of 11 m2", "kitchen").value.area == 11.0
 
 
-@pytest.mark.parametrize("text", ["a compact flat", "a flat with a huge bed", "a house with a not too big kitchen"])
+@pytest.mark.parametrize(
+    "text", ["a compact flat", "a German flat", "a flat with a huge bed", "a house with a not too big kitchen"]
+)
 def test_a_size_of_which_nothing_is_made_is_told(text: str) -> None:
     assert any(wish.value.unheeded for wish in _wishes(text))
+
+
+@pytest.mark.parametrize(
+    "text", ["a small clinic of 200 m2", "a house with an Italian style", "a flat with a Finnish sauna"]
+)
+def test_words_that_something_else_answers_are_heeded(text: str) -> None:
+    assert not any(wish.value.unheeded for wish in _wishes(text))
 
 
 def test_a_size_without_a_room_is_told() -> None:

@@ -31,7 +31,12 @@ def with_bare_areas(reading: Reading, phrases: Sequence[Phrase]) -> list[Phrase]
 
 def _number_after(reading: Reading, phrase: Phrase) -> int:
     """Return the bare number that ends the entry of a room, or -1."""
-    if phrase.head not in ("room", "building") or not phrase.room_type or phrase.areas or (phrase.plural and not phrase.counted):
+    if (
+        phrase.head not in ("room", "building")
+        or not phrase.room_type
+        or phrase.areas
+        or (phrase.plural and not phrase.counted)
+    ):
         return -1
     index = phrase.last + (reading.word(phrase.last) in (":", "=", "-"))
     last = index + 1 + (reading.word(index + 1) == "each")

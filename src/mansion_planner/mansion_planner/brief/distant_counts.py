@@ -36,16 +36,7 @@ def read_late_counts(reading: Reading, phrases: list[Phrase]) -> None:
 def _of_which(reading: Reading, phrases: list[Phrase], index: int) -> int | None:
     """Return the rooms that some of those named before have one of each: "three of which have a bathroom"."""
     if reading.words(index + 1, index + 3) == ("of", "the"):
-        owner = next((n for n, p in enumerate(phrases) if p.first >= index + 3), len(phrases))
-        if owner + 1 >= len(phrases) or phrases[owner].first > index + 3 or phrases[owner].head != "room":
-            return None
-        after = phrases[owner + 1]
-        gap = set(reading.words(phrases[owner].last, after.begin))
-        has = (
-            gap <= {"with", "have", "has", "having", "a", "an", "their", "own"}
-            and after.begin - phrases[owner].last < 4
-        )
-        return owner + 1 if has and after.head == "room" and not after.counted else None
+        return _of_the(reading, phrases, index)
     if reading.word(index + 1) != "of" or reading.word(index + 2) not in ("which", "them", "these", "those"):
         return None
     if reading.word(index + 3) not in ("have", "has", "with", "having", "get", "need"):
@@ -54,6 +45,17 @@ def _of_which(reading: Reading, phrases: list[Phrase], index: int) -> int | None
     if after is None or phrases[after].head != "room" or phrases[after].counted or phrases[after].begin > index + 6:
         return None
     return after
+
+
+def _of_the(reading: Reading, phrases: list[Phrase], index: int) -> int | None:
+    """Return what some rooms have that are named with the number: "two of the three bedrooms have a bathroom"."""
+    owner = next((n for n, p in enumerate(phrases) if p.first >= index + 3), len(phrases))
+    if owner + 1 >= len(phrases) or phrases[owner].first > index + 3 or phrases[owner].head != "room":
+        return None
+    had = phrases[owner + 1]
+    gap = reading.words(phrases[owner].last, had.begin)
+    has = len(gap) < 4 and set(gap) <= {"with", "have", "has", "having", "a", "an", "their", "own"}
+    return owner + 1 if has and had.head == "room" and not had.counted else None
 
 
 def read_counts_by_storey(

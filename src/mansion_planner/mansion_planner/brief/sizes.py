@@ -12,41 +12,43 @@ from mansion_planner.brief.bounds import Limit
 from mansion_planner.brief.phrase import Phrase
 from mansion_planner.brief.reading import Reading
 
-__all__ = ["SIZE_WORDS", "Size", "is_size", "size_bound", "sized"]
+__all__ = ["Size", "is_size", "size_bound", "sized"]
 
 Size: TypeAlias = Literal["", "large", "small"]
 """How large a room is to be, compared with the usual ones of its kind."""
 
 _LARGE = frozenset("large big huge vast spacious generous roomy ample oversized enormous sizeable sizable".split())
 _SMALL = frozenset("small little tiny compact modest petite".split())
-SIZE_WORDS = _LARGE | _SMALL
-_FACTORS: dict[Size, tuple[float, Limit]] = {"large": (1.2, "least"), "small": (0.85, "most"), "": (1.0, "")}
-"""Share of the usual area of its kind that bounds a room of a size."""
+_LARGER, _SMALLER, _TIGHTER = 1.2, 0.85, 1.2
+"""Shares of the usual area of its kind that bound large and small rooms, and of the least one: such are small."""
 _BE = frozenset({"be", "is", "are"})
 _NEGATIONS = frozenset({"not", "too", "nor", "never"})
 _DEGREES = frozenset({"very", "quite", "rather", "really", "fairly", "extra", "pretty"})
 
 
-def size_bound(size: Size, usual: float) -> tuple[float, Limit]:
+def size_bound(size: Size, least: float, usual: float) -> tuple[float, Limit]:
     """Return the area that bounds a room of a size, and which way.
 
     Parameters
     ----------
-    usual : float
-        Area of such rooms where nothing is said of it, square metres.
+    least, usual : float
+        Areas of such rooms where nothing is said of them, square metres.
 
     Examples
     --------
-    >>> size_bound("large", 10.0), size_bound("small", 20.0)
-    ((12.0, 'least'), (17.0, 'most'))
+    >>> size_bound("large", 6.0, 10.0), size_bound("small", 8.0, 20.0), size_bound("small", 2.5, 3.0)
+    ((12.0, 'least'), (17.0, 'most'), (3.0, 'most'))
     """
-    factor, limit = _FACTORS[size]
-    return round(factor * usual, 1), limit
+    if not size:
+        return usual, ""
+    if size == "large":
+        return round(_LARGER * usual, 1), "least"
+    return round(min(max(_SMALLER * usual, _TIGHTER * least), usual), 1), "most"
 
 
 def is_size(word: str) -> bool:
     """Whether a word says how large a thing is."""
-    return word in SIZE_WORDS
+    return word in _LARGE | _SMALL
 
 
 def sized(reading: Reading, phrases: Sequence[Phrase], building: int | None) -> list[Phrase]:
@@ -73,7 +75,7 @@ def _is_room(reading: Reading, phrase: Phrase) -> bool:
 
 
 def _with_size(reading: Reading, phrase: Phrase) -> Phrase:
-    size = next((_size_of(word) for word in reading.words(phrase.begin, phrase.noun_end) if is_size(word)), "")
+    size: Size = next((_size_of(word) for word in reading.words(phrase.begin, phrase.noun_end) if is_size(word)), "")
     if size and not _NEGATIONS.isdisjoint(reading.words(max(phrase.begin - 3, 0), phrase.noun_end)):
         return phrase
     if not size:

@@ -336,7 +336,7 @@ def planned_room(
 
 def _sized_room(kind: RoomType, knowledge: KnowledgeBase, fact: RoomFact) -> PlannedRoom:
     """Make a room that is to be large or small for its kind; it may be more so than that."""
-    wish = within_bound(*size_bound(fact.size, kind.usual))
+    wish = within_bound(*size_bound(fact.size, kind.least, kind.usual))
     large = fact.size == "large"
     return msgspec.structs.replace(
         planned_room(kind, knowledge, fact=replace(fact, size="")),

@@ -262,7 +262,8 @@ class _Ledger:
     def _area_of(self, room: RoomFact) -> tuple[float | None, Limit]:
         """Return the area that is asked for, and what it bounds; where a word says how large, by what is usual."""
         if room.area is None and room.size:
-            return size_bound(room.size, self.knowledge.room(room.room_type).usual)
+            kind = self.knowledge.room(room.room_type)
+            return size_bound(room.size, kind.least, kind.usual)
         return room.area, room.limit
 
     def _relation(self, kind: WishKind, fact: AdjacencyFact) -> None:
