@@ -110,6 +110,10 @@ class SceneState:
         self.pending: list[Change] = []
         self._indexes: dict[int, FloorIndex] = {}
 
+    def copied(self) -> "SceneState":
+        """Return the scenes as they are now, with nothing pending; later edits do not change them."""
+        return SceneState([self.scenes[floor] for floor in self.floors], self.catalogue, self.retriever)
+
     @property
     def floors(self) -> list[int]:
         """Floor numbers, ascending."""

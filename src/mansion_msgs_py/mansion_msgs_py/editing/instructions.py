@@ -7,14 +7,21 @@ import msgspec
 from mansion_msgs_py.editing.open_buildings import ToolArgs
 from mansion_msgs_py.task import Task
 
-__all__ = ["AgentReport", "AgentStep", "InstructArgs", "ProvisionArgs"]
+__all__ = ["AgentReport", "AgentStep", "InstructArgs", "ProvisionArgs", "ReadStatement"]
 
 
 class InstructArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
-    """An instruction for the editing agent; `planner` as in a `BuildRequest`."""
+    """An instruction for the editing agent; `planner` as in a `BuildRequest`.
+
+    Attributes
+    ----------
+    partly : bool
+        The rules do what they can of it and say what they did not; all or nothing otherwise.
+    """
 
     instruction: Annotated[str, msgspec.Meta(max_length=4000)]
     planner: Literal["rules", "llm"] = "rules"
+    partly: bool = False
 
 
 class ProvisionArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
@@ -33,6 +40,14 @@ class AgentStep(msgspec.Struct, frozen=True, kw_only=True):
     refused: bool = False
 
 
+class ReadStatement(msgspec.Struct, frozen=True, kw_only=True):
+    """One statement of an instruction: what it asks for, the words that say so, and who read it."""
+
+    kind: str
+    quote: str
+    read_by: Literal["model", "rules"] = "rules"
+
+
 class AgentReport(msgspec.Struct, kw_only=True, frozen=True):
     """Reply of ``scene/instruct`` and ``scene/provision``.
 
@@ -48,6 +63,8 @@ class AgentReport(msgspec.Struct, kw_only=True, frozen=True):
         It was only asked about the building; `message` is the answer.
     candidates : list of str
         Ids of what words may mean that fit several things.
+    read : list of ReadStatement
+        What a model and the rules read together, in the order of the text; empty where the rules read alone.
     """
 
     message: str
@@ -61,3 +78,4 @@ class AgentReport(msgspec.Struct, kw_only=True, frozen=True):
     object_ids: list[str] = []
     question: bool = False
     candidates: list[str] = []
+    read: list[ReadStatement] = []

@@ -6,10 +6,10 @@ from dataclasses import fields, replace
 from typing import Any
 
 from mansion_language import Token, tokenize
+from mansion_llm.quotes import find_quote
 from mansion_planner.brief.facts import BriefFacts, RoomFact, Span
 from mansion_planner.brief.phrase import FUNCTION_WORDS, PLAIN
 from mansion_planner.brief.reading import FLOOR_WORDS
-from mansion_planner.llm.quotes import find_quote
 from mansion_planner.llm.statement_facts import StatementFacts
 
 __all__ = ["joined_facts", "without_rules"]
@@ -100,7 +100,7 @@ def _with_named_rooms(facts: BriefFacts) -> BriefFacts:
             label = (name or kind).replace("_", " ")
             within = find_quote(span.words, label)
             if within is not None:
-                span = Span(within.words, span.start + within.start, span.start + within.end)
+                span = Span(span.words[within[0] : within[1]], span.start + within[0], span.start + within[1])
             rooms.append(RoomFact(kind, name or kind, span, label=label))
     return replace(facts, rooms=rooms)
 

@@ -1,9 +1,7 @@
-"""Find the words that a model quotes from a brief: exactly, or but for case, white space and typographic marks."""
+"""Find the words that a model quotes from a text: exactly, or but for case, white space and typographic marks."""
 
 import re
 from collections.abc import Collection
-
-from mansion_planner.brief.facts import Span
 
 __all__ = ["find_quote"]
 
@@ -11,8 +9,8 @@ _PLAIN = str.maketrans("’‘‚“”„«»–—‑\u00a0", '\'\'\'"""""--- 
 _AROUND = " \t\r\n\"'.,;:!?"
 
 
-def find_quote(text: str, quote: str, taken: Collection[tuple[int, int]] = ()) -> Span | None:
-    """Return where `quote` stands in `text`, or ``None`` where it does not.
+def find_quote(text: str, quote: str, taken: Collection[tuple[int, int]] = ()) -> tuple[int, int] | None:
+    """Return where `quote` stands in `text` (start, end), or ``None`` where it does not.
 
     Parameters
     ----------
@@ -22,7 +20,7 @@ def find_quote(text: str, quote: str, taken: Collection[tuple[int, int]] = ()) -
     Examples
     --------
     >>> find_quote("A house with Two  bedrooms.", "two bedrooms")
-    Span(words='Two  bedrooms', start=13, end=26)
+    (13, 26)
     >>> find_quote("A house with two bedrooms", "a sauna") is None
     True
     """
@@ -35,6 +33,5 @@ def find_quote(text: str, quote: str, taken: Collection[tuple[int, int]] = ()) -
     for whole in (rf"(?<!\w){pattern}(?!\w)", pattern):
         places = [match.span() for match in re.finditer(whole, plain, re.IGNORECASE)]
         if places:
-            start, end = next((place for place in places if place not in taken), places[0])
-            return Span(text[start:end], start, end)
+            return next((place for place in places if place not in taken), places[0])
     return None
