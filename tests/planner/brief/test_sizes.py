@@ -25,6 +25,7 @@ def _room(text: str, name: str) -> Wish:
         ("a house with a spacious living room", "living_room", "least"),
         ("a house with a tiny bathroom", "bathroom", "most"),
         ("a house whose kitchen should be very large", "kitchen", "least"),
+        ("a house. The kitchen is to be large", "kitchen", "least"),
         ("a clinic with a pantry (small)", "pantry", "most"),
         ("a clinic with three generous consultation rooms", "consultation_room", "least"),
         ("a co-working floor with 3 small offices", "private_office", "most"),

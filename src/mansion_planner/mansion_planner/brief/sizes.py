@@ -90,8 +90,9 @@ def _after(reading: Reading, last: int) -> int:
     """Return the token that may say the size of a room before it: "kitchen (large)", "the kitchen should be large"."""
     if reading.word(last) == "(":
         return last + 1
-    index = last + (reading.word(last) in ("should", "must", "shall", "to"))
+    index = last + (reading.word(last) in ("should", "must", "shall"))
     index += reading.word(index) in _BE
+    index += 2 if reading.words(index, index + 2) == ("to", "be") else 0
     return index + (reading.word(index) in _DEGREES) if index > last else -1
 
 
