@@ -7,8 +7,8 @@ import argparse
 import shutil
 from pathlib import Path
 
-from mansion_bringup.cli.edit import open_editor, refresh
-from mansion_editing.agent.instruct import instruct
+from mansion_bringup.editor import open_editor, write_derived
+from mansion_editing.instructions.instruct import instruct
 
 INSTRUCTION = "put a red mug on the reception desk"
 
@@ -29,7 +29,7 @@ def main() -> None:
     for step in report.steps:
         print(f"{step.tool}: {step.thought}" if step.tool else step.thought)
     print(f"{report.message} {', '.join(report.object_ids)}")
-    refresh(editor)  # plans, maps and models of the floors that changed
+    write_derived(editor)  # plans, maps and models of the floors that changed
 
 
 if __name__ == "__main__":

@@ -15,11 +15,11 @@ from pathlib import Path
 
 import numpy as np
 
-from mansion_bringup.cli.edit import open_editor
 from mansion_bringup.edit_hooks import building_files, floor_files
+from mansion_bringup.editor import open_editor
 from mansion_bringup.verify import verify_building
-from mansion_editing.agent.instruct import instruct
 from mansion_editing.editor import SceneEditor
+from mansion_editing.instructions.instruct import instruct
 from mansion_msgs_py.codec import decode
 from mansion_msgs_py.scene import FloorScene, SceneObject
 

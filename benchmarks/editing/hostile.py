@@ -17,9 +17,10 @@ from typing import Any
 
 import msgspec
 
-from mansion_bringup.cli.edit import open_editor
-from mansion_editing.agent.facts import Action, Policy, Verdict
-from mansion_editing.agent.instruct import instruct, run_agent
+from mansion_bringup.editor import open_editor
+from mansion_editing.instructions.instruct import instruct
+from mansion_editing.runs.policies import Action, Policy, Verdict
+from mansion_editing.runs.run import run_policy
 from mansion_msgs_py.codec import decode, encode_bytes
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.scene import FloorScene
@@ -110,7 +111,7 @@ def main() -> None:
                 if isinstance(case, str):
                     instruct(editor, case)
                 else:
-                    run_agent(editor, _policy(case), str(case)[:100])
+                    run_policy(editor, _policy(case), str(case)[:100])
             except MansionError:
                 pass
             except Exception as error:

@@ -17,17 +17,12 @@ import numpy as np
 from mansion_assets.catalogue import load_catalogue
 from mansion_editing.physics.engine import PosedBox, SettleProblem, engine_named
 from mansion_editing.state import SceneState
-from mansion_editing.tools.placement import (
-    half_diagonal,
-    ledges_of,
-    place_in_container,
-    place_on_surface,
-    receptacle_shell,
-    support_boxes,
-)
+from mansion_editing.tools.ledges import ledges_of
+from mansion_editing.tools.placement import place_in_container, place_on_surface
+from mansion_editing.tools.receptacle_bodies import half_diagonal, receptacle_shell, support_boxes
 from mansion_geometry.object_footprints import footprint
 from mansion_msgs_py.codec import decode
-from mansion_msgs_py.editing import PlaceInContainerArgs, PlaceOnSurfaceArgs
+from mansion_msgs_py.editing.objects import PlaceInContainerArgs, PlaceOnSurfaceArgs
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.scene import FloorScene, SceneObject
 from mansion_scene.decor.frames import to_local

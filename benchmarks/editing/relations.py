@@ -17,8 +17,8 @@ from typing import Any
 import numpy as np
 
 from mansion_assets.catalogue import Asset
-from mansion_bringup.cli.edit import open_editor
 from mansion_bringup.edit_hooks import new_faults
+from mansion_bringup.editor import open_editor
 from mansion_editing.editor import SceneEditor
 from mansion_editing.physics.engine import engine_named
 from mansion_editing.tools.relations import relation_holds

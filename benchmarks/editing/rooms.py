@@ -13,8 +13,8 @@ import tempfile
 import time
 from pathlib import Path
 
-from mansion_bringup.cli.edit import open_editor
 from mansion_bringup.edit_hooks import building_files, floor_files
+from mansion_bringup.editor import open_editor
 from mansion_bringup.verify import verify_building
 from mansion_msgs_py.errors import MansionError
 

@@ -24,10 +24,10 @@ from typing import Any
 from shapely import Polygon
 
 from mansion_bringup.building.files import building_exports, floor_exports
-from mansion_bringup.cli.edit import open_editor
+from mansion_bringup.editor import open_editor
 from mansion_bringup.verify import verify_building
 from mansion_editing.editor import SceneEditor
-from mansion_editing.structure.passages import is_passage
+from mansion_editing.structure.circulation import is_passage
 from mansion_geometry.shared_walls import edge_array, shared_walls, total_length
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import FloorScene, SceneRoom

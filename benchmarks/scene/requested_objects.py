@@ -9,7 +9,7 @@ import time
 from collections.abc import Sequence
 
 from mansion_assets.catalogue import load_catalogue
-from mansion_assets.catalogue.kinds import pieces
+from mansion_assets.catalogue.piece_counts import pieces
 from mansion_msgs_py.layout import FloorLayout, LayoutRoom
 from mansion_msgs_py.program import AreaSummary, FloorProgram, RequestedObject, RoomProgram, VerticalConnectivity
 from mansion_msgs_py.scene import FloorScene

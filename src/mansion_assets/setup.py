@@ -1,12 +1,15 @@
 """Build mansion_assets with colcon (ament_python) or pip."""
 
+import re
+from pathlib import Path
+
 from setuptools import find_packages, setup
 
 NAME = "mansion_assets"
 
 setup(
     name=NAME,
-    version="0.1.0",
+    version=re.findall("<version>(.+)</version>", Path("package.xml").read_text(encoding="utf-8"))[0],
     description="The catalogue of furniture and fittings, their meshes, and finding them by words.",
     author="Mansion maintainers",
     maintainer="Mansion maintainers",

@@ -1,6 +1,8 @@
 """Build mansion_bringup with colcon (ament_python) or pip."""
 
+import re
 from glob import glob
+from pathlib import Path
 
 from setuptools import find_packages, setup
 
@@ -8,7 +10,7 @@ NAME = "mansion_bringup"
 
 setup(
     name=NAME,
-    version="0.1.0",
+    version=re.findall("<version>(.+)</version>", Path("package.xml").read_text(encoding="utf-8"))[0],
     description="Mansion end to end: the building director, launch files, the command line and the RViz view.",
     author="Mansion maintainers",
     maintainer="Mansion maintainers",
@@ -34,6 +36,7 @@ setup(
         "mansion_export",
         "mansion_geometry",
         "mansion_knowledge",
+        "mansion_language",
         "mansion_llm",
         "mansion_msgs_py",
         "mansion_planner",

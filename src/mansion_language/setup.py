@@ -1,12 +1,15 @@
 """Build mansion_language with colcon (ament_python) or pip."""
 
+import re
+from pathlib import Path
+
 from setuptools import find_packages, setup
 
 NAME = "mansion_language"
 
 setup(
     name=NAME,
-    version="0.1.0",
+    version=re.findall("<version>(.+)</version>", Path("package.xml").read_text(encoding="utf-8"))[0],
     description="English as people write of buildings: tokens, numbers, units, inflection.",
     author="Mansion maintainers",
     maintainer="Mansion maintainers",

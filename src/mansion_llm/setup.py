@@ -1,12 +1,15 @@
 """Build mansion_llm with colcon (ament_python) or pip."""
 
+import re
+from pathlib import Path
+
 from setuptools import find_packages, setup
 
 NAME = "mansion_llm"
 
 setup(
     name=NAME,
-    version="0.1.0",
+    version=re.findall("<version>(.+)</version>", Path("package.xml").read_text(encoding="utf-8"))[0],
     description="A language-model client with structured answers, repair, cache and replay.",
     author="Mansion maintainers",
     maintainer="Mansion maintainers",

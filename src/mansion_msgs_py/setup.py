@@ -1,12 +1,15 @@
 """Build mansion_msgs_py with colcon (ament_python) or pip."""
 
+import re
+from pathlib import Path
+
 from setuptools import find_packages, setup
 
 NAME = "mansion_msgs_py"
 
 setup(
     name=NAME,
-    version="0.1.0",
+    version=re.findall("<version>(.+)</version>", Path("package.xml").read_text(encoding="utf-8"))[0],
     description="Payload types of Mansion, their JSON codec, and the names of its topics and services.",
     author="Mansion maintainers",
     maintainer="Mansion maintainers",

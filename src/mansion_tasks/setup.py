@@ -1,12 +1,15 @@
 """Build mansion_tasks with colcon (ament_python) or pip."""
 
+import re
+from pathlib import Path
+
 from setuptools import find_packages, setup
 
 NAME = "mansion_tasks"
 
 setup(
     name=NAME,
-    version="0.1.0",
+    version=re.findall("<version>(.+)</version>", Path("package.xml").read_text(encoding="utf-8"))[0],
     description="Tasks for a robot in a building, agents that do them, episodes and a Gymnasium environment.",
     author="Mansion maintainers",
     maintainer="Mansion maintainers",

@@ -9,7 +9,7 @@ import pytest
 
 from mansion_editing.editor import SceneEditor
 from mansion_msgs_py.codec import encode_bytes
-from mansion_msgs_py.editing import Transaction
+from mansion_msgs_py.editing.changes import Transaction
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.world import ObjectState, Pose2D, RobotState, WorldState
 

@@ -11,7 +11,7 @@ from mansion_editing.editor import SceneEditor
 from mansion_editing.storage import BuildingStore
 from mansion_msgs_py.building_folder import BuildingFolder
 from mansion_msgs_py.codec import decode, encode_bytes
-from mansion_msgs_py.editing import DocumentChange, Transaction
+from mansion_msgs_py.editing.changes import DocumentChange, Transaction
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.scene import FloorScene
 from mansion_msgs_py.world import Pose2D, RobotState, WorldState
@@ -106,7 +106,7 @@ def test_a_writer_that_fails_before_it_begins_leaves_the_old_state(
 
     editor = open_editor()
     monkeypatch.setattr("mansion_editing.storage.write_atomic", full)
-    with pytest.raises(OSError, match="no space"):
+    with pytest.raises(MansionError, match="no space left on device; nothing was changed"):
         editor.call("RenameRoom", RENAME)
     monkeypatch.undo()
     assert _documents(folder) == before and open_editor().store.log() == []

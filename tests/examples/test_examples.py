@@ -154,6 +154,22 @@ def check_edit(lines: list[str], output: Path) -> None:
     assert mug.id not in (output / "clinic" / model).read_text()
 
 
+def check_front_door(lines: list[str], output: Path) -> None:
+    """The figures are the clinic's, the mug stands in the copy alone, and the robot ends in a room upstairs."""
+    clinic, copy = (BuildingFolder(output / name) for name in ("clinic", "front_door"))
+    for entry, scene in zip(clinic.building.floors, clinic.scenes(), strict=True):
+        area = sum(room.area for room in scene.rooms)
+        assert f"floor {entry.floor}: {area:.0f} m2, {entry.rooms} rooms, {entry.objects} objects" in lines
+    chairs = [int(line.partition(": ")[2]) for line in lines if line.startswith("  to sit on")]
+    assert len(chairs) == 2 and chairs[0] > 2
+    old = {item.id for item in clinic.scene(1).objects}
+    (mug,) = [item for item in copy.scene(1).objects if item.id not in old]
+    assert any(line.endswith(mug.id) for line in lines) and "faults: 0" in lines
+    assert (output / "front_door" / "edited.svg").read_text().startswith("<svg")
+    upper = next(room for room in copy.scene(2).rooms if room.kind not in ("stair", "elevator"))
+    assert lines[-1] == f"on floor 2 in {upper.id}"
+
+
 def check_gym_env(lines: list[str], output: Path) -> None:
     """The task in words, a line for each step with the action and its status, and the reward."""
     assert lines[0].endswith(".")
@@ -204,6 +220,7 @@ CHECKS: dict[str, Check] = {
     "drive": check_drive,
     "edit": check_edit,
     "export_nav2": check_export_nav2,
+    "front_door": check_front_door,
     "gym_env": check_gym_env,
     "model_reads": check_model_reads,
     "plan": check_plan,

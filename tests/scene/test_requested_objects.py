@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 import sample_floors as floors
 from mansion_assets.catalogue import load_catalogue
-from mansion_assets.catalogue.kinds import pieces
+from mansion_assets.catalogue.piece_counts import pieces
 from mansion_assets.catalogue.records import Item
 from mansion_geometry.object_footprints import footprint
 from mansion_knowledge.object_kinds import answers

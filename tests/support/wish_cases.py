@@ -1,5 +1,7 @@
 """Wishes of every kind on the hand-made house, each with what becomes of it."""
 
+from typing import Literal
+
 from mansion_msgs_py.wishes import Scope, Wish, WishStatus, WishValue
 from wish_house import wish
 
@@ -25,6 +27,14 @@ def _thing(
     return wish("object", WishValue(name=name, type=category, count=count, exact=exact), scope)
 
 
+def _bound(name: str, count: int, area: float, limit: Literal["most", "least"]) -> WishValue:
+    return WishValue(name=name, type=name, count=count, area=area, limit=limit)
+
+
+def _with(name: str, *words: str) -> WishValue:
+    return WishValue(name=name, type=name, count=1, unheeded=list(words))
+
+
 def _pair(first: str, second: str) -> WishValue:
     return WishValue(name=first, type=first, other=second, other_type=second)
 
@@ -39,6 +49,10 @@ CASES: list[tuple[str, Wish, WishStatus]] = [
     ("whole area", wish("total_area", WishValue(area=170.0)), "met"),
     ("area missed by little", wish("total_area", WishValue(area=190.0)), "partly"),
     ("area missed", wish("total_area", WishValue(area=400.0)), "not_met"),
+    ("area at most that", wish("total_area", WishValue(area=190.0, limit="most")), "met"),
+    ("area at most a little less", wish("total_area", WishValue(area=80.0, limit="most")), "not_met"),
+    ("area at least that", wish("total_area", WishValue(area=150.0, limit="least")), "met"),
+    ("storeys at least that large", wish("floor_area", WishValue(area=90.0, limit="least")), "not_met"),
     ("area of a storey", wish("floor_area", WishValue(area=85.0)), "met"),
     ("large storey", wish("floor_area", WishValue(area=200.0)), "not_met"),
     ("rectangle", wish("outline", WishValue(name="rectangle")), "met"),
@@ -65,10 +79,15 @@ CASES: list[tuple[str, Wish, WishStatus]] = [
     ("by another name", _room("pottery_room", kind="study_room"), "met"),
     ("by its type", _room("den", kind="study_room"), "met"),
     ("large bedrooms", _room("bedroom", 2, 16.5), "met"),
+    ("bedrooms at least that large", wish("room", _bound("bedroom", 2, 12.0, "least")), "met"),
+    ("bedrooms at most that large", wish("room", _bound("bedroom", 2, 12.0, "most")), "partly"),
+    ("soundproof kitchen", wish("room", _with("kitchen", "soundproof")), "partly"),
+    ("red sofa", wish("object", WishValue(name="sofa", type="sofa", count=1, unheeded=["red"])), "partly"),
     ("larger bedrooms", _room("bedroom", 2, 25.0), "partly"),
     ("hallway on each storey", _room("hallway", 1, floors=[1, 2], each=True), "met"),
     ("kitchen on each storey", _room("kitchen", 1, floors=[1, 2], each=True), "partly"),
     ("bedroom with a hallway", _room("hallway", 2, room="bedroom_1", room_type="bedroom"), "met"),
+    ("more hallways than it needs", _room("hallway", 1, room="bedroom_1", room_type="bedroom"), "met"),
     ("bedrooms with a hallway", _room("hallway", 2, room="bedroom", room_type="bedroom"), "partly"),
     ("no gym", wish("no_room", WishValue(name="gym", type="gym", unwanted=True)), "met"),
     ("no kitchen", wish("no_room", WishValue(name="kitchen", type="kitchen", unwanted=True)), "not_met"),

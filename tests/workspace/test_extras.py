@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from mansion_bringup import extras
-from mansion_bringup.extras import EXTRAS, ensure_extra
+from mansion_bringup.extras import EXTRAS, ensure_extra, require_extra
 from mansion_bringup.testing import TEST_EXTRAS, pytest_command, run_tests, test_environment
 from mansion_msgs_py.errors import ErrorCode, MansionError
 
@@ -78,16 +78,30 @@ def test_a_failed_installation_carries_pips_reason_and_is_tried_again(
     assert "no matching distribution" in (prefix / "setup.log").read_text(encoding="utf-8")
 
 
+@pytest.mark.parametrize(
+    ("checkout", "command"), [(True, r"pip install -r requirements/sim\.in"), (False, r"pip install 'mansion\[sim\]'")]
+)
 def test_elsewhere_nothing_is_installed_and_the_error_names_the_command(
-    prefix: Path, pip: list[list[str]], monkeypatch: pytest.MonkeyPatch
+    prefix: Path, pip: list[list[str]], monkeypatch: pytest.MonkeyPatch, checkout: bool, command: str
 ) -> None:
     (prefix / ".mansion-venv").unlink()
+    if checkout:
+        (prefix.parent / "requirements/sim.in").touch()
     monkeypatch.setitem(EXTRAS, "sim", ("json", "no_such_module"))
-    with pytest.raises(MansionError, match=r"pip install -r requirements/sim\.in") as caught:
+    with pytest.raises(MansionError, match=command) as caught:
         ensure_extra("sim")
     assert caught.value.info.details["missing"] == ["no_such_module"]
     monkeypatch.setitem(EXTRAS, "sim", ("json",))
     ensure_extra("sim")
+    assert pip == []
+
+
+def test_a_required_extra_is_never_installed_and_the_error_says_how(
+    prefix: Path, pip: list[list[str]], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(EXTRAS, "sim", ("no_such_module",))
+    with pytest.raises(MansionError, match=r"the extra 'sim'.*mansion_bringup\.extras sim$"):
+        require_extra("sim")
     assert pip == []
 
 

@@ -12,6 +12,8 @@ from typing import Any
 import pytest
 import setuptools
 
+from mansion_msgs_py import __version__
+
 catkin_package = pytest.importorskip("catkin_pkg.package")
 
 NAMES = [
@@ -123,18 +125,13 @@ def test_every_dependency_is_ours_a_ros_package_or_a_rosdep_key(packages: list[P
         assert named <= known, package.name
 
 
-def test_one_version_everywhere(packages: list[Path], monkeypatch: pytest.MonkeyPatch) -> None:
-    versions = set()
+def test_one_version_everywhere(root: Path, packages: list[Path], monkeypatch: pytest.MonkeyPatch) -> None:
     for package in packages:
-        source = (package / package.name / "__init__.py").read_text(encoding="utf-8")
-        found = re.search(r'^__version__ = "(.+)"$', source, re.MULTILINE)
-        assert found, package.name
-        versions |= {
-            found.group(1),
-            catkin_package.parse_package(str(package)).version,
-            setup_arguments(package, monkeypatch)["version"],
-        }
-    assert len(versions) == 1
+        assert catkin_package.parse_package(str(package)).version == __version__, package.name
+        assert setup_arguments(package, monkeypatch)["version"] == __version__, package.name
+    assert f"\nversion: {__version__}\n" in (root / "CITATION.cff").read_text(encoding="utf-8")
+    changelog = (root / "CHANGELOG.md").read_text(encoding="utf-8")
+    assert re.search(rf"(?m)^## {re.escape(__version__)}( |$)", changelog)
 
 
 def test_descriptions_agree(packages: list[Path], monkeypatch: pytest.MonkeyPatch) -> None:

@@ -2,8 +2,8 @@
 
 from dependency_reader.nouns import Nouns, Thing
 from dependency_reader.tree import Tree
+from mansion_planner.brief.building_shape import read_sizes
 from mansion_planner.brief.facts import BriefFacts, RoomFact
-from mansion_planner.brief.wishes import read_sizes
 
 __all__ = ["Building"]
 

@@ -1,30 +1,92 @@
-"""The front door of Mansion: what a script imports to plan, build and read buildings.
+"""The front door of Mansion: buildings from one sentence, and robots in them, in a line of Python each.
 
 >>> import mansion
->>> request = mansion.BuildRequest(description="a small flat for two")
->>> [floor.index for floor in mansion.plan_building(request).program.floors]
-[1]
+>>> plan = mansion.plan("a two-storey house with three bedrooms and a sauna upstairs")
+>>> [floor.label for floor in plan.floors]
+['G', '2']
+>>> [wish.status for wish in plan.wishes.filter(kind="floors")]
+['met']
+
+`build`, `load` and `plan` work in this process; `connect` gives the same names over a running node graph. Everything is
+imported when it is first asked for, and `rclpy` by `connect` alone. What goes wrong is a `MansionError` with a code and
+a message, as the command line prints them.
 """
 
 from typing import TYPE_CHECKING, Any
 
+from mansion_msgs_py import __version__
+
 if TYPE_CHECKING:
+    from mansion.building import Building
+    from mansion.edits import Edit
+    from mansion.graph import Graph, connect
+    from mansion.making import build, load
+    from mansion.parts import Floor, Object, Room
+    from mansion.pictures import FloorPlan
+    from mansion.plans import Plan, plan
+    from mansion.robot import Robot
+    from mansion.selections import Floors, Objects, Rooms, Selection, Wishes
     from mansion_bringup.pipeline.build import BuildResult, build_building
     from mansion_msgs_py.building_folder import BuildingFolder
-    from mansion_msgs_py.errors import MansionError
+    from mansion_msgs_py.errors import ErrorCode, MansionError
     from mansion_msgs_py.request import BuildRequest
     from mansion_planner.plan import plan_building
 
-__all__ = ["BuildRequest", "BuildResult", "BuildingFolder", "MansionError", "build_building", "plan_building"]
+__all__ = [
+    "BuildRequest",
+    "BuildResult",
+    "Building",
+    "BuildingFolder",
+    "Edit",
+    "ErrorCode",
+    "Floor",
+    "FloorPlan",
+    "Floors",
+    "Graph",
+    "MansionError",
+    "Object",
+    "Objects",
+    "Plan",
+    "Robot",
+    "Room",
+    "Rooms",
+    "Selection",
+    "Wishes",
+    "__version__",
+    "build",
+    "build_building",
+    "connect",
+    "load",
+    "plan",
+    "plan_building",
+]
 
-__version__ = "0.1.0"
 
 _HOMES = {
     "BuildRequest": "mansion_msgs_py.request",
     "BuildResult": "mansion_bringup.pipeline.build",
+    "Building": "mansion.building",
     "BuildingFolder": "mansion_msgs_py.building_folder",
+    "Edit": "mansion.edits",
+    "ErrorCode": "mansion_msgs_py.errors",
+    "Floor": "mansion.parts",
+    "FloorPlan": "mansion.pictures",
+    "Floors": "mansion.selections",
+    "Graph": "mansion.graph",
     "MansionError": "mansion_msgs_py.errors",
+    "Object": "mansion.parts",
+    "Objects": "mansion.selections",
+    "Plan": "mansion.plans",
+    "Robot": "mansion.robot",
+    "Room": "mansion.parts",
+    "Rooms": "mansion.selections",
+    "Selection": "mansion.selections",
+    "Wishes": "mansion.selections",
+    "build": "mansion.making",
     "build_building": "mansion_bringup.pipeline.build",
+    "connect": "mansion.graph",
+    "load": "mansion.making",
+    "plan": "mansion.plans",
     "plan_building": "mansion_planner.plan",
 }
 

@@ -1,3 +1,1 @@
 """The catalogue of assets, their meshes made from parametric recipes, and finding them by words."""
-
-__version__ = "0.1.0"

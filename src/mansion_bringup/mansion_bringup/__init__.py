@@ -1,3 +1,5 @@
 """Mansion end to end: Algorithm 1, the building folder, the node graph, the Python client and the command line."""
 
-__version__ = "0.1.0"
+from mansion_msgs_py import __version__
+
+__all__ = ["__version__"]

@@ -18,7 +18,7 @@ from typing import Final
 
 from mansion_msgs_py.errors import ErrorCode, MansionError
 
-__all__ = ["EXTRAS", "ensure_extra", "main"]
+__all__ = ["EXTRAS", "ensure_extra", "main", "require_extra"]
 
 EXTRAS: Final[dict[str, tuple[str, ...]]] = {
     "cluster": ("distributed",),
@@ -58,11 +58,9 @@ def ensure_extra(name: str) -> None:
     MansionError
         ``NOT_FOUND`` if there is no such extra; ``UNAVAILABLE`` if it is missing and cannot be installed here.
     """
-    if name not in EXTRAS:
-        raise MansionError(ErrorCode.NOT_FOUND, f"there is no extra {name!r}; extras are {', '.join(EXTRAS)}")
     prefix = Path(sys.prefix)
-    if not (prefix / ".mansion-venv").exists():
-        _require_modules(name)
+    if name not in EXTRAS or not _is_launchers(prefix):
+        require_extra(name)
         return
     lock = _lock_file(name)
     digest = hashlib.sha256(lock.read_bytes()).hexdigest()
@@ -76,15 +74,38 @@ def ensure_extra(name: str) -> None:
     importlib.invalidate_caches()
 
 
-def _require_modules(name: str) -> None:
+def require_extra(name: str) -> None:
+    """Refuse where an extra is missing; nothing is installed.
+
+    Raises
+    ------
+    MansionError
+        ``NOT_FOUND`` if there is no such extra; ``UNAVAILABLE`` with the command that installs it here.
+    """
+    if name not in EXTRAS:
+        raise MansionError(ErrorCode.NOT_FOUND, f"there is no extra {name!r}; extras are {', '.join(EXTRAS)}")
     missing = [module for module in EXTRAS[name] if importlib.util.find_spec(module) is None]
     if missing:
         raise MansionError(
             ErrorCode.UNAVAILABLE,
             f"this needs the extra {name!r}, which is not installed ({', '.join(missing)}); install it with: "
-            f"python3 -m pip install -r requirements/{name}.in",
+            + _command(name),
             details={"extra": name, "missing": missing},
         )
+
+
+def _command(name: str) -> str:
+    """Return what installs an extra into the environment of this process."""
+    if _is_launchers(Path(sys.prefix)):
+        return f"{sys.executable} -m mansion_bringup.extras {name}"
+    if (_CHECKOUT / "requirements" / f"{name}.in").exists():
+        return f"python3 -m pip install -r requirements/{name}.in"
+    return f"python3 -m pip install 'mansion[{name}]'"
+
+
+def _is_launchers(prefix: Path) -> bool:
+    """Whether ``./mansion`` made the environment."""
+    return (prefix / ".mansion-venv").exists()
 
 
 def _lock_file(name: str) -> Path:

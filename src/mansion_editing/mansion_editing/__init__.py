@@ -1,3 +1,1 @@
 """The task-semantic scene editor: tools over a building's scenes, physics on demand, and the agent that uses them."""
-
-__version__ = "0.1.0"

@@ -1,15 +1,16 @@
 """The editor of one building: tools by name, edits that wait or land at once, undo and redo."""
 
 from collections.abc import Callable, Mapping, Sequence, Set
+from dataclasses import dataclass
 from typing import Any, Final, TypeAlias
 
 import msgspec
 
 from mansion_assets.catalogue import Catalogue
 from mansion_assets.retrieval.retriever import Retriever
-from mansion_editing.change_words import in_words
-from mansion_editing.passages import passages_of
+from mansion_editing.diff_wording import in_words
 from mansion_editing.physics.engine import PhysicsEngine
+from mansion_editing.robot_passages import passages_of
 from mansion_editing.state import Change, SceneState
 from mansion_editing.storage import BuildingStore
 from mansion_editing.tools import (
@@ -25,33 +26,33 @@ from mansion_editing.tools import (
     swapping,
 )
 from mansion_editing.tools.furnishing import Furnisher
-from mansion_editing.waiting import document, room_records, waiting
+from mansion_editing.unsaved_changes import document, room_records, waiting
 from mansion_msgs_py.codec import decode, encode
-from mansion_msgs_py.editing import (
-    CheckPathArgs,
-    CheckSurfaceArgs,
-    ClearRoomArgs,
-    DiffReport,
-    EditResult,
-    FurnishRoomArgs,
-    ListObjectsArgs,
+from mansion_msgs_py.editing.changes import DiffReport, EditResult, ObjectChange, RoomChange, Transaction
+from mansion_msgs_py.editing.objects import (
     MoveObjectArgs,
-    ObjectChange,
     PaintObjectArgs,
     PlaceInContainerArgs,
     PlaceOnSurfaceArgs,
     PlacingWishes,
     RemoveObjectArgs,
-    RenameRoomArgs,
-    ReshapeFloorArgs,
-    RoomChange,
-    SearchAssetsArgs,
-    SearchContentsArgs,
-    SetFinishArgs,
     SetStateArgs,
     SwapObjectsArgs,
-    ToolArgs,
-    Transaction,
+)
+from mansion_msgs_py.editing.open_buildings import ToolArgs
+from mansion_msgs_py.editing.questions import (
+    CheckPathArgs,
+    CheckSurfaceArgs,
+    ListObjectsArgs,
+    SearchAssetsArgs,
+    SearchContentsArgs,
+)
+from mansion_msgs_py.editing.rooms import (
+    ClearRoomArgs,
+    FurnishRoomArgs,
+    RenameRoomArgs,
+    ReshapeFloorArgs,
+    SetFinishArgs,
 )
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.program import RoomProgram
@@ -59,7 +60,16 @@ from mansion_msgs_py.scene import FloorScene, SceneObject
 from mansion_msgs_py.topology import TopologyNode
 from mansion_msgs_py.wording import with_article
 
-__all__ = ["ACTION_TOOLS", "FLOOR_TOOLS", "HISTORY_TOOLS", "PERCEPTION_TOOLS", "ROOM_TOOLS", "TOOLS", "SceneEditor"]
+__all__ = [
+    "ACTION_TOOLS",
+    "FLOOR_TOOLS",
+    "HISTORY_TOOLS",
+    "PERCEPTION_TOOLS",
+    "ROOM_TOOLS",
+    "TOOLS",
+    "Answered",
+    "SceneEditor",
+]
 
 Scenes: TypeAlias = Mapping[int, FloorScene]
 
@@ -100,6 +110,22 @@ _ASK: Final[dict[str, Callable[[SceneState, Any], Any]]] = {
 }
 
 
+@dataclass(frozen=True)
+class Answered:
+    """What a question was about, and the number of edits that had landed then.
+
+    Attributes
+    ----------
+    things, rooms : tuple of str
+        Ids.
+    """
+
+    edits: int
+    things: tuple[str, ...]
+    rooms: tuple[str, ...]
+    noun: str
+
+
 class SceneEditor:
     """Tools over one building.
 
@@ -116,6 +142,11 @@ class SceneEditor:
         What SearchAssets asks; text search when absent.
     furnisher : Furnisher, optional
         The placer, which FurnishRoom asks.
+
+    Attributes
+    ----------
+    answered : Answered, optional
+        What the last question was about.
     """
 
     def __init__(
@@ -135,6 +166,7 @@ class SceneEditor:
         self._what: list[str] = []
         self._marks: list[int] = []
         self._redo: list[tuple[str, list[Change]]] = []
+        self.answered: Answered | None = None
         self.reload()
 
     def reload(self) -> None:

@@ -9,7 +9,7 @@ from typing import TypeVar
 
 import msgspec
 
-from mansion_msgs_py.editing import RoomChange, RoomParts
+from mansion_msgs_py.editing.changes import RoomChange, RoomParts
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.program import BuildingProgram, RoomProgram
 from mansion_msgs_py.scene import Discard, FloorScene, Light, Wall

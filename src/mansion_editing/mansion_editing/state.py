@@ -10,11 +10,11 @@ import numpy.typing as npt
 
 from mansion_assets.catalogue import Asset, Catalogue
 from mansion_assets.retrieval.retriever import Retriever, TextRetriever
-from mansion_editing.documents import floor_of, is_scene
-from mansion_editing.passages import Passages, passages_of
+from mansion_editing.document_copies import floor_of, is_scene
+from mansion_editing.robot_passages import Passages, passages_of
 from mansion_editing.room_parts import scene_with
 from mansion_msgs_py.codec import decode
-from mansion_msgs_py.editing import DocumentChange, ObjectChange, RoomChange
+from mansion_msgs_py.editing.changes import DocumentChange, ObjectChange, RoomChange
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import FloorScene, SceneObject, SceneRoom
 from mansion_scene.decor.frames import room_polygon
@@ -109,6 +109,10 @@ class SceneState:
         self.scenes = {scene.floor: scene for scene in scenes}
         self.pending: list[Change] = []
         self._indexes: dict[int, FloorIndex] = {}
+
+    def copied(self) -> "SceneState":
+        """Return the scenes as they are now, with nothing pending; later edits do not change them."""
+        return SceneState([self.scenes[floor] for floor in self.floors], self.catalogue, self.retriever)
 
     @property
     def floors(self) -> list[int]:

@@ -4,5 +4,3 @@ Every function here is pure: payloads in, bytes, text or a dictionary out. The c
 left-handed y-up, glTF's right-handed y-up) are converted in `mansion_geometry.thor.house_format` and in `glb`.
 The formats are registered in `formats`.
 """
-
-__version__ = "0.1.0"

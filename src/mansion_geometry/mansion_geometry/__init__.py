@@ -1,3 +1,1 @@
 """Plane geometry that planner, scene and skills share: rings, rasters, shared walls, free space, reachability."""
-
-__version__ = "0.1.0"

@@ -20,5 +20,3 @@ __all__ = [
     "uses_of",
     "words_by",
 ]
-
-__version__ = "0.1.0"

@@ -4,5 +4,3 @@ from mansion_language.inflection import is_plural, plural, singular
 from mansion_language.tokens import Token, tokenize
 
 __all__ = ["Token", "is_plural", "plural", "singular", "tokenize"]
-
-__version__ = "0.1.0"

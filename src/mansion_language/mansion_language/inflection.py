@@ -9,7 +9,11 @@ from functools import lru_cache
 __all__ = ["is_plural", "plural", "singular"]
 
 _IRREGULAR = {
-    "men": "man", "women": "woman", "children": "child", "people": "person", "feet": "foot", "geese": "goose",
+    "men": "man", "women": "woman",
+    "gentlemen": "gentleman", "workmen": "workman", "firemen": "fireman",
+    "policemen": "policeman", "craftsmen": "craftsman", "salesmen": "salesman", "fishermen": "fisherman",
+    "businessmen": "businessman", "doormen": "doorman",
+    "children": "child", "people": "person", "feet": "foot", "geese": "goose",
     "mice": "mouse", "teeth": "tooth", "oxen": "ox",
     "knives": "knife", "wives": "wife", "lives": "life", "shelves": "shelf", "bookshelves": "bookshelf",
     "loaves": "loaf", "leaves": "leaf", "halves": "half", "calves": "calf", "wolves": "wolf", "scarves": "scarf",

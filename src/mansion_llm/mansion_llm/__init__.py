@@ -9,4 +9,3 @@ from mansion_llm.prompt import Prompt, quoted_data
 from mansion_llm.settings import PIECES, LlmSettings, load_settings
 
 __all__ = ["PIECES", "Answer", "Fault", "LlmClient", "LlmSettings", "Prompt", "load_settings", "quoted_data"]
-__version__ = "0.1.0"

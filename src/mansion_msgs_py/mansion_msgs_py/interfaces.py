@@ -5,36 +5,35 @@ skill; `mansion_bringup.interfaces` adds them and makes ``docs/interfaces.md`` f
 """
 
 from mansion_msgs_py.building import LoadBuilding
-from mansion_msgs_py.editing import (
-    AgentReport,
+from mansion_msgs_py.editing.changes import DiffReport, EditResult
+from mansion_msgs_py.editing.instructions import AgentReport, InstructArgs, ProvisionArgs
+from mansion_msgs_py.editing.objects import (
+    MoveObjectArgs,
+    PaintObjectArgs,
+    PlaceInContainerArgs,
+    PlaceOnSurfaceArgs,
+    RemoveObjectArgs,
+    SetStateArgs,
+    SwapObjectsArgs,
+)
+from mansion_msgs_py.editing.open_buildings import EditorInfo, OpenEditorArgs, ToolArgs
+from mansion_msgs_py.editing.questions import (
     AssetHits,
     CheckPathArgs,
     CheckSurfaceArgs,
-    ClearRoomArgs,
-    DiffReport,
-    EditorInfo,
-    EditResult,
-    FurnishRoomArgs,
-    InstructArgs,
     ListObjectsArgs,
-    MoveObjectArgs,
     ObjectList,
-    OpenEditorArgs,
-    PaintObjectArgs,
     PathReport,
-    PlaceInContainerArgs,
-    PlaceOnSurfaceArgs,
-    ProvisionArgs,
     ReceptacleReport,
-    RemoveObjectArgs,
-    RenameRoomArgs,
-    ReshapeFloorArgs,
     SearchAssetsArgs,
     SearchContentsArgs,
+)
+from mansion_msgs_py.editing.rooms import (
+    ClearRoomArgs,
+    FurnishRoomArgs,
+    RenameRoomArgs,
+    ReshapeFloorArgs,
     SetFinishArgs,
-    SetStateArgs,
-    SwapObjectsArgs,
-    ToolArgs,
 )
 from mansion_msgs_py.interface_types import (
     CAMERA,

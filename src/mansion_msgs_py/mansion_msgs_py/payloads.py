@@ -7,7 +7,6 @@ import msgspec
 
 from mansion_msgs_py import (
     building,
-    editing,
     errors,
     layout,
     placement,
@@ -20,6 +19,7 @@ from mansion_msgs_py import (
     topology,
     world,
 )
+from mansion_msgs_py.editing import changes, instructions, objects, open_buildings, questions, rooms
 
 __all__ = ["PAYLOADS"]
 
@@ -35,7 +35,12 @@ _MODULES: tuple[ModuleType, ...] = (
     skills,
     world,
     task,
-    editing,
+    open_buildings,
+    questions,
+    objects,
+    rooms,
+    changes,
+    instructions,
     errors,
 )
 

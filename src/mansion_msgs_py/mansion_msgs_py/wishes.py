@@ -58,6 +58,10 @@ class WishValue(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True):
         The area is that of a unit: of the room with all that are reached through it alone.
     exact : bool
         No more furniture than `count` is to be called by the same noun in the room.
+    unheeded : list of str
+        Words that say how it is to be ("soundproof"), and that nothing is made of.
+    limit : {"", "most", "least"}
+        The area is a bound: no more, or no less, is wanted.
     """
 
     name: str = ""
@@ -70,6 +74,8 @@ class WishValue(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True):
     unwanted: bool = False
     whole: bool = False
     exact: bool = False
+    unheeded: list[str] = []
+    limit: Literal["", "most", "least"] = ""
 
 
 class Scope(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True):

@@ -3,5 +3,3 @@
 Every stage is a pure function from payload to payload that is handed its random generator; `nodes` holds the thin
 ROS 2 nodes around them.
 """
-
-__version__ = "0.1.0"

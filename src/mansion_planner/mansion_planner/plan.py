@@ -3,20 +3,24 @@
 Lines 1 to 7 of Algorithm 1 (section C.1): by rules, or with a language model where the request says so.
 """
 
+from collections.abc import Callable
+
 from mansion_geometry.randomness import item_generator
 from mansion_knowledge import KnowledgeBase, default_knowledge
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.request import BuildRequest, building_id_of
 from mansion_msgs_py.stages import PlanReply
 from mansion_planner.brief import read_brief
-from mansion_planner.brief_checks import check_length, check_there, check_understood
+from mansion_planner.brief_checks import check_length, check_size, check_there, check_understood
 from mansion_planner.program.building import plan_program
 from mansion_planner.topology import fallback_problem, floor_problem, floor_topology
 
 __all__ = ["plan_building"]
 
 
-def plan_building(request: BuildRequest, *, knowledge: KnowledgeBase | None = None) -> PlanReply:
+def plan_building(
+    request: BuildRequest, *, knowledge: KnowledgeBase | None = None, cancelled: Callable[[], bool] = lambda: False
+) -> PlanReply:
     """Plan a building from its brief.
 
     Parameters
@@ -24,6 +28,8 @@ def plan_building(request: BuildRequest, *, knowledge: KnowledgeBase | None = No
     request : BuildRequest
     knowledge : KnowledgeBase, optional
         The shipped one when absent.
+    cancelled : callable
+        Asked between the steps of a long reading whether the plan is not wanted any more.
 
     Returns
     -------
@@ -36,7 +42,7 @@ def plan_building(request: BuildRequest, *, knowledge: KnowledgeBase | None = No
         ``CONTRADICTION`` for statements that exclude each other (``details`` names both), ``INFEASIBLE`` for what no
         building can meet, ``INVALID_PAYLOAD`` for an empty brief
         or a footprint that is no polygon, ``UNAVAILABLE`` when the request
-        wants a language model and none is configured.
+        wants a language model and none is configured, ``CANCELED``.
 
     Examples
     --------
@@ -56,9 +62,10 @@ def plan_building(request: BuildRequest, *, knowledge: KnowledgeBase | None = No
         return plan_with_model(request, base, building_id)
     check_length(request.description)
     try:
-        facts = read_brief(request.description, base)
+        facts = read_brief(request.description, base, cancelled=cancelled)
         check_understood(facts, request.description)
         planned = plan_program(request, facts, base, building_id, item_generator(request.seed, "program"))
+        check_size(planned.program)
     except MansionError as error:
         raise error.at_stage("program") from None
     topologies = [floor_topology(planned, storey, base) for storey in planned.storeys]

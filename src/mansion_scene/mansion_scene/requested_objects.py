@@ -8,8 +8,8 @@ import msgspec
 from shapely import MultiPolygon, Polygon, union_all
 
 from mansion_assets.catalogue import Asset, Catalogue, HangRequest, RoomFurnishing, RugRequest
-from mansion_assets.catalogue.kinds import pieces
-from mansion_assets.catalogue.requested import is_rug
+from mansion_assets.catalogue.piece_counts import pieces
+from mansion_assets.catalogue.requested_furniture import is_rug
 from mansion_geometry.object_footprints import footprint
 from mansion_geometry.randomness import item_generator
 from mansion_geometry.robot_body import BODY_RADIUS, ROBOT_RADIUS, ROBOT_REACH

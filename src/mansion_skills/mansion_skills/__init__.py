@@ -11,8 +11,6 @@ if TYPE_CHECKING:
 
 __all__ = ["Robot"]
 
-__version__ = "0.1.0"
-
 
 def __getattr__(name: str) -> Any:
     """Import `Robot` when it is asked for: it brings compiled kernels with it."""

@@ -1,3 +1,1 @@
 """Tasks for a robot: goals, agents that do them, episodes that are judged, and the Gymnasium environment."""
-
-__version__ = "0.1.0"

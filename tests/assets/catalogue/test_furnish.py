@@ -7,7 +7,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from mansion_assets.catalogue import furnish_request, load_catalogue
-from mansion_assets.catalogue.kinds import pieces
+from mansion_assets.catalogue.piece_counts import pieces
 from mansion_msgs_py.codec import encode
 from mansion_msgs_py.placement import MatrixStructure, PairedStructure
 from mansion_msgs_py.program import RequestedObject

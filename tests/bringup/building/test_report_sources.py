@@ -4,7 +4,7 @@ import msgspec
 import pytest
 
 from mansion_bringup.building.report import building_report
-from mansion_bringup.cli.build import prepare_planner
+from mansion_bringup.pipeline.planning import prepare_planner
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.usage import LlmUsage

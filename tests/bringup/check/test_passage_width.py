@@ -11,7 +11,7 @@ from mansion_bringup.check.reach import check_reach
 from mansion_editing.state import SceneState
 from mansion_editing.tools.paths import check_path
 from mansion_geometry.robot_body import ROBOT_RADIUS
-from mansion_msgs_py.editing import CheckPathArgs
+from mansion_msgs_py.editing.questions import CheckPathArgs
 from mansion_msgs_py.scene import Door, FloorScene
 from mansion_skills.navigation.floor_map import Body, FloorMap
 from sample_building import scene, thing

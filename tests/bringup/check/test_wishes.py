@@ -12,8 +12,8 @@ import pytest
 from mansion_bringup.building.receipt import receipt
 from mansion_bringup.check.measures import outline_forms
 from mansion_bringup.check.wishes import check_wishes
-from mansion_bringup.cli.edit import open_editor
 from mansion_bringup.edit_hooks import records
+from mansion_bringup.editor import open_editor
 from mansion_bringup.pipeline.build import build_building
 from mansion_bringup.verify import verify_building
 from mansion_msgs_py.building import Building, BuildingReport

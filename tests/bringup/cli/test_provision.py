@@ -6,8 +6,8 @@ import msgspec
 import pytest
 
 from mansion_assets.catalogue import load_catalogue
-from mansion_bringup.cli.edit import open_editor
-from mansion_editing.agent.instruct import provision
+from mansion_bringup.editor import open_editor
+from mansion_editing.provisioning.provision import provision
 from mansion_msgs_py.codec import decode, encode_bytes
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.scene import FloorScene

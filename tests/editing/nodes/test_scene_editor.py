@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from mansion_msgs_py.editing import OpenEditorArgs
+from mansion_msgs_py.editing.open_buildings import OpenEditorArgs
 
 rclpy = pytest.importorskip("rclpy")
 pytestmark = pytest.mark.graph

@@ -19,7 +19,7 @@ from mansion_editing.tools.perception import contents, on_top
 from mansion_editing.tools.placement import place_in_container, place_on_surface
 from mansion_export.thor import validate_house
 from mansion_geometry.thor.controller import start_controller
-from mansion_msgs_py.editing import PlaceInContainerArgs, PlaceOnSurfaceArgs
+from mansion_msgs_py.editing.objects import PlaceInContainerArgs, PlaceOnSurfaceArgs
 from mansion_msgs_py.errors import MansionError
 from thor_simulator import ThorSimulator
 

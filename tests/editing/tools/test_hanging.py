@@ -12,7 +12,7 @@ from mansion_editing.tools.manipulation import move_object
 from mansion_editing.tools.placement import place_on_surface
 from mansion_editing.tools.relations import relation_holds
 from mansion_geometry.object_footprints import footprint
-from mansion_msgs_py.editing import MoveObjectArgs, PlaceOnSurfaceArgs
+from mansion_msgs_py.editing.objects import MoveObjectArgs, PlaceOnSurfaceArgs
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.scene import SceneObject, Window
 from mansion_scene.decor.frames import wall_edges

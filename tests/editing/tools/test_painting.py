@@ -4,7 +4,7 @@ import pytest
 
 from mansion_editing.state import SceneState
 from mansion_editing.tools.painting import paint_object
-from mansion_msgs_py.editing import PaintObjectArgs
+from mansion_msgs_py.editing.objects import PaintObjectArgs
 from mansion_msgs_py.errors import ErrorCode, MansionError
 
 SOFA = "F1/hall/sofa_1"

@@ -6,7 +6,7 @@ import pytest
 from mansion_editing.state import SceneState
 from mansion_editing.tools.paths import blocked_doors, check_path
 from mansion_editing.tools.perception import check_surface, list_objects, search_assets, search_contents
-from mansion_msgs_py.editing import (
+from mansion_msgs_py.editing.questions import (
     CheckPathArgs,
     CheckSurfaceArgs,
     ListObjectsArgs,

@@ -10,7 +10,7 @@ from mansion_editing.physics.engine import PhysicsEngine, PosedBox, SettleProble
 from mansion_editing.state import SceneState
 from mansion_editing.tools.perception import contents, on_top
 from mansion_editing.tools.placement import place_in_container, place_on_surface
-from mansion_msgs_py.editing import PlaceInContainerArgs, PlaceOnSurfaceArgs
+from mansion_msgs_py.editing.objects import PlaceInContainerArgs, PlaceOnSurfaceArgs
 from mansion_msgs_py.errors import MansionError
 
 FLOOR = PosedBox((0.0, 0.0, -0.05), (1.0, 1.0, 0.1))

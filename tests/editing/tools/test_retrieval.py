@@ -21,7 +21,7 @@ from mansion_assets.retrieval.encoders import FolderEncoder
 from mansion_assets.retrieval.retriever import TextRetriever
 from mansion_editing.state import SceneState
 from mansion_editing.tools.perception import search_assets
-from mansion_msgs_py.editing import SearchAssetsArgs
+from mansion_msgs_py.editing.questions import SearchAssetsArgs
 from mansion_msgs_py.errors import MansionError
 
 SIZE = 64

@@ -13,7 +13,7 @@ from typing import Final
 from mansion_assets.catalogue.catalogue import Catalogue
 from mansion_assets.catalogue.descriptions import description_of, hypernyms, hypernyms_of, words_alike
 from mansion_assets.catalogue.query_words import QueryWord, plain_words, query_words, stem
-from mansion_knowledge.words import common_words
+from mansion_knowledge.common_words import common_words
 
 __all__ = ["WordIndex", "word_index"]
 

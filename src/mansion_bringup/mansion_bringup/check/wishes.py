@@ -15,6 +15,7 @@ from shapely import Polygon
 
 from mansion_bringup.check.fault import Fault
 from mansion_bringup.check.measures import outline_forms, shared_wall
+from mansion_knowledge.essentials import needs_of
 from mansion_knowledge.object_kinds import answers, seats_of_row
 from mansion_msgs_py.building import Building
 from mansion_msgs_py.layout import FloorLayout
@@ -83,9 +84,13 @@ class _Finished:
         """Return the rooms of some floors, or of all, each with its floor."""
         return [(scene.floor, room) for scene in self.scenes if _on(scene.floor, floors) for room in scene.rooms]
 
+    def on(self, floor: int) -> FloorScene:
+        """Return the scene of a storey."""
+        return next(scene for scene in self.scenes if scene.floor == floor)
+
     def suite(self, floor: int, owner: SceneRoom) -> list[SceneRoom]:
         """Return a room of a floor with the rooms that nobody enters without passing through it."""
-        scene = next(scene for scene in self.scenes if scene.floor == floor)
+        scene = self.on(floor)
         beside: dict[str, list[str]] = defaultdict(list)
         for door in scene.doors:
             first, second = door.rooms
@@ -188,7 +193,9 @@ def _status(wish: Wish, finished: _Finished) -> Iterator[Fault]:
 
 
 def _taken_for(wish: Wish, finished: _Finished) -> str:
-    """Say that something known stands for what is not: such a wish is met in part at best."""
+    """Say that something known stands for what is not, or which words are not heeded: it is met in part at best."""
+    if wish.value.unheeded:
+        return f"it is not {' and '.join(wish.value.unheeded)}"
     stands_in = any(entry.id == wish.id and entry.reason for entry in finished.ledger)
     return "something else stands for it" if stands_in and wish.kind in ("room", "building_type") else ""
 
@@ -211,16 +218,26 @@ def _basements(wish: Wish, finished: _Finished) -> str:
 
 def _total_area(wish: Wish, finished: _Finished) -> str:
     totals = [sum(_gross(scene) for scene in scenes) for scenes in (finished.above, finished.scenes)]
-    return "" if any(_near(total, wish.value.area) for total in totals) else f"it has {totals[1]:.1f} m2"
+    return "" if any(_fits(total, wish.value) for total in totals) else f"it has {totals[1]:.1f} m2"
 
 
 def _floor_area(wish: Wish, finished: _Finished) -> str:
     area = median_high([_gross(scene) for scene in finished.above or finished.scenes])
-    return "" if _near(area, wish.value.area) else f"a storey has {area:.1f} m2"
+    return "" if _fits(area, wish.value) else f"a storey has {area:.1f} m2"
 
 
 def _gross(scene: FloorScene) -> float:
     return float(Polygon(scene.outline, scene.holes).area)
+
+
+def _fits(area: float, value: WishValue) -> bool:
+    """Whether the area of a building or storey is near the one that is wanted, or keeps to it where it is a bound."""
+    return _keeps(area, value) if value.limit else _near(area, value.area)
+
+
+def _keeps(area: float, value: WishValue) -> bool:
+    share = area / (value.area or 1.0)
+    return share <= 1.01 if value.limit == "most" else share >= 0.99
 
 
 def _near(area: float, wanted: float | None) -> bool:
@@ -265,6 +282,8 @@ def _room(wish: Wish, finished: _Finished) -> str:
         return _inside(wish, finished)
     rooms = finished.meant(value.name, value.type, floors)
     rooms = [entry for entry in rooms if entry[1].id not in finished.owned] or rooms
+    names = {entry.value.name for entry in finished.ledger if entry.kind == "room"} - {value.name}
+    rooms = [entry for entry in rooms if names.isdisjoint(_written(entry[1].id))] or rooms
     if not rooms:
         return "there is no such room where it is wanted"
     alike = [
@@ -283,21 +302,47 @@ def _room(wish: Wish, finished: _Finished) -> str:
         numbers = [count for count in alike if count is not None]
         if len(numbers) < len(alike) and len(rooms) < 2:
             return "there is one"
-        if len(numbers) == len(alike) and len(rooms) != sum(numbers):
+        missing = sum(numbers) - len(rooms)
+        if len(numbers) == len(alike) and (missing > 0 or (missing < 0 and not wish.scope.room)):
             return f"there are {len(rooms)}"
     if wish.scope.room:
         for owner_floor, owner in finished.meant(wish.scope.room, wish.scope.room_type, floors):
             if not any(owner_floor == floor and _side_by_side(owner, room) for floor, room in rooms):
                 return f"{owner.id} has none of its own"
     if value.area is None:
-        return ""
+        return _idle(finished, rooms)
     wanted = value.area
     areas = [
         sum(part.area for part in finished.suite(floor, room)) if value.whole else room.area for floor, room in rooms
     ]
-    fitting = sum(_as_large(area, wanted) for area in areas)
+    fitting = sum(_keeps(area, value) if value.limit else _as_large(area, wanted) for area in areas)
     needed = (value.count or 1) * (len(floors) if wish.scope.each and floors else 1) if len(alike) > 1 else len(rooms)
-    return "" if fitting >= min(needed, len(rooms)) else f"{fitting} of {len(rooms)} have that area"
+    if fitting < min(needed, len(rooms)):
+        return f"{fitting} of {len(rooms)} have that area"
+    return _idle(finished, rooms)
+
+
+def _idle(finished: _Finished, rooms: Sequence[tuple[int, SceneRoom]]) -> str:
+    """Say which of some rooms nobody can use for what it is: too little stands in it of what the use needs."""
+    for floor, room in rooms:
+        objects = [thing for thing in finished.on(floor).objects if thing.room == room.id]
+        refused = [
+            entry.value.type
+            for entry in finished.ledger
+            if entry.kind == "no_object" and entry.value.type and _covers(entry, finished, floor, room)
+        ]
+        for need in needs_of(room.room_type, (room.name, *room.aliases)):
+            if all(any(answers(kind, thing.categories[0]) for kind in refused) for thing in need.things):
+                continue
+            if sum(need.pieces(thing.category, thing.size[0]) for thing in objects) < need.count:
+                return f"{room.id} cannot be used without {need.count} x {need.name}"
+    return ""
+
+
+def _written(room_id: str) -> tuple[str, str]:
+    """Return the name that a room's id was made from, with and without a number at its end."""
+    name = room_id.partition("/")[2]
+    return name, re.sub(r"_\d+$", "", name)
 
 
 def _inside(wish: Wish, finished: _Finished) -> str:
@@ -320,7 +365,18 @@ def _inside(wish: Wish, finished: _Finished) -> str:
         needed = len(rooms) if len(alike) == 1 else min(value.count or 1, len(rooms))
         if value.area is not None and sum(_as_large(room.area, value.area) for room in rooms) < needed:
             return f"{unit.id} has them of another area"
+        idle = _idle(finished, [(floor, room) for room in rooms])
+        if idle:
+            return idle
     return "" if units else "there is no such unit"
+
+
+def _covers(entry: Wish, finished: _Finished, floor: int, room: SceneRoom) -> bool:
+    """Whether a wish of objects is about a room."""
+    scope = entry.scope
+    if not scope.room:
+        return _on(floor, scope.floors)
+    return any(other.id == room.id for _, other in finished.meant(scope.room, scope.room_type, scope.floors))
 
 
 def _as_large(area: float, wanted: float) -> bool:

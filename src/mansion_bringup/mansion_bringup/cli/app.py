@@ -1,7 +1,10 @@
 """All commands in one place; each lives in the module of its kind."""
 
+from typing import Annotated
+
 import typer
 
+from mansion_bringup.about import about
 from mansion_bringup.cli import bench, build, edit, export, graph, look, plan, quality, schema, skill, solve, task
 
 __all__ = ["app"]
@@ -15,6 +18,24 @@ app = typer.Typer(
     rich_markup_mode="rich",
     context_settings={"help_option_names": ["-h", "--help"]},
 )
+
+
+def _print_version(wanted: bool) -> None:
+    if wanted:
+        for name, value in about().items():
+            typer.echo(f"{name} {value}" if name == "mansion" else f"  {name:<11} {value}")
+        raise typer.Exit
+
+
+@app.callback()
+def common(
+    version: Annotated[
+        bool,
+        typer.Option("--version", "-V", callback=_print_version, is_eager=True, help="Say what is running, and end."),
+    ] = False,
+) -> None:
+    """Take what every command has in common; the help of the whole is the text of `app`."""
+
 
 for module in (build, bench, plan, edit, export, graph, solve, schema, quality, skill, look, task):
     module.register(app)

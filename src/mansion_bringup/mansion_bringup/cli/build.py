@@ -11,7 +11,7 @@ from mansion_bringup.cli.receipt_table import print_receipt, refuse_unmet
 from mansion_bringup.cli.text_argument import TextCommand
 from mansion_msgs_py.building import Building, BuildingReport
 from mansion_msgs_py.building_folder import is_building_folder
-from mansion_msgs_py.codec import decode
+from mansion_msgs_py.codec import convert, decode
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import read_bytes
 from mansion_msgs_py.request import BuildRequest, Footprint
@@ -20,7 +20,7 @@ from mansion_msgs_py.wording import counted
 if TYPE_CHECKING:
     from mansion_bringup.pipeline.build import BuildResult
 
-__all__ = ["planner_name", "prepare_planner", "read_footprint", "register", "request_from_options"]
+__all__ = ["planner_name", "read_footprint", "register", "request_from_options"]
 
 
 def register(app: typer.Typer) -> None:
@@ -47,9 +47,7 @@ def request_from_options(
         "seed": seed,
         "planner": planner,
     }
-    from mansion_msgs_py.codec import encode
-
-    return decode(BuildRequest, encode(fields))
+    return convert(BuildRequest, fields)
 
 
 def read_footprint(path: Path) -> Footprint:
@@ -113,21 +111,31 @@ def build(
     _print_summary(result)
     if strict:
         refuse_unmet(result.building.wishes)
+    _refuse_faults(result)
+
+
+def _refuse_faults(result: "BuildResult") -> None:
+    """Name the faults of a building that does not pass the check, and end with status 1."""
+    faults = result.report.faults
+    for fault in faults:
+        err.print(fault, markup=False, highlight=False)
+    if faults:
+        err.print(f"{result.path} does not pass `mansion check`: {counted(len(faults), 'fault')}", highlight=False)
+        raise typer.Exit(1)
 
 
 def _refuse_unmet_plan(request: BuildRequest) -> None:
     """Plan first, so that a brief whose wishes no plan meets is refused before anything is built."""
     from mansion_bringup.building.receipt import receipt_of_plan
-    from mansion_bringup.pipeline.stages import LocalStages
-    from mansion_msgs_py.request import identified
+    from mansion_bringup.pipeline.planning import plan_request
 
-    prepare_planner(request)
-    reply = LocalStages().plan(identified(request))
+    reply = plan_request(request)
     refuse_unmet(receipt_of_plan(reply.program, reply.topologies))
 
 
 def _in_processes(request: BuildRequest, output: Path, jobs: int, *, force: bool) -> "BuildResult":
     from mansion_bringup.pipeline.build import build_building
+    from mansion_bringup.pipeline.planning import prepare_planner
 
     prepare_planner(request)
     workers = jobs or min(os.cpu_count() or 1, 8)
@@ -142,25 +150,6 @@ def planner_name(name: str) -> Literal["rules", "llm"]:
     if name == "llm":
         return "llm"
     raise MansionError(ErrorCode.INVALID_PAYLOAD, f"unknown planner {name!r}; use rules or llm", path="$.planner")
-
-
-def prepare_planner(request: BuildRequest) -> None:
-    """See that the planner of a request can work in this process, before anything is begun.
-
-    Raises
-    ------
-    MansionError
-        ``UNAVAILABLE`` when no language model is configured, or its package is missing and cannot be installed.
-    """
-    if request.planner != "llm":
-        return
-    from mansion_bringup.extras import ensure_extra
-    from mansion_llm import load_settings
-
-    settings = load_settings()
-    settings.require_endpoint()
-    if settings.replay is None:
-        ensure_extra("llm")
 
 
 def _through_graph(request: BuildRequest, output: Path, timeout: float, *, force: bool) -> "BuildResult":

@@ -1,8 +1,5 @@
 """``mansion edit``: the scene editor's tools and its agent, on a building's folder."""
 
-import getpass
-import os
-from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -11,20 +8,17 @@ import typer
 from mansion_bringup.cli.console import err, print_json
 from mansion_bringup.cli.text_argument import TextCommand
 from mansion_bringup.extras import ensure_extra
-from mansion_msgs_py.editing import AgentReport
+from mansion_msgs_py.editing.instructions import AgentReport
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.task import read_tasks
 
 if TYPE_CHECKING:
     from mansion_editing.editor import SceneEditor
 
-__all__ = ["open_editor", "register"]
+__all__ = ["register"]
 
 _WRITES = ("PlaceInContainer", "PlaceOnSurface", "MoveObject")
 """Tools that may need physics."""
-
-_EXTRAS = {"mujoco": "sim", "thor": "thor"}
-"""What an engine needs."""
 
 
 def register(app: typer.Typer) -> None:
@@ -42,6 +36,7 @@ def edit(
     physics: Annotated[str, typer.Option(help="What settles objects: mujoco, static or thor.")] = "mujoco",
     who: Annotated[str, typer.Option(help="Name for the log; yours when absent.")] = "",
     dry_run: Annotated[bool, typer.Option("--dry-run", help="Show it, change nothing.")] = False,
+    partly: Annotated[bool, typer.Option("--partly", help="Do what is understood and possible of it.")] = False,
     as_json: Annotated[bool, typer.Option("--json", help="The agent's report as JSON.")] = False,
 ) -> None:
     """Change what stands in a building, or ask about it; every change is checked before it lands, and can be undone.
@@ -58,6 +53,7 @@ def edit(
 
       mansion edit out/office --task tasks.json --id deliver_3
     """
+    from mansion_bringup.editor import open_editor, write_derived
     from mansion_editing.editor import TOOLS
 
     if (task is None) == (not what):
@@ -73,73 +69,28 @@ def edit(
     elif task is not None:
         reports = _provision(editor, task, task_id)
     else:
-        reports = [_instruct(editor, what, planner)]
+        reports = [_instruct(editor, what, planner, partly=partly)]
     for report in reports:
         print_json(report) if as_json else _show(report)
-    if not dry_run:
-        refresh(editor)
+    if not dry_run and (floors := write_derived(editor)):
+        names = ", ".join(map(str, floors))
+        err.print(f"wrote the files of floor {names} anew", highlight=False)
     if not all(report.done for report in reports):
         raise typer.Exit(1)
 
 
-def open_editor(building: Path, *, physics: str = "mujoco", who: str = "") -> "SceneEditor":
-    """Return an editor of a folder, with the independent check before each edit.
-
-    Raises
-    ------
-    MansionError
-        ``NOT_FOUND`` for no building or no such engine, ``UNAVAILABLE`` when the engine is not installed.
-    """
-    from mansion_assets.catalogue import load_catalogue
-    from mansion_assets.retrieval.configured import configured_retriever
-    from mansion_assets.retrieval.static_vectors import PACKAGED
-    from mansion_bringup.edit_hooks import new_faults, records
-    from mansion_editing.editor import SceneEditor
-    from mansion_editing.physics.engine import engine_named
-    from mansion_editing.storage import BuildingStore
-    from mansion_scene.refurnishing import furnish_room
-
-    if physics in _EXTRAS:
-        ensure_extra(_EXTRAS[physics])
-    if os.environ.get("MANSION_EMBEDDINGS_MODEL") == PACKAGED and not os.environ.get("MANSION_EMBEDDINGS_BASE_URL"):
-        ensure_extra("vectors")
-    store = BuildingStore(building, validator=new_faults, records=records, clock=_now)
-    return SceneEditor(
-        store,
-        load_catalogue(),
-        engine_named(physics),
-        who=who or getpass.getuser(),
-        retriever=configured_retriever(),
-        furnisher=furnish_room,
-    )
-
-
-def _now() -> str:
-    return datetime.now(UTC).isoformat(timespec="seconds")
-
-
-def _instruct(editor: "SceneEditor", instruction: str, planner: str) -> AgentReport:
-    from mansion_editing.agent.instruct import instruct
+def _instruct(editor: "SceneEditor", instruction: str, planner: str, *, partly: bool) -> AgentReport:
+    from mansion_editing.instructions.instruct import instruct
 
     if planner == "llm":
         ensure_extra("llm")
-    return instruct(editor, instruction, planner)
+    return instruct(editor, instruction, planner, partly=partly)
 
 
 def _provision(editor: "SceneEditor", file: Path, task_id: str) -> list[AgentReport]:
-    from mansion_editing.agent.instruct import provision
+    from mansion_editing.provisioning.provision import provision
 
     return [provision(editor, task) for task in read_tasks(file, task_id)]
-
-
-def refresh(editor: "SceneEditor") -> None:
-    """Write anew what is made from the floors that changed."""
-    from mansion_bringup.edit_hooks import building_files, floor_files
-
-    floors = editor.store.refresh(floor_files, building_files)
-    if floors:
-        names = ", ".join(map(str, floors))
-        err.print(f"wrote the files of floor {names} anew", highlight=False)
 
 
 def _show(report: AgentReport) -> None:

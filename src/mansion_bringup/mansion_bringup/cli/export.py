@@ -7,11 +7,9 @@ from typing import Annotated
 import typer
 
 from mansion_bringup.cli.console import check_output_file, check_output_folder, err
-from mansion_bringup.extras import ensure_extra
+from mansion_bringup.exporting import PAGE, format_named, write_export, write_page
 from mansion_export.formats import export_formats
-from mansion_msgs_py.building_folder import BuildingFolder
-from mansion_msgs_py.errors import ErrorCode, MansionError
-from mansion_msgs_py.files import write_atomic
+from mansion_msgs_py.building_folder import check_building_folder
 from mansion_msgs_py.wording import counted
 
 __all__ = ["register"]
@@ -38,21 +36,15 @@ def export(
 
       mansion export out/office --to sdf -o gazebo/office
     """
-    formats = export_formats()
-    if to not in formats:
-        known = ", ".join(formats)
-        raise MansionError(ErrorCode.NOT_FOUND, f"no format {to!r}; use one of {known}", path="$.to")
-    read, target = BuildingFolder(building), output or building
+    chosen, target = format_named(to), output or building
+    check_building_folder(building)
     check_output_folder(target)
-    if extra := formats[to].extra:
-        ensure_extra(extra)
-    files = formats[to].make(read.scenes())
-    for name, data in files.items():
-        write_atomic(target / name, data)
-    size = sum(len(data) for data in files.values()) / 1e6
+    files = write_export(building, chosen, output)
+    size = sum(file.stat().st_size for file in files) / 1e6
     err.print(f"wrote {counted(len(files), 'file')}, {size:.1f} MB, to {target}", highlight=False)
-    for name in [name for name in files if not name.startswith("meshes/")]:
-        typer.echo(str(target / name))
+    for file in files:
+        if file.relative_to(target).parts[0] != "meshes":
+            typer.echo(str(file))
 
 
 def view(
@@ -68,12 +60,9 @@ def view(
 
       mansion view out/office --open
     """
-    from mansion_export.html import view_page
-
-    page = output or building / "view.html"
-    scenes = BuildingFolder(building).scenes()
-    check_output_file(page)
-    write_atomic(page, view_page(scenes).encode())
+    check_building_folder(building)
+    check_output_file(output or building / PAGE)
+    page = write_page(building, output)
     typer.echo(str(page))
     if show:
         webbrowser.open(page.absolute().as_uri())

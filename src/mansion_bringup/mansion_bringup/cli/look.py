@@ -7,16 +7,10 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from mansion_bringup.cli.console import check_output_file, out
-from mansion_msgs_py.errors import ErrorCode, MansionError
-from mansion_msgs_py.wording import choices
-from mansion_msgs_py.world import Pose2D
 
 if TYPE_CHECKING:
     from mansion_skills import Robot
     from mansion_skills.vision import Camera
-    from mansion_skills.world.floor_view import Landmark
-    from mansion_skills.world.robot_body import RobotBody
-    from mansion_skills.world.world import World
 
 __all__ = ["register"]
 
@@ -67,47 +61,15 @@ def look(
     ensure_extra("sim")
     from mansion_skills import Robot
     from mansion_skills.vision import Camera
+    from mansion_skills.vision.viewpoint import stand_at
 
     robot = Robot(building, session)
-    _stand(robot, room, floor, turn)
+    stand_at(robot.engine.session(robot.session), room, floor, turn)
     with Camera(robot, width, height, fov) as camera:
         pictures = _pictures(robot, camera, what, room, floor, per_page)
     for number, picture in enumerate(pictures, start=1):
         path = output if len(pictures) == 1 else output.with_stem(f"{output.stem}_{number}")
         _save(picture, path)
-
-
-def _stand(robot: "Robot", room: str, floor: int | None, turn: float) -> None:
-    """Put the robot of this process where the picture is taken from; its session's state stays as it is."""
-    session = robot.engine.session(robot.session)
-    world, body = session.world, session.robot
-    floors = [body.floor, *(f for f in world.building.floors if f != body.floor)]
-    if floor is not None:
-        if floor not in floors:
-            known = ", ".join(map(str, world.building.floors))
-            raise MansionError(ErrorCode.NOT_FOUND, f"there is no floor {floor}; floors: {known}")
-        floors = [floor]
-    if room or floor not in (None, body.floor):
-        found = _place(world, body, room, floors)
-        body.floor, body.pose = found.floor, found.pose
-    pose = body.pose
-    body.pose = Pose2D(x=pose.x, y=pose.y, yaw=(pose.yaw + turn) % 360.0)
-
-
-def _place(world: "World", body: "RobotBody", room: str, floors: list[int]) -> "Landmark":
-    """Return the landmark of that name on the first floor that has one; without a name, the first floor's first."""
-    from mansion_skills.world.floor_view import landmark_named
-
-    if not room:
-        return world.view(floors[0]).landmarks[0]
-    for floor in floors:
-        found = landmark_named(room, world.view(floor).landmarks, floor, body.place)
-        if found is not None:
-            return found
-    known = [mark.name for floor in floors for mark in world.view(floor).landmarks]
-    near = choices(room, known, "rooms, stairs and lifts")
-    where = f"on floor {floors[0]}" if len(floors) == 1 else "in the building"
-    raise MansionError(ErrorCode.NOT_FOUND, f"there is no {room!r} {where}; {near}")
 
 
 def _pictures(

@@ -6,11 +6,10 @@ from typing import Annotated
 import msgspec
 import typer
 
-from mansion_bringup.cli.build import planner_name, prepare_planner, request_from_options
+from mansion_bringup.cli.build import planner_name, request_from_options
 from mansion_bringup.cli.console import out, print_json
 from mansion_bringup.cli.text_argument import TextCommand
 from mansion_msgs_py.program import BuildingProgram, FloorProgram
-from mansion_msgs_py.request import identified
 from mansion_msgs_py.stages import PlanReply
 
 __all__ = ["register"]
@@ -44,11 +43,10 @@ def plan(
     """
     from mansion_bringup.building.receipt import receipt_of_plan
     from mansion_bringup.cli.receipt_table import print_receipt, refuse_unmet
-    from mansion_bringup.pipeline.stages import LocalStages
+    from mansion_bringup.pipeline.planning import plan_request
 
     request = request_from_options(description, floors, area, floor_area, footprint, seed, planner_name(planner))
-    prepare_planner(request)
-    reply = LocalStages().plan(identified(request))
+    reply = plan_request(request)
     wishes = receipt_of_plan(reply.program, reply.topologies)
     if strict:
         refuse_unmet(wishes)

@@ -6,6 +6,7 @@ from rich.table import Table
 from rich.text import Text
 
 from mansion_bringup.cli.console import out
+from mansion_bringup.cli.wish_reading import read_as
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.wishes import Wish
 from mansion_msgs_py.wording import counted
@@ -17,13 +18,14 @@ _MARKS = {"met": ("met", "green"), "partly": ("partly", "yellow"), "not_met": ("
 
 
 def receipt_table(wishes: Sequence[Wish]) -> Table:
-    """Return the wishes as rows: words, status, and the reason where one is not met.
+    """Return the wishes as rows: words, what they were read as, status, and the reason where one is not met.
 
     Where a language model read some of them, a column says who read which.
     """
     signed = any(wish.read_by == "model" for wish in wishes)
     table = Table(title="What the description asks for", title_justify="left", show_edge=False, pad_edge=False)
     table.add_column("wish", overflow="fold", max_width=44)
+    table.add_column("read as", overflow="fold", max_width=40)
     table.add_column("status", no_wrap=True)
     if signed:
         table.add_column("read by", no_wrap=True)
@@ -31,7 +33,7 @@ def receipt_table(wishes: Sequence[Wish]) -> Table:
     for wish in wishes:
         mark, colour = _MARKS[wish.status]
         reader = [Text(wish.read_by)] if signed else []
-        table.add_row(Text(wish.text), Text(mark, style=colour), *reader, Text(wish.reason))
+        table.add_row(Text(wish.text), Text(read_as(wish)), Text(mark, style=colour), *reader, Text(wish.reason))
     return table
 
 

@@ -1,16 +1,19 @@
 """``mansion skill``: run a skill through the running graph, or in this process."""
 
 from pathlib import Path
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from mansion_bringup.cli.console import err, print_json
-from mansion_msgs_py.codec import decode, encode
+from mansion_msgs_py.codec import decode
 from mansion_msgs_py.errors import ErrorCode, MansionError
-from mansion_msgs_py.interfaces import DEFAULT_NAMESPACE, TRIGGER, ServiceInterface
+from mansion_msgs_py.interfaces import DEFAULT_NAMESPACE
 from mansion_msgs_py.wording import choices
 from mansion_msgs_py.world import SkillResult, SkillStatus
+
+if TYPE_CHECKING:
+    from mansion_skills.skills.declaration import Skill
 
 __all__ = ["register"]
 
@@ -55,7 +58,7 @@ def skill(
     if building is not None:
         _finish(_in_process(building, found.name, fields, reset=reset))
     else:
-        _finish(_through_graph(namespace, found.interface, fields))
+        _finish(_through_graph(namespace, found, fields))
 
 
 def _in_process(building: Path, name: str, fields: dict[str, Any], *, reset: bool) -> Any:
@@ -65,19 +68,13 @@ def _in_process(building: Path, name: str, fields: dict[str, Any], *, reset: boo
     return Robot(building, session, reset=reset).skill(name, **arguments)
 
 
-def _through_graph(namespace: str, service: ServiceInterface, fields: dict[str, Any]) -> Any:
+def _through_graph(namespace: str, found: "Skill", fields: dict[str, Any]) -> Any:
     from mansion_bringup.client import MansionClient
+    from mansion_bringup.graph.skill_calls import call_skill
 
+    session, arguments = _parted(fields)
     with MansionClient(namespace="/" + namespace.strip("/")) as client:
-        try:
-            if service.type == TRIGGER:
-                session, _ = _parted(fields)
-                return client.call(f"{session}/{service.name}" if session else service.name)
-            return client.call(service.name, fields)
-        except MansionError as error:
-            if "skill" not in error.info.details:
-                raise
-            return decode(SkillResult, encode(error.info.details))
+        return call_skill(client, found, session, arguments)
 
 
 def _parted(fields: dict[str, Any]) -> tuple[str, dict[str, Any]]:

@@ -1,34 +1,42 @@
 """Carry out an instruction that was read: each statement with tools, the whole checked, and landed or dropped."""
 
+import re
 from dataclasses import replace
 from typing import Final
 
-from mansion_editing.agent.facts import Policy, Unmet, Verdict
-from mansion_editing.agent.instruct import run_agent, undo_or_redo
+import msgspec
+
 from mansion_editing.editor import SceneEditor
 from mansion_editing.instructions.checking.faults import Step, faults, moved_aside
-from mansion_editing.instructions.conversation import context_of, is_taken_back, repeated
+from mansion_editing.instructions.conversation import amended, context_of, is_taken_back, remember, repeated
+from mansion_editing.instructions.doing.answering import holds
 from mansion_editing.instructions.doing.carrying_out import carry
 from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.descriptions import things_of
-from mansion_editing.instructions.statements import Ask, History, Instruction, Keep, Mention
+from mansion_editing.instructions.statements import Ask, History, Instruction, Keep, Mention, When
+from mansion_editing.runs.policies import Policy, Unmet, Verdict
+from mansion_editing.runs.run import run_policy
 from mansion_editing.state import SceneState
-from mansion_msgs_py.editing import AgentReport
+from mansion_msgs_py.codec import to_builtins
+from mansion_msgs_py.editing.changes import EditResult
+from mansion_msgs_py.editing.instructions import AgentReport, AgentStep
 from mansion_msgs_py.errors import MansionError
 
-__all__ = ["carry_out"]
+__all__ = ["MOST_EDITS", "MOST_STEPS", "carry_out", "statement_policy"]
 
 MOST_STEPS, MOST_EDITS = 12_000, 3_000
 """What is enough for a statement about all things of a large building."""
 
 
-def carry_out(editor: SceneEditor, instruction: Instruction, text: str) -> AgentReport:
+def carry_out(editor: SceneEditor, instruction: Instruction, text: str, *, partly: bool = False) -> AgentReport:
     """Carry out an instruction and check the scene; its edits land together or not at all.
 
     Parameters
     ----------
     text : str
         The instruction's own words, for the log.
+    partly : bool
+        What is understood and can be done lands though the rest is not; all or nothing otherwise.
 
     Returns
     -------
@@ -43,10 +51,50 @@ def carry_out(editor: SceneEditor, instruction: Instruction, text: str) -> Agent
     (first, *more) = instruction.statements or [Mention()]
     if isinstance(first, History) and not more and not instruction.not_understood:
         if first.what == "redo":
-            return undo_or_redo(editor, "Redo")
+            return _undone_or_redone(editor, "Redo", first.times)
+        if first.what == "amend":
+            return _amended(editor, first, text)
         if is_taken_back(first, editor):
-            return undo_or_redo(editor, "Undo")
-    return run_agent(editor, _policy(editor, instruction), text, most_steps=MOST_STEPS, most_edits=MOST_EDITS)
+            return _undone_or_redone(editor, "Undo", first.times)
+    policy = statement_policy(editor, instruction, partly=partly)
+    return run_policy(editor, policy, text, most_steps=MOST_STEPS, most_edits=MOST_EDITS)
+
+
+def _undone_or_redone(editor: SceneEditor, tool: str, times: int) -> AgentReport:
+    """Undo or redo so many edits, or none of them."""
+    reports: list[AgentReport] = []
+    for _ in range(times):
+        report = _undo_or_redo(editor, tool)
+        if not report.done:
+            for _ in reports:
+                _undo_or_redo(editor, "Redo" if tool == "Undo" else "Undo")
+            return report
+        reports.append(report)
+    message = "; ".join(report.message for report in reports)
+    return msgspec.structs.replace(reports[-1], message=message, edits=len(reports))
+
+
+def _amended(editor: SceneEditor, statement: History, text: str) -> AgentReport:
+    """Take the last edit back and do it at another place, or leave it where that cannot be done."""
+    try:
+        instruction = Instruction(statements=amended(statement, editor))
+    except MansionError as error:
+        return run_policy(editor, _refused_policy(error), text)
+    taken_back = _undo_or_redo(editor, "Undo")
+    if not taken_back.done:
+        return taken_back
+    report = run_policy(
+        editor, statement_policy(editor, instruction), text, most_steps=MOST_STEPS, most_edits=MOST_EDITS
+    )
+    if not report.done:
+        _undo_or_redo(editor, "Redo")
+        return report
+    return msgspec.structs.replace(report, message=f"{taken_back.message}; {report.message}")
+
+
+def _refused_policy(error: MansionError) -> Policy:
+    yield from ()
+    return _refused(error, "")
 
 
 _EXAMPLES: Final = (
@@ -55,12 +103,30 @@ _EXAMPLES: Final = (
 )
 
 
-def _policy(editor: SceneEditor, instruction: Instruction) -> Policy:
+_OPENINGS: Final = re.compile(r"\b(door|window)s?\b", re.IGNORECASE)
+_OF_OPENINGS: Final = (
+    "doors and windows are part of the structure: an instruction neither opens nor closes them; a door can be added"
+    ' between two rooms ("add a door between the kitchen and the dining room")'
+)
+
+
+def statement_policy(editor: SceneEditor, instruction: Instruction, *, partly: bool = False) -> Policy:
+    """Carry out the statements of an instruction in turn, and check what became of them.
+
+    Parameters
+    ----------
+    partly : bool
+        As of `carry_out`.
+    """
+    asked = [statement for statement in instruction.statements if not isinstance(statement, Mention)]
+    missed: list[str] = []
     if instruction.not_understood:
         words = "; ".join(repr(part[:80]) for part in instruction.not_understood)
-        reason = f"not understood: {words}; {_EXAMPLES}"
-        return Verdict(reason, failed=[reason])
-    asked = [statement for statement in instruction.statements if not isinstance(statement, Mention)]
+        if not (partly and asked):
+            openings = any(_OPENINGS.search(part) for part in instruction.not_understood)
+            reason = f"not understood: {words}; {_OF_OPENINGS if openings else _EXAMPLES}"
+            return Verdict(reason, failed=[reason])
+        missed.append(f"not understood: {words}")
     if not asked:
         return Verdict("the words ask for nothing", failed=["the words ask for nothing"])
     try:
@@ -70,15 +136,30 @@ def _policy(editor: SceneEditor, instruction: Instruction) -> Policy:
     state = editor.state
     steps: list[Step] = []
     replies: list[str] = []
-    before = _copied(state)
+    before = state.copied()
     context = replace(context_of(editor), kept=_kept(instruction, state))
     for statement in instruction.statements:
+        mark = len(state.pending)
         try:
+            if isinstance(statement, When):
+                if holds(statement.ask, state, context) != statement.holds:
+                    replies.append(f"{statement.quote}: not so, nothing had to change")
+                    continue
+                statement = statement.then
             done = yield from carry(statement, state, context)
         except (Unmet, MansionError) as error:
-            return _refused(error, statement.quote)
-        after = _copied(state)
+            if not partly:
+                return _refused(error, statement.quote)
+            state.roll_back(mark)
+            missed.append(_refused(error, statement.quote).summary)
+            continue
+        after = state.copied()
         step = Step(statement, context, before, after)
+        wrong = faults([step]) if partly else []
+        if wrong:
+            state.roll_back(mark)
+            missed += wrong
+            continue
         steps.append(step)
         replies += [done.reply] if done.reply else []
         replies += moved_aside(step)
@@ -87,7 +168,11 @@ def _policy(editor: SceneEditor, instruction: Instruction) -> Policy:
     if found:
         return Verdict(f"the edit was dropped: {'; '.join(found)}", failed=found)
     if all(isinstance(statement, Ask) for statement in asked):
+        remember(editor, context)
         return Verdict(" ".join(replies), replies, question=True)
+    if partly and not steps:
+        return Verdict("; ".join(missed), failed=missed)
+    replies += [f"not done: {reason}" for reason in missed]
     told = f" (ignored, as scenes do not record it: {', '.join(instruction.ignored)})" if instruction.ignored else ""
     return Verdict("; ".join(replies) + told, replies)
 
@@ -98,13 +183,28 @@ def _kept(instruction: Instruction, state: SceneState) -> frozenset[str]:
     return frozenset(item.id for keep in keeps for item in things_of(state, keep.things, Context()))
 
 
-def _copied(state: SceneState) -> SceneState:
-    """Return the scenes as they are now; scenes are never changed in place."""
-    return SceneState([state.scenes[floor] for floor in state.floors], state.catalogue, state.retriever)
-
-
 def _refused(error: Unmet | MansionError, quote: str) -> Verdict:
     reason = error.info.message if isinstance(error, MansionError) else str(error)
     candidates = error.info.details.get("candidates", []) if isinstance(error, MansionError) else []
     message = f"{quote}: {reason}" if quote else reason
     return Verdict(message, failed=[message], candidates=[str(name) for name in candidates])
+
+
+def _undo_or_redo(editor: SceneEditor, tool: str) -> AgentReport:
+    """Undo or redo this user's last edit, an instruction as a whole."""
+    thought = f"{tool} the last edit."
+    try:
+        done: EditResult = editor.call(tool)
+    except MansionError as error:
+        step = AgentStep(thought=thought, tool=tool, observation=to_builtins(error.reply()))
+        return AgentReport(message=str(error), done=False, steps=[step], failed=[str(error)])
+    return AgentReport(
+        message=done.message,
+        done=True,
+        steps=[AgentStep(thought=thought, tool=tool, observation=to_builtins(done))],
+        facts=[f"the last edit {'undone' if tool == 'Undo' else 'redone'}"],
+        edits=1,
+        saved=done.saved,
+        transaction=done.transaction,
+        object_ids=done.object_ids,
+    )

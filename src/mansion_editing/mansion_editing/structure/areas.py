@@ -7,11 +7,11 @@ from dataclasses import replace
 from shapely import Polygon
 
 from mansion_editing.structure.attempts import Change, Outcome, attempt
-from mansion_editing.structure.documents import region_shapes, with_shapes
-from mansion_editing.structure.passages import is_passage
+from mansion_editing.structure.circulation import is_circulation
 from mansion_editing.structure.rebuilding import passages_of_scene
 from mansion_editing.structure.reports import listed
 from mansion_editing.structure.room_shapes import ShapeLimits, limits_of
+from mansion_editing.structure.storey_documents import region_shapes, with_shapes
 from mansion_editing.structure.storeys import Reshaped, Storey, Workshop, node_of
 from mansion_editing.structure.wall_moves import MovedWall, Plan, most_area, plans
 from mansion_geometry.shared_walls import edge_array, shared_walls
@@ -67,7 +67,7 @@ def change_area(storey: Storey, room_id: str, area: float, workshop: Workshop, *
         )
     if now + change <= 0:
         raise MansionError(ErrorCode.INVALID_PAYLOAD, f"{room_id} has only {now:.1f} m2", path="$.area")
-    if change < 0 and is_passage(room):
+    if change < 0 and is_circulation(room):
         raise MansionError(ErrorCode.INFEASIBLE, f"{room_id} is a passage and keeps its width", path="$.room_id")
     return _Neighbourhood(storey, room, shapes, workshop).changed(change)
 
@@ -83,7 +83,7 @@ class _Neighbourhood:
         self.others = [
             name
             for name, other in known.items()
-            if name != self.node and not is_passage(other) and shared_walls(edges, edge_array(shapes[name]), 1e-3)
+            if name != self.node and not is_circulation(other) and shared_walls(edges, edge_array(shapes[name]), 1e-3)
         ]
         self.shapes = {name: shapes[name] for name in (self.node, *self.others)}
         walls = storey.floor.structural_walls

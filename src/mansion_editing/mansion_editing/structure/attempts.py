@@ -3,8 +3,8 @@
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
-from mansion_editing.structure.finishing import Finished, finish
 from mansion_editing.structure.rebuilding import Rebuilt, rebuild
+from mansion_editing.structure.rebuilt_scene import Finished, finish
 from mansion_editing.structure.reports import door_sentences, object_sentences, room_sentences, wall_sentences
 from mansion_editing.structure.storeys import Reshaped, Storey, Workshop
 from mansion_editing.structure.wall_moves import MovedWall

@@ -10,11 +10,11 @@ import msgspec
 from shapely import Polygon, box
 
 from mansion_editing.structure.attempts import Change, attempt
-from mansion_editing.structure.documents import added_access, region_shapes, with_shapes
-from mansion_editing.structure.passages import is_passage
+from mansion_editing.structure.circulation import is_circulation
 from mansion_editing.structure.rebuilding import passages_of_scene
 from mansion_editing.structure.reports import listed
 from mansion_editing.structure.room_shapes import limits_of, tidied
+from mansion_editing.structure.storey_documents import added_access, region_shapes, with_shapes
 from mansion_editing.structure.storeys import Reshaped, Storey, Workshop, node_of
 from mansion_geometry.shared_walls import edge_array, longest_wall, shared_walls
 from mansion_msgs_py.errors import ErrorCode, MansionError
@@ -136,9 +136,9 @@ def _core_names(storey: Storey) -> set[str]:
 def _walls(storey: Storey, room_id: str) -> Iterator[tuple[Polygon, tuple[Point, Point]]]:
     """Yield the walls between rooms that may give floor and passages, the room to the left."""
     shapes = region_shapes(storey, storey.layout)
-    passages = [edge_array(shapes[node_of(room)]) for room in storey.scene.rooms if is_passage(room)]
+    passages = [edge_array(shapes[node_of(room)]) for room in storey.scene.rooms if is_circulation(room)]
     for room in storey.scene.rooms:
-        if is_passage(room) or room.kind == "main" or (room_id and room.id != room_id):
+        if is_circulation(room) or room.kind == "main" or (room_id and room.id != room_id):
             continue
         shape = shapes[node_of(room)]
         for passage in passages:
@@ -167,14 +167,14 @@ def _room_at(storey: Storey, shape: Polygon, side: Side) -> tuple[SceneRoom, Sce
     """Return the room of a storey that can give a box, and the passage at the box's door side."""
     shapes = region_shapes(storey, storey.layout)
     giver = next((r for r in storey.scene.rooms if shapes[node_of(r)].buffer(1e-6).covers(shape)), None)
-    if giver is None or is_passage(giver) or giver.kind == "main":
+    if giver is None or is_circulation(giver) or giver.kind == "main":
         return None
     whole = shapes[node_of(giver)]
     left = tidied(whole.difference(shape))
     if left is None or limits_of(whole, giver.room_type, storey.floor.structural_walls).fault(left):
         return None
     for room in storey.scene.rooms:
-        if is_passage(room) and _opens(shape, side, shapes[node_of(room)]):
+        if is_circulation(room) and _opens(shape, side, shapes[node_of(room)]):
             return giver, room
     return None
 

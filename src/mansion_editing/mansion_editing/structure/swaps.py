@@ -5,9 +5,9 @@ from dataclasses import replace
 import msgspec
 
 from mansion_editing.structure.attempts import Change, attempt
-from mansion_editing.structure.documents import region_shapes, with_shapes
-from mansion_editing.structure.passages import is_passage
+from mansion_editing.structure.circulation import is_circulation
 from mansion_editing.structure.rebuilding import passages_of_scene
+from mansion_editing.structure.storey_documents import region_shapes, with_shapes
 from mansion_editing.structure.storeys import Reshaped, Storey, Workshop, node_of
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import FloorScene, SceneRoom
@@ -40,7 +40,7 @@ def swap_rooms(storey: Storey, room_id: str, other_id: str, workshop: Workshop) 
     if room.id == other.id:
         raise MansionError(ErrorCode.INVALID_PAYLOAD, "a room cannot change places with itself", path="$.other_id")
     for one in (room, other):
-        if is_passage(one) or one.kind == "main":
+        if is_circulation(one) or one.kind == "main":
             raise MansionError(ErrorCode.INFEASIBLE, f"{one.id} is what other rooms are reached through and stays")
     shapes = region_shapes(storey, storey.layout)
     a, b = node_of(room), node_of(other)
@@ -123,7 +123,7 @@ def _passages(scene: FloorScene, room: SceneRoom, other: SceneRoom) -> list[Pass
     """Return the ways of the storey; a room stands open to a passage in its new place if it did so in its old one."""
     pair = {room.id: room, other.id: other}
     alike = room.open_relation == other.open_relation
-    circulation = {entry.id for entry in scene.rooms if is_passage(entry) or entry.kind == "main"}
+    circulation = {entry.id for entry in scene.rooms if is_circulation(entry) or entry.kind == "main"}
     found = []
     for passage in passages_of_scene(scene):
         own = [pair[name] for name in passage.pair if name in pair]

@@ -10,7 +10,8 @@ from mansion_editing.state import SceneState
 from mansion_editing.tools.rooms import RoomRecords, change_room, room_named
 from mansion_knowledge import is_class
 from mansion_language.colours import COLOUR_WORDS
-from mansion_msgs_py.editing import RoomParts, SetFinishArgs
+from mansion_msgs_py.editing.changes import RoomParts
+from mansion_msgs_py.editing.rooms import SetFinishArgs
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import SceneRoom
 from mansion_scene.structure.materials import SUBSTANCES, Material, Use, library

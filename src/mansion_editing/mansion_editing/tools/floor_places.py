@@ -1,7 +1,7 @@
 """Free places on the floor of a room: with the back to a wall or amid the room, clear of doors and furniture."""
 
 import math
-from collections.abc import Callable, Collection, Iterator
+from collections.abc import Collection, Iterator
 from typing import TypeAlias
 
 import msgspec
@@ -9,14 +9,15 @@ from shapely import LineString, Polygon, STRtree
 from shapely.prepared import prep
 
 from mansion_editing.state import SceneState
+from mansion_editing.tools.destinations import InRoom
+from mansion_editing.tools.placing_wishes import hangs, refusal
 from mansion_geometry.object_footprints import footprint, footprint_at
-from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import FloorScene, SceneObject, SceneRoom
 from mansion_msgs_py.shapes import Point
 from mansion_msgs_py.wording import with_article
 from mansion_scene.decor.frames import room_polygon, wall_edges
 
-__all__ = ["LOW", "Accept", "FloorSpace", "Pose", "floor_poses", "free_floor_places", "stand_on_floor"]
+__all__ = ["LOW", "FloorSpace", "Pose", "floor_poses", "free_floor_places", "stand_on_floor"]
 
 DOOR_DEPTH = 0.75
 """Depth of the area before a door that stays clear, metres."""
@@ -34,31 +35,12 @@ APART = 0.6
 MOST_REFUSED = 8
 BACK_GAP = 0.01
 
-
-Accept = Callable[[int, SceneObject], bool]
-"""Whether the building stays free of new faults with an object on a floor."""
-
 Pose: TypeAlias = tuple[float, float, float]
 """x, y (metres) and rotation (degrees) on a floor."""
 
 
-def stand_on_floor(
-    state: SceneState,
-    thing: SceneObject,
-    floor: int,
-    room: SceneRoom,
-    *,
-    near: SceneObject | None = None,
-    accept: Accept | None = None,
-) -> SceneObject:
-    """Return an object standing on the floor of a room; the state is not changed.
-
-    Parameters
-    ----------
-    near : SceneObject, optional
-        What it shall stand beside.
-    accept : callable, optional
-        Judges a place; others are tried while it refuses.
+def stand_on_floor(state: SceneState, thing: SceneObject, where: InRoom) -> SceneObject:
+    """Return an object standing on the floor of a room, near to what its wish names; the state is not changed.
 
     Raises
     ------
@@ -66,38 +48,35 @@ def stand_on_floor(
         ``INFEASIBLE`` for what does not stand on floors, and where the room has no free place.
     """
     if thing.mount in ("wall", "ceiling"):
-        raise MansionError(
-            ErrorCode.INFEASIBLE, f"{with_article(thing.name)} hangs on {with_article(thing.mount)}, not on the floor"
-        )
+        raise hangs(thing, "not on the floor")
+    room = where.room
     w, d, h = thing.size
     refused: list[Point] = []
-    for x, y, rotation in free_floor_places(state, floor, room, thing, near):
+    for x, y, rotation in free_floor_places(state, thing, where):
         if any(math.dist((x, y), other) < APART for other in refused):
             continue
         position = (round(x, 4), round(y, 4), round(h / 2, 4))
         turn = round(rotation % 360.0, 4)
         placed = msgspec.structs.replace(thing, room=room.id, position=position, rotation=turn, mount="floor")
-        if accept is None or accept(floor, placed):
+        if where.accept is None or where.accept(where.floor, placed):
             return placed
         refused.append((x, y))
         if len(refused) == MOST_REFUSED:
             break
     why = "keeps all rooms and objects within a robot's reach" if refused else "is free"
-    raise MansionError(
-        ErrorCode.INFEASIBLE,
-        f"no place for {with_article(thing.name)} of {w:.2f} x {d:.2f} m in {room.id} {why}; remove something first",
+    raise refusal(
+        f"no place for {with_article(thing.name)} of {w:.2f} x {d:.2f} m in {room.id} {why}; remove something first"
     )
 
 
-def free_floor_places(
-    state: SceneState, floor: int, room: SceneRoom, thing: SceneObject, near: SceneObject | None = None
-) -> Iterator[Pose]:
+def free_floor_places(state: SceneState, thing: SceneObject, where: InRoom) -> Iterator[Pose]:
     """Yield places (x, y, rotation) on the floor of a room: with the back to a wall first, then amid the room.
 
-    Those next to `near` come first where it is given.
+    Those next to what the wish names come first.
     """
-    space = FloorSpace(state.scenes[floor], room, thing, flat=thing.size[2] <= LOW)
-    poses = list(floor_poses(room, thing))
+    near = where.wish.near
+    space = FloorSpace(state.scenes[where.floor], where.room, thing, flat=thing.size[2] <= LOW)
+    poses = list(floor_poses(where.room, thing))
     if near is not None:
         poses.sort(key=lambda pose: round(math.dist(pose[:2], near.position[:2]), 6))
     for pose in poses:

@@ -2,7 +2,7 @@
 
 import math
 from collections import Counter
-from collections.abc import Callable, Collection, Iterator
+from collections.abc import Callable, Iterator
 from typing import Final, NamedTuple
 
 import msgspec
@@ -11,11 +11,11 @@ from shapely.geometry.base import BaseGeometry
 
 from mansion_assets.meshes import collision_boxes
 from mansion_editing.state import SceneState
-from mansion_editing.tools.floor_places import LOW, Accept, FloorSpace, Pose, floor_poses
-from mansion_editing.tools.placing_wishes import hindered
+from mansion_editing.tools.destinations import Accept, InRoom
+from mansion_editing.tools.floor_places import LOW, FloorSpace, Pose, floor_poses
+from mansion_editing.tools.placing_wishes import hindered, refusal
 from mansion_editing.tools.relations import PlacingWish, convex_corners, extents, fulfils, greatest_gap, middle_of
 from mansion_geometry.object_footprints import footprint
-from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import FloorScene, SceneObject, SceneRoom
 from mansion_msgs_py.wording import with_article
 from mansion_scene.decor.frames import to_floor, to_local, wall_edges
@@ -48,44 +48,26 @@ class _Candidate(NamedTuple):
     pose: Pose
 
 
-def stand_as_wished(
-    state: SceneState,
-    thing: SceneObject,
-    floor: int,
-    room: SceneRoom,
-    wish: PlacingWish,
-    *,
-    accept: Accept | None = None,
-    skip: Collection[str] = (),
-) -> SceneObject:
+def stand_as_wished(state: SceneState, thing: SceneObject, where: InRoom) -> SceneObject:
     """Return an object standing on the floor of a room where a wish holds; the state is not changed.
-
-    Parameters
-    ----------
-    accept : callable, optional
-        Judges a place; others are tried while it refuses.
-    skip : collection of str
-        Objects that go with it.
 
     Raises
     ------
     MansionError
         ``INFEASIBLE`` with what is in the way.
     """
-    scene = state.scenes[floor]
+    room, wish = where.room, where.wish
+    scene = state.scenes[where.floor]
     if wish.side == "above":
-        raise MansionError(
-            ErrorCode.INFEASIBLE,
-            f"{with_article(thing.name)} stands on the floor; only what hangs can be above something",
-        )
+        raise refusal(f"{with_article(thing.name)} stands on the floor; only what hangs can be above something")
     flat = thing.size[2] <= LOW
-    space = FloorSpace(scene, room, thing, skip, flat=flat)
+    space = FloorSpace(scene, room, thing, where.companions, flat=flat)
     below = _below(state, wish) if wish.side == "under" and not flat else None
     marks = [mark.id for mark in (wish.near, wish.other, wish.facing) if mark is not None]
     ignored = [below.landmark.id] if below else []
     reasons: Counter[str] = Counter()
     without_front: list[SceneObject] = []
-    judge = _Judge(floor, accept)
+    judge = _Judge(where.floor, where.accept)
     for _, pose in sorted(_candidates(scene, room, thing, wish)):
         placed = _standing(thing, room, pose)
         if not fulfils(scene, room, placed, wish):
@@ -106,7 +88,7 @@ def stand_as_wished(
             return placed
     if judge.refused:
         reasons["the way that a robot needs"] = max(reasons.values(), default=0) + 1
-    raise hindered(thing, wish, room, reasons)
+    raise hindered(thing, where, reasons)
 
 
 class _Judge:

@@ -14,7 +14,8 @@ from mansion_editing.tools.rooms import RoomRecords, change_room, names_on_floor
 from mansion_knowledge import default_knowledge, is_class
 from mansion_knowledge.object_kinds import answers, is_service
 from mansion_language import singular
-from mansion_msgs_py.editing import FurnishRoomArgs, RoomParts
+from mansion_msgs_py.editing.changes import RoomParts
+from mansion_msgs_py.editing.rooms import FurnishRoomArgs
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.program import RequestedObject
 from mansion_msgs_py.scene import Discard, FloorScene, SceneObject, SceneRoom

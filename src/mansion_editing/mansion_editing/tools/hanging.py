@@ -2,14 +2,14 @@
 
 import math
 from collections import Counter
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 
 import msgspec
 
 from mansion_assets.catalogue import Asset
 from mansion_editing.state import SceneState
-from mansion_editing.tools.floor_places import Accept
-from mansion_editing.tools.placing_wishes import hindered, refusal
+from mansion_editing.tools.destinations import InRoom
+from mansion_editing.tools.placing_wishes import hangs, hindered, refusal
 from mansion_editing.tools.relations import PlacingWish, fulfils, middle_of
 from mansion_geometry.object_footprints import footprint_at, footprint_distance
 from mansion_msgs_py.scene import FloorScene, SceneObject, SceneRoom
@@ -33,26 +33,13 @@ APART = 0.3
 """Distance between places that are judged, metres."""
 
 
-def hang(
-    state: SceneState,
-    thing: SceneObject,
-    floor: int,
-    room: SceneRoom,
-    wish: PlacingWish,
-    *,
-    accept: Accept | None = None,
-    skip: Collection[str] = (),
-) -> SceneObject:
+def hang(state: SceneState, thing: SceneObject, where: InRoom) -> SceneObject:
     """Return an object hanging on a wall or from the ceiling of a room; the state is not changed.
 
     Parameters
     ----------
     thing : SceneObject
         Its `mount` says where it hangs.
-    accept : callable, optional
-        Judges a place; others are tried while it refuses.
-    skip : collection of str
-        Objects that go with it.
 
     Raises
     ------
@@ -62,28 +49,30 @@ def hang(
     asset = state.asset(thing)
     if asset is None:
         raise refusal(f"the catalogue lacks {thing.asset!r}; how it hangs is not known")
+    room, wish = where.room, where.wish
     if wish.side == "under" or (wish.spot == "middle" and thing.mount == "wall"):
-        raise refusal(f"{with_article(thing.name)} hangs on {with_article(thing.mount)}, not on the floor")
-    scene = state.scenes[floor]
-    others = [item for item in scene.objects if item.room == room.id and item.id not in {thing.id, *skip}]
+        raise hangs(thing, "not on the floor")
+    scene = state.scenes[where.floor]
+    own = {thing.id, *where.companions}
+    others = [item for item in scene.objects if item.room == room.id and item.id not in own]
     places = _on_walls if thing.mount == "wall" else _on_ceiling
     reasons: Counter[str] = Counter()
     refused: list[SceneObject] = []
-    for placed, found in places(scene, room, thing, asset, others, wish):
+    for placed, found in places(scene, thing, asset, where, others):
         if not fulfils(scene, room, placed, wish):
             continue
         if found:
             reasons.update(found)
         elif any(math.dist(placed.position, other.position) < APART for other in refused):
             continue
-        elif accept is None or accept(floor, placed):
+        elif where.accept is None or where.accept(where.floor, placed):
             return placed
         else:
             refused.append(placed)
             reasons["the way that a robot needs"] += 100
             if len(refused) == MOST_REFUSED:
                 break
-    raise hindered(thing, wish, room, reasons)
+    raise hindered(thing, where, reasons)
 
 
 Places = Iterator[tuple[SceneObject, list[str]]]
@@ -91,13 +80,9 @@ Places = Iterator[tuple[SceneObject, list[str]]]
 
 
 def _on_walls(
-    scene: FloorScene,
-    room: SceneRoom,
-    thing: SceneObject,
-    asset: Asset,
-    others: Sequence[SceneObject],
-    wish: PlacingWish,
+    scene: FloorScene, thing: SceneObject, asset: Asset, where: InRoom, others: Sequence[SceneObject]
 ) -> Places:
+    room, wish = where.room, where.wish
     w, d, _ = thing.size
     found: list[tuple[float, SceneObject, list[str]]] = []
     for edge in wall_edges(room.net_polygon, room.net_holes):
@@ -152,13 +137,9 @@ def _stops(low: float, high: float, goal: float | None) -> list[float]:
 
 
 def _on_ceiling(
-    scene: FloorScene,
-    room: SceneRoom,
-    thing: SceneObject,
-    asset: Asset,
-    others: Sequence[SceneObject],
-    wish: PlacingWish,
+    scene: FloorScene, thing: SceneObject, asset: Asset, where: InRoom, others: Sequence[SceneObject]
 ) -> Places:
+    room, wish = where.room, where.wish
     area = room_polygon(room.net_polygon, room.net_holes)
     ceiling = CeilingSpace(area, wall_edges(room.net_polygon, room.net_holes), room.ceiling_height, others)
     below = room.ceiling_height - asset.size[2]

@@ -2,21 +2,24 @@
 
 import math
 from collections.abc import Collection
+from dataclasses import replace
 
 import msgspec
 from shapely import STRtree
 
 from mansion_editing.physics.engine import PhysicsEngine
 from mansion_editing.state import SceneState
-from mansion_editing.tools.floor_places import LOW, Accept, free_floor_places
+from mansion_editing.tools.destinations import Accept, AtReceptacle, InRoom
+from mansion_editing.tools.floor_places import LOW, free_floor_places
 from mansion_editing.tools.perception import contents, object_named, on_top
-from mansion_editing.tools.placement import put_in_room, settle_on
+from mansion_editing.tools.placement import put_in_room
 from mansion_editing.tools.placing_wishes import refusal, wish_of
 from mansion_editing.tools.relations import NO_WISH, PlacingWish, looks_at
+from mansion_editing.tools.resting import settle_on
 from mansion_geometry.object_footprints import footprint, footprint_at
-from mansion_msgs_py.editing import MoveObjectArgs, RemoveObjectArgs, SetStateArgs
+from mansion_msgs_py.editing.objects import MoveObjectArgs, RemoveObjectArgs, SetStateArgs
 from mansion_msgs_py.errors import ErrorCode, MansionError
-from mansion_msgs_py.scene import FloorScene, SceneObject, SceneRoom
+from mansion_msgs_py.scene import FloorScene, SceneObject
 from mansion_msgs_py.wording import with_article
 from mansion_scene.decor.frames import room_polygon, to_local
 
@@ -170,20 +173,21 @@ def _target(
     own = [member.id for member in state.subtree(floor, item)]
     room = state.room(place)
     if room is not None:
-        return room[0], _in_room(state, item, *room, wish, own, accept)
+        return room[0], _in_room(state, item, InRoom(*room, wish, accept, own))
     target, receptacle = object_named(state, place, "$.receptacle_id")
     if receptacle.id in own:
         raise refusal(f"{receptacle.id} is carried by {item.id}", path="$.receptacle_id")
     if item.mount in ("wall", "ceiling"):
         raise refusal(f"{item.id} hangs on {with_article(item.mount)}")
     asset = state.asset(receptacle)
-    inside = asset is not None and bool(asset.volumes) and not asset.surfaces
+    inside = asset is not None and bool(asset.volumes) and (args.inside or not asset.surfaces)
+    where = AtReceptacle(target, receptacle, inside=inside, wish=wish, companions=own)
     try:
-        return target, settle_on(state, item, target, receptacle, engine, inside=inside, skip=own, wish=wish)
+        return target, settle_on(state, item, where, engine)
     except MansionError as error:
         if inside or asset is None or not asset.volumes or error.code != ErrorCode.INFEASIBLE:
             raise
-        return target, settle_on(state, item, target, receptacle, engine, inside=True, skip=own, wish=wish)
+        return target, settle_on(state, item, replace(where, inside=True), engine)
 
 
 def _place_of(item: SceneObject, wish: PlacingWish) -> str:
@@ -196,21 +200,14 @@ def _place_of(item: SceneObject, wish: PlacingWish) -> str:
     return item.room if wish.spot else ""
 
 
-def _in_room(
-    state: SceneState,
-    item: SceneObject,
-    floor: int,
-    room: SceneRoom,
-    wish: PlacingWish,
-    own: Collection[str],
-    accept: Accept | None,
-) -> SceneObject:
-    if wish != NO_WISH or item.mount in ("wall", "ceiling"):
+def _in_room(state: SceneState, item: SceneObject, where: InRoom) -> SceneObject:
+    floor, room = where.floor, where.room
+    if where.wish != NO_WISH or item.mount in ("wall", "ceiling"):
         there = state.find(item.id)
         known = there is not None and there[0] == floor
         thing = item if known else msgspec.structs.replace(item, id=state.new_id(floor, room.id, item.category))
-        return put_in_room(state, thing, floor, room, wish, accept=accept, skip=own)
-    for x, y, rotation in free_floor_places(state, floor, room, item):
+        return put_in_room(state, thing, where)
+    for x, y, rotation in free_floor_places(state, item, where):
         position = (round(x, 4), round(y, 4), item.size[2] / 2)
         return msgspec.structs.replace(
             item, room=room.id, position=position, rotation=rotation, parent=None, mount="floor"

@@ -8,7 +8,7 @@ from mansion_assets.catalogue.palette import COLOURS, FAMILIES
 from mansion_editing.state import SceneState
 from mansion_editing.tools.perception import object_named
 from mansion_language.colours import COLOUR_WORDS, colour_of
-from mansion_msgs_py.editing import PaintObjectArgs
+from mansion_msgs_py.editing.objects import PaintObjectArgs
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import SceneObject
 

@@ -6,11 +6,11 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 import numpy.typing as npt
 
-from mansion_editing.passages import LOW
+from mansion_editing.robot_passages import LOW
 from mansion_editing.state import SceneState
 from mansion_editing.tools.perception import place_named
 from mansion_geometry.robot_body import CLEARANCE, ROBOT_RADIUS
-from mansion_msgs_py.editing import CheckPathArgs, PathReport, PathStep
+from mansion_msgs_py.editing.questions import CheckPathArgs, PathReport, PathStep
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import Door
 

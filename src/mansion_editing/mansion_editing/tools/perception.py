@@ -12,7 +12,7 @@ from mansion_assets.catalogue.vocabulary import stems, vocabulary_of
 from mansion_editing.state import FloorIndex, SceneState
 from mansion_knowledge import interchangeable_names
 from mansion_language.numbers import CARDINALS, ORDINALS, SOFT_NUMBERS
-from mansion_msgs_py.editing import (
+from mansion_msgs_py.editing.questions import (
     AssetHits,
     AssetInfo,
     CheckSurfaceArgs,

@@ -3,14 +3,15 @@
 from collections import Counter
 
 from mansion_editing.state import SceneState
+from mansion_editing.tools.destinations import InRoom
 from mansion_editing.tools.perception import object_named
 from mansion_editing.tools.relations import PlacingWish, footprint_gap
-from mansion_msgs_py.editing import PlacingWishes
+from mansion_msgs_py.editing.objects import PlacingWishes
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import SceneObject, SceneRoom
 from mansion_msgs_py.wording import with_article
 
-__all__ = ["hindered", "refusal", "wish_of", "wish_words"]
+__all__ = ["hangs", "hindered", "refusal", "wish_of", "wish_words"]
 
 MOST_NAMED = 4
 
@@ -90,8 +91,14 @@ def wish_words(wish: PlacingWish) -> str:
     return ", ".join(parts)
 
 
-def hindered(thing: SceneObject, wish: PlacingWish, room: SceneRoom, reasons: Counter[str]) -> MansionError:
+def hangs(thing: SceneObject, consequence: str) -> MansionError:
+    """Return the refusal to put what hangs on walls or ceilings anywhere else."""
+    return refusal(f"{with_article(thing.name)} hangs on {with_article(thing.mount)}, {consequence}")
+
+
+def hindered(thing: SceneObject, where: InRoom, reasons: Counter[str]) -> MansionError:
     """Return the refusal of a wish that names what is most often in the way."""
+    wish, room = where.wish, where.room
     marks = [mark for mark in (wish.near, wish.other, wish.facing) if mark is not None]
     elsewhere = [mark for mark in marks if mark.room != room.id]
     if elsewhere:

@@ -24,7 +24,7 @@ from mansion_editing.tools.rooms import room_named
 from mansion_msgs_py.building import Building
 from mansion_msgs_py.building_folder import INDEX, floor_directory
 from mansion_msgs_py.codec import decode, encode_bytes
-from mansion_msgs_py.editing import ReshapeFloorArgs
+from mansion_msgs_py.editing.rooms import ReshapeFloorArgs
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.layout import FloorLayout
 from mansion_msgs_py.scene import SceneRoom

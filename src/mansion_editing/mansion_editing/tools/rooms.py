@@ -9,7 +9,8 @@ from mansion_editing.room_parts import parts_of
 from mansion_editing.state import SceneState
 from mansion_editing.tools.perception import find_rooms
 from mansion_knowledge.object_kinds import is_fixed
-from mansion_msgs_py.editing import ClearRoomArgs, RenameRoomArgs, RoomChange, RoomParts
+from mansion_msgs_py.editing.changes import RoomChange, RoomParts
+from mansion_msgs_py.editing.rooms import ClearRoomArgs, RenameRoomArgs
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.program import RoomProgram
 from mansion_msgs_py.scene import SceneObject, SceneRoom

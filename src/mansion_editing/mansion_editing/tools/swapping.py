@@ -8,13 +8,14 @@ import msgspec
 
 from mansion_editing.physics.engine import PhysicsEngine
 from mansion_editing.state import SceneState
+from mansion_editing.tools.destinations import AtReceptacle
 from mansion_editing.tools.manipulation import at_point, relocate
 from mansion_editing.tools.perception import object_named
-from mansion_editing.tools.placement import settle_on
 from mansion_editing.tools.placing_wishes import refusal
 from mansion_editing.tools.relations import PlacingWish
+from mansion_editing.tools.resting import settle_on
 from mansion_geometry.plane import turned
-from mansion_msgs_py.editing import SwapObjectsArgs
+from mansion_msgs_py.editing.objects import SwapObjectsArgs
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import FloorScene, SceneObject
 from mansion_msgs_py.wording import with_article
@@ -78,9 +79,9 @@ def _instead_of(
         raise refusal(f"{item.id} cannot take the place of {there.id}: one of them hangs on {with_article(*fixed)}")
     if there.mount in ("surface", "inside") and there.parent is not None:
         _, receptacle = state.get(there.parent)
-        inside = there.mount == "inside"
         goal = PlacingWish(near=there)
-        placed = settle_on(state, item, floor, receptacle, engine, inside=inside, skip=skip, wish=goal)
+        where = AtReceptacle(floor, receptacle, inside=there.mount == "inside", wish=goal, companions=skip)
+        placed = settle_on(state, item, where, engine)
         if math.dist(placed.position[:2], there.position[:2]) > ASIDE:
             raise refusal(f"there is not room enough on {receptacle.id} for {item.id} where {there.id} is")
         return placed

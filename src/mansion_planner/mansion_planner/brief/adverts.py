@@ -1,8 +1,10 @@
 """Read rooms as advertisements of homes write them: "3 bed / 2 bath", "4BR", "three-bedroom house"."""
 
+from collections.abc import Sequence
+
 from mansion_planner.brief.facts import RoomFact
 from mansion_planner.brief.phrase import Phrase
-from mansion_planner.brief.reading import Reading
+from mansion_planner.brief.reading import Place, Reading
 
 __all__ = ["read_adverts", "read_bedrooms_of_building"]
 
@@ -10,11 +12,14 @@ _NEAR_START = 14
 """An advertisement has its rooms among so many tokens."""
 
 
-def read_adverts(reading: Reading) -> None:
-    """Read "3 bed / 2 bath" and "4BR" at the start of a brief."""
+def read_adverts(reading: Reading, places: Sequence[Place]) -> None:
+    """Read "3 bed / 2 bath" and "4BR" at the start of a brief, but not as what a storey holds."""
+    stated = {reading.sentence[place.first]: place.first for place in reversed(places)}
     for index in range(min(len(reading.tokens) - 1, _NEAR_START)):
         word = reading.word(index + 1)
         if reading.kind(index) != "number" or index in reading.taken or reading.plural(index + 2):
+            continue
+        if stated.get(reading.sentence[index], index) < index:
             continue
         singular = not reading.plural(index + 1)
         several = reading.value(index) > 1 or index + 2 in reading.mention_at

@@ -1,11 +1,13 @@
 """Find which noun phrase of a brief names the building itself."""
 
+from mansion_planner.brief.furniture_words import furniture_of
 from mansion_planner.brief.lexicon import lexicon_of
-from mansion_planner.brief.phrase import FUNCTION_WORDS, Phrase
+from mansion_planner.brief.phrase import FUNCTION_WORDS, PEOPLE, PLAIN, Phrase
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
 from mansion_planner.brief.room_names import CONTRASTS
+from mansion_planner.brief.similarity import HEAD_TYPES
 
-__all__ = ["building_phrase", "own_building_name", "unknown_building"]
+__all__ = ["building_phrase", "is_compound", "own_building_name", "unknown_building"]
 
 _OPENERS = frozenset(
     """
@@ -64,6 +66,16 @@ def _score(reading: Reading, phrases: list[Phrase], places: list[Place], phrase:
     is_room = phrase.head == "room" or phrase.building == "office"
     if any(_are_told_apart(phrase, other) for other in phrases):
         return 0.0  # "big studio ... small studio"
+    if (
+        phrase.building == "office"
+        and _has_owner(reading, phrase)
+        and any(other is not phrase and other.building == "office" and _has_owner(reading, other) for other in phrases)
+    ):
+        return 0.0  # "Dr. Meyer's office and Dr. Lee's office"
+    if phrase.counted and (phrase.count or 0) > 1 and phrase.plural and is_compound(reading, phrase):
+        return 0.0  # "6 styling stations"
+    if reading.word(phrase.last) == "one" and reading.word(phrase.first - 1) in ("a", "the", "and"):
+        return 0.0  # "two kitchens, a meat one and a dairy one"
     score = 6.0 - min(sentence, 4) - 0.1 * number
     owner = reading.word(phrase.first - 1) == "of" and any(place.last == phrase.first - 1 for place in places)
     if owner:  # "on the first floor of a library"
@@ -98,6 +110,8 @@ def _score(reading: Reading, phrases: list[Phrase], places: list[Place], phrase:
         return 0.0
     if is_room and ":" in before and any(p.head in ("room", "building") for p in phrases[:number]):
         return 0.0  # an entry of a list
+    if is_room and earlier and phrase.first == phrase.begin and phrase.name == "office" and not (set(before) & _WISHES):
+        return 0.0  # "a showroom, a workshop, an office upstairs"
     if is_room and before[-3:-1] in (("it", "need"), ("they", "need")):
         return 0.0  # "it needs a shop" speaks of a part
     lead = reading.word(phrase.first - 1)
@@ -125,6 +139,19 @@ def _score(reading: Reading, phrases: list[Phrase], places: list[Place], phrase:
     if phrase.areas and is_room:
         score += 0.0
     return max(score, 0.0)
+
+
+def _has_owner(reading: Reading, phrase: Phrase) -> bool:
+    return any(mark in reading.span(phrase.begin, phrase.noun_end).words for mark in ("'s", "’s"))
+
+
+def is_compound(reading: Reading, phrase: Phrase) -> bool:
+    """Whether a word that nobody knows stands before the name of a kind of building of one word."""
+    known = lexicon_of(reading.knowledge).phrases
+    words = reading.words(phrase.begin, phrase.noun_end)
+    if len(words) < 2 or any(words[-size:] in known for size in range(2, len(words) + 1)):
+        return False
+    return words[-2] not in PLAIN
 
 
 def _are_told_apart(phrase: Phrase, other: Phrase) -> bool:
@@ -159,6 +186,9 @@ def unknown_building(reading: Reading) -> tuple[str, str, int, int] | None:
             continue
         if first >= 0 and _stands_as_building(reading, first) and index - first <= 5:
             like = "" if reading.plural(index - 1) else heads.get(reading.word(index - 1), "")
+            if _names_part(reading, first, index, like):
+                first = -1
+                continue
             opens = _opens_brief(reading, first) and (
                 reading.word(index) in _AFTER_NAME and not reading.plural(index - 1)
             )
@@ -170,6 +200,28 @@ def unknown_building(reading: Reading) -> tuple[str, str, int, int] | None:
                 found.append((wished, ("_".join(reading.words(first, index)), like, first, index)))
         first = -1
     return max(found, key=lambda entry: (entry[0], -entry[1][2]))[1] if found else None
+
+
+def _names_part(reading: Reading, first: int, last: int, like: str) -> bool:
+    """Whether words name a room, a thing or people and no building: "Ward with 12 beds", "Half of the offices"."""
+    word = reading.word(last - 1)
+    whole = lexicon_of(reading.knowledge).phrases.get(reading.words(first, last))
+    listed = reading.word(first - 1) == ":" and whole is not None and whole.room and not whole.building
+    if listed and last - first > 1:
+        return True  # "Ground floor: entrance hall, ..."
+    if like:
+        return False
+    if word in _PARTS or word in PEOPLE or word in HEAD_TYPES or furniture_of(reading.words(first, last))[0]:
+        return True
+    return any(mention.room and not mention.building and mention.last == last for mention in reading.mentions)
+
+
+_PARTS = frozenset(
+    """
+    half third quarter part list everything everywhere room entrance lift elevator stair staircase wall floor roof
+    door window requirement wish programme program schedule note dr mr mrs ms prof
+    """.split()
+)
 
 
 def _heads(reading: Reading) -> dict[str, str]:
@@ -191,6 +243,8 @@ def _is_part_of_name(reading: Reading, index: int) -> bool:
 
 def _stands_as_building(reading: Reading, first: int) -> bool:
     """Whether what leads up to a noun phrase lets it name the building, rather than a person or a part of it."""
+    if reading.word(first - 1) in ("are", "is") and first - 2 in reading.taken:
+        return False  # "on the street floor are a flower shop and a barber"
     before = [reading.word(i) for i in range(first - 1, max(first - 4, -1), -1)]
     while before and (before[0] in _SIZES or before[0] in ("a", "an", "the", "our", "my", "new", "of")):
         before = before[1:]

@@ -58,6 +58,16 @@ def _with_classifiers(tokens: list[Token]) -> list[Token]:
             result += [token, replace(tokens[index + 1], text="bedroom", plural=False, spaced=False)]
             index += 2
             continue
+        if token.text == "half" and _word(tokens, index + 1) in ("a", "dozen"):
+            dozen = index + 1 + (_word(tokens, index + 1) == "a")
+            if _word(tokens, dozen) == "dozen":
+                result.append(replace(tokens[dozen], kind="number", text="six", start=token.start, value=6.0))
+                index = dozen + 1
+                continue
+        if _numbers_bedroom(tokens, index):
+            result.append(replace(token, text="bedroom"))
+            index += 1
+            continue
         if _opens_advert(tokens, index):
             result += [token, replace(tokens[index + 1], text="bedroom")]
             index += 2
@@ -83,6 +93,11 @@ def _with_classifiers(tokens: list[Token]) -> list[Token]:
                 result.append(token)
                 index = last + (_word(tokens, last) == "of")
                 continue
+        if _word(tokens, index - 1) == ":" and _is_noun(tokens, index - 2) and _is_entry(tokens, index):
+            result[-1] = _times(token)
+            result.append(token)
+            index += 1
+            continue
         core = _word(tokens, index - 1) in _CORES and not tokens[index - 1].plural
         listed = tokens[index - 1].plural and not _is_count(tokens, index + 2) and token.text.isdigit()
         if noun and _word(tokens, index + 1) in _ENDS - {"-", "/", "|"} and (core or listed):
@@ -92,13 +107,32 @@ def _with_classifiers(tokens: list[Token]) -> list[Token]:
     return result
 
 
+def _numbers_bedroom(tokens: list[Token], index: int) -> bool:
+    """Whether "Bed 1:" names a bedroom, as adverts do."""
+    bed = _word(tokens, index) == "bed" and not tokens[index].plural and _word(tokens, index - 1) in _STARTS
+    return bed and _is_count(tokens, index + 1) and _word(tokens, index + 2) in (":", "(", "-", ",", "=")
+
+
+def _is_entry(tokens: list[Token], index: int) -> bool:
+    """Whether a number is all that a line says of its noun: "Bedrooms: 4, lifts: 2"."""
+    before = _word(tokens, index - 3)
+    return tokens[index - 2].plural and before in _STARTS and _word(tokens, index + 1) in _ENDS - {"-", "/"}
+
+
+_STARTS = frozenset({"", "\n", ",", ";", ".", "(", "|", "-", "*", "and", "•"})
+
+
 def _opens_advert(tokens: list[Token], index: int) -> bool:
     """Whether "3 beds, 1 bathroom" opens a list, where beds are bedrooms."""
     beds = _is_count(tokens, index) and _word(tokens, index + 1) == "bed" and tokens[index + 1].plural
     listed = (
         beds and _word(tokens, index - 1) in (":", "-", "\n") and _word(tokens, index + 2) in (",", "/", "and", "+")
     )
-    return listed and _is_count(tokens, index + 3) and _word(tokens, index + 4) in ("bath", "bathroom")
+    bath = index + 3 + _is_count(tokens, index + 3)
+    if listed and _word(tokens, bath) in ("bath", "bathroom"):
+        return True
+    bare = _is_count(tokens, index) and _word(tokens, index + 1) == "bed" and _is_count(tokens, index + 2)
+    return bare and _word(tokens, index + 3) in ("bath", "bathroom")
 
 
 _REPEATED = frozenset({"room", "bedroom", "classroom", "apartment", "flat"})
@@ -152,6 +186,7 @@ def _with_tables(tokens: list[Token]) -> list[Token]:
             and token.spaced
             and _is_noun(tokens, index - 1)
             and _is_count(tokens, index + 1)
+            and tokens[index + 1].spaced
             and _word(tokens, index + 2) in _BARS | {"\n", "", ","}
         )
         if row:

@@ -118,6 +118,10 @@ def read_counts_by_group(reading: Reading, phrases: list[Phrase], households: Ho
         reading.take(index, index + 2)
 
 
+_HAVING = frozenset({"with", "has", "have", "want", "need", "get", "having"})
+"""What "each" can go on with: "two doctors, each with a consulting room"."""
+
+
 def read_counts_by_person(
     reading: Reading, phrases: list[Phrase], rooms: Sequence[int], same: Mapping[int, int], inner: Collection[int]
 ) -> None:
@@ -131,7 +135,10 @@ def read_counts_by_person(
         of_them = reading.words(index + 1, index + 3) in (("of", "us"), ("of", "them"), ("of", "these"))
         noun = reading.word(index + 1)
         people = [p for p in phrases if p.head == "people" and p.counted and p.first < index and (p.count or 0) > 1]
-        if not of_them:
+        alone = noun in _HAVING and reading.word(index - 1) in (",", ":", ".", "-")
+        if alone:
+            people = [p for p in people if index - p.last <= 2]
+        elif not of_them:
             people = [p for p in people if reading.word(p.noun_end - 1) == noun]
         if not people or not (people[-1].count or 99) <= 40:
             continue
@@ -149,3 +156,5 @@ def read_counts_by_person(
             ):
                 phrases[number] = replace(phrase, count=count, counted=True)
         reading.take(index, index + (3 if of_them else 2))
+        if alone:
+            reading.take(people[-1].first, people[-1].last)

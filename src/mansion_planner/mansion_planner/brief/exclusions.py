@@ -1,5 +1,7 @@
 """Read what a brief does not want, and how far a negation reaches: "no gym or sauna", "no bedroom downstairs"."""
 
+from dataclasses import replace
+
 from mansion_planner.brief.phrase import FUNCTION_WORDS, Phrase
 from mansion_planner.brief.reading import Reading
 
@@ -93,7 +95,11 @@ _ENDS = frozenset(
         "for",
     }
 )
-_REFUSALS = frozenset("veto vetoe reject refuse dislike hate".split())
+_SUBJECTS = frozenset("do does would i we you they he she it people".split())
+_CONTRASTS = frozenset(
+    "to in on at from into onto near next beside by towards toward inside of for like as under".split()
+)
+_REFUSALS = frozenset("veto vetoe reject refuse dislike hate replace".split())
 _TIGHT = frozenset("narrow small low tight short slim steep little cramped poor".split())
 _COMPARISONS = frozenset(
     """
@@ -138,10 +144,20 @@ def negated_phrases(reading: Reading, phrases: list[Phrase]) -> dict[int, tuple[
         length = _negation(reading, index)
         if length:
             for number in _reached(reading, phrases, starts, index + length):
+                if reading.kind(phrases[number].first - 1) == "ordinal" or _is_compared(reading, phrases[number].last):
+                    reading.taken.difference_update(range(phrases[number].first - 1, phrases[number].last))
+                    phrases[number] = replace(phrases[number], head="unknown")  # "instead of the second bedroom"
+                    continue
                 found.setdefault(number, (index, phrases[number].last))
             if length and any(first == index for first, _ in found.values()):
                 reading.take(index, index + length)
     return found
+
+
+def _is_compared(reading: Reading, index: int) -> bool:
+    """Whether what is unwanted is only too large or small: "no corridors longer than 10 m"."""
+    word = reading.word(index)
+    return "than" in reading.words(index + 1, index + 3) and (word.endswith("er") or word in ("more", "less"))
 
 
 def _joined_before(reading: Reading, phrases: list[Phrase], number: int) -> list[int]:
@@ -158,6 +174,11 @@ def _refused(reading: Reading, phrases: list[Phrase], index: int) -> tuple[int, 
     if reading.word(index) in _REFUSALS and index not in reading.taken:
         number = next((n for n, p in enumerate(phrases) if 0 <= p.begin - index - 1 <= 2 and p.first > index), None)
         return None if number is None else (number, phrases[number].last)
+    if reading.word(index) in ("change", "convert", "turn") and index not in reading.taken:
+        number = next((n for n, p in enumerate(phrases) if 0 <= p.begin - index - 1 <= 2 and p.first > index), None)
+        if number is None or reading.word(phrases[number].last) != "into" or phrases[number].head != "room":
+            return None
+        return number, phrases[number].last  # "change the dining room into a playroom"
     if reading.word(index) != "not" or reading.word(index + 1) not in ("want", "need", "like", "have"):
         return None
     if reading.word(index + 2) not in ("one", "it", "that", "them", "any") or not reading.breaks(index + 3):
@@ -186,12 +207,16 @@ def _negation(reading: Reading, index: int) -> int:
         and reading.word(index + 2) in ("for", "of")
     ):
         return 3
+    if reading.word(index) == "than" and "rather" in reading.words(max(index - 7, 0), index):
+        return 1  # "I would rather have a shower than a bathtub"
     if reading.word(index) == "too" and reading.word(index + 2) == "for" and reading.word(index + 1) in _TIGHT:
         return 3
-    if reading.words(index, index + 2) == ("not", "need") and reading.word(index - 1) in ("do", "does", "would"):
-        return 2  # "we do not need private offices"
+    if reading.words(index, index + 2) == ("not", "need") and reading.word(index - 1) in _SUBJECTS:
+        return 2  # "we do not need private offices", "I don't need a gym"
     if reading.word(index) not in _BEFORE or reading.word(index + 1) in _COMPARISONS:
         return 0
+    if reading.word(index) == "not" and reading.word(index + 1) in _CONTRASTS:
+        return 0  # "open to the dining room, not to the hall" is about the relation
     if reading.word(index) == "not" and reading.word(index + 1) in (
         "only",
         "just",
@@ -231,7 +256,7 @@ def _reached(reading: Reading, phrases: list[Phrase], starts: dict[int, int], in
         word = reading.word(index)
         if word in _ENDS or reading.breaks(index):
             break
-        if passed and not reached and word in ("in", "on", "at", "to", "of", "from", "into", "and", "("):
+        if passed and not reached and word in ("in", "on", "at", "to", "of", "from", "into", "and", "(", "between"):
             break  # "no windows in the game rooms" is about windows
         passed = passed or (reading.kind(index) == "word" and word not in FUNCTION_WORDS)
         if reached and word not in ("or", "nor", "and", ",", "any", "anywhere", "a", "no", "either", "&", "/", "not"):
@@ -265,6 +290,7 @@ def read_completeness(reading: Reading) -> None:
             only
             or (pair == ("no", "other") and reading.word(index + 2) in ("room", "space"))
             or pair == ("nothing", "besides")
+            or (pair == ("nothing", "but") and reading.word(index - 1) in ("want", "need", "with", "", ".", "have"))
         ):
             reading.facts.only.append(reading.span(index, index + 2))
             reading.take(index, index + 3)

@@ -33,10 +33,11 @@ class Span:
 
 @dataclass(frozen=True)
 class Quantity:
-    """A number that the brief states, and where."""
+    """A number that the brief states, and where; `limit`: an area of which no more, or no less, is wanted."""
 
     value: float
     span: Span
+    limit: Literal["", "most", "least"] = ""
 
 
 @dataclass(frozen=True)
@@ -101,6 +102,8 @@ class RoomFact:
         Rooms that each of these has for itself ("each with a bathroom").
     known : bool
         The knowledge base has the user's words; otherwise `room_type` is only the nearest kind.
+    limit : {"", "most", "least"}
+        What `area` bounds.
     unit : bool
         A dwelling or another unit of several rooms: `suite` is what the brief says it holds, `area` that of all.
     """
@@ -117,6 +120,7 @@ class RoomFact:
     suite: tuple["RoomFact", ...] = ()
     known: bool = True
     unit: bool = False
+    limit: Literal["", "most", "least"] = ""
 
 
 @dataclass(frozen=True)
@@ -245,6 +249,8 @@ class BriefFacts:
         Its words, where the knowledge base does not have them.
     unread : list of Span
         Words that no fact was read from.
+    unheeded : list of Span
+        Words within other facts' that say how something is to be, and that nothing is made of.
     """
 
     floors: list[Quantity] = field(default_factory=list)
@@ -277,3 +283,4 @@ class BriefFacts:
     size: list[tuple[str, Span]] = field(default_factory=list)
     only: list[Span] = field(default_factory=list)
     unread: list[Span] = field(default_factory=list)
+    unheeded: list[Span] = field(default_factory=list)

@@ -1,10 +1,11 @@
 """Read what a brief says of style and materials."""
 
 from mansion_planner.brief.facts import MaterialFact
+from mansion_planner.brief.qualifiers import is_property
 from mansion_planner.brief.reading import Reading
 from mansion_planner.brief.similarity import room_of_building
 
-__all__ = ["read_materials", "read_style"]
+__all__ = ["read_materials", "read_style", "room_after"]
 
 _MATERIALS = (
     "oak",
@@ -106,6 +107,8 @@ def read_style(reading: Reading, *, named: bool) -> None:
         modifies = not named and reading.modifiers.issuperset(range(mention.first, mention.last))
         if not mention.style or not (modifies or reading.free(mention.first, mention.last)):
             continue
+        if modifies and is_property(reading.word(mention.first)):
+            continue  # "two bright bedrooms" says nothing of the building
         if reading.word(mention.last) in ("rectangle", "rectangular", "box", "outline"):
             continue
         last = mention.last
@@ -118,12 +121,14 @@ def read_style(reading: Reading, *, named: bool) -> None:
             reading.take(last, last + 1)
         following = reading.mention_at.get(mention.last)
         terrace = following is not None and following.room == "roof_terrace" and reading.word(following.last) != "house"
-        if not called and (mention.room or mention.building or terrace):
+        if not called and (mention.room or mention.building or terrace or reading.word(mention.first) == "green"):
             continue
         reading.facts.styles.append((mention.style, reading.span(mention.first, mention.last)))
         reading.take(mention.first, mention.last)
     # A style with a name of its own says more than "plain" or "traditional".
-    reading.facts.styles.sort(key=lambda style: reading.knowledge.styles[style[0]].like == "")
+    reading.facts.styles.sort(
+        key=lambda style: (is_property(style[1].words.lower()), reading.knowledge.styles[style[0]].like == "")
+    )
 
 
 def read_materials(reading: Reading) -> None:
@@ -133,14 +138,14 @@ def read_materials(reading: Reading) -> None:
         if surface is None or (surface == "floor" and not _material_ending(reading, i)):
             continue
         first = _material_ending(reading, i)
-        if not first:
-            continue
+        if not first or reading.word(i + 1) in ("between", "around"):
+            continue  # "glass walls between the offices" are not all walls
         words = reading.text[reading.tokens[first - 1].start : reading.tokens[i - 1].end].lower()
         if surface == "floor" and not any(m in words for m in _MATERIALS):
             continue
         room = ""
         if reading.word(i + 1) in ("in", "for", "throughout"):
-            room = _room_after(reading, i + 2)
+            room = room_after(reading, i + 2)
         reading.facts.materials.append(
             MaterialFact(surface, words, room, reading.span(first - 1, i + 1))  # type: ignore[arg-type]
         )
@@ -157,7 +162,7 @@ def _material_ending(reading: Reading, end: int) -> int:
     return first + 1 if first < end else 0
 
 
-def _room_after(reading: Reading, index: int) -> str:
+def room_after(reading: Reading, index: int) -> str:
     """Return the room type named within four words from `index`, in the same clause; empty for none."""
     for at in range(index, index + 4):
         mention = reading.mention_at.get(at)

@@ -1,9 +1,11 @@
 """Read which furniture a brief wants, and in which room: "a fireplace in the living room", "each with two beds"."""
 
-from mansion_planner.brief.attachment import Attachment
+import itertools
+
 from mansion_planner.brief.facts import ObjectFact
-from mansion_planner.brief.phrase import Phrase
+from mansion_planner.brief.phrase import FUNCTION_WORDS, Phrase
 from mansion_planner.brief.reading import Reading
+from mansion_planner.brief.storey_attachment import Attachment
 
 __all__ = ["read_furnishings"]
 
@@ -33,7 +35,7 @@ def read_furnishings(
     same : dict of int to int
         Phrases that only name an earlier room again, and which.
     """
-    found = _seats(reading, phrases, negated)
+    found = _seats(reading, phrases, negated) + _numbered_places(reading, phrases, negated)
     owners: dict[int, tuple[int | None, bool]] = {}
     rooms = [
         n
@@ -53,11 +55,15 @@ def read_furnishings(
             room = None
         if room is not None and number in negated and _replaced(reading, phrases, negated, number):
             room, each = None, False
+        each = each or (room is not None and owner in attached and attached[owner].each)
+        last = phrase.last if room is not None else _unread_place(reading, phrase)
+        if last > phrase.last:
+            reading.facts.unheeded.append(reading.span(phrase.last, last))
         found.append(
             ObjectFact(
                 words=phrase.label,
                 category=phrase.category,
-                span=reading.span(phrase.first, phrase.last),
+                span=reading.span(phrase.first, last),
                 count=phrase.count,
                 room=room.name if room is not None else "",
                 room_type=room.room_type if room is not None else "",
@@ -71,6 +77,20 @@ def read_furnishings(
     return found
 
 
+def _unread_place(reading: Reading, phrase: Phrase) -> int:
+    """Return where a place that nobody knows ends right after furniture ("a stove in the main nook"), if one does."""
+    index = phrase.last
+    if reading.word(index) not in ("in", "on", "at", "by", "near", "under", "behind") or index in reading.taken:
+        return index
+    last = index + 1
+    while not reading.breaks(last) and reading.kind(last) == "word" and last - index < 5 and last not in reading.taken:
+        last += 1
+    words = [reading.word(i) for i in range(index + 1, last)]
+    while words and (words[-1] in FUNCTION_WORDS or words[-1] in ("and", "or")):
+        words.pop()
+    return index + 1 + len(words) if any(word not in FUNCTION_WORDS for word in words) else index
+
+
 _SEATED = frozenset(
     """
     people guest person diner student pupil visitor patient customer worshipper seat chair child
@@ -82,7 +102,8 @@ def _seats(reading: Reading, phrases: list[Phrase], negated: dict[int, tuple[int
     """Read how many people a room is for as the seats that it needs: "a dining room for 48 guests", "seating 50"."""
     found = []
     for number, phrase in enumerate(phrases):
-        if phrase.head != "room" or number in negated or phrase.room_type in _UNSEATED:
+        named = phrase.head == "room" or (phrase.head == "building" and not _whole(reading, phrase))
+        if not named or not phrase.room_type or number in negated or phrase.room_type in _UNSEATED:
             continue
         link, at = reading.word(phrase.last), phrase.last + 1
         at += reading.word(at) in ("about", "around", "up", "at", "some")
@@ -105,6 +126,30 @@ def _seats(reading: Reading, phrases: list[Phrase], negated: dict[int, tuple[int
     return found
 
 
+def _numbered_places(reading: Reading, phrases: list[Phrase], negated: dict[int, tuple[int, int]]) -> list[ObjectFact]:
+    """Read "three 6-bed dorms" and "a 12-seat boardroom" as the furniture that each such room needs."""
+    found = []
+    for number, phrase in enumerate(phrases):
+        named = phrase.head == "room" or (phrase.head == "building" and not _whole(reading, phrase))
+        if not named or not phrase.room_type or number in negated:
+            continue
+        for index in range(max(phrase.first - 2, 0), phrase.noun_end - 1):
+            category = _PLACES.get(reading.word(index + 1))
+            joined = not reading.tokens[index + 1].spaced and reading.kind(index) == "number"
+            if category is None or not joined or not 1 < reading.value(index) <= 100:
+                continue
+            span = reading.span(index, index + 2)
+            found.append(ObjectFact(
+                words=span.words, category=category, span=span, count=int(reading.value(index)), room=phrase.name,
+                room_type=phrase.room_type, each=True, noun=reading.word(index + 1),
+            ))  # fmt: skip
+            reading.take(index, index + 2)
+    return found
+
+
+_PLACES = {"bed": "bed", "seat": "chair", "seater": "chair", "desk": "desk", "person": "chair"}
+"""What a hyphen joins to a number before a room: "6-bed", "12-seat"."""
+
 _UNSEATED = frozenset(
     """
     bedroom storage garage parking bike_storage bathroom toilet cloakroom apparatus_bay dorm_room hostel_dorm
@@ -113,6 +158,7 @@ _UNSEATED = frozenset(
 )
 
 
+_VEHICLES = frozenset({"van", "truck", "car", "garage_car", "bus", "motorcycle", "ambulance"})
 _CARRIES = frozenset({"for", "that", "which", "carry", "carries", "carrying", "take", "takes", "taking", "to", "fit"})
 _POINTS = frozenset({"the", "these", "those", "our", "my", "their", "his", "her", "your"})
 
@@ -120,8 +166,12 @@ _POINTS = frozenset({"the", "these", "those", "our", "my", "their", "his", "her"
 def _passes_by(reading: Reading, phrases: list[Phrase], number: int) -> bool:
     """Whether things are only spoken of: what a lift carries, or "those are for the vehicles"."""
     phrase = phrases[number]
-    if phrase.determiner in _POINTS and not phrase.counted and reading.word(phrase.first - 1) == "for":
-        return True
+    if reading.word(phrase.first - 1) == "for" and not phrase.counted:
+        if phrase.determiner in _POINTS:
+            return True
+        if phrase.category in _VEHICLES:  # "an entrance for ambulances" is about who comes there
+            reading.taken.difference_update(range(phrase.first, phrase.last))
+            return True
     before = phrases[number - 1] if number else None
     if before is None or before.head not in ("elevator", "stair"):
         return False
@@ -199,6 +249,9 @@ def _owner(reading: Reading, phrases: list[Phrase], rooms: list[int], number: in
     before = _listed_with(reading, phrases, rooms, before, number)
     gap = reading.words(phrases[before].last, phrase.first)
     tail = reading.words(phrase.last, phrase.last + 2)
+    ahead = reading.words(max(phrases[before].first - 3, 0), phrases[before].first)
+    if ("each", "of") in itertools.pairwise(ahead):
+        return before, True  # "in each of the five bedrooms a wardrobe"
     each = not _EACH.isdisjoint(gap) or phrases[before].determiner in _EACH or bool({"each", "apiece"} & set(tail))
     return before, each or ((phrases[before].count or 2) > 1 and "with" in gap)
 

@@ -53,6 +53,7 @@ _MEANT = {
     "score": "",
     "snack": "",
     "wheel": "",
+    "green": "",
     "drum": "",
     "feeder": "",
     "plastic": "",

@@ -4,7 +4,9 @@ import itertools
 from dataclasses import dataclass, replace
 
 from mansion_language.units import AREA, LENGTH
-from mansion_planner.brief.facts import HeightFact, Quantity
+from mansion_planner.brief.bounds import Limit, limit_of
+from mansion_planner.brief.facts import HeightFact, Quantity, Span
+from mansion_planner.brief.finishes import room_after
 from mansion_planner.brief.phrase import Phrase
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
 
@@ -15,7 +17,8 @@ _FILLERS = frozenset(
     of with ( about around at least measuring is has approximately be should covering roughly an area size sized
     each : having = a must will exactly occupying minimum than more floor something like the region in circa ca
     approx some apiece over for maybe nearly almost are being up to each one - – every max maximum no less not under
-    total below every measure have has some shall
+    total below every measure have has some shall larger bigger smaller greater exceed exceeding within limited
+    capped min pass surpass
     """.split()
 )
 _TOTALS = frozenset(
@@ -41,6 +44,7 @@ class Measure:
     last: int
     values: tuple[float, ...]
     sides: bool = False
+    limit: Limit = ""
 
 
 def find_measures(reading: Reading) -> list[Measure]:
@@ -52,8 +56,8 @@ def find_measures(reading: Reading) -> list[Measure]:
         if measure is None:
             index += 1
             continue
-        found.append(measure)
         reading.take(measure.first, measure.last)
+        found.append(replace(measure, limit=limit_of(reading, measure.first, measure.last)))
         index = measure.last
     return found
 
@@ -74,7 +78,7 @@ def _measure_at(reading: Reading, index: int) -> Measure | None:
             break
         values.append(reading.value(last + step))
         last += step + 1
-        if ranged:
+        if ranged or reading.word(index - 1) == "between":
             values = [sum(values) / 2]
             break
     if reading.kind(last) != "unit" or reading.word(last) not in AREA:
@@ -101,6 +105,7 @@ def give_measures(reading: Reading, measures: list[Measure], phrases: list[Phras
     """Give each area to the room, the storeys or the building that it is of; return the phrases with their areas."""
     result = list(phrases)
     plots: list[Quantity] = []
+    single: list[Quantity] = []
     for measure in measures:
         if measure.first in reading.named_areas:
             continue
@@ -110,7 +115,8 @@ def give_measures(reading: Reading, measures: list[Measure], phrases: list[Phras
             number, target = again
             result[number] = replace(result[number], head="unknown")
         if target is not None:
-            result[target] = replace(result[target], areas=result[target].areas + measure.values)
+            areas = result[target].areas + measure.values
+            result[target] = replace(result[target], areas=areas, limit=measure.limit)
             continue
         if len(measure.values) > 1:
             several = [
@@ -125,7 +131,10 @@ def give_measures(reading: Reading, measures: list[Measure], phrases: list[Phras
             if several:
                 result[several[-1]] = replace(result[several[-1]], areas=measure.values)
             continue
-        fact = Quantity(measure.values[0], reading.span(measure.first, measure.last))
+        fact = Quantity(measure.values[0], reading.span(measure.first, measure.last), measure.limit)
+        if _of_one_storey(reading, measure):
+            single.append(fact)
+            continue
         if measure.sides and not _PLOT.isdisjoint(reading.words(max(measure.first - 6, 0), measure.first)):
             plots.append(fact)
         elif _of_storey(reading, measure):
@@ -134,10 +143,43 @@ def give_measures(reading: Reading, measures: list[Measure], phrases: list[Phras
             reading.taken.difference_update(range(measure.first, measure.last))
         elif not _of_part(reading, measure):
             reading.facts.area.append(fact)
+    _settle_storeys(reading, single)
     if not (reading.facts.floor_area or reading.facts.area):
         reading.facts.floor_area += plots  # all that is said of the size
     _settle(reading)
     return result
+
+
+def _of_one_storey(reading: Reading, measure: Measure) -> bool:
+    """Whether an area stands right after the name of one storey: "ground floor 80 m2", "Upper floor (80 m2): ..."."""
+    at = measure.first - 1
+    while reading.word(at) in ("(", ":", ",", "of", "with", "has", "is", "about", "around", "-", "="):
+        at -= 1
+    named = reading.word(at) in FLOOR_WORDS and not reading.plural(at) and at in reading.taken
+    lead = {reading.word(at - 1), reading.word(at - 2)}
+    counted = reading.kind(at - 1) == "number" or not lead.isdisjoint(_EVERY)
+    return named and not counted and at > 0
+
+
+_EVERY = frozenset({"each", "every", "per", "any", "one", "single", "typical", "by", "all", "a"})
+
+
+def _settle_storeys(reading: Reading, single: list[Quantity]) -> None:
+    """Take the areas of storeys that are all alike for that of each; others cannot be met, and are told of."""
+    facts = reading.facts
+    if not single:
+        return
+    alike = max(q.value for q in single) <= 1.15 * min(q.value for q in single)
+    if alike and not facts.floor_area:
+        facts.floor_area.append(single[0])
+    elif not (alike or facts.area):
+        # Storeys have one area each: the sum is kept, and that it is shared out otherwise stays with the wish.
+        start, end = single[0].span.start, single[-1].span.end
+        whole = Span(reading.text[start:end], start, end)
+        facts.area.append(Quantity(sum(q.value for q in single), whole))
+        facts.unheeded += [q.span for q in single]
+    else:
+        _leave(reading, single)
 
 
 def _settle(reading: Reading) -> None:
@@ -145,8 +187,22 @@ def _settle(reading: Reading) -> None:
     facts = reading.facts
     if len(facts.area) > 1:
         called = [q for q in facts.area if _called_total(reading, q)]
+        _leave(reading, facts.area, (called or facts.area)[0])
         facts.area = (called or facts.area)[:1]
+    _leave(reading, facts.floor_area, *facts.floor_area[:1])
     facts.floor_area = facts.floor_area[:1]
+
+
+def _leave(reading: Reading, quantities: list[Quantity], *kept: Quantity) -> None:
+    """Give back the words of areas that nothing is made of, so that they are told of."""
+    others = [q.span for q in quantities if all(abs(q.value - other.value) > 0.5 for other in kept)]
+    starts = {span.start: span.end for span in others}
+    for index, token in enumerate(reading.tokens):
+        if token.start in starts:
+            last = next(
+                (i for i in range(index, len(reading.tokens)) if reading.tokens[i].end >= starts[token.start]), index
+            )
+            reading.taken.difference_update(range(index, last + 1))
 
 
 def _called_total(reading: Reading, quantity: Quantity) -> bool:
@@ -173,6 +229,9 @@ def _of_storey(reading: Reading, measure: Measure) -> bool:
     own = before[len(before) - before[::-1].index(",") :] if "," in before else before
     if _for_each_storey(reading, measure):
         return True
+    counted = bool(reading.facts.floors) and reading.facts.floors[0].value > 1
+    if counted and tuple(after[:2]) in (("the", "floor"), ("the", "storey"), ("the", "level")):
+        return True
     if not _TOTALS.isdisjoint(after[:4]) or not _TOTALS.isdisjoint(own):
         return "plate" in after
     if not _PLATE.isdisjoint(after) or not _PLATE.isdisjoint(before):
@@ -191,7 +250,11 @@ def _of_storey(reading: Reading, measure: Measure) -> bool:
         while reading.word(index) in _FILLERS and reading.word(index) not in ("each", "floor") and index > 0:
             index -= 1
         apiece = bool({"each", "apiece"} & set(after[:2])) or reading.word(index) == "each"
+        if reading.words(index - 2, index + 1) == ("each", "of", "them"):
+            apiece, index = True, index - 3
         index -= reading.word(index) == "each"
+        while apiece and reading.word(index) in ("of", "with", "at", "having"):
+            index -= 1  # "two floors of each 110 m2"
         if reading.word(index) == "," and apiece:
             index -= 1
         if reading.word(index) in FLOOR_WORDS:
@@ -230,12 +293,20 @@ def _many_before(reading: Reading, index: int) -> bool:
 
 def _of_something_else(reading: Reading, measure: Measure, phrases: list[Phrase]) -> bool:
     """Whether "of 65 m2" and "12 m2 each" follow rooms, so that they are not said of the building."""
+    before_it = measure.first - 1
+    while before_it >= 0 and reading.word(before_it) in _FILLERS:
+        before_it -= 1
+    if reading.word(before_it) in _OTHERS:
+        return True  # "the largest 80 m2, the others 30 m2 each"
     said = reading.word(measure.first - 1) == "of" or _after(reading, measure, 1) == ["each"]
     sentence = reading.sentence[measure.first]
     before = [p for p in phrases if p.last <= measure.first and reading.sentence[p.first] == sentence]
     near = bool(before) and measure.first - before[-1].last <= 4
     counted = near and before[-1].head == "room" and before[-1].counted and (before[-1].count or 0) > 1
     return said and counted and _TOTALS.isdisjoint(_after(reading, measure, 3))
+
+
+_OTHERS = frozenset("largest biggest smallest other others rest remaining larger smaller bigger".split())
 
 
 def _of_part(reading: Reading, measure: Measure) -> bool:
@@ -279,7 +350,11 @@ def _room_of(reading: Reading, measure: Measure, phrases: list[Phrase]) -> int |
     while (
         before >= 0
         and before + 1 not in ends
-        and (reading.word(before) in _FILLERS or (reading.word(before) == "," and not comma))
+        and (
+            reading.word(before) in _FILLERS
+            or (reading.word(before) == "," and not comma)
+            or (reading.word(before) == "." and not reading.breaks(before))
+        )
     ):
         comma = comma or reading.word(before) == ","
         before -= 1
@@ -292,11 +367,14 @@ def _room_of(reading: Reading, measure: Measure, phrases: list[Phrase]) -> int |
     candidates = [
         n
         for n, p in enumerate(phrases)
-        if p.noun_end <= before + 1 <= p.last and p.head in ("room", "building") and p.room_type
+        if p.noun_end <= before + 1 <= p.last and (p.head == "building" or (p.head == "room" and p.room_type))
     ]
     if not candidates:
         candidates = _described(reading, measure, phrases)
-    if not candidates and reading.word(measure.first - 1) in ("(", "of"):  # "the bay for three engines (180 m2)"
+    lead = measure.first - 1
+    while reading.word(lead) in ("about", "around", "approx", "roughly", "ca", "circa", "some"):
+        lead -= 1
+    if not candidates and reading.word(lead) in ("(", "of"):  # "the bay for three engines (180 m2)"
         sentence = reading.sentence[measure.first]
         candidates = [
             n
@@ -344,7 +422,10 @@ def _described(reading: Reading, measure: Measure, phrases: list[Phrase]) -> lis
     rooms = [
         n
         for n in before
-        if phrases[n].head in ("room", "building") and phrases[n].room_type and not _is_building(reading, phrases[n])
+        if phrases[n].head in ("room", "building")
+        and phrases[n].room_type
+        and phrases[n].name != "room"
+        and not _is_building(reading, phrases[n])
     ]
     if not rooms or phrases[rooms[-1]].areas:
         return []
@@ -376,20 +457,26 @@ def _listed(reading: Reading, measure: Measure, phrase: Phrase, after: list[str]
 
 
 def read_heights(reading: Reading) -> None:
-    """Read "ceilings 5 m high", "a ceiling height of 3.5 m", "4.5 m ceiling"."""
+    """Read "ceilings 5 m high", "a ceiling height of 3.5 m in the hall", "4.5 m ceiling"."""
     for index, token in enumerate(reading.tokens):
         if token.text not in ("ceiling", "headroom") or index in reading.taken:
             continue
-        for number in [*range(index + 1, index + 7), *range(index - 1, index - 5, -1)]:
-            unit = number + 1
-            if reading.kind(number) == "number" and reading.word(unit) in LENGTH and number not in reading.taken:
-                height = reading.value(number) * LENGTH[reading.word(unit)]
-                if not 1.8 <= height <= 30:
-                    break
-                first, last = min(index, number), max(index + 1, unit + 1)
-                last += reading.word(last) in ("high", "height")
-                reading.facts.heights.append(HeightFact(height, "", reading.span(first, last)))
-                reading.take(first, last)
-                break
-            if number > index and reading.breaks(number):
-                break
+        number = _height_near(reading, index)
+        if number is None:
+            continue
+        height = reading.value(number) * LENGTH[reading.word(number + 1)]
+        first, last = min(index, number), max(index + 1, number + 2)
+        last += reading.word(last) in ("high", "height")
+        room = room_after(reading, last + 1) if reading.word(last) in ("in", "for") else ""
+        reading.facts.heights.append(HeightFact(height, room, reading.span(first, last)))
+        reading.take(first, last)
+
+
+def _height_near(reading: Reading, index: int) -> int | None:
+    """Return the number of metres or feet that is said of a ceiling: after it in its sentence, else before it."""
+    after = itertools.takewhile(lambda number: not reading.breaks(number), range(index + 1, index + 7))
+    for number in (*after, *range(index - 1, index - 5, -1)):
+        if reading.kind(number) == "number" and reading.word(number + 1) in LENGTH and number not in reading.taken:
+            height = reading.value(number) * LENGTH[reading.word(number + 1)]
+            return number if 1.8 <= height <= 30 else None
+    return None

@@ -94,7 +94,7 @@ class NamedStoreys:
             and reading.word(index - 1) in ("the", "at", "from")
         ):
             return None if reading.word(index - 2) == "from" else (ground, index + 1)
-        if word == "bottom" and following == ":":
+        if (word == "bottom" or (word == "down" and reading.starts(index))) and following == ":":
             return ground, index + 1
         if word == "bottom" and reading.word(index - 1) == "very" and reading.word(index - 2) in ("the", "at"):
             return ground, index + 1
@@ -118,8 +118,13 @@ class NamedStoreys:
         """Whether a final "above" or "below" is an adverb of place: its opposite stands in the brief too."""
         texts = {token.text for token in self.reading.tokens}
         return bool(
-            {"above", "below"} <= texts or ("below" in texts and texts & {"upstair", "middle", "uppermost", "top"})
+            {"above", "below"} <= texts
+            or ("above" in texts and texts & {"downstair", "downstairs", "basement", "ground", "below"})
+            or ("below" in texts and texts & {"upstair", "middle", "uppermost", "top"})
         )
+
+    def _ends_clause(self, index: int) -> bool:
+        return self.has_floors and (self.reading.breaks(index) or self.reading.word(index) in CLOSERS)
 
     def top(self, index: int) -> tuple[list[FloorRef], int] | None:
         """Read "the top floor", "the rooftop", "under the roof"."""
@@ -206,6 +211,9 @@ class NamedStoreys:
             return upper, index + 1
         if word == "up" and reading.starts(index) and following == ":":
             return upper, index + 1
+        relative = word in ("over", "above") and following in ("it", "that", "them") and self._ends_clause(index + 2)
+        if relative and reading.word(index - 1) not in FLOOR_WORDS:
+            return upper, index + 2
         if word == "middle" and (following in FLOOR_WORDS or (following == "one" and self._names_storey(index + 1))):
             return [FloorRef("middle")], index + 2
         if word == "middle" and following in (":", "=") and reading.starts(index):

@@ -11,6 +11,7 @@ from mansion_planner.brief.furniture_words import furniture_of
 from mansion_planner.brief.lexicon import Mention, lexicon_of
 from mansion_planner.brief.phrase import (
     FUNCTION_WORDS,
+    PEOPLE,
     PLAIN,
     UNITS_OF_ROOMS,
     Head,
@@ -35,17 +36,6 @@ from mansion_planner.brief.similarity import HEAD_TYPES, room_of_building, simil
 
 __all__ = ["noun_phrases"]
 
-_PEOPLE = frozenset(
-    """
-    people person resident occupant pupil student child employee worker guest patient adult inhabitant staff teacher
-    kid user visitor elderly tenant inmate firefighter officer diner roommate friend colleague developer lodger
-    brother sister member player nun monk soldier crew engineer worshipper customer client artist family household
-    passenger traveller commuter donor drummer dancer musician nurse doctor consultant lawyer architect agent
-    analyst programmer designer journalist trader operator researcher scientist professor lecturer cleaner waiter
-    midwife therapist pilot driver clerk trainee apprentice intern volunteer swimmer climber viewer spectator
-    delegate
-    """.split()
-)
 _STAIRS = frozenset({"stair", "staircase", "stairwell", "stairway", "stairs"})
 _LIFTS = frozenset({"lift", "elevator"})
 _FURNITURE_TOO = frozenset({"locker", "stall"})
@@ -72,7 +62,7 @@ def noun_phrases(reading: Reading) -> list[Phrase]:
         phrases += _phrases_of(reading, begin, end)
     phrases = [part for phrase in phrases for part in coordinated(reading, chunks, phrase)]
     numbered = designated_nouns(reading)
-    counted = {phrase.name for phrase in phrases if phrase.counted and (phrase.count or 0) > 1}
+    counted = {phrase.name: phrase.first for phrase in phrases[::-1] if phrase.counted and (phrase.count or 0) > 1}
     phrases = [part for phrase in phrases for part in with_designators(reading, phrase, numbered, counted)]
     phrases = _with_own_names(reading, phrases)
     phrases += _with_own_names(reading, listed_unknowns(reading, chunks, phrases))
@@ -95,10 +85,11 @@ def _with_own_names(reading: Reading, phrases: list[Phrase]) -> list[Phrase]:
 def _named_again(reading: Reading, chunks: list[tuple[int, int]], phrases: list[Phrase]) -> list[Phrase]:
     """Return later mentions of rooms of unknown kinds: "keep the scriptorium apart from the kitchen"."""
     unknown = {reading.words(p.begin, p.noun_end): p for p in phrases if p.head == "room" and not p.known}
+    heads = _by_head(phrases)
     found = []
     for begin, end in chunks:
         first = unknown.get(reading.words(begin, end))
-        first = first or _by_its_modifier(reading, phrases, begin, end)
+        first = first or _by_its_modifier(reading, phrases, begin, end) or _by_its_head(reading, heads, begin, end)
         if first is not None and reading.free(begin, end):
             phrase = finished_phrase(reading, "room", begin, end, room=first.room_type, known=first.known)
             reading.take(phrase.first, phrase.last)
@@ -120,6 +111,24 @@ def _by_its_modifier(reading: Reading, phrases: list[Phrase], begin: int, end: i
         and words[-1] not in HEAD_TYPES
     ]
     return named[0] if len({phrase.name for phrase in named}) == 1 else None
+
+
+def _by_head(phrases: list[Phrase]) -> dict[str, Phrase]:
+    """Return rooms by the last word of their names, where no two of other names share it."""
+    named: dict[str, dict[str, Phrase]] = {}
+    for phrase in phrases:
+        if phrase.head == "room" and "_" in phrase.name:
+            named.setdefault(phrase.name.rpartition("_")[2], {}).setdefault(phrase.name, phrase)
+    return {head: next(iter(rooms.values())) for head, rooms in named.items() if len(rooms) == 1}
+
+
+def _by_its_head(reading: Reading, heads: dict[str, Phrase], begin: int, end: int) -> Phrase | None:
+    """Return the one room of an earlier sentence that "the dock" is short for: the loading dock."""
+    if end - begin != 1 or reading.word(begin - 1) != "the":
+        return None
+    phrase = heads.get(reading.word(begin))
+    earlier = phrase is not None and reading.sentence[phrase.first] < reading.sentence[begin]
+    return phrase if earlier else None
 
 
 def _chunks(reading: Reading) -> list[tuple[int, int]]:
@@ -247,6 +256,10 @@ def _headed(reading: Reading, begin: int, end: int, *, whole: bool) -> Phrase | 
     last = reading.word(end - 1)
     if not whole and reading.word(end) in _PARTS:
         return None
+    if not whole and reading.word(end) in ("style", "styled"):
+        return None  # "chalet style" is how the building looks
+    if reading.word(end) == "one" and reading.word(begin - 1) in ("a", "an"):
+        return None  # "two kitchens, a meat one and a dairy one"
     category, size = furniture_of(reading.words(begin, end))
     if last in _STAIRS | _LIFTS and size < 2:
         return finished_phrase(reading, "stair" if last in _STAIRS else "elevator", begin, end)
@@ -280,7 +293,8 @@ def _headed(reading: Reading, begin: int, end: int, *, whole: bool) -> Phrase | 
         return finished_phrase(reading, "room", begin, end, room="study_room", known=False)
     if last in ("room", "corner") and end - begin == 1 and _has_purpose(reading, end) and not reading.plural(end - 1):
         return finished_phrase(reading, "room", begin, end, room="study_room", known=False)
-    alone = last in _STANDS_ALONE and (reading.plural(end - 1) or count_before(reading, begin, end)[2])
+    _, _, counted, determiner = count_before(reading, begin, end)
+    alone = last in _STANDS_ALONE and (reading.plural(end - 1) or counted or determiner == "the")
     if alone and end - begin == 1:
         return finished_phrase(reading, "room", begin, end, room=HEAD_TYPES[last], known=False)
     if last in HEAD_TYPES and end - begin > 1 and not (last in _NO_HEADS and reading.word(end - 2) in PLAIN):
@@ -288,7 +302,7 @@ def _headed(reading: Reading, begin: int, end: int, *, whole: bool) -> Phrase | 
         if name != last:
             kind = similar_room_type(name, reading.knowledge)
             return finished_phrase(reading, "room", begin, end, room=kind, known=False)
-    if last in _PEOPLE:
+    if last in PEOPLE:
         return finished_phrase(reading, "people", begin, end)
     if category:
         return finished_phrase(reading, "object", begin, end, category=category)

@@ -49,7 +49,7 @@ class NumberedStoreys:
         if counts_above_ground(reading):
             self.british = self.zero_based = True
         self.numbered_headings = sum(
-            reading.kind(i) == "number" and reading.word(i + 1) == ":" and reading.starts(i)
+            reading.kind(i) == "number" and reading.starts(i) and self._is_heading(i)
             for i in range(len(reading.tokens))
         )
 
@@ -159,13 +159,15 @@ class NumberedStoreys:
         if (
             reading.starts(index)
             and self.has_floors
-            and following in ("for", "identical", "has", "hold", "contain", "with")
+            and following in ("for", "identical", "has", "hold", "contain", "with", "are", "have")
         ):
             return last > index + 1 or following in ("for", "has", "hold", "contain")
         if reading.starts(index):
             return following in (":", "\n", "(", "=", "-") or (following == "is" and reading.word(index - 1) == "the")
         if reading.word(index - 1) == "on" and reading.starts(index - 1):
             return following in (":", ",")
+        if reading.word(index - 1) == "from" and last > index + 1:
+            return True  # "from 2nd to 4th"
         if reading.word(index - 1) != "the":
             return False
         if reading.word(index - 2) in ("on", "to", "and", "in", "at") or reading.starts(index - 1):
@@ -175,16 +177,23 @@ class NumberedStoreys:
             )
         return False
 
+    def _is_heading(self, index: int) -> bool:
+        """Whether numbers that open a sentence stand before a colon: "4:", "2 and 3:", "5 to 8:"."""
+        last = index + 1
+        while self.reading.word(last) in (",", "and", "&", "–", "to", "through") and last - index < 12:
+            last += 2
+        return self.reading.word(last) == ":"
+
     def heading(self, index: int) -> tuple[list[FloorRef], int] | None:
         """Read "1: lobby", "4, 5 and 6: wards" where such headings number the storeys."""
         reading = self.reading
         if self.numbered_headings < 2 or reading.kind(index) != "number" or not reading.starts(index):
             return None
         numbers, last = [int(reading.value(index))], index + 1
-        while reading.word(last) in (",", "and", "&", "–", "to"):
+        while reading.word(last) in (",", "and", "&", "–", "to", "through"):
             if reading.kind(last + 1) != "number":
                 return None
-            if reading.word(last) in ("–", "to"):
+            if reading.word(last) in ("–", "to", "through"):
                 numbers += range(numbers[-1] + 1, int(reading.value(last + 1)) + 1)
             else:
                 numbers.append(int(reading.value(last + 1)))

@@ -7,7 +7,17 @@ from mansion_language import Token
 from mansion_planner.brief.lexicon import Mention
 from mansion_planner.brief.reading import Reading
 
-__all__ = ["FUNCTION_WORDS", "PLAIN", "UNITS_OF_ROOMS", "Head", "Phrase", "count_before", "finished_phrase", "name_of"]
+__all__ = [
+    "FUNCTION_WORDS",
+    "PEOPLE",
+    "PLAIN",
+    "UNITS_OF_ROOMS",
+    "Head",
+    "Phrase",
+    "count_before",
+    "finished_phrase",
+    "name_of",
+]
 
 Head: TypeAlias = Literal["room", "building", "stair", "elevator", "object", "people", "unknown"]
 
@@ -34,7 +44,7 @@ FUNCTION_WORDS = frozenset(
     named known planned needed wanted required preferred desired expected apiece respectively etc ie eg namely such
     measure measuring occupy occupying span spanning
     well however therefore moreover nevertheless obviously yes ok pls hello hi dear thanks thank upstairs downstairs
-    upstair downstair
+    upstair downstair throughout everywhere anywhere elsewhere neither incl
     """.split()
 )
 """Words that no noun phrase of a room goes across."""
@@ -51,6 +61,19 @@ PLAIN = frozenset(
     """.split()
 )
 """Adjectives that say how a room is, and are no part of its name."""
+
+PEOPLE = frozenset(
+    """
+    people person resident occupant pupil student child employee worker guest patient adult inhabitant staff teacher
+    kid user visitor elderly tenant inmate firefighter officer diner roommate friend colleague developer lodger
+    brother sister member player nun monk soldier crew engineer worshipper customer client artist family household
+    passenger traveller commuter donor drummer dancer musician nurse doctor consultant lawyer architect agent
+    analyst programmer designer journalist trader operator researcher scientist professor lecturer cleaner waiter
+    midwife therapist pilot driver clerk trainee apprentice intern volunteer swimmer climber viewer spectator
+    delegate
+    """.split()
+)
+"""Nouns for those who live, work or stay in a building."""
 
 _JOINTS = frozenset("a an the of for and in on at to with or per each every".split())
 _SOFT_PLURAL = frozenset(
@@ -91,6 +114,8 @@ class Phrase:
         The lexicon has the head.
     areas : tuple of float
         Square metres; of each room, or one for each.
+    limit : {"", "most", "least"}
+        What the areas bound.
     """
 
     head: Head
@@ -109,6 +134,7 @@ class Phrase:
     determiner: str = ""
     known: bool = True
     areas: tuple[float, ...] = ()
+    limit: Literal["", "most", "least"] = ""
 
 
 def finished_phrase(
@@ -166,6 +192,10 @@ def count_before(reading: Reading, begin: int, end: int) -> tuple[int, int | Non
         ):
             index -= 1  # "two-bedroom" is an adjective
             continue
+        if reading.kind(index) == "number" and reading.text[
+            reading.tokens[index].end : reading.tokens[index].end + 1
+        ] in ("-", "‑"):
+            break  # "two-family house", "four-poster bed"
         if reading.kind(index) == "number" and not reading.tokens[index].spaced and reading.kind(index - 1) == "word":
             break  # "BSL-3 laboratory" has the number in its name
         if reading.kind(index) == "number" and index not in reading.taken:

@@ -6,13 +6,14 @@ content words that belong to none are reported as not understood. No step looks 
 is proportional to the length of the text.
 """
 
+from collections.abc import Callable
 from dataclasses import replace
 
 from mansion_knowledge import KnowledgeBase
 from mansion_planner.brief.adverts import read_adverts, read_bedrooms_of_building
-from mansion_planner.brief.attachment import Attachment
-from mansion_planner.brief.building import building_phrase, own_building_name, unknown_building
-from mansion_planner.brief.bystanders import without_bystanders
+from mansion_planner.brief.background_phrases import without_bystanders
+from mansion_planner.brief.building import building_phrase, is_compound, own_building_name, unknown_building
+from mansion_planner.brief.building_shape import read_copies, read_massing, read_shape, read_sizes
 from mansion_planner.brief.coreference import coreferences
 from mansion_planner.brief.desk_areas import read_desk_areas
 from mansion_planner.brief.distant_counts import (
@@ -31,22 +32,23 @@ from mansion_planner.brief.measures import Measure, find_measures, give_measures
 from mansion_planner.brief.named_rooms import desks_as_places, rooms_by_name
 from mansion_planner.brief.noun_phrases import noun_phrases
 from mansion_planner.brief.phrase import FUNCTION_WORDS, PLAIN, Phrase
+from mansion_planner.brief.qualifiers import is_property, unheeded_words
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading, start_reading
 from mansion_planner.brief.relations import Relation, read_relations
 from mansion_planner.brief.room_facts import RoomStatements, identifier
-from mansion_planner.brief.similarity import similar_room_type
-from mansion_planner.brief.stacking import read_stacking
+from mansion_planner.brief.similarity import HEAD_TYPES, similar_room_type
+from mansion_planner.brief.stacked_uses import read_stacking
+from mansion_planner.brief.storey_attachment import Attachment
 from mansion_planner.brief.storeys import read_storeys
 from mansion_planner.brief.suites import read_suites
 from mansion_planner.brief.unit_storeys import attach_units
 from mansion_planner.brief.units import are_units
-from mansion_planner.brief.wishes import read_copies, read_massing, read_shape, read_sizes
 
 __all__ = ["read_brief"]
 
 
-def read_brief(text: str, knowledge: KnowledgeBase) -> BriefFacts:
-    """Return what `text` states; never raises, whatever the text.
+def read_brief(text: str, knowledge: KnowledgeBase, *, cancelled: Callable[[], bool] = lambda: False) -> BriefFacts:
+    """Return what `text` states, whatever the text is.
 
     Parameters
     ----------
@@ -54,6 +56,13 @@ def read_brief(text: str, knowledge: KnowledgeBase) -> BriefFacts:
         English, any length; words of other scripts are passed over.
     knowledge : KnowledgeBase
         Gives the names of rooms, buildings and styles.
+    cancelled : callable
+        Asked between the steps whether the reading is not wanted any more.
+
+    Raises
+    ------
+    MansionError
+        ``CANCELED``, of nothing else.
 
     Examples
     --------
@@ -64,7 +73,8 @@ def read_brief(text: str, knowledge: KnowledgeBase) -> BriefFacts:
     >>> [(room.room_type, room.count) for room in facts.rooms]
     [('bedroom', 3)]
     """
-    reading = start_reading(text, knowledge)
+    reading = start_reading(text, knowledge, cancelled)
+    reading.go_on()
     read_materials(reading)
     read_heights(reading)
     read_style(reading, named=True)
@@ -72,9 +82,12 @@ def read_brief(text: str, knowledge: KnowledgeBase) -> BriefFacts:
     measures = find_measures(reading)
     places = read_storeys(reading)
     read_massing(reading)
-    _Reader(reading, places).read(measures)
+    reading.go_on()
+    phrases = _Reader(reading, places).read(measures)
+    reading.go_on()
     read_copies(reading, places)
     read_style(reading, named=False)
+    reading.facts.unheeded += unheeded_words(reading, phrases, reading.facts)
     _leave_unread(reading)
     return reading.facts
 
@@ -85,17 +98,19 @@ class _Reader:
     def __init__(self, reading: Reading, places: list[Place]) -> None:
         self.reading, self.facts, self.places = reading, reading.facts, places
 
-    def read(self, measures: list[Measure]) -> None:
-        """Read everything that noun phrases are part of."""
+    def read(self, measures: list[Measure]) -> list[Phrase]:
+        """Read everything that noun phrases are part of; return them."""
         reading = self.reading
-        read_adverts(reading)
+        read_adverts(reading, self.places)
         self.opening = unknown_building(reading)
         phrases = without_bystanders(reading, noun_phrases(reading))
         phrases = desks_as_places(reading, rooms_by_name(reading, phrases))
+        reading.go_on()
         stacked = read_stacking(reading, phrases)
         phrases = [phrase for number, phrase in enumerate(phrases) if number not in stacked]
         self.building = self._name_building(phrases)
         self.phrases = [self._plain_rooms(phrase) for phrase in give_measures(reading, measures, phrases)]
+        reading.go_on()
         read_late_counts(reading, self.phrases)
         self.phrases, self.households = read_households(reading, self.phrases, self.places, self.building)
         self._find_building()
@@ -103,6 +118,7 @@ class _Reader:
         self._fittings()
         shared = read_counts_by_storey(reading, self.phrases, self.places, self.households)
         self._find_building()
+        reading.go_on()
         self.relations = read_relations(reading, self.phrases, set() if self.building is None else {self.building})
         self.negated = negated_phrases(reading, self.phrases)
         self.attached = attach_units(reading, self.places, self.phrases, self.building, self.households)
@@ -110,6 +126,7 @@ class _Reader:
             if phrase.first in shared and number in self.attached:
                 self.attached[number] = Attachment(self.attached[number].refs)
         self._other_names_of_building()
+        reading.go_on()
         self.same, self.groups = coreferences(reading, self.phrases, self._wanted_rooms(), self.relations)
         self._said_with_area()
         self._placed_later()
@@ -120,7 +137,9 @@ class _Reader:
             if self.phrases[n].head == "room" and self.phrases[n].first not in self.households.read
         ]
         read_counts_by_person(reading, self.phrases, rooms, self.same, self.households.inner)
+        reading.go_on()
         suites = read_suites(reading, self.phrases, rooms, self.same, self.households.inner)
+        reading.go_on()
         self._occupants()
         self._vertical()
         self.facts.objects += read_furnishings(reading, self.phrases, self.attached, self.negated, self.same)
@@ -146,6 +165,7 @@ class _Reader:
                 and any(p.last == index - 1 and p.head == "room" for p in self.phrases)
             ):
                 reading.take(index, index + 1)  # how many a room is for
+        return self.phrases
 
     # The building ---------------------------------------------------------------------------------------------------
 
@@ -178,22 +198,34 @@ class _Reader:
         self.facts.building_name = own_building_name(self.reading, phrase)
         read_bedrooms_of_building(self.reading, phrase)
         read_sizes(self.reading, phrase.first, phrase.noun_end)
+        if phrase.building == "flat" and phrase.counted and (phrase.count or 0) > 1:
+            self.facts.building[-1] = (name, self.reading.span(phrase.begin, phrase.noun_end))
+            return None  # "two flats side by side" are a building and its rooms
         return number
 
     def _plain_rooms(self, phrase: Phrase) -> Phrase:
         """Read "40 rooms" in a hotel, hospital or dormitory as the rooms that it is for; elsewhere they stay unread."""
         if phrase.head == "building" and not phrase.room_type:
             return replace(phrase, room_type=similar_room_type(phrase.name, self.reading.knowledge), known=False)
+        if phrase.head == "building" and phrase.counted and phrase.plural and is_compound(self.reading, phrase):
+            return replace(phrase, known=False)
         if phrase.name == "hall" and phrase.room_type == "hallway" and sum(phrase.areas[:1]) >= 40.0:
             return replace(phrase, room_type="assembly_hall")
-        if phrase.head != "room" or phrase.name not in ("room", "guest_room") or not phrase.counted:
-            return phrase
         kind = self.facts.building[0][0] if self.facts.building else ""
         record = self.reading.knowledge.buildings.get(kind)
+        works = record is not None and record.family in _WORKING
+        if works and phrase.room_type == "studio_apartment" and phrase.name.rpartition("_")[2] == "studio":
+            # nobody lives in a dance school
+            return replace(phrase, head="room", building="", room_type=HEAD_TYPES["studio"], known=False)
+        if phrase.head != "room" or phrase.name not in ("room", "guest_room") or not phrase.counted:
+            return phrase
         room = _PLAIN.get(kind) or _PLAIN.get(record.like if record is not None else "")
         if room is not None:
             return replace(phrase, room_type=room, known=True)
-        return replace(phrase, head="unknown") if phrase.name == "room" else phrase
+        if phrase.name != "room":
+            return phrase
+        self.reading.taken.difference_update(range(phrase.first, phrase.last))
+        return replace(phrase, head="unknown")
 
     def _containers(self) -> None:
         """Leave out what only holds rooms that are counted themselves: "wards with twelve patient rooms"."""
@@ -213,17 +245,26 @@ class _Reader:
     def _fittings(self) -> None:
         """Read "every cell fitted with bunk, toilet and desk" as furniture, though a toilet can be a room as well."""
         reading = self.reading
+        fitted = {
+            reading.sentence[index]: index
+            for index in reversed(range(len(reading.tokens)))
+            if reading.word(index) in ("fitted", "equipped", "furnished") and reading.word(index + 1) == "with"
+        }
         for number, phrase in enumerate(self.phrases):
             if phrase.head != "room" or phrase.areas:
                 continue
-            start = phrase.first
-            while start > 0 and reading.sentence[start - 1] == reading.sentence[phrase.first]:
-                start -= 1
-                if reading.word(start) in ("fitted", "equipped", "furnished") and reading.word(start + 1) == "with":
-                    category, _ = furniture_of(reading.words(phrase.begin, phrase.noun_end))
-                    if category:
-                        self.phrases[number] = replace(phrase, head="object", category=category, room_type="")
-                    break
+            category, _ = furniture_of(reading.words(phrase.begin, phrase.noun_end))
+            before = self.phrases[number - 1] if number else None
+            listed = fitted.get(reading.sentence[phrase.first], phrase.first) < phrase.first
+            if category and (listed or (before is not None and self._is_fixture(before, phrase))):
+                self.phrases[number] = replace(phrase, head="object", category=category, room_type="")
+
+    def _is_fixture(self, room: Phrase, phrase: Phrase) -> bool:
+        """Whether "a bathroom with a shower" and "a staff room with lockers" speak of what stands in the room."""
+        between = self.reading.words(room.last, phrase.begin)
+        if room.head != "room" or between not in (("with",), ("with", "a"), ("with", "the")):
+            return False
+        return phrase.name == "locker" or (room.room_type in _BATHROOMS and phrase.name in _FIXTURES)
 
     # Phrases that stand for others ----------------------------------------------------------------------------------
 
@@ -241,6 +282,10 @@ class _Reader:
         sentence = self.reading.sentence[named.first] if named is not None else -1
         buildings = self.reading.knowledge.buildings
         for number, phrase in enumerate(self.phrases):
+            again = named is not None and phrase.count == 1 and self._holds_all(phrase, named)
+            if again and number != self.building:
+                self.phrases[number] = replace(phrase, head="unknown")  # "two levels inside one flat"
+                continue
             if number == self.building or not phrase.building or phrase.plural or phrase.counted or phrase.areas:
                 continue
             if named is not None and phrase.head == "building" and self._is_alone(phrase):
@@ -263,12 +308,38 @@ class _Reader:
             if same_family or phrase.first < named.first:
                 self.phrases[number] = replace(phrase, head="unknown")
 
+    def _holds_all(self, phrase: Phrase, named: Phrase) -> bool:
+        """Whether "inside one flat" speaks of the building, as "in an old factory" does of where it is."""
+        reading, before = self.reading, self.reading.word(phrase.first - 1)
+        buildings = reading.knowledge.buildings
+        if not phrase.building or phrase.first < named.first:
+            return False
+        if before in ("in", "inside", "within", "into") and "old" in reading.words(phrase.first, phrase.noun_end):
+            return reading.sentence[phrase.first] == reading.sentence[named.first]
+        alike = buildings[phrase.building].family == buildings[named.building].family
+        return before in ("inside", "within") and alike
+
     def _said_with_area(self) -> None:
         """Give a room the area that another mention of it has: "beside the live room (70 m2) ... The live room"."""
+        self._said_of_all()
         for number, named in self.same.items():
             phrase, room = self.phrases[number], self.phrases[named]
             if phrase.areas and not room.areas and phrase.name == room.name:
                 self.phrases[named] = replace(room, areas=phrase.areas)
+
+    def _said_of_all(self) -> None:
+        """Read "four classrooms ... six classrooms. Classrooms around 50 m2" as of all that are named before."""
+        before: dict[str, list[int]] = {}
+        for number in self._wanted_rooms():
+            phrase = self.phrases[number]
+            named = before.setdefault(phrase.name, [])
+            if phrase.plural and not phrase.counted and phrase.areas and named and number not in self.same:
+                for other in named:
+                    room = self.phrases[other]
+                    self.phrases[other] = room if room.areas else replace(room, areas=phrase.areas, limit=phrase.limit)
+                self.same[number] = named[-1]
+            elif number not in self.same:
+                named.append(number)
 
     def _is_alone(self, phrase: Phrase) -> bool:
         """Whether a phrase of a style and a noun is a sentence of its own."""
@@ -369,9 +440,10 @@ class _Reader:
     def _relations(self) -> None:
         for relation in self.relations:
             held = self.facts.apart if relation.apart else self.facts.adjacent
+            many = len(held)
             for pair in self._pairs(relation):
                 first, second = (self.phrases[self.same.get(n, n)] for n in pair)
-                if not first.room_type or not second.room_type:
+                if not first.room_type or not second.room_type or "unknown" in (first.head, second.head):
                     continue
                 span = self.reading.span(min(first.begin, relation.first), relation.last)
                 if relation.last <= second.begin and second.noun_end - first.begin < 14:
@@ -383,6 +455,12 @@ class _Reader:
                         first.room_type, second.room_type, span, identifier(first.name), identifier(second.name)
                     )
                 )
+            if len(held) == many:
+                self._tell(relation)
+
+    def _tell(self, relation: Relation) -> None:
+        """Give back the words of a relation that no statement was made of."""
+        self.reading.taken.difference_update(range(relation.first, relation.last))
 
     def _pairs(self, relation: Relation) -> list[tuple[int, int]]:
         whole = relation.lefts[0]
@@ -399,6 +477,12 @@ _FURTHER = frozenset("second third another further additional extra".split())
 
 _HOMES = frozenset({"house", "home", "building", "villa", "cottage", "cabin", "bungalow"})
 """Nouns that with "the" mean the whole building."""
+
+_FIXTURES = frozenset({"shower", "bath", "walk_in_shower"})
+_BATHROOMS = frozenset({"bathroom", "ensuite_bathroom", "accessible_toilet"})
+
+_WORKING = frozenset({"office", "industry", "education", "culture", "sport", "retail"})
+"""Families of buildings whose studios are to work in."""
 
 _BARE = frozenset({"building", "complex"})
 """Names of a building that say nothing of its use: its rooms do."""
@@ -424,6 +508,14 @@ def _leave_unread(reading: Reading) -> None:
             first = -1
 
 
+_RELATING = frozenset(
+    """
+    above below beneath underneath over under behind beside next near opposite surrounded share overlooking except
+    unless
+    """.split()
+)
+"""Words that tell where a room is, or what it shares; where no relation was read they are told of."""
+
 _REQUESTS = frozenset(
     "design generate imagine think thank suppose assume kindly hereby attach attached regards".split()
 )
@@ -434,10 +526,23 @@ def _is_content(reading: Reading, index: int) -> bool:
     token = reading.tokens[index]
     if token.kind == "number":
         return True
+    grounded = reading.word(index + 1) in ("ground", "grade") or reading.kind(index + 1) in ("number", "unit")
+    if token.kind == "ordinal" or (token.text in _RELATING and not grounded):
+        return True
+    if reading.word(index - 1) == "(" and reading.word(index + 1) == ")" and token.text in PLAIN:
+        return True  # "kitchen (open)"
+    if (
+        token.text in ("same", "different")
+        and reading.word(index + 1) in FLOOR_WORDS
+        and index + 1 not in reading.taken
+    ):
+        return True  # "on the same floor as"
+    if token.text == "only" and reading.plural(index - 1) and reading.breaks(index + 1):
+        return True  # "on the first floor we want bedrooms only"
     return (
         token.kind == "word"
         and token.text not in FUNCTION_WORDS
-        and token.text not in PLAIN
+        and (token.text not in PLAIN or is_property(token.text))
         and token.text not in FLOOR_WORDS
         and token.text not in _REQUESTS
         and len(token.text) > 1

@@ -1,9 +1,11 @@
 """A brief while it is read: its tokens, the phrases found in them, and which tokens a statement was read from."""
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 
 from mansion_knowledge import KnowledgeBase
 from mansion_language import Token, tokenize
+from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_planner.brief.count_forms import count_forms
 from mansion_planner.brief.facts import BriefFacts, FloorRef, Span
 from mansion_planner.brief.furniture_words import furniture_vocabulary
@@ -22,7 +24,7 @@ FLOOR_WORDS = frozenset(
 _BREAKS = frozenset({".", ";", "\n", "!", "?"})
 _ABBREVIATIONS = frozenset(
     """
-    approx ca incl max min no nr sq etc st vs eg resp
+    approx ca dr incl max min no nr sq etc st vs eg resp
     """.split()
 )
 
@@ -61,6 +63,8 @@ class Reading:
         Indices of tokens that stand before the head of a room or a building, and may say of its style.
     named_areas : set of int
         Indices of numbers whose area was given to rooms together with their names.
+    cancelled : callable
+        Whether the reading is not wanted any more.
     sentence : list of int
         For each token the number of its sentence; lines, semicolons and full stops end one.
     """
@@ -75,6 +79,18 @@ class Reading:
     named_areas: set[int] = field(default_factory=set)
     sentence: list[int] = field(default_factory=list)
     modifiers: set[int] = field(default_factory=set)
+    cancelled: Callable[[], bool] = lambda: False
+
+    def go_on(self) -> None:
+        """Go on, unless the reading is cancelled; called between the steps, none of which takes long.
+
+        Raises
+        ------
+        MansionError
+            ``CANCELED``.
+        """
+        if self.cancelled():
+            raise MansionError(ErrorCode.CANCELED, "the reading of the description was cancelled")
 
     def word(self, index: int) -> str:
         """Return the normal form of a token, or an empty string outside the brief."""
@@ -134,7 +150,7 @@ class Reading:
         return self.taken.isdisjoint(range(first, last))
 
 
-def start_reading(text: str, knowledge: KnowledgeBase) -> Reading:
+def start_reading(text: str, knowledge: KnowledgeBase, cancelled: Callable[[], bool] = lambda: False) -> Reading:
     """Tokenise `text`, correct misspelt words and find the phrases of the knowledge base."""
     lexicon = lexicon_of(knowledge)
     tokens = compounds(
@@ -148,6 +164,7 @@ def start_reading(text: str, knowledge: KnowledgeBase) -> Reading:
         mentions=mentions,
         knowledge=knowledge,
         mention_at={mention.first: mention for mention in mentions},
+        cancelled=cancelled,
     )
     number = 0
     for index in range(len(tokens)):

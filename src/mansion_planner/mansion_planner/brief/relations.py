@@ -4,7 +4,8 @@ A relation joins the room named last before it and the rooms named right after i
 """
 
 import itertools
-from dataclasses import dataclass
+from bisect import bisect_left
+from dataclasses import dataclass, replace
 
 from mansion_planner.brief.phrase import Phrase
 from mansion_planner.brief.reading import Reading
@@ -134,7 +135,7 @@ _MUTUAL = [
     ("alongside",),
     ("beside",),
 ]
-_LEADS = frozenset({"between", "each", *(words[0] for words in (*_BESIDE, *_APART, *_MUTUAL))})
+_LEADS = frozenset({"between", "each", "to", "of", *(words[0] for words in (*_BESIDE, *_APART, *_MUTUAL))})
 """Words that a relation can begin with."""
 _NEGATIONS = frozenset({"not", "no", "never", "neither", "nor", "without", "nowhere", "avoid"})
 _PRONOUNS = frozenset({"it", "them", "this", "that", "which", "these"})
@@ -181,10 +182,20 @@ def read_relations(reading: Reading, phrases: list[Phrase], excluded_phrases: se
             index += 1
             continue
         relation, last = found
+        relation = _of_subject(reading, phrases, relation, relations[-1] if relations else None)
         relations.append(relation)
         reading.take(relation.first, relation.last)
         index = max(last, index + 1)
     return relations
+
+
+def _of_subject(reading: Reading, phrases: list[Phrase], relation: Relation, before: Relation | None) -> Relation:
+    """Return a relation that goes on after a comma as of the same room: "beside the dock, away from the boiler"."""
+    if before is None or relation.lefts != before.rights[-1:] or before.lefts == before.rights:
+        return relation
+    between = reading.words(phrases[relation.lefts[0]].last, relation.first)
+    joined = between in ((",",), (",", "and"), (",", "but"), ("but",), ("and",))
+    return replace(relation, lefts=before.lefts) if joined else relation
 
 
 def _relation_at(reading: Reading, phrases: list[Phrase], rooms: list[int], index: int) -> tuple[Relation, int] | None:
@@ -208,11 +219,32 @@ def _relation_at(reading: Reading, phrases: list[Phrase], rooms: list[int], inde
         )
         if found is not None:
             return found, index + len(mutual)
+    if reading.words(index, index + 2) in (("to", "the"), ("of", "the")) and index not in reading.taken:
+        return _belonging(reading, phrases, rooms, index)
     apart = next((p for p in _APART if reading.words(index, index + len(p)) == p), None)
     beside = apart or max((p for p in _BESIDE if reading.words(index, index + len(p)) == p), key=len, default=None)
+    if reading.word(index) == "besides" and reading.word(index - 1) in ("nothing", "anything", "everything"):
+        return None
     if beside is None or (index in reading.taken and reading.word(index) not in ("direct", "open")):
         return None
     return _directed(reading, phrases, rooms, index, index + len(beside), apart=apart is not None)
+
+
+def _belonging(reading: Reading, phrases: list[Phrase], rooms: list[int], index: int) -> tuple[Relation, int] | None:
+    """Read "an ensuite to the master bedroom"."""
+    at = bisect_left(rooms, index, key=lambda n: phrases[n].last)
+    if at + 1 >= len(rooms):
+        return None
+    owned, owner = rooms[at], rooms[at + 1]
+    if phrases[owned].last != index or phrases[owned].room_type not in _OWNED:
+        return None
+    if phrases[owner].begin != index + 2 or phrases[owner].head != "room":
+        return None
+    return Relation((owned,), (owner,), False, index, index + 2), phrases[owner].last
+
+
+_OWNED = frozenset({"ensuite_bathroom", "walk_in_closet", "dressing_room"})
+"""Rooms that belong to another."""
 
 
 def _closes(reading: Reading, last: int, phrases: list[Phrase], rooms: list[int]) -> bool:
@@ -358,7 +390,7 @@ def _right(reading: Reading, phrases: list[Phrase], rooms: list[int], last: int)
     if not following or phrases[following[0]].begin - last > 5:
         return []
     if reading.breaks(last - 1) or any(
-        word in (",", ":", ")") for word in reading.words(last, phrases[following[0]].first)
+        word in (",", ":", ")", "with", "and") for word in reading.words(last, phrases[following[0]].first)
     ):
         return []
     rights = [following[0]]
@@ -372,8 +404,9 @@ def _right(reading: Reading, phrases: list[Phrase], rooms: list[int], last: int)
 
 
 def _between(reading: Reading, phrases: list[Phrase], rooms: list[int], index: int) -> tuple[Relation, int] | None:
-    if reading.word(index + 1) == "them" or reading.words(index + 1, index + 3) == ("the", "two"):
-        return _between_them(phrases, [n for n in rooms if phrases[n].last <= index], index)
+    alone = reading.word(index - 1) == "in" and (reading.breaks(index + 1) or reading.word(index + 1) in (",", ")"))
+    if alone or reading.word(index + 1) == "them" or reading.words(index + 1, index + 3) == ("the", "two"):
+        return _between_them(phrases, [n for n in rooms if phrases[n].last <= index], index, index + 2 - alone)
     following = _in_sentence(reading, phrases, rooms, index, before=False)[:2]
     before = _in_sentence(reading, phrases, rooms, index, before=True)
     if not following or not before or (reading.kind(index + 1) == "number" and not phrases[following[0]].plural):
@@ -389,16 +422,16 @@ def _between(reading: Reading, phrases: list[Phrase], rooms: list[int], index: i
     return Relation(lefts * len(following), tuple(following), False, index, index + 1), phrases[following[-1]].last
 
 
-def _between_them(phrases: list[Phrase], before: list[int], index: int) -> tuple[Relation, int] | None:
+def _between_them(phrases: list[Phrase], before: list[int], index: int, last: int) -> tuple[Relation, int] | None:
     """Read "two bedrooms, the bathroom is between them" and "a bedroom, a bathroom, a cupboard between them"."""
     if len(before) < 2:
         return None
     subject, others = before[-1], before[:-1]
     several = [n for n in others if (phrases[n].count or 2) > 1]
     if phrases[others[-1]].count == 1 and len(others) > 1 and not (several and several[-1] == others[-1]):
-        return Relation((subject, subject), tuple(others[-2:]), False, index, index + 2), index + 2
+        return Relation((subject, subject), tuple(others[-2:]), False, index, last), last
     owner = several[-1] if several else others[-1]
-    return Relation((subject,), (owner,), False, index, index + 2), index + 2
+    return Relation((subject,), (owner,), False, index, last), last
 
 
 def _postposed(reading: Reading, phrases: list[Phrase], rooms: list[int], index: int, last: int) -> Relation | None:

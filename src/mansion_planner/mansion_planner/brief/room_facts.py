@@ -3,11 +3,11 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from mansion_planner.brief.attachment import Attachment
 from mansion_planner.brief.facts import RoomFact, Span, UseFact
 from mansion_planner.brief.households import told_apart
 from mansion_planner.brief.phrase import Phrase
 from mansion_planner.brief.reading import Place, Reading
+from mansion_planner.brief.storey_attachment import Attachment
 from mansion_planner.brief.storey_sequences import other_storeys
 from mansion_planner.brief.suites import Suites
 from mansion_planner.brief.units import Households, are_dwellings
@@ -82,14 +82,21 @@ class RoomStatements:
 
     def _only_there(self, phrase: Phrase, place: Attachment) -> None:
         """Read "toilets on the odd floors only" as no toilets on the others."""
-        found = next((p for p in self.places if p.refs == place.refs and 0 <= p.first - phrase.last <= 4), None)
+        found = next((p for p in self.places if p.refs == place.refs and self._near(p, phrase)), None)
         if found is None or not self.reading.facts.floors:
             return
         if self.reading.word(found.last) != "only" and self.reading.word(found.first - 1) != "only":
             return
         others = other_storeys(place.refs, int(self.reading.facts.floors[0].value))
-        span = self.reading.span(phrase.begin, found.last)
+        span = self.reading.span(min(phrase.begin, found.first), max(found.last, phrase.noun_end))
         self.reading.facts.excluded_on += [(phrase.room_type, ref, span) for ref in others]
+
+    def _near(self, place: Place, phrase: Phrase) -> bool:
+        """Whether a place stands right after a room, or opens its sentence with "only"."""
+        if 0 <= place.first - phrase.last <= 4:
+            return True
+        opens = self.reading.word(place.first - 1) == "only" and self.reading.starts(place.first - 1)
+        return opens and 0 < phrase.first - place.last <= 4
 
     def _exclude(self, number: int, phrase: Phrase, place: Attachment) -> None:
         first, last = self.negated[number]
@@ -134,6 +141,7 @@ class RoomStatements:
                 child.areas[0] if child.areas else None,
                 label=child.label,
                 known=child.known,
+                limit=child.limit,
             )
             for child in (*held, *children)
             if child.room_type
@@ -142,13 +150,14 @@ class RoomStatements:
             room_type=phrase.room_type,
             name=identifier(phrase.name) or phrase.room_type,
             span=span,
-            count=phrase.count,
+            count=None if phrase.determiner in ("each", "every") and not phrase.counted else phrase.count,
             area=phrase.areas[0] if phrase.areas else None,
             floors=place.refs,
             each=place.each,
             label=phrase.label,
             suite=suite,
             known=phrase.known,
+            limit=phrase.limit,
             unit=bool(held) or (self.reading.knowledge.room(phrase.room_type).unit and are_dwellings(phrase)),
         )
         if self._said_before(fact, phrase):

@@ -1,12 +1,13 @@
 """Read what rooms are called beyond their kind: own names, what they are for, and kinds that nobody knows."""
 
 import re
-from collections.abc import Collection, Mapping
+from collections.abc import Mapping
 from dataclasses import replace
 
 from mansion_language import singular
 from mansion_language.units import AREA
-from mansion_planner.brief.phrase import FUNCTION_WORDS, PLAIN, Phrase, finished_phrase, name_of
+from mansion_planner.brief.lexicon import Mention
+from mansion_planner.brief.phrase import FUNCTION_WORDS, PEOPLE, PLAIN, Phrase, finished_phrase, name_of
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
 from mansion_planner.brief.similarity import HEAD_TYPES, similar_room_type
 
@@ -180,9 +181,28 @@ def designated_nouns(reading: Reading) -> frozenset[str]:
         noun = reading.tokens[index - 1]
         if length and noun.kind == "word" and noun.text not in FUNCTION_WORDS and noun.text not in FLOOR_WORDS:
             found.setdefault(noun.text, set()).add("".join(reading.words(index, index + length)))
-            if _next_designator(reading, index + length):
+            if _next_designator(reading, index + length) or _lettered(reading, index, length):
                 found[noun.text].add("more")
     return frozenset(noun for noun, names in found.items() if len(names) > 1)
+
+
+def _lettered(reading: Reading, index: int, length: int) -> bool:
+    """Whether "2B" or a final "A" is a name by itself, and "1 to 6" are several."""
+    return length == 2 or bool(_range_end(reading, index)) or (reading.kind(index) == "word" and _ends(reading, index))
+
+
+def _ends(reading: Reading, index: int) -> bool:
+    following = reading.tokens[index + 1] if index + 1 < len(reading.tokens) else None
+    return following is None or following.kind == "mark" or following.text in _AFTER_DESIGNATOR
+
+
+def _range_end(reading: Reading, index: int) -> int:
+    """Return the last number of the designators "1 to 6" that begin at a token, or 0."""
+    if reading.word(index + 1) not in ("to", "–", "through") or not reading.plural(index - 1):
+        return 0
+    first, last = reading.value(index), reading.value(index + 2)
+    numbers = reading.kind(index) == reading.kind(index + 2) == "number" and 0 < first < last <= first + 40
+    return int(last) if numbers and last == int(last) and _ends(reading, index + 2) else 0
 
 
 def _designator(reading: Reading, index: int) -> int:
@@ -196,6 +216,8 @@ def _designator(reading: Reading, index: int) -> int:
         following = reading.tokens[index + 1] if index + 1 < len(reading.tokens) else None
         if following is not None and following.kind == "word" and not following.spaced:
             return 2 if len(following.text) == 1 else 0
+        if following is not None and following.text in ("to", "through"):
+            return int(bool(_range_end(reading, index)))
         ends = following is None or following.kind == "mark" or index + 1 in reading.taken
         return int(ends or (following is not None and following.text in _AFTER_DESIGNATOR))
     written = reading.text[token.start : token.end]
@@ -211,7 +233,7 @@ def _next_designator(reading: Reading, index: int) -> int:
 
 
 def with_designators(
-    reading: Reading, phrase: Phrase, nouns: frozenset[str], counted: Collection[str] = ()
+    reading: Reading, phrase: Phrase, nouns: frozenset[str], counted: Mapping[str, int]
 ) -> list[Phrase]:
     """Read "Bedroom 1" and "class 1A and 1B" as rooms of these names, or as one of those that are `counted` before."""
     noun = reading.word(phrase.noun_end - 1)
@@ -219,12 +241,16 @@ def with_designators(
         return [phrase]
     if phrase.building and noun in HEAD_TYPES:
         phrase = replace(phrase, head="room", building="", room_type=HEAD_TYPES[noun])
-    if phrase.name in counted:
+    if counted.get(phrase.name, len(reading.tokens)) < phrase.first:
         length = _designator(reading, phrase.noun_end)
         reading.take(phrase.noun_end, phrase.noun_end + length)
         return [replace(phrase, determiner="the", last=phrase.noun_end + length)]
     found, index = [], phrase.noun_end
     first = phrase.first
+    final = _range_end(reading, index)
+    if final and not phrase.counted:
+        reading.take(index, index + 3)
+        return [replace(phrase, count=final - int(reading.value(index)) + 1, counted=True, last=index + 3)]
     while index:
         length = _designator(reading, index)
         if not length:
@@ -271,6 +297,7 @@ def listed_unknowns(reading: Reading, chunks: list[tuple[int, int]], phrases: li
     rooms_in = {reading.sentence[phrase.first] for phrase in phrases if phrase.head == "room"}
     found: list[Phrase] = []
     ends = {phrase.last - 1 for phrase in phrases if phrase.head == "room"}
+    things = {phrase.last for phrase in phrases if phrase.head == "object"}
     for begin, end in chunks:
         if not reading.free(begin, end) or end - begin > 3:
             continue
@@ -287,6 +314,8 @@ def listed_unknowns(reading: Reading, chunks: list[tuple[int, int]], phrases: li
         divided = divided and end - begin <= 2 and not reading.plural(end - 1)
         if not measured and not divided and sentence not in rooms_in and not headed:
             continue
+        if before in ("a", "an") and reading.word(begin - 2) == "and" and begin - 2 in things:
+            continue  # "each with a bed and a chest"
         if reading.word(begin - 2) in _HOLDS and reading.plural(end - 1) and reading.kind(begin - 1) == "number":
             continue  # "a hall holding eight steel tanks"
         counted = reading.kind(begin - 1) == "number" and begin - 1 not in reading.taken
@@ -335,14 +364,14 @@ def _has_measure(reading: Reading, end: int) -> bool:
 _HOLDS = frozenset("holding containing with houses housing has have holds".split())
 _NO_ROOMS = frozenset(
     """
-    surface built gfa extension capacity volume rest remainder minimum maximum footprint
-    group team year department style look feel window door wall ceiling roof floor view light noise smell garden outside
-    street visitor guest gate fence plot river lake sea hill park field forest
-    material colour color area interior facade terrace steps step ramp way time year day night week money budget lot
-    plenty kind sort type size shape plan layout entrance access room place part one none whole wood oak brick stone
-    glass steel concrete marble gold silver white black green blue red furniture gross net total rectangle footprint
-    square thing stuff number escape dust water power heating cooling air sun daylight privacy quiet peace m metre
-    meter roof
+    surface built gfa extension capacity volume rest remainder minimum maximum footprint group team year department
+    style look feel window door wall ceiling roof floor view light noise smell garden outside street visitor guest
+    gate fence plot river lake sea hill park field forest material colour color area interior facade terrace steps
+    step ramp way time year day night week money budget lot plenty kind sort type size shape plan layout entrance
+    access room place part one none whole wood oak brick stone glass steel concrete marble gold silver white black
+    green blue red furniture gross net total rectangle footprint square thing stuff number largest biggest smallest
+    other larger smaller bigger star escape dust water power heating cooling air sun daylight privacy quiet peace m
+    metre meter roof
     """.split()
 )
 
@@ -393,14 +422,19 @@ def with_users(reading: Reading, phrase: Phrase, names: Mapping[str, int]) -> li
     last = phrase.last
     if phrase.head == "room" and reading.word(last) in _SEXES and one_of_several:
         return [_of_users(reading, phrase, last)]  # "vestiary feminine"
-    if phrase.head != "room" or reading.word(last) not in ("for", "of") or reading.word(last + 1) not in _PEOPLE_APART:
+    apart = phrase.plural and "separate" in reading.words(phrase.first - 1, phrase.noun_end)
+
+    def uses(index: int) -> bool:
+        return reading.word(index) in _PEOPLE_APART or (apart and reading.plural(index))
+
+    if phrase.head != "room" or reading.word(last) not in ("for", "of") or not uses(last + 1):
         return [phrase]
     users, index = [last + 1], last + 2
     while reading.word(index) in ("and", ",", "&"):
         index += 1 + (reading.word(index + 1) == "and")
         index += reading.words(index, index + 1) in (("another",), ("one",), ("others",))
         index += reading.word(index) == "for"
-        if reading.word(index) not in _PEOPLE_APART:
+        if not uses(index):
             break
         users.append(index)
         index += 1
@@ -420,6 +454,9 @@ def with_users(reading: Reading, phrase: Phrase, names: Mapping[str, int]) -> li
     ]
     rooms[0] = replace(rooms[0], first=phrase.first, begin=phrase.begin, noun_end=phrase.noun_end)
     return rooms
+
+
+_NOTHING = Mention(0, 0)
 
 
 def _of_users(reading: Reading, phrase: Phrase, user: int) -> Phrase:
@@ -452,12 +489,19 @@ def with_purpose(reading: Reading, phrase: Phrase) -> Phrase:
         return phrase
     if reading.word(last) == "for" and reading.word(last + 1) in _PEOPLE_APART:
         return phrase
+    two = reading.word(last + 2) == "and" and reading.plural(last + 1) and reading.plural(last + 3)
+    if two and phrase.plural and "separate" in reading.words(phrase.first - 1, phrase.noun_end):
+        return phrase  # "separate waiting rooms for cats and dogs"
     begin = last + 1 + (reading.word(last + 1) in ("the", "our", "all", "my", "a"))
+    if reading.word(last + 1) in ("our", "my") and reading.mention_at.get(begin, _NOTHING).building:
+        return phrase  # "a robotics lab for our institute"
     end = begin
     while end < begin + 3 and reading.kind(end) == "word" and reading.word(end) not in FUNCTION_WORDS:
         end += 1
     if end == begin:
         return phrase
+    if phrase.name == "room" and phrase.plural and reading.word(end - 1) in PEOPLE:
+        return phrase  # "a flat of three rooms for a young family"
     purpose = "_".join(reading.words(begin, end))
     name = f"{purpose}_{phrase.name}"[:60]
     generic = phrase.name in _PURPOSEFUL

@@ -3,7 +3,7 @@
 from dataclasses import replace
 from functools import cache
 
-from mansion_knowledge.words import common_words
+from mansion_knowledge.common_words import common_words
 from mansion_language import Token, singular
 from mansion_language.numbers import ORDINALS
 from mansion_language.spelling import Speller

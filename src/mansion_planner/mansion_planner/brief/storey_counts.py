@@ -147,6 +147,17 @@ class StoreyCounts:
         self._state(1, index, last)
         return last
 
+    def _of_room(self, index: int) -> bool:
+        """Whether "two storeys high" is said of a room: "the lobby is two storeys high"."""
+        reading = self.reading
+        if reading.word(index - 1) not in ("is", "be", "are") or reading.word(index + 2) not in ("high", "tall"):
+            return False
+        subject = index - 2 - (reading.word(index - 2) in ("should", "must", "shall", "will", "to"))
+        return any(
+            mention is not None and mention.room and not mention.building and mention.last == subject + 1
+            for mention in (reading.mention_at.get(at) for at in range(subject - 2, subject + 1))
+        )
+
     def _plain_count(self, index: int) -> int:
         """Read "four storeys", "3-storey", "between two and three floors", "two more floors below ground"."""
         reading = self.reading
@@ -160,6 +171,8 @@ class StoreyCounts:
         if reading.kind(index) != "number" or (
             reading.word(index - 1) in FLOOR_WORDS and reading.word(index - 1) != "story"
         ):
+            return index
+        if self._of_room(index):
             return index
         value, last = reading.value(index), index + 1
         ranged = reading.word(last) in ("and", "to", "or", "–", "-") and reading.kind(last + 1) == "number"

@@ -6,7 +6,7 @@ top"), as a set ("every floor", "all but the last") or from the storey named bef
 
 from dataclasses import replace
 
-from mansion_planner.brief.facts import FloorRef
+from mansion_planner.brief.facts import FloorRef, Quantity
 from mansion_planner.brief.named_storeys import COPULAS, TOPS, NamedStoreys
 from mansion_planner.brief.numbered_storeys import NumberedStoreys
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
@@ -30,7 +30,24 @@ def read_storeys(reading: Reading) -> list[Place]:
     settle_counts(reading)
     floors = int(reading.facts.floors[0].value) if reading.facts.floors else 0
     places = [_with_edges(reading, place) if place.last > place.first else place for place in scanner.places]
+    places = _narrowed(reading, places)
     return resolve_rest(places, floors)
+
+
+def _narrowed(reading: Reading, places: list[Place]) -> list[Place]:
+    """Read "by floor from 2nd to 4th" and "on each floor, levels 2 to 6" as each of those storeys."""
+    found: list[Place] = []
+    for place in places:
+        before = found[-1] if found else None
+        several = len(place.refs) > 1 or place.refs[0].kind == "range"
+        if before is not None and before.refs[0].kind == "every" and several:
+            gap = reading.words(before.last, place.first)
+            if gap in ((), ("from",), (",",), ("(",)) and not place.heading:
+                found[-1] = replace(before, refs=place.refs, last=place.last)
+                reading.take(before.first, place.last)
+                continue
+        found.append(place)
+    return found
 
 
 def _with_edges(reading: Reading, place: Place) -> Place:
@@ -227,6 +244,22 @@ class _Scanner:
             token.text for token in self.reading.tokens
         )
 
+    def _names_several(self, index: int) -> bool:
+        """Whether rooms or units in the plural stand before a token in its sentence: "12 flats on 4 floors, each"."""
+        reading = self.reading
+        at = index - 1
+        while at >= 0 and reading.sentence[at] == reading.sentence[index] and index - at < 30:
+            mention = reading.mention_at.get(at)
+            if mention is not None and mention.plural and (mention.room or mention.building):
+                return True
+            at -= 1
+        return False
+
+    def _counts(self, index: int) -> bool:
+        """Whether a plural with a number stands before a token: "three small apartments"."""
+        reading = self.reading
+        return reading.plural(index - 1) and any(reading.kind(i) == "number" for i in range(index - 3, index - 1))
+
     def _gathered(self, many: int, index: int) -> list[FloorRef]:
         """Return the storeys that "those five floors" speaks of: that many, named last in the sentence."""
         refs: list[FloorRef] = []
@@ -260,11 +293,25 @@ class _Scanner:
             return ([self._typical()] if alike else [FloorRef("middle")]), last + 1
         if word == "per" and reading.kind(index - 1) == "unit":
             return None
+        if word == "by" and reading.word(last) in FLOOR_WORDS and not reading.plural(last) and self._counts(index):
+            return [FloorRef("every")], last + 1  # "three apartments by floor"
         if word not in ("every", "each", "all", "per", "both", "any", "either", "whole"):
             return None
+        counted = (
+            reading.word(index - 1) == "," and reading.word(index - 2) in FLOOR_WORDS and index - 2 in reading.taken
+        )
+        counted = counted and not self._names_several(index)
+        if word == "each" and counted and reading.word(last) in ("with", "has", "having", "contain", "hold"):
+            return [FloorRef("every")], last  # "three floors, each with 12 rooms"
+        by_turns = word in ("every", "each") and reading.word(last) in ("second", "other")
+        if by_turns and reading.word(last + 1) in FLOOR_WORDS and not reading.plural(last + 1):
+            return [FloorRef("even")], last + 2  # "every second floor"
         if reading.word(last) == "of":
             last += 1 + (reading.word(last + 1) in ("the", "its", "our", "these", "those"))
         last += reading.word(last) in ("the", "our", "single", "one")
+        counted = reading.kind(last) == "number" and reading.word(last + 1) in FLOOR_WORDS
+        if counted and reading.value(last) > 1 and not reading.facts.floors:
+            reading.facts.floors.append(Quantity(reading.value(last), reading.span(last, last + 2)))
         last += reading.kind(last) == "number"
         upper = reading.word(last) in ("upper", "other", "guest", "remaining")
         last += upper or reading.word(last) in ("residential", "office", "typical")

@@ -1,5 +1,6 @@
 """Read which rooms others have for themselves: "bedrooms, each with a bathroom", "a suite with its own pantry"."""
 
+import itertools
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 
@@ -70,6 +71,11 @@ def read_suites(
         gap = set(gap_words)
         if "," in gap and owner not in suites and _list_goes_on(phrases, owner, number, gap_words):
             continue
+        if ("each", "group") in itertools.pairwise(gap_words) or ("per", "group") in itertools.pairwise(gap_words):
+            continue  # "ten offices in two groups, each group with a kitchenette"
+        lead = reading.words(phrase.first - 2, phrase.first)
+        if phrase.counted and lead == ("each", "and") and phrases[number - 1].head == "object":
+            continue  # "dormitories with 6 beds each and two shower rooms"
         if _measures_each(reading, phrases[owner].last, phrase.begin):
             gap.discard("each")
         tail = reading.words(phrase.last, phrase.last + 1)
@@ -83,12 +89,16 @@ def read_suites(
                 not shared
                 and _outside_brackets(gap_words) <= {"and", "a", "an", "its", "own", ",", "the", "one"}
                 and "and" in gap
+                and not (phrase.determiner == "the" and "," in gap_words)
             )
             if joined:
                 suites[number] = suites[owner]
             continue
         distributive = has and (
-            bool(gap & {"each", "every", "apiece"}) or tail in (("each",), ("apiece",)) or distributed
+            bool(gap & {"each", "every", "apiece"})
+            or tail in (("each",), ("apiece",))
+            or reading.words(phrase.last, phrase.last + 2) == ("for", "each")
+            or distributed
         )
         both = phrase.determiner in ("both", "all", "each") and phrase.room_type == "ensuite_bathroom"
         mine = "own" in gap or phrase.determiner == "own" or reading.word(phrase.begin) in ("own", "private")

@@ -14,7 +14,11 @@ def compounds(tokens: list[Token], words: frozenset[str]) -> list[Token]:
         last = joined[-1] if joined else None
         if token.text == "/" and last is not None and last.text == "living" and not token.spaced:
             continue  # "living/dining room" is one room
-        if (last is not None and (last.text, token.text) in _APART) or (
+        if last is not None and (last.text, token.text) == ("double", "height") and not token.spaced:
+            joined[-1] = replace(token, text="double-height", start=last.start, spaced=last.spaced)
+            continue
+        beds = len(joined) > 1 and joined[-2].kind == "number" and not joined[-1].spaced  # "two-bed rooms"
+        if (last is not None and (last.text, token.text) in _APART and not beds) or (
             last is not None
             and not token.spaced
             and last.kind == token.kind == "word"

@@ -2,10 +2,10 @@
 
 from dataclasses import replace
 
-from mansion_planner.brief.attachment import Attachment, attach_storeys
 from mansion_planner.brief.facts import FloorRef
 from mansion_planner.brief.phrase import Phrase
 from mansion_planner.brief.reading import Place, Reading
+from mansion_planner.brief.storey_attachment import Attachment, attach_storeys
 from mansion_planner.brief.units import Households
 
 __all__ = ["attach_units"]
@@ -16,7 +16,7 @@ def attach_units(
 ) -> dict[int, Attachment]:
     """Return the storeys of phrases, by number, where the rooms of units have those of their unit.
 
-    See `mansion_planner.brief.attachment.attach_storeys`, which reads the other phrases.
+    See `mansion_planner.brief.storey_attachment.attach_storeys`, which reads the other phrases.
     """
     outer = [
         n for n, p in enumerate(phrases)

@@ -6,15 +6,15 @@ from dataclasses import fields, replace
 from typing import Any
 
 from mansion_language import Token, tokenize
+from mansion_llm.quotes import find_quote
 from mansion_planner.brief.facts import BriefFacts, RoomFact, Span
 from mansion_planner.brief.phrase import FUNCTION_WORDS, PLAIN
 from mansion_planner.brief.reading import FLOOR_WORDS
-from mansion_planner.llm.quotes import find_quote
 from mansion_planner.llm.statement_facts import StatementFacts
 
 __all__ = ["joined_facts", "without_rules"]
 
-_UNSPOKEN = frozenset({"size", "setback", "protruding"})
+_UNSPOKEN = frozenset({"size", "setback", "protruding", "unheeded"})
 """What the rules read and no statement of a model can say; it stands wherever its words are."""
 
 _APART = frozenset({"building_name", "building_like", "building_span", "rooms", "unread"})
@@ -100,7 +100,7 @@ def _with_named_rooms(facts: BriefFacts) -> BriefFacts:
             label = (name or kind).replace("_", " ")
             within = find_quote(span.words, label)
             if within is not None:
-                span = Span(within.words, span.start + within.start, span.start + within.end)
+                span = Span(span.words[within[0] : within[1]], span.start + within[0], span.start + within[1])
             rooms.append(RoomFact(kind, name or kind, span, label=label))
     return replace(facts, rooms=rooms)
 

@@ -9,13 +9,13 @@ from mansion_msgs_py.program import AreaSummary, CorePlan, FloorProgram, RoomPro
 from mansion_planner.llm.palette import Palette
 from mansion_planner.program.arrangement import apart_pairs, unwanted_pairs, wanted_pairs
 from mansion_planner.program.building import PlannedBuilding
+from mansion_planner.program.corridor_sketch import capacity, sketch_storey
 from mansion_planner.program.footprint import sketch_free
-from mansion_planner.program.hall import sketch_hall
+from mansion_planner.program.hall_sketch import sketch_hall
 from mansion_planner.program.model import CoreBox, PlannedRoom, Sketch, Storey, aliases_of, box_area
 from mansion_planner.program.outline import bearing_walls
-from mansion_planner.program.sketch import capacity, sketch_storey
 from mansion_planner.program.storey_rooms import fit_areas
-from mansion_planner.program.wishes import furniture_of, requested_objects
+from mansion_planner.program.wish_ledger import furniture_of, requested_objects
 
 __all__ = ["ChosenFloor", "ChosenRoom", "chosen_of_storey", "refit", "with_cores"]
 

@@ -9,6 +9,7 @@ from typing import get_args
 from mansion_knowledge import KnowledgeBase
 from mansion_language import singular, tokenize
 from mansion_llm import Fault
+from mansion_llm.quotes import find_quote
 from mansion_planner.brief.facts import (
     AdjacencyFact,
     BriefFacts,
@@ -29,7 +30,6 @@ from mansion_planner.brief.lexicon import Mention, lexicon_of
 from mansion_planner.brief.similarity import room_of_building, similar_room_type
 from mansion_planner.llm.answers import ReadingAnswer, StatementAnswer
 from mansion_planner.llm.cleaning import clean_text, is_core_name
-from mansion_planner.llm.quotes import find_quote
 
 __all__ = ["ASIDE", "MOST_WORDS", "StatementFacts", "facts_of_statements"]
 
@@ -150,9 +150,10 @@ class _StatementReader:
     def _quoted(self, entry: StatementAnswer) -> Span:
         if entry.kind not in self.readers:
             raise _UnusableError(f"kind is one of {', '.join(self.readers)}")
-        span = find_quote(self.text, entry.quote, self.taken.get(f"{entry.kind} {entry.quote}", ()))
-        if span is None:
+        place = find_quote(self.text, entry.quote, self.taken.get(f"{entry.kind} {entry.quote}", ()))
+        if place is None:
             raise _UnusableError("the quote is not in the brief; repeat its words letter by letter")
+        span = Span(self.text[slice(*place)], *place)
         if len(span.words.split()) > MOST_WORDS:
             raise _UnusableError(f"the quote is longer than {MOST_WORDS} words; quote only those that state it")
         return span

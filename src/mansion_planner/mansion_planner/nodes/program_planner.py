@@ -36,7 +36,7 @@ class ProgramPlannerNode(MansionNode):
 
     def plan(self, request: BuildRequest) -> PlanReply:
         """Plan a building and publish its program."""
-        reply = plan_building(request, knowledge=self.knowledge)
+        reply = plan_building(request, knowledge=self.knowledge, cancelled=lambda: not self.context.ok())
         self.programs.publish(reply.program)
         return reply
 

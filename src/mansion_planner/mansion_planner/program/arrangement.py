@@ -9,9 +9,10 @@ from mansion_geometry.randomness import item_generator
 from mansion_knowledge import KnowledgeBase
 from mansion_msgs_py.program import Downgrade
 from mansion_planner.brief.facts import AdjacencyFact
+from mansion_planner.program.corridor_sketch import capacity, sketch_storey
 from mansion_planner.program.decisions import Decisions
 from mansion_planner.program.footprint import free_cores, free_massing, sketch_free
-from mansion_planner.program.hall import sketch_hall
+from mansion_planner.program.hall_sketch import sketch_hall
 from mansion_planner.program.massing import MassingWish, choose_massing, gross_area, rectangle_massing
 from mansion_planner.program.model import (
     Massing,
@@ -26,7 +27,6 @@ from mansion_planner.program.model import (
     touching,
 )
 from mansion_planner.program.outline import Envelope, Frame, envelope_of
-from mansion_planner.program.sketch import capacity, sketch_storey
 from mansion_planner.program.storey_rooms import Allocation, fill_storey, fit_areas, hub_area, name_rooms
 
 __all__ = [

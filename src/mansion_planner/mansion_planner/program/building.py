@@ -23,10 +23,10 @@ from mansion_planner.program.decisions import Decisions, decide
 from mansion_planner.program.massing import MassingWish, choose_shape, storey_area, typical_room, vertical_method
 from mansion_planner.program.model import Massing, Sketch, Storey, aliases_of
 from mansion_planner.program.outline import Envelope, Frame, bearing_walls
-from mansion_planner.program.record import Record
+from mansion_planner.program.step_record import Record
 from mansion_planner.program.storey_rooms import allocate
 from mansion_planner.program.storeys import floors_of, make_storeys
-from mansion_planner.program.wishes import furniture_of, requested_objects, wishes_of
+from mansion_planner.program.wish_ledger import furniture_of, requested_objects, wishes_of
 
 __all__ = ["PlannedBuilding", "floor_program", "materials_of", "plan_program"]
 

@@ -50,6 +50,8 @@ class Decisions:
         The outline is given and is no rectangle.
     furniture : dict of (int, str) to list of RequestedObject
         What the brief wants in a room, by storey and room id.
+    given_up : BriefFacts
+        Statements that exclude others and gave way to them.
     """
 
     building: BuildingType
@@ -66,6 +68,7 @@ class Decisions:
     trace: list[TraceEntry] = field(default_factory=list)
     downgrades: list[Downgrade] = field(default_factory=list)
     furniture: dict[tuple[int, str], list[RequestedObject]] = field(default_factory=dict)
+    given_up: BriefFacts = field(default_factory=BriefFacts)
 
 
 def decide(
@@ -82,7 +85,7 @@ def decide(
     """
     trace: list[TraceEntry] = []
     given_way: list[Downgrade] = []
-    facts = _settled(facts, given_way)
+    stated, facts = facts, _settled(facts, given_way)
     building = _building(facts, knowledge, trace)
     floors, facts = _floors(request, facts, building, trace, generator, given_way)
     basements = _basements(facts, trace)
@@ -91,8 +94,9 @@ def decide(
         style = facts.styles[0][0]
         note(trace, facts.styles[0][1], f"style {style}")
     decisions = Decisions(
-        building, floors, basements, 0.0, False, "", style, facts, request.seed, trace=trace, downgrades=given_way
-    )
+        building, floors, basements, 0.0, False, "", style, facts, request.seed, trace=trace, downgrades=given_way,
+        given_up=_given_up(stated, facts),
+    )  # fmt: skip
     if building.name == "bungalow" and floors > 1:
         reason = "a bungalow has one storey, and the number of storeys is stated"
         decisions.downgrades.append(conflict("bungalow", f"a house of {floors} storeys", reason))
@@ -164,6 +168,8 @@ def _infer_floors(
         count, reason = _STOREYS[sized[0]], f'"{sized[1].words}"'
         if building.name == "penthouse" or (sized[0] == "high_rise" and building.family == "home"):
             count = usual
+    elif {"no_stair", "elevator"} & {name for name, _ in facts.vertical} == {"no_stair"}:
+        count, reason = 1, "no stair is wanted"
     elif _names_two_storeys(facts):
         count, reason = 2, "the brief names a ground floor and one above"
     elif facts.area and facts.floor_area:
@@ -225,18 +231,23 @@ def _settle_area(request: BuildRequest, decisions: Decisions, generator: np.rand
         decisions.downgrades.append(conflict(floor.span.words, f"{total.value / storeys:.0f} m2 a storey", reason))
         floor = None
     if request.floor_area is not None or floor is not None:
-        decisions.area = request.floor_area if request.floor_area is not None else floor.value  # type: ignore[union-attr]
+        decisions.area = request.floor_area if request.floor_area is not None else _kept(floor)  # type: ignore[arg-type]
         decisions.area_span = quoted(floor.span) if floor else f"$.floor_area = {decisions.area:g}"
         note(trace, floor.span if floor else None, f"{decisions.area:.0f} m2 a storey, as stated")
         decisions.area_stated = True
     elif request.area is not None or total is not None:
-        whole = request.area if request.area is not None else total.value  # type: ignore[union-attr]
+        whole = request.area if request.area is not None else _kept(total)  # type: ignore[arg-type]
         decisions.area = whole / storeys
         decisions.area_span = quoted(total.span) if total else f"$.area = {whole:g}"
         note(trace, total.span if total else None, f"{whole:.0f} m2 over {storeys} storeys, as stated")
         decisions.area_stated = True
     else:
         _infer_area(decisions, generator)
+
+
+def _kept(area: Quantity) -> float:
+    """Return the area that is planned for a stated one: a little less or more where that is a bound."""
+    return area.value * {"most": 0.95, "least": 1.05, "": 1.0}[area.limit]
 
 
 def _agree(total: float, floor: float, decisions: Decisions) -> bool:
@@ -337,6 +348,15 @@ def _settled(facts: BriefFacts, given_way: list[Downgrade]) -> BriefFacts:
         given_way.append(conflict(unwanted.words, "a basement", f'"{words}" asks for it'))
         facts = replace(facts, excluded=[entry for entry in facts.excluded if entry[0] != "basement"])
     return facts
+
+
+def _given_up(stated: BriefFacts, kept: BriefFacts) -> BriefFacts:
+    """Return the statements that `_settled` leaves out."""
+    return BriefFacts(
+        vertical=[entry for entry in stated.vertical if entry not in kept.vertical],
+        shapes=[entry for entry in stated.shapes if entry not in kept.shapes],
+        excluded=[entry for entry in stated.excluded if entry not in kept.excluded],
+    )
 
 
 def _vertical_of(facts: BriefFacts, given_way: list[Downgrade]) -> list[tuple[str, Span]]:

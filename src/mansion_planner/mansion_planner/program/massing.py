@@ -13,7 +13,7 @@ from mansion_msgs_py.program import Downgrade, TraceEntry
 from mansion_msgs_py.wording import with_article
 from mansion_planner.program.decisions import AREA_CAP, Decisions, conflict, note
 from mansion_planner.program.model import CoreBox, Massing, Storey, Wing
-from mansion_planner.program.record import Record
+from mansion_planner.program.step_record import Record
 from mansion_planner.program.storey_rooms import Allocation, base_rooms, hub_area
 from mansion_planner.program.storeys import entries_of, is_hall
 

@@ -8,12 +8,13 @@ import msgspec
 
 from mansion_knowledge import KnowledgeBase, RoomEntry, RoomType
 from mansion_msgs_py.program import TraceEntry
+from mansion_planner.brief.bounds import within_bound
 from mansion_planner.brief.facts import RoomFact
 from mansion_planner.program.decisions import Decisions, note
 from mansion_planner.program.furniture_areas import furniture_area, furniture_areas, usual_number
 from mansion_planner.program.household import household_of, is_whole, main_room, private_types
 from mansion_planner.program.model import PlannedRoom, Storey
-from mansion_planner.program.record import Record
+from mansion_planner.program.step_record import Record
 from mansion_planner.program.storeys import entries_of, floors_of
 
 __all__ = ["Allocation", "allocate", "base_rooms", "fill_storey", "fit_areas", "hub_area", "name_rooms", "planned_room"]
@@ -313,7 +314,7 @@ def planned_room(
     if fact is not None and fact.unit:
         return _planned_unit(kind, knowledge, fact)
     stated = fact is not None and fact.area is not None
-    wish = fact.area if fact is not None and fact.area is not None else area or kind.usual
+    wish = within_bound(fact.area, fact.limit) if fact is not None and fact.area is not None else area or kind.usual
     furnished = fact is not None and wish > kind.usual
     return PlannedRoom(
         id=fact.name if fact is not None else kind.name,

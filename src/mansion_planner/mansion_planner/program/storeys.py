@@ -8,7 +8,7 @@ from mansion_msgs_py.program import Downgrade, TraceEntry
 from mansion_planner.brief.facts import FloorRef
 from mansion_planner.program.decisions import Decisions, conflict, note
 from mansion_planner.program.model import Storey
-from mansion_planner.program.record import Record
+from mansion_planner.program.step_record import Record
 
 __all__ = ["entries_of", "floors_of", "is_hall", "make_storeys"]
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from mansion_assets.catalogue import Asset, Catalogue, Surface, Volume
 from mansion_assets.catalogue.records import Arrangement, Scatter, Slot
-from mansion_assets.catalogue.requested import laid_categories
+from mansion_assets.catalogue.requested_furniture import laid_categories
 from mansion_geometry.randomness import item_generator
 from mansion_msgs_py.scene import SceneObject
 from mansion_msgs_py.shapes import Point, Size3

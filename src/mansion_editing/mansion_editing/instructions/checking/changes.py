@@ -22,7 +22,7 @@ from mansion_editing.instructions.statements import (
 from mansion_editing.state import SceneState
 from mansion_editing.tools.paths import check_path
 from mansion_language.colours import COLOUR_WORDS
-from mansion_msgs_py.editing import CheckPathArgs
+from mansion_msgs_py.editing.questions import CheckPathArgs
 from mansion_msgs_py.scene import SceneObject
 from mansion_scene.structure.materials import library
 

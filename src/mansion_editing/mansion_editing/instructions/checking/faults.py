@@ -18,7 +18,7 @@ from mansion_editing.instructions.checking.numbers import (
     check_remove,
     check_replace,
 )
-from mansion_editing.instructions.checking.places import check_move, check_swap, check_turn
+from mansion_editing.instructions.checking.places import check_move, check_shift, check_swap, check_turn
 from mansion_editing.instructions.doing.work import listed
 from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.descriptions import all_at, things_of
@@ -39,13 +39,14 @@ from mansion_editing.instructions.statements import (
     Replace,
     Reshape,
     SetState,
+    Shift,
     Statement,
     Swap,
     Turn,
 )
 from mansion_editing.state import SceneState
 
-__all__ = ["Step", "fault", "faults", "moved_aside"]
+__all__ = ["Step", "fault", "faults", "faults_together", "moved_aside"]
 
 
 @dataclass(frozen=True)
@@ -96,6 +97,24 @@ def fault(statement: Statement, before: SceneState, after: SceneState, context: 
     return f"{', '.join(others)} changed besides what was asked for" if others else ""
 
 
+def faults_together(
+    statements: Sequence[Statement], before: SceneState, after: SceneState, context: Context
+) -> list[str]:
+    """Return what does not hold of statements made true in no certain order, and what none of them accounts for.
+
+    Parameters
+    ----------
+    before, after : SceneState
+        The building before and after all that was done.
+    """
+    diff = differences(before, after)
+    findings = [_finding(statement, before, after, context, diff) for statement in statements]
+    out = [finding.fault for finding in findings if finding.fault]
+    accounted = {name for finding in findings for name in finding.accounted}
+    rest = [*sorted(diff.ids - accounted), *sorted(diff.rooms - {name for f in findings for name in f.rooms})]
+    return [*out, f"{listed(rest)} changed besides what was asked for"] if rest else out
+
+
 def _finding(
     statement: Statement, before: SceneState, after: SceneState, context: Context, diff: Differences
 ) -> Finding:
@@ -110,6 +129,7 @@ _CHECKS: Final[dict[type[Any], Callable[[Any, SceneState, SceneState, Context, D
     Clear: check_clear,
     Replace: check_replace,
     Move: check_move,
+    Shift: check_shift,
     Swap: check_swap,
     Turn: check_turn,
     SetState: check_state,
@@ -134,6 +154,8 @@ def _aside(diff: Differences, finding: Finding) -> list[str]:
 def moved_aside(step: Step) -> list[str]:
     """Return a sentence for each small thing that was moved to make room."""
     diff = differences(step.before, step.after)
+    if not diff.moved:
+        return []
     finding = _finding(step.statement, step.before, step.after, step.context, diff)
     if not finding.makes_room:
         return []

@@ -1,8 +1,9 @@
 """SetState, Paint and Reach: what things look like and whether they are open or on, and whether a way leads there."""
 
+import re
 from collections.abc import Sequence
+from typing import Final
 
-from mansion_editing.agent.facts import Unmet, ask
 from mansion_editing.instructions.doing.work import Done, Work, listed
 from mansion_editing.instructions.meaning.choices import concerned, one_room_each, things_meant
 from mansion_editing.instructions.meaning.context import Context
@@ -10,13 +11,18 @@ from mansion_editing.instructions.meaning.descriptions import rooms_of
 from mansion_editing.instructions.meaning.nouns import has_colour, has_material
 from mansion_editing.instructions.meaning.wording import thing_words
 from mansion_editing.instructions.statements import Paint, Reach, Rooms, SetState, Things
+from mansion_editing.runs.policies import Unmet, ask
 from mansion_editing.state import SceneState
-from mansion_msgs_py.editing import PathReport
+from mansion_msgs_py.editing.questions import PathReport
 from mansion_msgs_py.scene import SceneObject
 
 __all__ = ["able", "ends_of", "paint", "reach", "set_state", "state_word"]
 
 _WORDS = {("open", True): "open", ("open", False): "closed", ("on", True): "on", ("on", False): "off"}
+
+
+_WHATEVER: Final = re.compile(r"\b(all|every|everything|any|each|whatever|no)\b", re.IGNORECASE)
+"""Words that mean as many as there are, none among them; "close the curtains" says that there are some."""
 
 
 def state_word(state: str, *, value: bool) -> str:
@@ -34,11 +40,12 @@ def set_state(statement: SetState, state: SceneState, context: Context) -> Work:
     things, name, value = statement.things, statement.state, statement.value
     word = state_word(name, value=value)
     found = concerned(state, things, context)
-    if not found and things.amount.kind == "all" and things.noun:
+    if not found and things.amount.kind == "all" and things.noun and _WHATEVER.search(statement.quote):
         return Done(f"there was nothing to do: there is no {thing_words(things)}", context)
     ready = {item.id for item in found if able(item, name)}
     if found and not ready:
-        raise Unmet(f"no {thing_words(things)} {'opens or closes' if name == 'open' else 'switches'}: {listed(found)}")
+        what = "open or close" if name == "open" else "switch on or off"
+        raise Unmet(f"{listed(found)} {'does' if len(found) == 1 else 'do'} not {what}")
     other = {item.id for item in found if item.id in ready and bool(item.states.get(name, False)) != value}
     preferred = other if len(other) == 1 else ready
     chosen = things_meant(state, things, context, lambda item: item.id in preferred)

@@ -2,12 +2,12 @@
 
 from typing import Any
 
-from mansion_editing.agent.facts import Unmet, ask
 from mansion_editing.instructions.doing.work import Done, Work
 from mansion_editing.instructions.meaning.choices import one_room_each
 from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.room_words import room_title
 from mansion_editing.instructions.statements import Finish, Furnish, Rename, Reshape, Rooms
+from mansion_editing.runs.policies import Unmet, ask
 from mansion_editing.state import SceneState
 from mansion_msgs_py.scene import SceneRoom
 

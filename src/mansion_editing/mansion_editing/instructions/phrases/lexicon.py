@@ -9,7 +9,7 @@ from mansion_editing.instructions.phrases.verb_words import VERB_WORDS
 from mansion_editing.instructions.phrases.words import FUNCTION_WORDS, VAGUE
 from mansion_editing.state import SceneState
 from mansion_knowledge import interchangeable_names
-from mansion_knowledge.words import common_words
+from mansion_knowledge.common_words import common_words
 from mansion_language.spelling import Speller
 
 __all__ = ["ANYTHING", "HYPERNYMS", "WAYS", "Lexicon"]

@@ -1,0 +1,140 @@
+"""Verdicts on wishes for what rooms hold and are like: furniture, ceiling heights and materials."""
+
+import re
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from typing import Final
+
+from mansion_bringup.building.judged_building import JudgedBuilding, JudgedRoom
+from mansion_bringup.building.verdicts import Judge, Verdict, met_if, spoken
+from mansion_knowledge.object_kinds import answers
+from mansion_msgs_py.wishes import Wish, WishStatus
+
+__all__ = ["INTERIOR_JUDGES"]
+
+_CEILING = 0.1
+"""Metres by which a ceiling may miss the height that is asked for and still meet it."""
+
+_SUBSTANCES = {
+    "wood": "wood wooden hardwood timber parquet plank planks laminate panelling deck decking herringbone"
+    " oak walnut pine maple birch bamboo cherry ash beech mahogany",
+    "carpet": "carpet carpeted carpeting",
+    "tiles": "tile tiles tiled ceramic porcelain terracotta",
+    "marble": "marble",
+    "granite": "granite",
+    "stone": "stone slate limestone",
+    "terrazzo": "terrazzo",
+    "concrete": "concrete cement",
+    "vinyl": "vinyl linoleum lino",
+    "rubber": "rubber",
+    "resin": "resin epoxy",
+    "brick": "brick bricks",
+    "plaster": "plaster plastered drywall",
+}
+"""What surfaces are made of, and the words that say so in a wish, a program or a scene."""
+
+
+def _object(wish: Wish, state: JudgedBuilding) -> Verdict:
+    if not wish.value.type:
+        return Verdict("not_met", "the catalogue has nothing of this kind")
+    rooms = _object_rooms(wish, state)
+    if not rooms:
+        return Verdict("not_met", f"there is no {spoken(wish.scope.room)}")
+    counts: Counter[object] = Counter()
+    for room in rooms:
+        counts[room.full_id if wish.scope.room else room.floor] += _count(wish, room)
+    having = [room for room in rooms if _count(wish, room)]
+    found = [name for room in having for kind, names in room.object_ids.items() if _is(kind, wish) for name in names]
+    wanted = wish.value.count if wish.value.count is not None else 2
+    least = min(counts.values()) if wish.scope.each else counts.total()
+    status: WishStatus = "met" if least >= wanted else "partly" if having else "not_met"
+    where = f" in a {'room' if wish.scope.room else 'storey'}" if wish.scope.each else ""
+    reason = "" if status == "met" else f"{least} of {wanted} found a place{where}"
+    most = _of_that_noun(wish, having) if wish.value.exact and wish.scope.room else 0
+    if status == "met" and most > wanted:
+        status, reason = "partly", f"{most} instead of {wanted} are there{where}"
+    return Verdict(status, reason, [room.full_id for room in having], found)
+
+
+def _of_that_noun(wish: Wish, rooms: Sequence[JudgedRoom]) -> int:
+    """Return how many objects are called by the wish's noun: in all rooms, or the most in one for a count of each."""
+    noun = wish.value.type.rpartition("_")[2]
+    counts = [
+        sum(n for category, n in room.objects.items() if _is(category, wish) and category.rpartition("_")[2] == noun)
+        for room in rooms
+    ]
+    return max(counts, default=0) if wish.scope.each else sum(counts)
+
+
+def _no_object(wish: Wish, state: JudgedBuilding) -> Verdict:
+    rooms = [room for room in _object_rooms(wish, state) if _count(wish, room)]
+    return met_if(not rooms, f"{rooms[0].full_id if rooms else ''} has one", rooms=[room.full_id for room in rooms])
+
+
+def _count(wish: Wish, room: JudgedRoom) -> int:
+    return sum(count for category, count in room.objects.items() if _is(category, wish))
+
+
+def _is(category: str, wish: Wish) -> bool:
+    """Whether objects of a category are what a wish calls so: an office desk is a desk, a reading table a table."""
+    kind, name = wish.value.type, wish.value.name
+    if not kind:
+        return False
+    last = category.rpartition("_")[2]
+    return answers(kind, category) or category.endswith(f"_{kind}") or name in (last, f"{last}s", f"{last}es")
+
+
+def _object_rooms(wish: Wish, state: JudgedBuilding) -> list[JudgedRoom]:
+    if wish.scope.room:
+        return state.called(wish.scope.room, wish.scope.room_type, wish.scope.floors)
+    return [room for room in state.rooms if not wish.scope.floors or room.floor in wish.scope.floors]
+
+
+def _height(wish: Wish, state: JudgedBuilding) -> Verdict:
+    wanted = wish.value.height or 0.0
+    heights = [room.height for room in _of_type(wish, state)]
+    if not heights:
+        return Verdict("not_met", f"there is no {spoken(wish.scope.room_type) or 'room'}")
+    good = [height for height in heights if abs(height - wanted) <= _CEILING + 1e-6]
+    low, high = f"{min(heights):.2f}", f"{max(heights):.2f}"
+    have = low if low == high else f"{low} to {high}"
+    return met_if(len(good) == len(heights), f"ceilings are {have} m high", partly=bool(good))
+
+
+def _material(wish: Wish, state: JudgedBuilding) -> Verdict:
+    rooms = _of_type(wish, state)
+    surface = "wall" if wish.value.type == "wall" else "floor"
+    have = [room for room in rooms if _is_of(room.surfaces[surface], wish.value.name)]
+    return met_if(2 * len(have) > len(rooms), "most rooms have another material", partly=bool(have))
+
+
+def _is_of(surface: str, wanted: str) -> bool:
+    """Whether a surface is of the substance that is wanted; where only colours are, whether it has one of them."""
+    substances = _substances(wanted)
+    if substances:
+        return not substances.isdisjoint(_substances(surface))
+    return not _material_words(wanted).isdisjoint(_material_words(surface))
+
+
+def _substances(text: str) -> set[str]:
+    words = _material_words(text)
+    return {name for name, known in _SUBSTANCES.items() if not words.isdisjoint(known.split())}
+
+
+def _material_words(text: str) -> set[str]:
+    return set(re.findall("[a-z]+", spoken(text.lower()).replace("gray", "grey")))
+
+
+def _of_type(wish: Wish, state: JudgedBuilding) -> list[JudgedRoom]:
+    """Return the rooms of the wish's storeys that have its room type; all where it names none."""
+    kind, floors = wish.scope.room_type, wish.scope.floors
+    return [room for room in state.rooms if kind in ("", room.type) and (not floors or room.floor in floors)]
+
+
+INTERIOR_JUDGES: Final[Mapping[str, Judge]] = {
+    "object": _object,
+    "no_object": _no_object,
+    "height": _height,
+    "material": _material,
+}
+"""For each kind of wish for what rooms hold and are like, what judges it."""

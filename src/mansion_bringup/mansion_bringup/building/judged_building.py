@@ -1,0 +1,216 @@
+"""A building as its wishes are judged on it: its rooms with names and contents, and which share walls and doors."""
+
+import re
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property, lru_cache
+from itertools import pairwise
+from typing import TypeAlias
+
+import networkx as nx
+import numpy as np
+import shapely
+from shapely.geometry import Polygon
+
+from mansion_assets.catalogue import load_catalogue
+from mansion_assets.catalogue.piece_counts import pieces
+from mansion_bringup.building.usable_rooms import Equipment, equipment_of
+from mansion_msgs_py.program import BuildingProgram
+from mansion_msgs_py.scene import FloorScene, SceneObject, SceneRoom
+from mansion_msgs_py.topology import FloorTopology
+from mansion_scene.structure.floor_structure import ceiling_height
+
+__all__ = ["JudgedBuilding", "JudgedRoom", "finished_building", "planned_building"]
+
+_SHARED = 1.1
+"""Metres of straight wall that neighbours share at least: a door and its frame, and a little."""
+
+
+@dataclass(frozen=True)
+class JudgedRoom:
+    """A room of a planned or finished floor."""
+
+    floor: int
+    id: str
+    type: str
+    names: frozenset[str]
+    area: float
+    height: float = 0.0
+    surfaces: Mapping[str, str] = field(default_factory=dict)
+    objects: Counter[str] = field(default_factory=Counter)
+    object_ids: Mapping[str, Sequence[str]] = field(default_factory=dict)
+    equipment: Equipment = field(default_factory=Equipment)
+
+    @property
+    def full_id(self) -> str:
+        """Id of the room in its building."""
+        return f"F{self.floor}/{self.id}"
+
+
+@dataclass(frozen=True)
+class JudgedBuilding:
+    """A building as far as its wishes go: rooms, and the pairs of their full ids that share a wall."""
+
+    program: BuildingProgram
+    rooms: Sequence[JudgedRoom]
+    touching: frozenset[tuple[str, str]]
+    doors: frozenset[tuple[str, str]] = frozenset()
+    hubs: frozenset[str] = frozenset()
+
+    def called(self, name: str, kind: str, floors: Sequence[int] = ()) -> list[JudgedRoom]:
+        """Return the rooms of a name; where none has it, those of a type."""
+        rooms = [room for room in self.rooms if not floors or room.floor in floors]
+        own = [room for room in rooms if name in room.names]
+        return own or [room for room in rooms if kind and room.type == kind]
+
+    def behind(self, owner: JudgedRoom) -> list[JudgedRoom]:
+        """Return the rooms of a storey that are reached through a room alone."""
+        here = {room.full_id for room in self.rooms if room.floor == owner.floor}
+        graph = nx.Graph(pair for pair in self.doors if pair[0].startswith(f"F{owner.floor}/"))
+        graph.remove_nodes_from([owner.full_id])
+        hubs = [hub for hub in self.hubs if hub in graph]
+        reached = set().union(*(nx.node_connected_component(graph, hub) for hub in hubs))
+        if not hubs:
+            return []
+        return [room for room in self.rooms if room.full_id in here - reached and room is not owner]
+
+    @cached_property
+    def private(self) -> frozenset[str]:
+        """The rooms that the units of the brief have for themselves."""
+        scopes = [wish.scope for wish in self.program.wishes if wish.scope.unit]
+        owners = [owner for scope in scopes for owner in self.called(scope.unit, scope.unit_type, scope.floors)]
+        return frozenset(room.full_id for owner in owners for room in self.behind(owner))
+
+    def near(self, first: JudgedRoom, second: JudgedRoom) -> bool:
+        """Whether two rooms share a wall."""
+        return first is not second and (
+            (first.full_id, second.full_id) in self.touching or (second.full_id, first.full_id) in self.touching
+        )
+
+
+def finished_building(program: BuildingProgram, scenes: Sequence[FloorScene]) -> JudgedBuilding:
+    """Return a building as its finished floors are."""
+    rooms = [_finished_room(scene, number) for scene in scenes for number in range(len(scene.rooms))]
+    return JudgedBuilding(
+        program,
+        rooms,
+        frozenset(pair for scene in scenes for pair in _touching(scene)),
+        frozenset((door.rooms[0], door.rooms[1]) for scene in scenes for door in scene.doors if door.rooms[1]),
+        frozenset(room.id for scene in scenes for room in scene.rooms if room.kind == "main"),
+    )
+
+
+def planned_building(program: BuildingProgram, topologies: Sequence[FloorTopology]) -> JudgedBuilding:
+    """Return a building as it is going to be if every later stage keeps to its plan."""
+    rooms = [
+        JudgedRoom(
+            floor.index,
+            room.id,
+            room.room_type,
+            _names(room.id, room.name, room.aliases),
+            room.area_estimate,
+            ceiling_height(floor.height),
+            {"floor": room.floor_material, "wall": room.wall_material},
+            Counter({entry.category: entry.count for entry in room.objects}),
+        )
+        for floor in program.floors
+        for room in floor.rooms
+    ]
+    edges = frozenset(
+        (f"F{graph.floor}/{edge.source}", f"F{graph.floor}/{edge.target}")
+        for graph in topologies
+        for edge in graph.edges
+    )
+    doors = frozenset(
+        (f"F{graph.floor}/{edge.source}", f"F{graph.floor}/{edge.target}")
+        for graph in topologies
+        for edge in graph.edges
+        if edge.kind == "access"
+    )
+    hubs = frozenset(f"F{graph.floor}/{node.id}" for graph in topologies for node in graph.nodes if node.type == "main")
+    return JudgedBuilding(program, rooms, edges, doors, hubs)
+
+
+def _names(identifier: str, name: str, aliases: Iterable[str]) -> frozenset[str]:
+    stem, _, number = identifier.rpartition("_")
+    plain = [identifier, *([stem] if number.isdigit() else []), name, *aliases]
+    return frozenset(word.lower().replace(" ", "_") for word in plain if word)
+
+
+def _finished_names(short: str, room: SceneRoom) -> frozenset[str]:
+    """Return what a finished room is called: its id too, unless an edit has made it a room of another kind."""
+    own, spoken = _names(short, "", ()), _names("", room.name, room.aliases)
+    told = {_letters(word) for word in (*spoken, room.room_type)}
+    if room.name and told.isdisjoint(map(_letters, own)):
+        return spoken
+    return own | spoken
+
+
+def _letters(word: str) -> str:
+    return re.sub(r"[\W_]+", "", word)
+
+
+def _finished_room(scene: FloorScene, number: int) -> JudgedRoom:
+    room = scene.rooms[number]
+    short = room.id.removeprefix(f"F{scene.floor}/")
+    things: dict[str, list[str]] = {}
+    numbers: Counter[str] = Counter()
+    objects = [entry for entry in scene.objects if entry.room == room.id]
+    for entry in objects:
+        things.setdefault(entry.category, []).append(entry.id)
+        numbers[entry.category] += _pieces(entry)
+    return JudgedRoom(
+        scene.floor,
+        short,
+        room.room_type,
+        _finished_names(short, room),
+        room.area,
+        room.ceiling_height,
+        {"floor": room.floor_material, "wall": room.wall_material},
+        numbers,
+        things,
+        equipment_of(scene, room, objects),
+    )
+
+
+def _pieces(entry: SceneObject) -> int:
+    """Return how many pieces an object is: the seats of a row of seats."""
+    asset = load_catalogue().assets.get(entry.asset)
+    return pieces(asset.category, asset) if asset is not None else 1
+
+
+def _touching(scene: FloorScene) -> tuple[tuple[str, str], ...]:
+    """Return the rooms that share enough straight wall for a door."""
+    return _touching_outlines(
+        tuple((room.id, _ring(room.polygon), tuple(map(_ring, room.holes))) for room in scene.rooms)
+    )
+
+
+_Ring: TypeAlias = tuple[tuple[float, float], ...]
+
+
+def _ring(points: Iterable[Sequence[float]]) -> _Ring:
+    return tuple((point[0], point[1]) for point in points)
+
+
+@lru_cache(maxsize=128)
+def _touching_outlines(outlines: tuple[tuple[str, _Ring, tuple[_Ring, ...]], ...]) -> tuple[tuple[str, str], ...]:
+    shapes = [Polygon(ring, holes) for _, ring, holes in outlines]
+    first, second = shapely.STRtree(shapes).query(shapes, predicate="dwithin", distance=0.05)
+    pairs = sorted((int(one), int(other)) for one, other in zip(first, second, strict=True) if one < other)
+    return tuple(
+        (outlines[one][0], outlines[other][0])
+        for one, other in pairs
+        if _straight(shapes[one], shapes[other]) > _SHARED
+    )
+
+
+def _straight(shape: Polygon, other: Polygon) -> float:
+    """Return the length of the longest straight piece of a room's boundary that lies on another room."""
+    beside = other.buffer(0.02, join_style="mitre")
+    edges = [
+        shapely.linestrings(list(pairwise(ring.simplify(0.001).coords))) for ring in (shape.exterior, *shape.interiors)
+    ]
+    pieces = shapely.get_parts(shapely.intersection(np.concatenate(edges), beside))
+    return float(shapely.length(pieces).max(initial=0.0))

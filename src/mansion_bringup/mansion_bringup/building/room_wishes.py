@@ -1,0 +1,192 @@
+"""Verdicts on wishes for rooms: how many, where, of which area and beside which, and those there are not to be."""
+
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import Final
+
+from mansion_bringup.building.judged_building import JudgedBuilding, JudgedRoom
+from mansion_bringup.building.verdicts import AREA_TOLERANCE, Judge, Verdict, keeps_to, listed, met_if, spoken
+from mansion_msgs_py.wishes import Wish
+
+__all__ = ["ROOM_JUDGES"]
+
+
+def _room(wish: Wish, state: JudgedBuilding) -> Verdict:
+    value, floors = wish.value, wish.scope.floors
+    if wish.scope.unit:
+        return _held(wish, state)
+    rooms = state.called(value.name, value.type, floors)
+    rooms = [room for room in rooms if room.full_id not in state.private] or rooms
+    rooms = [room for room in rooms if not _meant_elsewhere(wish, room, state)] or rooms
+    if value.whole:
+        rooms = [replace(room, area=room.area + sum(other.area for other in state.behind(room))) for room in rooms]
+    ids = [room.full_id for room in rooms]
+    if not rooms:
+        elsewhere = state.called(value.name, value.type)
+        if elsewhere:
+            where = listed(sorted({room.floor for room in elsewhere}))
+            return Verdict("partly", f"on storey {where} instead", [room.full_id for room in elsewhere])
+        return Verdict("not_met", "no room of this kind found a place")
+    wanted = _wanted(wish, state)
+    if wish.scope.each and floors:
+        counts = Counter(room.floor for room in rooms)
+        short = [floor for floor in floors if counts[floor] != (value.count or max(counts[floor], 1))]
+        if short:
+            return Verdict("partly", f"storey {listed(short)} has {listed([counts[f] for f in short])}", ids)
+    elif wanted is None and len(rooms) < 2:
+        return Verdict("partly", "one room where several are asked for", ids)
+    elif wanted is not None and (len(rooms) < wanted or (len(rooms) > wanted and not wish.scope.room)):
+        return Verdict("partly", f"{len(rooms)} of {wanted}", ids)
+    owners = state.called(wish.scope.room, wish.scope.room_type, floors) if wish.scope.room else []
+    bare = [owner.full_id for owner in owners if not any(state.near(owner, room) for room in rooms)]
+    if bare:
+        return Verdict("partly", f"{listed(bare[:3])} has none beside it", ids)
+    if value.area is not None:
+        close = [
+            room for room in rooms if (keeps_to(wish, room.area) if value.limit else _close(room.area, value.area))
+        ]
+        if len(close) < min(_of_that_area(wish, state, len(rooms)), len(rooms)):
+            sizes = ", ".join(f"{room.area:.0f}" for room in rooms[:4])
+            return Verdict("partly", f"{sizes} m2 instead of {_BOUNDS[value.limit]}{value.area:.0f} m2", ids)
+    lack = _unusable(rooms, state)
+    return met_if(not lack, lack, partly=True, rooms=ids)
+
+
+def _unusable(rooms: Sequence[JudgedRoom], state: JudgedBuilding) -> str:
+    """Say what the first rooms that cannot be used have not; empty where all can."""
+    lacks = [(room.full_id, room.equipment.lack(_unwanted_in(room, state))) for room in rooms]
+    return "; ".join(f"{name} {lack}" for name, lack in [entry for entry in lacks if entry[1]][:2])
+
+
+def _unwanted_in(room: JudgedRoom, state: JudgedBuilding) -> list[str]:
+    """Return the categories of which the brief wants none in a room."""
+    wishes = [wish for wish in state.program.wishes if wish.kind == "no_object" and wish.value.type]
+    return [wish.value.type for wish in wishes if _is_about(wish, room, state)]
+
+
+def _is_about(wish: Wish, room: JudgedRoom, state: JudgedBuilding) -> bool:
+    scope = wish.scope
+    if scope.room:
+        return room.full_id in {other.full_id for other in state.called(scope.room, scope.room_type, scope.floors)}
+    return not scope.floors or room.floor in scope.floors
+
+
+_BOUNDS = {"most": "at most ", "least": "at least ", "": ""}
+
+
+def _meant_elsewhere(wish: Wish, room: JudgedRoom, state: JudgedBuilding) -> bool:
+    """Whether another wish calls a room by its own name: "classroom 2B" is none of "four classrooms"."""
+    stem, _, number = room.id.rpartition("_")
+    own = {room.id, stem if number.isdigit() else room.id} - {wish.value.name}
+    return any(other.kind == "room" and other.value.name in own for other in state.program.wishes)
+
+
+def _held(wish: Wish, state: JudgedBuilding) -> Verdict:
+    """Judge what each flat or other unit is to hold: the room itself and those behind it count."""
+    owners = state.called(wish.scope.unit, wish.scope.unit_type, wish.scope.floors)
+    if not owners:
+        return Verdict("not_met", f"there is no {spoken(wish.scope.unit)}")
+    wanted, ids, other, small = _wanted(wish, state), [], [], []
+    for owner in owners:
+        there = [owner, *state.behind(owner)]
+        rooms = [room for room in there if wish.value.name in room.names]
+        rooms = rooms or [room for room in there if room.type == wish.value.type]
+        ids += [room.full_id for room in rooms]
+        if len(rooms) != wanted and (wanted is not None or len(rooms) < 2):
+            other.append(f"{owner.full_id} has {len(rooms)}")
+        close = [room for room in rooms if _close(room.area, wish.value.area)]
+        needed = len(rooms) if len(_alike(wish, state)) < 2 else min(wish.value.count or 1, len(rooms))
+        if len(close) < needed:
+            small.append(f"{owner.full_id} has {listed([f'{room.area:.0f}' for room in rooms])} m2")
+    if other:
+        return Verdict("partly" if ids else "not_met", listed(other[:3]), ids)
+    held = [room for room in state.rooms if room.full_id in ids]
+    lack = listed(small[:3]) or _unusable(held, state)
+    return met_if(not lack, lack, partly=True, rooms=ids)
+
+
+def _close(area: float, wanted: float | None) -> bool:
+    """Whether a room has the area that is asked for, if any is."""
+    return wanted is None or abs(area - wanted) <= AREA_TOLERANCE * 1.5 * wanted
+
+
+def _wanted(wish: Wish, state: JudgedBuilding) -> int | None:
+    """How many rooms of the name the brief wants in the wish's scope, over all wishes that share both."""
+    counts = [other.value.count for other in _alike(wish, state)]
+    return None if any(count is None for count in counts) else sum(count or 0 for count in counts)
+
+
+def _of_that_area(wish: Wish, state: JudgedBuilding, there: int) -> int:
+    """How many rooms are to have the wish's area: all of the name, or its share where several wishes ask for some."""
+    if len(_alike(wish, state)) < 2:
+        return there
+    storeys = len(wish.scope.floors) if wish.scope.each and wish.scope.floors else 1
+    return (wish.value.count or 1) * storeys
+
+
+def _alike(wish: Wish, state: JudgedBuilding) -> list[Wish]:
+    return [
+        other
+        for other in state.program.wishes
+        if other.kind == "room"
+        and other.value.name == wish.value.name
+        and (other.scope.floors, other.scope.unit) == (wish.scope.floors, wish.scope.unit)
+    ]
+
+
+def _no_room(wish: Wish, state: JudgedBuilding) -> Verdict:
+    if wish.value.type == "basement":
+        return met_if(all(floor.index >= 1 for floor in state.program.floors), "the building has a basement")
+    rooms = [
+        room
+        for room in state.rooms
+        if room.type == wish.value.type and (not wish.scope.floors or room.floor in wish.scope.floors)
+    ]
+    return met_if(not rooms, f"{rooms[0].full_id if rooms else ''} is one", rooms=[room.full_id for room in rooms])
+
+
+def _adjacent(wish: Wish, state: JudgedBuilding) -> Verdict:
+    firsts, seconds = (
+        state.called(name, kind)
+        for name, kind in ((wish.value.name, wish.value.type), (wish.value.other, wish.value.other_type))
+    )
+    pairs = [(a, b) for a in firsts for b in seconds if state.near(a, b)]
+    ids = [room.full_id for pair in pairs[:1] for room in pair]
+    if not firsts or not seconds:
+        return Verdict("not_met", f"there is no {spoken(wish.value.name if not firsts else wish.value.other)}")
+    same = any(a.floor == b.floor for a in firsts for b in seconds)
+    return met_if(bool(pairs), "they share no wall" if same else "they are on different storeys", rooms=ids)
+
+
+def _apart(wish: Wish, state: JudgedBuilding) -> Verdict:
+    firsts, seconds = (
+        state.called(name, kind)
+        for name, kind in ((wish.value.name, wish.value.type), (wish.value.other, wish.value.other_type))
+    )
+    pairs = [(a, b) for a in firsts for b in seconds if state.near(a, b)]
+    ids = [room.full_id for pair in pairs[:1] for room in pair]
+    both = f"{spoken(wish.value.name)} and {spoken(wish.value.other)}"
+    return met_if(not pairs, f"{both} share a wall", rooms=ids)
+
+
+def _only(wish: Wish, state: JudgedBuilding) -> Verdict:
+    named = {w.value.type for w in state.program.wishes if w.kind == "room"} | {
+        "corridor",
+        "hallway",
+        "lobby",
+        "stair",
+        "elevator",
+    }
+    extra = [room.full_id for room in state.rooms if room.type not in named]
+    return met_if(not extra, f"{listed(extra[:3])} were added", rooms=extra)
+
+
+ROOM_JUDGES: Final[Mapping[str, Judge]] = {
+    "room": _room,
+    "no_room": _no_room,
+    "adjacent": _adjacent,
+    "apart": _apart,
+    "only": _only,
+}
+"""For each kind of wish for rooms, what judges it."""

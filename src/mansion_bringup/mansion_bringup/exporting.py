@@ -1,0 +1,62 @@
+"""A finished building in another program's format, and as a page for people."""
+
+from pathlib import Path
+
+from mansion_bringup.extras import ensure_extra
+from mansion_export.formats import Format, export_formats
+from mansion_geometry.sound_shapes import require_sound_shapes
+from mansion_msgs_py.building_folder import BuildingFolder, file_in
+from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.files import write_atomic
+
+__all__ = ["PAGE", "format_named", "write_export", "write_page"]
+
+PAGE = "view.html"
+"""Name of the page in a building's folder."""
+
+
+def format_named(name: str) -> Format:
+    """Return an export format.
+
+    Raises
+    ------
+    MansionError
+        ``NOT_FOUND`` with the formats that there are.
+    """
+    formats = export_formats()
+    if name not in formats:
+        known = ", ".join(formats)
+        raise MansionError(ErrorCode.NOT_FOUND, f"no format {name!r}; use one of {known}", path="$.to")
+    return formats[name]
+
+
+def write_export(building: Path, to: Format, output: Path | None = None) -> list[Path]:
+    """Write a building in a format, and return the files, those of the whole building first.
+
+    Parameters
+    ----------
+    building : Path
+        The building's folder.
+    output : Path, optional
+        Folder to write; the building's own when absent.
+    """
+    read, target = BuildingFolder(building), output or building
+    if to.extra:
+        ensure_extra(to.extra)
+    scenes = read.scenes()
+    require_sound_shapes(scenes)
+    files = to.make(scenes)
+    for name, data in files.items():
+        write_atomic(file_in(target, name), data)
+    return [target / name for name in files]
+
+
+def write_page(building: Path, output: Path | None = None) -> Path:
+    """Write the self-contained page with the 3D building, ``view.html`` in its folder when no file is named."""
+    from mansion_export.html import view_page
+
+    page = output or building / PAGE
+    scenes = BuildingFolder(building).scenes()
+    require_sound_shapes(scenes)
+    write_atomic(page, view_page(scenes).encode())
+    return page

@@ -1,1 +1,0 @@
-"""The editing agent: thought, one JSON action, observation, until the facts of an instruction hold."""

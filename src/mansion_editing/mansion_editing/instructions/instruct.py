@@ -1,0 +1,37 @@
+"""Carry out an instruction in words, read by rules or by a language model."""
+
+from mansion_editing.editor import SceneEditor
+from mansion_msgs_py.editing.instructions import AgentReport
+from mansion_msgs_py.errors import ErrorCode, MansionError
+
+__all__ = ["instruct"]
+
+
+def instruct(editor: SceneEditor, instruction: str, planner: str = "rules", *, partly: bool = False) -> AgentReport:
+    """Carry out an instruction; its edits land together or not at all.
+
+    Parameters
+    ----------
+    planner : {"rules", "llm"}
+    partly : bool
+        The rules do what they can of it and say what they did not; all or nothing otherwise.
+
+    Raises
+    ------
+    MansionError
+        ``INVALID_PAYLOAD`` for another planner, ``UNAVAILABLE`` for a model that is not configured, ``CONFLICT`` when
+        edits wait to be saved.
+    """
+    if planner == "rules":
+        from mansion_editing.instructions.conversation import brief_of
+        from mansion_editing.instructions.run import carry_out
+        from mansion_editing.instructions.sentences.reader import read_instruction
+
+        read = read_instruction(instruction, editor.state, brief_of(editor))
+        return carry_out(editor, read, instruction, partly=partly)
+    if planner == "llm":
+        from mansion_editing.instructions.by_model.carrying_out import carry_out_with_model
+        from mansion_llm import LlmClient
+
+        return carry_out_with_model(LlmClient.from_environment(), editor, instruction)
+    raise MansionError(ErrorCode.INVALID_PAYLOAD, f"no planner {planner!r}; use rules or llm", path="$.planner")

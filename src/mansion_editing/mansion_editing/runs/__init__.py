@@ -1,0 +1,1 @@
+"""Runs of policies over the tools of an editor, which land as one transaction."""

@@ -1,0 +1,45 @@
+"""What every call of a tool says of the open building that it is for, and how a building is opened."""
+
+from typing import Annotated
+
+import msgspec
+
+from mansion_msgs_py.shapes import PathText
+
+__all__ = ["EditorInfo", "OpenEditorArgs", "Text", "ToolArgs"]
+
+Text = Annotated[str, msgspec.Meta(max_length=400)]
+
+
+class ToolArgs(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """Which open building a call is for: the one opened last under the empty name when absent."""
+
+    editor: Text = ""
+
+
+class OpenEditorArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
+    """Open the building folder `path` under the name `editor`.
+
+    Attributes
+    ----------
+    who : str
+        Written into the log beside each change.
+    autosave : bool
+        Land each edit at once; else edits wait for ``scene/save``.
+    """
+
+    path: PathText
+    who: Text = ""
+    autosave: bool = True
+
+
+class EditorInfo(msgspec.Struct, frozen=True, kw_only=True):
+    """An open building."""
+
+    building_id: str
+    floors: list[int]
+    labels: list[str]
+    revisions: dict[str, int]
+    editor: str = ""
+    who: str = ""
+    autosave: bool = True

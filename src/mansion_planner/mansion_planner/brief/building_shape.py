@@ -1,0 +1,216 @@
+"""Read what a brief wishes of the building's shape: outline, setbacks, size, and equal storeys."""
+
+from mansion_planner.brief.facts import CopyFact, FloorRef, Shape
+from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
+
+__all__ = ["read_copies", "read_massing", "read_shape", "read_sizes"]
+
+_SHAPES: dict[str, Shape] = {"l": "L", "u": "U", "t": "T", "h": "H"}
+_BENT = frozenset("bent folded wrapped laid arranged built shaped planned bends folds wraps".split())
+_NEGATIONS = frozenset({"no", "without", "not", "never"})
+_EQUAL = frozenset(
+    """
+    identical same repeat repeated alike equal clone copy duplicate mirror
+    """.split()
+)
+
+
+def read_shape(reading: Reading) -> None:
+    """Read the outline's shape: "L-shaped", "in the form of a U", "around a courtyard", "rectangular"."""
+    for i in range(len(reading.tokens)):
+        word = reading.word(i)
+        if word in _SHAPES and reading.word(i + 1) == "shaped" and _names_room(reading, i + 2):
+            continue  # "an L-shaped living room"
+        if word in _SHAPES and (
+            reading.word(i + 1) in ("shaped", "shape", "form", "plan", "formed", "outline", "footprint", "layout")
+            or " ".join(reading.word(i - k) for k in (3, 2, 1))
+            in ("shape of a", "form of a", "shape of an", "form of an")
+            or (reading.word(i - 1) == "of" and reading.word(i - 2) in ("shape", "form") and _is_letter(reading, i))
+            or (reading.word(i - 1) in ("a", "an") and not _BENT.isdisjoint(reading.words(max(i - 4, 0), i - 1)))
+        ):
+            reading.facts.shapes.append((_SHAPES[word], reading.span(i, i + 1 + (reading.word(i + 1) == "shaped"))))
+            reading.take(i, i + 2)
+        elif _is_court(reading, i):
+            reading.facts.shapes.append(("courtyard", reading.span(i, i + 1)))
+            reading.take(i, i + 1)
+        elif word in ("rectangular", "rectangle", "oblong"):
+            reading.facts.shapes.append(("rectangle", reading.span(i, i + 1)))
+            reading.take(i, i + 1 + (reading.word(i + 1) in ("outline", "footprint", "plan", "shape", "building")))
+        elif word == "square" and reading.word(i + 1) in (
+            "outline",
+            "footprint",
+            "plan",
+            "shape",
+            "shaped",
+            "building",
+            "tower",
+            "house",
+            "form",
+        ):
+            reading.facts.shapes.append(("square", reading.span(i, i + 2)))
+            reading.take(i, i + 2)
+        elif word == "square" and reading.words(i - 2, i) in (("a", "perfect"), ("an", "exact"), ("is", "a")):
+            reading.facts.shapes.append(("square", reading.span(i, i + 1)))
+            reading.take(i - 1, i + 1)
+        elif word == "square" and reading.word(i - 1) in ("a", "our") and _names_building(reading, i + 1):
+            reading.facts.shapes.append(("square", reading.span(i, i + 1)))
+            reading.take(i, i + 1)
+        elif word in ("outline", "footprint", "plan") and "square" in reading.words(i + 1, i + 4):
+            reading.facts.shapes.append(("square", reading.span(i, i + 1)))
+
+
+def _is_letter(reading: Reading, index: int) -> bool:
+    token = reading.tokens[index]
+    return reading.text[token.start : token.end].isupper()
+
+
+def _names_room(reading: Reading, index: int) -> bool:
+    """Whether a room is named within three words from a token: what stands before it is said of the room."""
+    for at in range(index, index + 3):
+        mention = reading.mention_at.get(at)
+        if mention is not None:
+            return bool(mention.room) and not mention.building
+        if reading.kind(at) != "word":
+            return False
+    return False
+
+
+def _names_building(reading: Reading, index: int) -> bool:
+    mention = reading.mention_at.get(index)
+    return mention is not None and bool(mention.building)
+
+
+_COURTS = frozenset({"garth", "quad", "quadrangle", "atrium", "court", "patio"})
+
+
+def _is_court(reading: Reading, index: int) -> bool:
+    """Whether a word is of a yard that wings stand around: "about an open cloister garth", "a closed quadrangle"."""
+    before = reading.words(max(index - 5, 0), index)
+    if reading.word(index) == "courtyard":
+        return reading.word(index - 1) not in _NEGATIONS and reading.word(index + 1) not in FLOOR_WORDS
+    if reading.word(index) not in _COURTS or index in reading.taken or reading.facts.shapes:
+        return False
+    if reading.word(index) in ("quadrangle", "quad", "garth"):
+        return _NEGATIONS.isdisjoint(before)
+    open_yard = "open" in before[-3:] and reading.word(index) != "patio"
+    return open_yard and not {"around", "about", "round"}.isdisjoint(before)
+
+
+def read_copies(reading: Reading, places: list[Place]) -> None:
+    """Read storeys that are to be identical: "floors 3 to 8 identical", "L3, L4, L5 the same", "share one plan"."""
+    for index, token in enumerate(reading.tokens):
+        sharing = (
+            token.text in ("share", "sharing")
+            and reading.word(index + 1) in ("one", "a", "the")
+            and ({"plan", "layout"} & set(reading.words(index + 1, index + 5)))
+        )
+        typical = token.text == "typical" and reading.word(index + 1) in FLOOR_WORDS
+        like = token.text in ("like", "as") and reading.word(index - 1) in ("just", "exactly", "look", "repeat")
+        if not (token.text in _EQUAL or sharing or typical or like) or reading.word(index + 1) in (
+            "time",
+            "building",
+            "room",
+            "walls",
+        ):
+            continue
+        if token.text == "same" and reading.words(index + 1, index + 3) in (
+            ("level", ","),
+            ("floor", "as"),
+            ("level", "."),
+        ):
+            continue
+        pair = _same_as(places, index, reading)
+        if pair is not None:
+            first, last = sorted((pair[0].refs[0].first, pair[1].refs[0].first))
+            span = reading.span(pair[0].first, pair[1].last)
+            reading.facts.copies.append(CopyFact(FloorRef("range", first, last, span), span))
+            continue
+        if like:
+            continue
+        near = [p for p in places if reading.sentence[p.first] == reading.sentence[index] and _several(p)]
+        counted = [p for p in near if p.refs[0].kind in ("number", "range") and p.last <= index]
+        near = counted or near  # "from the 2nd to the 9th floor all are the same, each floor has ..."
+        if not near and reading.word(index) not in ("same", "equal", "copy", "mirror"):
+            near = [p for p in places if reading.sentence[p.first] == reading.sentence[index] - 1 and _several(p)][-1:]
+        if near:
+            place = min(near, key=lambda p: min(abs(p.last - index), abs(p.first - index)))
+            words = reading.span(min(place.first, index), max(place.last, index + 1))
+            group = _joined(place)
+            if all(
+                (copy.first.kind, copy.first.first, copy.first.last) != (group.kind, group.first, group.last)
+                for copy in reading.facts.copies
+            ):
+                reading.facts.copies.append(CopyFact(group, words))
+        elif FLOOR_WORDS & set(reading.words(index + 1, index + 3)) and token.text in ("identical", "equal"):
+            span = reading.span(index, index + 2)
+            whole = reading.kind(index - 1) == "number"
+            reading.facts.copies.append(CopyFact(FloorRef("every" if whole else "upper", span=span), span))
+        reading.take(index, index + 1)
+
+
+def _several(place: Place) -> bool:
+    return len(place.refs) > 1 or (
+        place.refs[0].kind in ("range", "upper", "middle", "every", "not_top", "top")
+        and (place.refs[0].kind != "top" or place.refs[0].first > 1)
+    )
+
+
+def _joined(place: Place) -> FloorRef:
+    """Return consecutive storeys as one range."""
+    if len(place.refs) == 1:
+        return place.refs[0]
+    return FloorRef(
+        "range", min(ref.first for ref in place.refs), max(ref.last for ref in place.refs), place.refs[0].span
+    )
+
+
+def _same_as(places: list[Place], index: int, reading: Reading) -> tuple[Place, Place] | None:
+    """Return the two neighbouring storeys of "floor 3: same as floor 2", "5F just like 4F"."""
+    places = [p for p in places if reading.sentence[p.first] == reading.sentence[index]]
+    before = [p for p in places if 0 <= index - p.last <= 3 and p.refs[0].kind == "number" and len(p.refs) == 1]
+    after = [p for p in places if 0 < p.first - index <= 3 and p.refs[0].kind == "number"]
+    if before and after and abs(before[-1].refs[0].first - after[0].refs[0].first) == 1:
+        return before[-1], after[0]
+    return None
+
+
+def read_massing(reading: Reading) -> None:
+    """Read setbacks and terraces, protruding ground floors and garages."""
+    for i in range(len(reading.tokens)):
+        word, following = reading.word(i), reading.word(i + 1)
+        if word == "setback" or (word == "set" and following == "back") or word in ("stepped", "recessed", "terraced"):
+            if word == "terraced" and following == "house":
+                continue
+            reading.facts.setback.append(reading.span(i, i + 1 + (following == "back")))
+        elif word in ("protruding", "projecting", "podium", "wider") or (word == "larger" and following == "ground"):
+            reading.facts.protruding.append(reading.span(i, i + 1))
+
+
+_SMALL = frozenset({"small", "compact", "tiny", "little", "modest", "mini"})
+_LARGE = frozenset({"large", "big", "spacious", "huge", "vast", "generous", "giant", "sprawling"})
+_NAMED = {"duplex": 2, "triplex": 3, "bungalow": 1}
+
+
+def read_sizes(reading: Reading, first: int, last: int) -> None:
+    """Read how large and tall the building is called, from the words around the noun that names it.
+
+    Parameters
+    ----------
+    first, last : int
+        Tokens of the noun phrase that names the building; both 0 where none does.
+    """
+    for index in range(len(reading.tokens)):
+        word = reading.word(index)
+        span = reading.span(index, index + 1)
+        if word in _NAMED:
+            reading.facts.size.append((word, span))
+        elif word in ("high", "mid", "low") and reading.word(index + 1) in ("rise", "riser"):
+            reading.facts.size.append((f"{word}_rise", reading.span(index, index + 2)))
+            reading.take(index, index + 2)
+        elif word in ("highrise", "midrise", "lowrise"):
+            reading.facts.size.append((f"{word[:-4]}_rise", span))
+        elif word in ("skyscraper", "tower") and reading.word(index + 1) not in ("room", "block"):
+            reading.facts.size.append(("high_rise", span))
+        elif word in _SMALL | _LARGE and (first - 3 <= index < max(last, 4)):
+            reading.facts.size.append(("small" if word in _SMALL else "large", span))
+            reading.take(index, index + 1)

@@ -1,0 +1,303 @@
+"""Give rooms and furniture the storeys that the brief names for them, by where the two stand in its sentences.
+
+A reference that opens a clause ("On the second floor ...", "Level 2: ...", a heading of its own line) leads what
+follows it; one right after a list ("a gym and a sauna on the top floor") belongs to the list; one right before a
+noun ("a ground-floor cafeteria") to that noun alone.
+"""
+
+import itertools
+from dataclasses import dataclass, replace
+
+from mansion_planner.brief.facts import FloorRef
+from mansion_planner.brief.phrase import Phrase
+from mansion_planner.brief.reading import Place, Reading
+
+__all__ = ["Attachment", "attach_storeys"]
+
+_SHARED_OUT = frozenset({"spread", "distributed", "divided", "split", "evenly", "total", "altogether"})
+_GLUE = frozenset(
+    """
+    is are be goes go stay stays sit sits lie lies located situated placed both all only right directly up that
+    which become stand kept should must will shall belong take takes occupy occupies fills fill come found needed
+    wanted ,
+    on in at to entirely mostly alone as well too also each one apiece most much of occupy therefore be well
+    """.split()
+)
+_OPENERS = frozenset(
+    """
+    , and while but : ( where then - – | with plus whereas also finally
+    """.split()
+)
+_MANY = 10
+"""Rooms of a kind that no storey is likely to have each."""
+_JOINTS = frozenset(
+    """
+    and a an the & one , large small its own as well plus both another two three
+    """.split()
+)
+
+
+def _several(place: Place) -> bool:
+    return len(place.refs) > 1 or place.refs[0].kind == "range"
+
+
+@dataclass(frozen=True)
+class Attachment:
+    """The storeys of a phrase; `each`: its number holds for each of them."""
+
+    refs: tuple[FloorRef, ...] = ()
+    each: bool = False
+
+
+def attach_storeys(
+    reading: Reading, places: list[Place], phrases: list[Phrase], building: int | None
+) -> dict[int, Attachment]:
+    """Return the storeys of phrases, by their number in `phrases`.
+
+    Parameters
+    ----------
+    building : int, optional
+        Number of the phrase that names the building itself.
+    """
+    return _Walk(reading, places, phrases, building).run()
+
+
+class _Walk:
+    """Goes from sentence to sentence with the scope that headings and openings leave."""
+
+    def __init__(self, reading: Reading, places: list[Place], phrases: list[Phrase], building: int | None) -> None:
+        self.reading, self.places, self.phrases, self.building = reading, places, phrases, building
+        self.found: dict[int, Attachment] = {}
+        self.heading: Place | None = None
+
+    def run(self) -> dict[int, Attachment]:
+        """Walk over all sentences."""
+        carried: Place | None = None
+        last_end = -1
+        for sentence in range((self.reading.sentence or [0])[-1] + 1):
+            items = [("place", n, p.first) for n, p in enumerate(self.places) if self._in(p.first, sentence)]
+            items += [
+                ("phrase", n, p.first)
+                for n, p in enumerate(self.phrases)
+                if self._in(p.first, sentence) and n != self.building
+            ]
+            items.sort(key=lambda item: item[2])
+            end = max((i for i, s in enumerate(self.reading.sentence) if s == sentence), default=0)
+            carried = self._sentence(items, carried, sentence)
+            if self.reading.word(end) != ";":
+                carried = None
+            blank = self.reading.word(end) == "\n" and self.reading.word(last_end) == "\n" and end == last_end + 1
+            if blank and self.heading is not None and not self._heading_follows(sentence):
+                self.heading = self.heading if self._list_follows(sentence) else None
+            last_end = end
+        return self.found
+
+    def _in(self, index: int, sentence: int) -> bool:
+        return index < len(self.reading.sentence) and self.reading.sentence[index] == sentence
+
+    def _heading_follows(self, sentence: int) -> bool:
+        return any(place.heading and self.reading.sentence[place.first] > sentence for place in self.places)
+
+    def _list_follows(self, sentence: int) -> bool:
+        first = next((i for i, s in enumerate(self.reading.sentence) if s == sentence + 1), -1)
+        return self.reading.word(first) in ("-", "*") or self.reading.kind(first) == "number"
+
+    def _sentence(self, items: list[tuple[str, int, int]], carried: Place | None, sentence: int) -> Place | None:
+        scope = carried or self.heading
+        opened = carried is not None
+        left: list[int] = []
+        for position, (kind, number, _) in enumerate(items):
+            if kind == "phrase":
+                if scope is not None:
+                    self._give(number, scope, trailing=False)
+                left.append(number)
+                continue
+            place = self._within(self.places[number], scope)
+            rest = [n for k, n, _ in items[position + 1 :] if k == "phrase"]
+            if scope is not None and place.last - place.first < 5 and self.reading.word(place.last - 1) == "roof":
+                continue  # "second floor: a bedroom under the roof"
+            if place.refs[0].kind == "basement" and self.reading.word(place.last) == "with" and rest:
+                for target in self._joined(rest):
+                    self._give(target, place, trailing=True)
+                left += rest[:1]
+            elif self._ends_line(place):
+                self.heading = scope = place
+                opened, left = True, []
+            elif self._is_prenominal(place, rest):
+                scope_before, scope = scope, None
+                self._give(rest[0], place, trailing=False)
+                self.found.setdefault(rest[0], Attachment())
+                items[position + 1 :] = [item for item in items[position + 1 :] if item[:2] != ("phrase", rest[0])]
+                left.append(rest[0])
+                scope = scope_before
+            elif self.reading.word(place.first - 1) == "both" and len(left) > 1:
+                for target in left[-2:]:  # "the sauna next to the gym, and both in the basement"
+                    self._give(target, place, trailing=True)
+                left = []
+            elif self._trails(place, left):
+                for target in self._claimed(place, left, opened=opened):
+                    self._give(target, place, trailing=True)
+                left = []
+                if not opened:
+                    scope = self.heading
+            else:
+                scope, opened, left = place, True, []
+        return scope if opened else None
+
+    def _within(self, place: Place, scope: Place | None) -> Place:
+        """Read "each floor" as each of the storeys that the clause is about: "floors 3 to 9: nine on each floor"."""
+        if scope is None or place.refs[0].kind != "every" or not _several(scope):
+            return place
+        return replace(place, refs=scope.refs)
+
+    def _joined(self, rest: list[int]) -> list[int]:
+        """Return the first of some phrases and those joined to it by "and" alone."""
+        chosen = rest[:1]
+        for number in rest[1:]:
+            if self.reading.words(self.phrases[chosen[-1]].last, self.phrases[number].begin) not in (
+                ("and",),
+                ("and", "a"),
+                ("and", "an"),
+            ):
+                break
+            chosen.append(number)
+        return chosen
+
+    def _ends_line(self, place: Place) -> bool:
+        reading = self.reading
+        last = place.last + (reading.word(place.last) in (":", "="))
+        return reading.starts(place.first) and (reading.word(last) == "\n" or self._bracket_ends_line(last))
+
+    def _bracket_ends_line(self, last: int) -> bool:
+        reading = self.reading
+        if reading.word(last) not in ("(", ","):
+            return False
+        index = last
+        while index < len(reading.tokens) and reading.word(index) not in ("\n", ".", ";") and index - last < 12:
+            index += 1
+        inside = any(last <= phrase.first < index for phrase in self.phrases)
+        return reading.word(index) == "\n" and not inside
+
+    def _is_prenominal(self, place: Place, rest: list[int]) -> bool:
+        """Whether the reference stands inside a noun phrase: "a ground-floor cafeteria"."""
+        if place.led or place.heading or not rest:
+            return False
+        phrase = self.phrases[rest[0]]
+        if phrase.begin != place.last or phrase.first < place.last or phrase.counted:
+            return False
+        reading = self.reading
+        lead = reading.word(place.first)
+        if lead in ("a", "an"):
+            return True
+        before = reading.word(place.first - 1)
+        return (
+            before in ("a", "an")
+            or reading.kind(place.first - 1) == "number"
+            or (
+                lead == "the"
+                and place.refs[0].kind == "number"
+                and not reading.starts(place.first)
+                and before in ("and", "with", "in")
+            )
+        )
+
+    def _trails(self, place: Place, left: list[int]) -> bool:
+        if not left or place.heading:
+            return False
+        phrase = self.phrases[left[-1]]
+        gap = self.reading.words(phrase.last, place.first)
+        if (
+            self.reading.word(place.last) in ("has", "have", "hold", "house", "contain", ":", "get", "carry", "host")
+            and self.reading.word(place.first - 1) in _OPENERS
+        ):
+            return False
+        if phrase.head == "people" and self.reading.word(place.last) in ("with", ":", "has", "have", "get"):
+            return False  # "the family upstairs with three bedrooms"
+        if gap[:1] == ("(",) and ")" in gap:
+            gap = gap[gap.index(")") + 1 :]  # "two toilets (m/f) on each level"
+        if len(gap) > 6:
+            return False
+        measures = all(
+            word in _GLUE
+            or self.reading.kind(phrase.last + k) in ("number", "unit")
+            or word in ("(", ")", "of", "about", "x", "people")
+            for k, word in enumerate(gap)
+        )
+        if not measures:
+            return False
+        return not (gap and gap[-1] == "," and not self._closes(place))
+
+    def _closes(self, place: Place) -> bool:
+        """Whether a reference after a comma ends its clause, so that it can only belong to what stands before it."""
+        following = self.reading.word(place.last)
+        return self.reading.breaks(place.last) or following in (")", ",", "and")
+
+    def _claimed(self, place: Place, left: list[int], *, opened: bool) -> list[int]:
+        sentence = self.reading.sentence[place.first]
+        titled = self.building is not None and self.reading.sentence[self.phrases[self.building].first] == sentence
+        if not opened and not titled:
+            below = place.refs[0].kind == "basement"
+            return left[-1:] if self._asyndetic(left) and (below or not place.led) else left
+        chosen = [left[-1]]
+        joined = False
+        for number in reversed(left[:-1]):
+            between = self.reading.words(self.phrases[number].last, self.phrases[chosen[-1]].first)
+            joined = joined or "and" in between or "&" in between
+            if not all(word in _JOINTS for word in between) or not joined or (opened and "," in between):
+                break
+            if not self._suits(number, place):
+                break
+            chosen.append(number)
+        return chosen
+
+    def _asyndetic(self, left: list[int]) -> bool:
+        """Whether commas alone part a list, so that what follows is of its last entry: "shop, cafe upstairs"."""
+        joints = [self.reading.words(self.phrases[a].last, self.phrases[b].first) for a, b in itertools.pairwise(left)]
+        return len(left) > 2 and not any("and" in words or "&" in words for words in joints)
+
+    def _suits(self, number: int, place: Place) -> bool:
+        phrase = self.phrases[number]
+        if not phrase.room_type:
+            return True
+        storey = self.reading.knowledge.room(phrase.room_type).storey
+        return not (storey == "ground" and place.refs[0].kind in ("top", "roof", "basement"))
+
+    def _give(self, number: int, place: Place, *, trailing: bool) -> None:
+        if number in self.found and not trailing:
+            return
+        several = len(place.refs) > 1 or place.refs[0].kind in (
+            "every",
+            "range",
+            "middle",
+            "lower",
+            "odd",
+            "even",
+            "not_top",
+        )
+        several = several or (place.refs[0].kind == "upper" and self._plural_upper(place))
+        several = several and not (place.refs[0].kind == "middle" and not self._plural_upper(place))
+        phrase = self.phrases[number]
+        near = self.reading.words(max(phrase.first - 4, 0), place.first if trailing else phrase.first)
+        rest = self.reading.words(phrase.last, phrase.last + 3)
+        shared = (
+            ("shared", "between") in itertools.pairwise(rest)
+            or not _SHARED_OUT.isdisjoint(near)
+            or not _SHARED_OUT.isdisjoint(rest)
+            or phrase.determiner == "all"
+            or (trailing and self._is_total(phrase, place))
+        )
+        self.found[number] = Attachment(place.refs, several and not shared)
+
+    def _is_total(self, phrase: Phrase, place: Place) -> bool:
+        """Whether a large number of rooms is that of all the storeys named after it: "40 offices on floors 2 to 5"."""
+        if place.refs[0].kind not in ("number", "range") or not phrase.counted:
+            return False
+        storeys = sum(ref.last - ref.first + 1 for ref in place.refs)
+        count = phrase.count or 0
+        return storeys > 1 and count >= _MANY * storeys and count % storeys == 0
+
+    def _plural_upper(self, place: Place) -> bool:
+        return any(
+            self.reading.plural(i) and self.reading.word(i) in ("floor", "storey", "level", "story", "deck")
+            for i in range(place.first, place.last)
+        )

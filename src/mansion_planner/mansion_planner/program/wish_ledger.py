@@ -1,0 +1,296 @@
+"""The wishes of a brief: a ledger of its statements, and which rooms get the furniture that it wants."""
+
+from collections.abc import Sequence
+
+import msgspec
+
+from mansion_knowledge import KnowledgeBase
+from mansion_language import singular
+from mansion_msgs_py.program import RequestedObject
+from mansion_msgs_py.wishes import Scope, Wish, WishKind, WishValue
+from mansion_planner.brief.facts import AdjacencyFact, FloorRef, ObjectFact, RoomFact, Span
+from mansion_planner.program.decisions import Decisions
+from mansion_planner.program.furniture_areas import usual_number, usually_has
+from mansion_planner.program.household import is_whole
+from mansion_planner.program.model import PlannedRoom, Storey
+from mansion_planner.program.storey_rooms import MANY
+from mansion_planner.program.storeys import floors_of
+
+__all__ = ["furniture_of", "requested_objects", "wishes_of"]
+
+
+def furniture_of(decisions: Decisions, storeys: Sequence[Storey]) -> dict[tuple[int, str], list[RequestedObject]]:
+    """Return the furniture that the brief wants in each planned room, by storey and room id.
+
+    A number for "each" is for every room of the name; any other is shared out among those of a storey and of no copy
+    of it, which has as many. Furniture without a room goes to the room that is most likely to have it: one whose type
+    usually has such things (as many as that, for a number), the largest of those that the brief names, else the largest
+    of all.
+    """
+    rooms = [
+        (storey, room)
+        for storey in storeys
+        if storey.copy is None
+        for top in (*storey.rooms, _hub_of(storey))
+        for room in top.each()
+    ]
+    furniture: dict[tuple[int, str], list[RequestedObject]] = {}
+    for fact in decisions.facts.objects:
+        if not fact.category:
+            continue
+        for (storey, room), count in _shared_out(decisions, fact, rooms):
+            furniture.setdefault((storey.index, room.id), []).append(
+                RequestedObject(category=fact.category, count=count, words=_noun(fact), exact=fact.exact)
+            )
+    return furniture
+
+
+def _shared_out(
+    decisions: Decisions, fact: ObjectFact, rooms: list[tuple[Storey, PlannedRoom]]
+) -> list[tuple[tuple[Storey, PlannedRoom], int]]:
+    """Return the rooms that get furniture, each with its number of pieces."""
+    matching = _matching(decisions, fact, rooms)
+    if fact.excluded:
+        return [(entry, 0) for entry in matching]
+    count = 2 if fact.count is None else fact.count
+    if not matching or not fact.room:
+        storeys = dict.fromkeys(storey.index for storey, _ in matching) if fact.each else ()
+        groups = [[entry for entry in matching if entry[0].index == index] for index in storeys]
+        return [
+            (max(group, key=lambda entry: _likelihood(fact, entry)), count) for group in groups or [matching or rooms]
+        ]
+    if fact.each or not fact.exact or count < len(matching):
+        return [(entry, count if fact.each else -(-count // len(matching))) for entry in matching]
+    shares = [count // len(matching) + (number < count % len(matching)) for number in range(len(matching))]
+    return list(zip(matching, shares))
+
+
+def _hub_of(storey: Storey) -> PlannedRoom:
+    """Return a storey's hub as a room that furniture may be wanted in."""
+    kind = storey.hub
+    return PlannedRoom(id=kind.name, kind=kind, area=kind.least, least=kind.least, most=kind.most, base=kind.name)
+
+
+def _noun(fact: ObjectFact) -> str:
+    """Return what the brief calls one piece."""
+    first, _, last = fact.noun.lower().rpartition(" ")
+    return f"{first} {singular(last)}".strip()
+
+
+def _matching(
+    decisions: Decisions, fact: ObjectFact, rooms: list[tuple[Storey, PlannedRoom]]
+) -> list[tuple[Storey, PlannedRoom]]:
+    floors = set(floors_of(fact.floors, decisions))
+    named = [(s, r) for s, r in rooms if not floors or s.index in floors]
+    if not fact.room:
+        return named
+    own = [(s, r) for s, r in named if r.base == fact.room]
+    return own or [(s, r) for s, r in named if r.kind.name == fact.room_type]
+
+
+def _likelihood(fact: ObjectFact, entry: tuple[Storey, PlannedRoom]) -> tuple[bool, bool, bool, bool, float]:
+    _, room = entry
+    many = (fact.count or 2) >= MANY and usual_number(room.kind.name, fact.category, room.area) >= MANY / 2
+    return many, usually_has(room.kind.name, fact.category), room.stated, room.kind.zone == "public", room.area
+
+
+def requested_objects(decisions: Decisions, room_id: str, storey: Storey) -> list[RequestedObject]:
+    """Return the furniture that `furniture_of` gives a room; a storey that repeats another has the same."""
+    return decisions.furniture.get((storey.copy or storey.index, room_id), [])
+
+
+def wishes_of(decisions: Decisions, knowledge: KnowledgeBase) -> list[Wish]:
+    """Return every statement of the brief as a wish without a status.
+
+    Parameters
+    ----------
+    decisions : Decisions
+        Resolves what "the top floor" and "every storey" are.
+    """
+    ledger = _Ledger(decisions, knowledge)
+    ledger.collect()
+    found = sorted(ledger.found, key=lambda wish: (wish.span, wish.kind))
+    return [
+        Wish(
+            id=f"wish_{n}",
+            text=w.text,
+            span=w.span,
+            kind=w.kind,
+            value=w.value,
+            scope=w.scope,
+            status=w.status,
+            reason=w.reason,
+        )
+        for n, w in enumerate(found, 1)
+    ]
+
+
+_QUALIFIED = frozenset({"total_area", "room", "object", "stair", "elevator", "building_type"})
+"""Kinds of wishes for things that can have properties."""
+
+
+class _Ledger:
+    def __init__(self, decisions: Decisions, knowledge: KnowledgeBase) -> None:
+        self.decisions, self.facts, self.knowledge = decisions, decisions.facts, knowledge
+        self.found: list[Wish] = []
+
+    def add(
+        self, kind: WishKind, span: Span, value: WishValue, scope: Scope | None = None, *, reason: str = ""
+    ) -> None:
+        """Add a statement, unless the same words say the same already."""
+        text = " ".join(span.words.split()[:12])
+        unread = kind == "unread"
+        unheeded = [w.words for w in self.facts.unheeded if span.start <= w.start and w.end <= span.end]
+        if unheeded and kind in _QUALIFIED:
+            value = msgspec.structs.replace(value, unheeded=unheeded)
+        wish = Wish(
+            id="wish",
+            text=text,
+            span=(span.start, span.end),
+            kind=kind,
+            value=value,
+            scope=scope or Scope(),
+            status="not_understood" if unread else "",
+            reason=reason,
+        )
+        if wish not in self.found:
+            self.found.append(wish)
+
+    def floors(self, refs: tuple[FloorRef, ...]) -> list[int]:
+        """Return the floor numbers that references mean."""
+        return floors_of(refs, self.decisions)
+
+    def collect(self) -> None:
+        """Go through all facts."""
+        facts = self.facts
+        for name, span in facts.building[:1]:
+            if span.words:
+                self.add("building_type", span, WishValue(name=facts.building_name or name, type=name))
+        for span in facts.building_span[:1]:
+            kind = self.decisions.building.name
+            reason = f"no such kind of building is known; planned like {kind.replace('_', ' ')}"
+            self.add("building_type", span, WishValue(name=facts.building_name, type=kind), reason=reason)
+        for quantity in facts.floors:
+            self.add("floors", quantity.span, WishValue(count=int(quantity.value)))
+        for quantity in facts.basements:
+            self.add("basements", quantity.span, WishValue(count=int(quantity.value)))
+        for quantity in facts.area:
+            self.add("total_area", quantity.span, WishValue(area=quantity.value, limit=quantity.limit))
+        for quantity in facts.floor_area:
+            self.add("floor_area", quantity.span, WishValue(area=quantity.value, limit=quantity.limit))
+        given_up = self.decisions.given_up
+        for shape, span in (*facts.shapes, *given_up.shapes):
+            self.add("outline", span, WishValue(name=shape))
+        for style, span in facts.styles:
+            self.add("style", span, WishValue(name=style))
+        for material in facts.materials:
+            self.add(
+                "material",
+                material.span,
+                WishValue(name=material.material, type=material.surface),
+                Scope(room_type=material.room_type),
+            )
+        for height in facts.heights:
+            self.add("height", height.span, WishValue(height=height.height), Scope(room_type=height.room_type))
+        for use in facts.uses:
+            self.add(
+                "use",
+                use.span,
+                WishValue(name=use.building_type, type=use.building_type),
+                Scope(floors=self.floors(use.floors)),
+            )
+        for copy in facts.copies:
+            self.add("copy", copy.span, WishValue(), Scope(floors=self.floors((copy.first,))))
+        for occupant in facts.occupants:
+            self.add("occupants", occupant.span, WishValue(name=occupant.noun, count=occupant.count))
+        for span in facts.only:
+            self.add("only", span, WishValue())
+        self._vertical()
+        for room in (*facts.rooms, *facts.households):
+            self._room(room)
+        for name, span in (*facts.excluded, *given_up.excluded):
+            self.add("no_room", span, WishValue(name=name, type=name, unwanted=True))
+        for name, ref, span in facts.excluded_on:
+            self.add("no_room", span, WishValue(name=name, type=name, unwanted=True), Scope(floors=self.floors((ref,))))
+        for fact in facts.adjacent:
+            self._relation("adjacent", fact)
+        for fact in facts.apart:
+            self._relation("apart", fact)
+        for wanted in facts.objects:
+            self._object(wanted)
+        for span in facts.unread:
+            self.add("unread", span, WishValue(), reason="these words were not understood")
+
+    def _vertical(self) -> None:
+        counts = {q.span: int(q.value) for q in (*self.facts.lifts, *self.facts.stairs)}
+        for name, span in (*self.facts.vertical, *self.decisions.given_up.vertical):
+            kind: WishKind = "elevator" if name.endswith("elevator") else "stair"
+            self.add(kind, span, WishValue(unwanted=name.startswith("no_"), count=counts.get(span)))
+
+    def _room(self, room: RoomFact) -> None:
+        reason = ""
+        if not room.known:
+            reason = f"no such room is known; planned and furnished like {room.room_type.replace('_', ' ')}"
+        whole = room.area is not None and is_whole(room, self.knowledge)
+        value = WishValue(
+            name=room.name, type=room.room_type, count=room.count, area=room.area, whole=whole, limit=room.limit
+        )
+        self.add("room", room.span, value, Scope(floors=self.floors(room.floors), each=room.each), reason=reason)
+        if room.unit:
+            self._unit(room)
+            return
+        owners = room.count
+        for child in room.suite:
+            many = None if owners is None else owners * (child.count or 1)
+            scope = Scope(floors=self.floors(room.floors), each=room.each, room=room.name, room_type=room.room_type)
+            self.add(
+                "room",
+                child.span,
+                WishValue(name=child.name, type=child.room_type, count=many, area=child.area, limit=child.limit),
+                scope,
+            )
+
+    def _unit(self, room: RoomFact) -> None:
+        """Add what each unit holds."""
+        scope = Scope(floors=self.floors(room.floors), unit=room.name, unit_type=room.room_type)
+        for child in room.suite:
+            reason = ""
+            if not child.known:
+                reason = f"no such room is known; planned and furnished like {child.room_type.replace('_', ' ')}"
+            value = WishValue(
+                name=child.name, type=child.room_type, count=child.count, area=child.area, limit=child.limit
+            )
+            self.add("room", child.span, value, scope, reason=reason)
+
+    def _relation(self, kind: WishKind, fact: AdjacencyFact) -> None:
+        value = WishValue(
+            name=fact.first_name or fact.first,
+            type=fact.first,
+            other=fact.second_name or fact.second,
+            other_type=fact.second,
+        )
+        self.add(kind, fact.span, value)
+
+    def _object(self, wanted: ObjectFact) -> None:
+        kind: WishKind = "no_object" if wanted.excluded else "object"
+        name = wanted.words.lower().replace(" ", "_")
+        value = WishValue(
+            name=name,
+            type=wanted.category,
+            count=None if wanted.excluded else wanted.count,
+            unwanted=wanted.excluded,
+            exact=wanted.exact and not wanted.excluded,
+        )
+        self.add(kind, wanted.span, value, self._place_of(wanted))
+
+    def _place_of(self, wanted: ObjectFact) -> Scope:
+        """Return where furniture is wanted; in the whole building where its room only names that."""
+        floors = self.floors(wanted.floors)
+        names = (self.facts.building_name, *(name for name, _ in self.facts.building))
+        titles = {span.words.lower().replace(" ", "_") for _, span in self.facts.building}
+        stated = {room.name for room in self.facts.rooms} | {room.room_type for room in self.facts.rooms}
+        lists = self.decisions.building.storeys.values()
+        usual = any(entry.room_type == wanted.room_type for entries in lists for entry in entries)
+        if wanted.room in {*names, *titles} and wanted.room not in stated and not usual:
+            return Scope(floors=floors, each=wanted.each)
+        return Scope(floors=floors, room=wanted.room, room_type=wanted.room_type, each=wanted.each)

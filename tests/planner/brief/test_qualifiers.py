@@ -1,0 +1,105 @@
+"""Words that say how something is to be stay with it, and what nothing is made of is told."""
+
+import pytest
+
+from mansion_knowledge import default_knowledge
+from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.request import BuildRequest
+from mansion_planner.brief import read_brief
+from mansion_planner.brief.facts import BriefFacts
+from mansion_planner.plan import plan_building
+
+
+def read(text: str) -> BriefFacts:
+    return read_brief(text, default_knowledge())
+
+
+def unread(text: str) -> str:
+    return " | ".join(span.words for span in read(text).unread)
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("a house with a soundproof music room", ["soundproof"]),
+        ("a school with 8 sound-proof practice rooms", ["sound-proof"]),
+        ("a flat with a wheelchair accessible bathroom", ["wheelchair", "accessible"]),
+        ("a house with a windowless store", ["windowless"]),
+        ("a house with two bright bedrooms", ["bright"]),
+        ("an office with a double-height lobby", ["double-height"]),
+        ("a house with an L-shaped living room", ["L-shaped"]),
+        ("a house with a locked study", ["locked"]),
+        ("a house with a blue armchair and an oval mirror", ["blue", "oval"]),
+        ("a house with a spiral staircase", ["spiral"]),
+        ("a haunted manor", ["haunted"]),
+        ("a medieval tavern", ["medieval"]),
+        ("a cabin with a wood stove in the main nook", ["in the main nook"]),
+    ],
+)
+def test_properties_that_nothing_is_made_of_are_kept(text: str, words: list[str]) -> None:
+    assert [span.words for span in read(text).unheeded] == words
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "a beautiful house with a nice kitchen",
+        "a laboratory with a cold room and a wood shop",
+        "a flat with a shared kitchen and a separate toilet",
+        "a rustic kitchen in a modern house",
+        "a church with a children's corner room",
+        "a roastery with a green bean store",
+        "an airport with a duty-free shop",
+    ],
+)
+def test_names_and_praise_are_no_properties(text: str) -> None:
+    assert read(text).unheeded == []
+
+
+def test_a_property_of_a_room_is_no_style_of_the_building() -> None:
+    assert read("a house with two bright bedrooms").styles == []
+    assert next(name for name, _ in read("Fitness studio. Bright and modern.").styles) == "modern"
+
+
+def test_the_wish_of_an_unheeded_word_says_so() -> None:
+    program = plan_building(BuildRequest(description="a house with a soundproof music room")).program
+    wish = next(wish for wish in program.wishes if wish.kind == "room")
+    assert (wish.text, wish.value.unheeded) == ("soundproof music room", ["soundproof"])
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("a house. The sauna is above the garage.", "above"),
+        ("a clinic with all rooms in the west except the pharmacy", "except"),
+        ("a house with a study on a different floor from the nursery", "different"),
+        ("a house with a kitchen (open) and a bath", "open"),
+        ("a flat with three rooms", "three rooms"),
+        ("Two-family house with a bath", "Two"),
+        ("a house with glass walls between the bedrooms", "glass walls"),
+        ("on the first floor of the house we want bedrooms only", "only"),
+        ("a clinic, and a gate for ambulances", "ambulances"),
+        ("a house, 60 m2, 90 m2", "90"),
+        ("a house with a bathroom instead of the second bedroom", "second bedroom"),
+    ],
+)
+def test_what_no_statement_is_made_of_is_told(text: str, words: str) -> None:
+    assert words in unread(text)
+
+
+def test_an_outline_that_gives_way_stays_in_the_ledger() -> None:
+    program = plan_building(BuildRequest(description="an L-shaped bungalow round a courtyard")).program
+    assert [wish.value.name for wish in program.wishes if wish.kind == "outline"] == ["L", "courtyard"]
+
+
+def test_a_reading_is_cancelled_between_its_steps() -> None:
+    asked: list[bool] = []
+
+    def cancelled() -> bool:
+        asked.append(True)
+        return len(asked) > 2
+
+    with pytest.raises(MansionError) as refusal:
+        plan_building(BuildRequest(description="a house with two bedrooms, " * 50), cancelled=cancelled)
+    assert refusal.value.code == ErrorCode.CANCELED
+    assert len(asked) == 3
