@@ -79,7 +79,7 @@ class Norms:
             Square metres.
         """
         kind = knowledge.room(room_type)
-        if kind.zone == "circulation" or kind.wet and room_type not in self.occupants:
+        if kind.zone == "circulation" or (kind.wet and room_type not in self.occupants):
             return 0.0
         names = (room_type, kin_of(room_type), kind.zone)
         return area / next(self.occupants[name] for name in names if name in self.occupants)
