@@ -79,9 +79,9 @@ class Premises:
             kinds.add(self.knowledge.rooms[room.room_type].counts_as)
         return not kinds.isdisjoint(names)
 
-    def people(self, scene: FloorScene) -> float:
+    def people(self, scene: FloorScene) -> int:
         """Return the occupants of a storey."""
-        return sum(self.norms.people(room.room_type, room.area, self.knowledge) for room in rooms_of(scene))
+        return round(sum(self.norms.people(room.room_type, room.area, self.knowledge) for room in rooms_of(scene)))
 
     def is_sleeping_unit(self, room: SceneRoom) -> bool:
         """Whether people live or sleep in a room, so that a bathroom behind it is theirs."""

@@ -41,7 +41,7 @@ def _water_closets(premises: Premises) -> Iterator[Deviation]:
     half = sum(premises.people(scene) for scene in premises.scenes) / 2
     needed = [max(1, math.ceil(half / premises.limit(norm))) for norm in (men, women)]
     there = _fixtures(premises, men, list(premises.rooms()))
-    for_men = there * needed[0] // sum(needed)
+    for_men = round(there * needed[0] / sum(needed))
     for norm, least, found in zip((men, women), needed, (for_men, there - for_men)):
         if found < least:
             asked = f"{least} for {half:.0f} {norm.unit}"
@@ -53,10 +53,11 @@ def _separate_toilets(premises: Premises) -> Iterator[Deviation]:
     people = sum(premises.people(scene) for scene in premises.scenes)
     if norm is None or people <= premises.limit(norm):
         return
-    found = len([room for room in _public_toilets(premises) if premises.is_one_of(room, norm.rooms)])
+    restrooms = {room.id for room in _public_toilets(premises) if premises.is_one_of(room, norm.rooms)}
+    found = max(len(restrooms & {room.id for room in scene.rooms}) for scene in premises.scenes)
     if found < 2:
-        asked = f"2 for {people:.0f} occupants, as above {premises.limit(norm):.0f}"
-        yield premises.deviation(norm, "building", f"{found} restroom" + "s" * (found != 1), asked)
+        asked = f"2 side by side for {people} occupants, as above {premises.limit(norm):.0f}"
+        yield premises.deviation(norm, "building", f"{found} restroom" + "s" * (found != 1) + " a storey", asked)
 
 
 def _accessible_toilet(premises: Premises) -> Iterator[Deviation]:
