@@ -134,7 +134,7 @@ def _content(path: str, data: bytes) -> Any:
     if path == INDEX:
         index = _object(data)
         floors = [{**entry, "objects": 0} for entry in index.get("floors", [])]
-        return {**index, "floors": floors, "wishes": []}
+        return {**index, "floors": floors, "wishes": [], "checks": {**index.get("checks", {}), "objects": 0}}
     if path == _REPORT:
         return {**_object(data), "wishes": []}
     return data

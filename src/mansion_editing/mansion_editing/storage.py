@@ -85,6 +85,7 @@ class BuildingStore:
         self._clock = clock
         self._reader = BuildingFolder(folder)
         self.documents = Documents(folder)
+        self._scenes: dict[int, tuple[tuple[int, int, int], FloorScene]] = {}
         self.lock_file = file_in(folder, "edits/lock")
         self._edits = self.lock_file.parent
         for place in (folder, self._edits, *sorted(folder.glob("floors/*"))):
@@ -101,7 +102,19 @@ class BuildingStore:
     def scenes(self) -> dict[int, FloorScene]:
         """Return all floors as they are on disk."""
         self._reader = BuildingFolder(self.folder)
-        return {floor: self._reader.scene(floor) for floor in self._reader.floors}
+        return {floor: self._scene(floor) for floor in self._reader.floors}
+
+    def _scene(self, floor: int) -> FloorScene:
+        """Return a floor, decoded again only where its file is another one: each is replaced whole."""
+        path = self.folder / floor_directory(floor) / "scene.json"
+        if not path.is_file():
+            return self._reader.scene(floor)  # which says what is missing
+        file = path.stat()
+        mark = (file.st_ino, file.st_mtime_ns, file.st_size)
+        known = self._scenes.get(floor)
+        if known is None or known[0] != mark:
+            known = self._scenes[floor] = (mark, self._reader.scene(floor))
+        return known[1]
 
     def _topology(self, floor: int) -> FloorTopology | None:
         if not (self.folder / floor_directory(floor) / "topology.json").is_file():
@@ -298,14 +311,15 @@ class BuildingStore:
             files.write(INDEX, encode_bytes(msgspec.structs.replace(building, program=program), indent=1))
 
     def _recount(self, files: ReplacedFiles, floors: Iterable[int]) -> None:
-        """Write the numbers of objects of some floors into ``building.json``."""
+        """Write the numbers of objects of some floors, and of all where it is stated, into ``building.json``."""
         building = msgspec.json.decode((self.folder / INDEX).read_bytes())
         counts = {floor: len(self._reader.scene(floor).objects) for floor in floors}
         stale = [e for e in building["floors"] if e["objects"] != counts.get(e["floor"], e["objects"])]
         for entry in stale:
             entry["objects"] = counts[entry["floor"]]
         if stale:
-            building["checks"]["objects"] = sum(entry["objects"] for entry in building["floors"])
+            if "objects" in building.get("checks", {}):
+                building["checks"]["objects"] = sum(entry["objects"] for entry in building["floors"])
             files.write(INDEX, encode_bytes(building, indent=1))
 
     def undo(self, who: str) -> Transaction:

@@ -96,7 +96,7 @@ class SceneEditorNode(MansionNode):
     def instruct(self, args: InstructArgs) -> AgentReport:
         """Carry out an instruction."""
         editor = self._editor(args.editor)
-        return self._reported(editor, instruct(editor, args.instruction, args.planner))
+        return self._reported(editor, instruct(editor, args.instruction, args.planner, partly=args.partly))
 
     def provision(self, args: ProvisionArgs) -> AgentReport:
         """Make a task possible."""

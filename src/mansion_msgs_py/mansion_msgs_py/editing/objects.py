@@ -108,10 +108,13 @@ class MoveObjectArgs(PlacingWishes, kw_only=True, forbid_unknown_fields=True, fr
         Metres and degrees on its own floor. A rotation alone turns it where it is.
     turn : float, optional
         Degrees to turn it by, counter-clockwise.
+    inside : bool
+        In a receptacle that also carries things on top.
     """
 
     object_id: Text
     receptacle_id: Text = ""
+    inside: bool = False
     x: Coordinate | None = None
     y: Coordinate | None = None
     rotation: Degrees | None = None
