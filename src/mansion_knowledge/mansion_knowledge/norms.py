@@ -108,10 +108,7 @@ def _norm(name: str, record: dict[str, Any]) -> Norm:
             f"rule {name!r} of {_FILE.name}: unknown {sorted(unknown)}, missing {sorted(missing)}",
             details={"file": _FILE.name, "record": name},
         )
-    return Norm(
-        id=name,
-        figure=float(record["figure"]),
-        by={key: float(value) for key, value in record.get("by", {}).items()},
-        **{key: str(record[key]) for key in _TEXTS},
-        **{key: tuple(record.get(key, ())) for key in _LISTS},
-    )
+    texts: dict[str, Any] = {key: str(record[key]) for key in _TEXTS}
+    lists: dict[str, Any] = {key: tuple(record.get(key, ())) for key in _LISTS}
+    figures = {key: float(value) for key, value in record.get("by", {}).items()}
+    return Norm(id=name, figure=float(record["figure"]), by=figures, **texts, **lists)

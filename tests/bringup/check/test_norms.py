@@ -156,6 +156,11 @@ def stacked(shift: float) -> tuple[Floor, Floor]:
     )  # type: ignore[return-value]  # fmt: skip
 
 
+def ward(width: float) -> Floor:
+    rooms = {"ward": ("hospital_ward", (0.0, 0.0, 8.0, 8.0)), "corridor": ("corridor", (0.0, 8.0, 8.0, 11.0))}
+    return Floor(rooms, [("corridor", "ward", across(2, 8, width))])
+
+
 CUPBOARDS = {"men": ("restroom", (0.0, 20.0, 1.2, 22.0)), "women": ("restroom", (4.0, 20.0, 5.2, 22.0))}
 
 CASES: list[tuple[str, str, tuple[Floor, ...], tuple[Floor, ...]]] = [
@@ -163,29 +168,31 @@ CASES: list[tuple[str, str, tuple[Floor, ...], tuple[Floor, ...]]] = [
     ("water_closets_women", "library_building",
      (library(rooms={**LIBRARY.rooms, "stacks": ("reading_room", (0, -20, 20, 0))}),), (LIBRARY,)),
     ("separate_toilets", "library_building",
-     (library(rooms={**HALL, "men": TWO_TOILETS["men"]}, things={"men": ["toilet"]}, doors=LIBRARY.doors[:1]),), (LIBRARY,)),
+     (library(rooms={**HALL, "men": TWO_TOILETS["men"]}, things={"men": ["toilet"]}, doors=LIBRARY.doors[:1]),),
+     (LIBRARY,)),
     ("accessible_toilet", "library_building", (library(rooms={**HALL, **CUPBOARDS}),), (LIBRARY,)),
     ("public_toilet", "library_building", (library(rooms=HALL, doors=[], things={}),), (LIBRARY,)),
     ("sleeping_unit_shower", "hotel", (hotel(["toilet"]),), (hotel(["toilet", "shower_cabin"]),)),
     ("exits", "school", (long_corridor(30, [1.0], rooms=3),), (long_corridor(30, [1.0, 28.0], rooms=3),)),
     ("single_exit_travel", "school", (room("storage", (0, 0, 40, 4), 1.0),), (room("storage", (0, 0, 20, 4), 1.0),)),
-    ("travel_distance", "school", (long_corridor(140, [1.0, 4.0], rooms=9),), (long_corridor(60, [1.0, 58.0], rooms=6),)),
+    ("travel_distance", "school", (long_corridor(140, [1.0, 4.0], rooms=9),),
+     (long_corridor(60, [1.0, 58.0], rooms=6),)),
     ("dead_end", "school", (long_corridor(40, [1.0, 6.0], rooms=4),), (long_corridor(40, [1.0, 37.0], rooms=4),)),
     ("lift", "library_building", upstairs(LIBRARY, lift=False), upstairs(LIBRARY, lift=True)),
     ("corridor_width", "school", (long_corridor(20, [1.0], width=1.5),), (long_corridor(20, [1.0], width=2.4),)),
-    ("door_width", "hospital", (Floor({"ward": ("hospital_ward", (0, 0, 8, 8)), "corridor": ("corridor", (0, 8, 8, 11))},
-                                      [("corridor", "ward", across(2, 8, 0.9))]),),
-     (Floor({"ward": ("hospital_ward", (0, 0, 8, 8)), "corridor": ("corridor", (0, 8, 8, 11))},
-            [("corridor", "ward", across(2, 8, 1.2))]),)),
+    ("door_width", "hospital", (ward(0.9),), (ward(1.2),)),
     ("outer_wall", "house", (Floor({"room": ("bedroom", (0, 0, 4, 4))}),), (room("bedroom", (0, 0, 4, 4), 2.0),)),
     ("window_share", "house", (room("bedroom", (0, 0, 4, 4), 0.6),), (room("bedroom", (0, 0, 4, 4), 1.6),)),
     ("room_area", "house", (room("bedroom", (0, 0, 2.5, 2.5), 1.0),), (room("bedroom", (0, 0, 3, 3), 1.0),)),
     ("room_dimension", "house", (room("bedroom", (0, 0, 2, 6), 1.5),), (room("bedroom", (0, 0, 3, 4), 1.5),)),
     ("proportion", "house", (room("bedroom", (0, 0, 3, 10), 3.0),), (room("bedroom", (0, 0, 3, 5), 3.0),)),
     ("wet_stack", "house", stacked(12.0), stacked(1.0)),
-    ("kitchen_of_dining", "restaurant_building", (pair("restaurant", "storage"),), (pair("restaurant", "commercial_kitchen"),)),
-    ("toilet_food_door", "restaurant_building", (pair("restroom", "commercial_kitchen"),), (pair("restroom", "restaurant"),)),
-    ("service_door", "restaurant_building", (pair("restaurant", "cold_storage"),), (pair("restaurant", "commercial_kitchen"),)),
+    ("kitchen_of_dining", "restaurant_building", (pair("restaurant", "storage"),)
+      (pair("restaurant", "commercial_kitchen"),)),
+    ("toilet_food_door", "restaurant_building", (pair("restroom", "commercial_kitchen"),)
+      (pair("restroom", "restaurant"),)),
+    ("service_door", "restaurant_building", (pair("restaurant", "cold_storage"),)
+      (pair("restaurant", "commercial_kitchen"),)),
     ("secure_door", "police_station", (pair("lobby", "holding_cell"),), (pair("lobby", "interview_room"),)),
     ("circulation_share", "house", (pair("hallway", "living_room"),), (pair("living_room", "kitchen"),)),
 ]  # fmt: skip

@@ -27,7 +27,7 @@ _TOILETS = ("restroom", "toilet", "accessible_toilet")
 def with_public_toilets(
     storey: Storey, rooms: Sequence[PlannedRoom], allocation: Allocation, knowledge: KnowledgeBase, hub: float
 ) -> list[PlannedRoom]:
-    """Return the rooms of a storey, on the entrance storey of a public building with the toilets that the rules ask for.
+    """Return the rooms of a storey; on the entrance storey of a public building with the toilets of the rules.
 
     Toilets that the brief states or refuses stay as they are.
 

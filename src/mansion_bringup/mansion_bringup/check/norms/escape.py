@@ -5,9 +5,10 @@ import math
 from collections.abc import Iterator
 
 import networkx as nx
+from shapely import Polygon
 
 from mansion_bringup.check.norms.premises import Deviation, Premises, rooms_of
-from mansion_bringup.check.norms.walking import exit_doors, ways_of
+from mansion_bringup.check.norms.walking import Place, exit_doors, ways_of
 from mansion_bringup.check.shapes import net_area, segment_length
 from mansion_knowledge.norms import Norm
 from mansion_msgs_py.scene import FloorScene
@@ -69,14 +70,14 @@ def _dead_ends(premises: Premises, scene: FloorScene, exits: list[str]) -> Itera
     if norm is None or len(found) < 2:
         return
     for room in passages:
-        places = [(room.id, i) for i in range(len(room.polygon))]
+        places: list[Place] = [(room.id, i) for i in range(len(room.polygon))]
         longest = max((_shared_stretch(found, place) for place in places), default=0.0)
         if longest > premises.limit(norm) + _ROUNDING:
             asked = f"at most {premises.limit(norm):.1f} m"
             yield premises.deviation(norm, room.id, f"a dead end of {longest:.1f} m", asked)
 
 
-def _shared_stretch(found: dict[str, dict[str | tuple[str, int], float]], place: str | tuple[str, int]) -> float:
+def _shared_stretch(found: dict[str, dict[Place, float]], place: Place) -> float:
     stretches = [
         (found[a][place] + found[b][place] - found[a][b]) / 2
         for a, b in itertools.combinations(found, 2)
@@ -108,8 +109,8 @@ def _corridor_width(premises: Premises) -> Iterator[Deviation]:
             yield premises.deviation(norm, room.id, f"narrows to about {width:.2f} m", f"{least:.2f} m")
 
 
-def _is_passable(shape: object, width: float) -> bool:
-    inner = shape.buffer(-width / 2)  # type: ignore[attr-defined]
+def _is_passable(shape: Polygon, width: float) -> bool:
+    inner = shape.buffer(-width / 2)
     return not inner.is_empty and inner.geom_type == "Polygon"
 
 

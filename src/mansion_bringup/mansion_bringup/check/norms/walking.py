@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Sequence
+from typing import TypeAlias
 
 import networkx as nx
 import numpy as np
@@ -13,9 +14,11 @@ from mansion_bringup.check.shapes import room_area
 from mansion_msgs_py.scene import Door, FloorScene, SceneRoom
 from mansion_msgs_py.shapes import Point
 
-__all__ = ["Ways", "exit_doors", "ways_of"]
+__all__ = ["Place", "Ways", "exit_doors", "ways_of"]
 
-Ways = nx.Graph
+Place: TypeAlias = str | tuple[str, int]
+
+Ways: TypeAlias = "nx.Graph[Place]"
 """Doors by id and corners by (room, number), with the metres between those that see each other in a room."""
 
 _ASIDE = 0.3
@@ -31,19 +34,19 @@ def exit_doors(scene: FloorScene) -> list[str]:
     return [door.id for door in scene.doors if door.id in stairs]
 
 
-def ways_of(scene: FloorScene, rooms: Sequence[SceneRoom] | None = None) -> "Ways[str | tuple[str, int]]":
+def ways_of(scene: FloorScene, rooms: Sequence[SceneRoom] | None = None) -> Ways:
     """Return the ways on a storey, or through some of its rooms only."""
-    ways: Ways[str | tuple[str, int]] = nx.Graph()
+    ways: Ways = nx.Graph()
     for room in rooms_of(scene) if rooms is None else rooms:
         _add_room(ways, room, [door for door in scene.doors if room.id in door.rooms])
     return ways
 
 
-def _add_room(ways: "Ways[str | tuple[str, int]]", room: SceneRoom, doors: Sequence[Door]) -> None:
+def _add_room(ways: Ways, room: SceneRoom, doors: Sequence[Door]) -> None:
     """Add a room's corners and doors to `ways`, and the lines between those that see each other."""
     shape = room_area(room)
     corners = [*room.polygon, *(point for ring in room.holes for point in ring)]
-    nodes: list[str | tuple[str, int]] = [*(door.id for door in doors), *((room.id, i) for i in range(len(corners)))]
+    nodes: list[Place] = [*(door.id for door in doors), *((room.id, i) for i in range(len(corners)))]
     places: list[Point] = [*(_middle(door) for door in doors), *corners]
     ways.add_nodes_from(nodes)
     first, second = np.triu_indices(len(nodes), 1)
