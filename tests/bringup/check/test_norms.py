@@ -187,11 +187,11 @@ CASES: list[tuple[str, str, tuple[Floor, ...], tuple[Floor, ...]]] = [
     ("room_dimension", "house", (room("bedroom", (0, 0, 2, 6), 1.5),), (room("bedroom", (0, 0, 3, 4), 1.5),)),
     ("proportion", "house", (room("bedroom", (0, 0, 3, 10), 3.0),), (room("bedroom", (0, 0, 3, 5), 3.0),)),
     ("wet_stack", "house", stacked(12.0), stacked(1.0)),
-    ("kitchen_of_dining", "restaurant_building", (pair("restaurant", "storage"),)
+    ("kitchen_of_dining", "restaurant_building", (pair("restaurant", "storage"),),
       (pair("restaurant", "commercial_kitchen"),)),
-    ("toilet_food_door", "restaurant_building", (pair("restroom", "commercial_kitchen"),)
+    ("toilet_food_door", "restaurant_building", (pair("restroom", "commercial_kitchen"),),
       (pair("restroom", "restaurant"),)),
-    ("service_door", "restaurant_building", (pair("restaurant", "cold_storage"),)
+    ("service_door", "restaurant_building", (pair("restaurant", "cold_storage"),),
       (pair("restaurant", "commercial_kitchen"),)),
     ("secure_door", "police_station", (pair("lobby", "holding_cell"),), (pair("lobby", "interview_room"),)),
     ("circulation_share", "house", (pair("hallway", "living_room"),), (pair("living_room", "kitchen"),)),
