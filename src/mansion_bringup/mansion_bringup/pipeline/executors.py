@@ -17,7 +17,7 @@ from mansion_bringup.graph.child import end_with_parent
 from mansion_bringup.pipeline.stages import LocalStages, Stages
 from mansion_export.formats import built_building_outputs, built_floor_outputs
 
-__all__ = ["BuildExecutors", "export_pool", "local_executors", "service_executors"]
+__all__ = ["BuildExecutors", "export_pool", "local_executors", "service_executors", "stage_pool"]
 
 T = TypeVar("T")
 
@@ -83,6 +83,13 @@ def export_pool(workers: int) -> ProcessPoolExecutor:
     """Return processes for exports that end with this one, made without forking it."""
     context = get_context("forkserver")
     context.set_forkserver_preload(_export_modules())
+    return ProcessPoolExecutor(workers, mp_context=context, initializer=_tie_to_parent)
+
+
+def stage_pool(workers: int) -> ProcessPoolExecutor:
+    """Return processes for whole builds that end with this one, with the stages imported once for all."""
+    context = get_context("forkserver")
+    context.set_forkserver_preload([*_export_modules(), "mansion_planner.solver", "mansion_bringup.worlds"])
     return ProcessPoolExecutor(workers, mp_context=context, initializer=_tie_to_parent)
 
 
