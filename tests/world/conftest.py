@@ -8,25 +8,16 @@ from pathlib import Path
 
 import msgspec
 import pytest
+from typer.testing import CliRunner
 
+from mansion_bringup.cli.app import app
 from mansion_bringup.worlds import build_for_world
 from mansion_msgs_py.building_folder import BuildingFolder
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.scene import FloorScene
 
-FLATS = """
-[kinds.residential]
-share = 1
-[kinds.residential.kinds.studio]
-share = 1
-floors = [1, 1]
-floor_area = [60, 75]
-[kinds.residential.kinds.small_flat]
-share = 1
-floors = [1, 1]
-floor_area = [62, 80]
-"""
+FLATS = Path(__file__).parents[2] / "examples" / "small_world.toml"
 
 
 @pytest.fixture(scope="session")
@@ -38,11 +29,20 @@ def flat(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture(scope="session")
-def flats_mix(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def small_world(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The example of the documentation: a world of three flats, made by the command."""
+    folder = tmp_path_factory.mktemp("world") / "small"
+    done = CliRunner().invoke(
+        app, ["world", "make", "-o", str(folder), "-n", "3", "--seed", "7", "--mix", str(FLATS), "--jobs", "1"]
+    )
+    assert done.exit_code == 0, done.output
+    return folder
+
+
+@pytest.fixture
+def flats_mix() -> Path:
     """A mixture of studios and small flats."""
-    file = tmp_path_factory.mktemp("mix") / "flats.toml"
-    file.write_text(FLATS)
-    return file
+    return FLATS
 
 
 def stretched(scene: FloorScene, share: float) -> FloorScene:

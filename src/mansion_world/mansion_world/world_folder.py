@@ -17,7 +17,7 @@ from typing import Final
 
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.errors import ErrorCode, MansionError
-from mansion_msgs_py.files import read_payload, write_atomic
+from mansion_msgs_py.files import decode_from, read_payload, write_atomic
 from mansion_world.records import BuildingRow, Record, RoomRow, SetAside, WorldIndex
 
 __all__ = ["WorldFolder", "building_path"]
@@ -167,6 +167,21 @@ class WorldFolder:
                 rooms.writelines(_line(room) for room in record.rooms)
         for file in fresh:
             file.rename(file.with_name(file.name.removeprefix(".")))
+
+    def manifest(self) -> Iterator[BuildingRow]:
+        """Yield the rows of the manifest's table of buildings, one in memory at a time.
+
+        Raises
+        ------
+        MansionError
+            ``NOT_FOUND`` where there is none.
+        """
+        file = self.path / "manifest" / "buildings.jsonl"
+        if not file.is_file():
+            raise MansionError(ErrorCode.NOT_FOUND, f"{file} is missing; `mansion world make` writes it at its end")
+        with file.open("rb") as lines:
+            for line in lines:
+                yield decode_from(BuildingRow, line, file)
 
     def _record_file(self, index: int) -> Path:
         return self.path / "records" / f"{_shard(index)}.json"

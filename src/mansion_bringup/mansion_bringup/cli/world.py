@@ -19,6 +19,8 @@ def register(app: typer.Typer) -> None:
     """Add the commands to `app`."""
     group = typer.Typer(help="Worlds of many buildings: make, describe, check.", no_args_is_help=True)
     group.command("make", no_args_is_help=True)(make)
+    group.command("stats", no_args_is_help=True)(stats)
+    group.command("check", no_args_is_help=True)(check)
     app.add_typer(group, name="world")
 
 
@@ -86,3 +88,55 @@ def _reporter() -> Callable[[WorldProgress], None]:
         err.print(f"[{progress.done}/{progress.total}] buildings{pace}{aside}", markup=False, highlight=False)
 
     return report
+
+
+def stats(
+    world: Annotated[Path, typer.Argument(help="Folder that `mansion world make` wrote.")],
+    page: Annotated[bool, typer.Option(help="Also write statistics.html into the folder.")] = True,
+) -> None:
+    """Describe a world: its mixture against the asked one, floors, areas, rooms, objects.
+
+    Examples:
+
+      mansion world stats out/world
+    """
+    from mansion_msgs_py.files import write_atomic
+    from mansion_world.statistics import world_statistics
+    from mansion_world.statistics_page import statistics_page
+    from mansion_world.world_folder import WorldFolder
+
+    folder = WorldFolder(world)
+    statistics = world_statistics(folder)
+    for title, rows in statistics.tables().items():
+        if rows:
+            typer.echo(title)
+            width = max(len(name) for name, _ in rows)
+            for name, value in rows:
+                typer.echo(f"  {name:<{width}}  {value}")
+    if page:
+        write_atomic(world / "statistics.html", statistics_page(folder, statistics).encode())
+        err.print(f"wrote {world / 'statistics.html'}", highlight=False)
+
+
+def check(world: Annotated[Path, typer.Argument(help="Folder that `mansion world make` wrote.")]) -> None:
+    """Verify a world: manifest, hashes, and each building; exit status 1 and a line for each fault.
+
+    Examples:
+
+      mansion world check out/world
+    """
+    from mansion_bringup.worlds import check_for_world
+    from mansion_world.verification import verify_world
+
+    checked = faults = 0
+
+    def count(buildings: int) -> None:
+        nonlocal checked
+        checked = buildings
+
+    for where, fault in verify_world(world, check_for_world, count):
+        faults += 1
+        typer.echo(f"{where}: {fault}")
+    err.print(f"{world}: {counted(checked, 'building')}, {counted(faults, 'fault')}", highlight=False)
+    if faults:
+        raise typer.Exit(1)
