@@ -4,6 +4,8 @@ import errno
 import os
 import shutil
 import signal
+import subprocess
+import sys
 import time
 from collections.abc import Callable
 from concurrent.futures import Executor, ProcessPoolExecutor
@@ -12,7 +14,9 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from typer.testing import CliRunner
 
+from mansion_bringup.cli.app import app
 from mansion_bringup.worlds import build_for_world, check_for_world, world_workers
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.request import BuildRequest
@@ -35,6 +39,12 @@ def contents(world: Path) -> dict[str, bytes]:
     """Every file but those that hold times and the lock."""
     files = (path for path in world.rglob("*") if path.is_file() and path.name not in (".lock", "report.json"))
     return {path.relative_to(world).as_posix(): path.read_bytes() for path in files}
+
+
+def buildings(world: Path, count: int) -> dict[str, bytes]:
+    """Every file of the first buildings and their records."""
+    starts = tuple(f"{part}/000/{index:06d}" for part in ("buildings", "records") for index in range(count))
+    return {name: data for name, data in contents(world).items() if name.startswith(starts)}
 
 
 def make(folder: Path, count: int, build: Build, threads: Threads, jobs: int = 1, **options: Any) -> WorldProgress:
@@ -154,7 +164,7 @@ def test_another_world_is_not_written_over(tmp_path: Path, build: Build, threads
         make(tmp_path / "other", 1, build, threads)
 
 
-def test_a_killed_worker_costs_no_building(tmp_path: Path, flats_mix: Path) -> None:
+def test_a_killed_worker_costs_no_building(tmp_path: Path, flats_mix: Path, small_world: Path) -> None:
     mix = load_mixture(flats_mix)
     started: list[ProcessPoolExecutor] = []
     workers = world_workers(1)
@@ -175,8 +185,43 @@ def test_a_killed_worker_costs_no_building(tmp_path: Path, flats_mix: Path) -> N
             (pid,) = started[0]._processes
             os.kill(pid, signal.SIGKILL)
 
-    options = {"seed": 7, "mix": mix, "build": build_for_world, "check": check_for_world}
-    made = make_world(tmp_path / "killed", 2, workers=Recorded, report=kill_once, **options)
-    make_world(tmp_path / "whole", 2, workers=workers, **options)
+    made = make_world(
+        tmp_path / "w",
+        2,
+        seed=7,
+        mix=mix,
+        build=build_for_world,
+        check=check_for_world,
+        workers=Recorded,
+        report=kill_once,
+    )
     assert (made.done, made.set_aside, len(started)) == (2, 0, 2)
-    assert contents(tmp_path / "killed") == contents(tmp_path / "whole")
+    assert buildings(tmp_path / "w", 2) == buildings(small_world, 2)
+
+
+def test_a_killed_command_goes_on_where_it_was(tmp_path: Path, flats_mix: Path, small_world: Path) -> None:
+    command = [
+        "world",
+        "make",
+        "-o",
+        str(tmp_path / "w"),
+        "-n",
+        "2",
+        "--seed",
+        "7",
+        "--mix",
+        str(flats_mix),
+        "--jobs",
+        "1",
+    ]
+    first = subprocess.Popen([sys.executable, "-m", "mansion_bringup", *command], stderr=subprocess.DEVNULL)
+    record = tmp_path / "w" / "records" / "000" / "000000.json"
+    while not record.exists() and first.poll() is None:
+        time.sleep(0.02)
+    first.kill()
+    assert first.wait() == -signal.SIGKILL
+    done = CliRunner().invoke(app, command)
+    assert done.exit_code == 0, done.output
+    assert done.stderr.splitlines()[0] == "[1/2] buildings"
+    assert buildings(tmp_path / "w", 2) == buildings(small_world, 2)
+    assert list((tmp_path / "w" / "work").iterdir()) == []
