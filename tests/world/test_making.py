@@ -141,6 +141,16 @@ def test_a_full_disk_stops_with_one_line_and_goes_on_later(tmp_path: Path, build
     assert contents(tmp_path / "w") == contents(tmp_path / "whole")
 
 
+def test_what_another_request_would_meet_too_stops_the_run(tmp_path: Path, build: Build, threads: Threads) -> None:
+    def locked(request: BuildRequest, folder: Path) -> None:
+        raise MansionError(ErrorCode.CONFLICT, "another build is writing here")
+
+    with pytest.raises(MansionError, match="another build is writing here"):
+        make(tmp_path / "w", 2, locked, threads)
+    assert list(WorldFolder(tmp_path / "w").aside()) == []
+    assert make(tmp_path / "w", 2, build, threads).done == 2
+
+
 def test_damaged_and_unfinished_buildings_are_made_anew(tmp_path: Path, build: Build, threads: Threads) -> None:
     make(tmp_path / "w", 4, build, threads)
     sound_contents = contents(tmp_path / "w")

@@ -3,11 +3,12 @@
 import errno
 from collections.abc import Callable, Sequence
 from pathlib import Path
+from typing import Final
 
 import msgspec
 
 from mansion_msgs_py.building_folder import BuildingFolder, is_building_folder
-from mansion_msgs_py.errors import MansionError
+from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.request import BuildRequest
 from mansion_world.measures import measure_building
 from mansion_world.mixture import MOST_FLOOR_AREA
@@ -23,7 +24,10 @@ Build = Callable[[BuildRequest, Path], object]
 Check = Callable[[Path], Sequence[object]]
 """Returns the faults of a building folder."""
 
-_NO_SPACE = (errno.ENOSPC, errno.EDQUOT)
+_NO_SPACE: Final = (errno.ENOSPC, errno.EDQUOT)
+
+_NOT_OF_THE_REQUEST: Final = (ErrorCode.CONFLICT, ErrorCode.UNAVAILABLE)
+"""Errors of the place that is written to: another request would meet them too."""
 
 
 class Outcome(msgspec.Struct, frozen=True, kw_only=True):
@@ -41,7 +45,7 @@ def attempt_building(world: WorldFolder, seed: int, request: WorldRequest, build
     except (OSError, MansionError) as error:
         if full := _no_space(error):
             return Outcome(full=full)
-        if isinstance(error, OSError):
+        if isinstance(error, OSError) or error.code in _NOT_OF_THE_REQUEST:
             raise
         return Outcome(aside=SetAside(request=request, reason="refused", details=[str(error)]))
 

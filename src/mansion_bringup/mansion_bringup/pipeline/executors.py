@@ -87,10 +87,12 @@ def export_pool(workers: int) -> ProcessPoolExecutor:
 
 
 def stage_pool(workers: int) -> ProcessPoolExecutor:
-    """Return processes for whole builds that end with this one, with the stages imported once for all."""
-    context = get_context("forkserver")
-    context.set_forkserver_preload([*_export_modules(), "mansion_planner.solver", "mansion_bringup.worlds"])
-    return ProcessPoolExecutor(workers, mp_context=context, initializer=_tie_to_parent)
+    """Return processes for whole builds that end with this one, however it ends.
+
+    They are this process's own children: those of a fork server keep it alive, and would outlive a process that is
+    killed.
+    """
+    return ProcessPoolExecutor(workers, mp_context=get_context("spawn"), initializer=_tie_to_parent)
 
 
 def _tie_to_parent() -> None:
