@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any, Final
 
 from mansion_bringup.discovery import CHOICES, kept_to_this_machine
-from mansion_bringup.graph.child import end_with_parent
+from mansion_msgs_py.workers import end_with_parent
 
 __all__ = [
     "LOOPBACK",

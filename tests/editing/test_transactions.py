@@ -106,7 +106,7 @@ def test_a_writer_that_fails_before_it_begins_leaves_the_old_state(
 
     editor = open_editor()
     monkeypatch.setattr("mansion_editing.storage.write_atomic", full)
-    with pytest.raises(OSError, match="no space"):
+    with pytest.raises(MansionError, match="no space left on device; nothing was changed"):
         editor.call("RenameRoom", RENAME)
     monkeypatch.undo()
     assert _documents(folder) == before and open_editor().store.log() == []

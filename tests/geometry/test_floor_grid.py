@@ -13,7 +13,9 @@ from shapely.geometry import Polygon, box
 
 from mansion_geometry.boxes import box_corners, unit_vector
 from mansion_geometry.disc_cells import region_of
-from mansion_geometry.floor_grid import MARGIN, GridFrame, fill_box, fill_rings, fill_strip, map_frame
+from mansion_geometry.floor_grid import MARGIN, RESOLUTION, GridFrame, fill_box, fill_rings, fill_strip, map_frame
+from mansion_geometry.free_space import FreeGrid
+from mansion_msgs_py.errors import MansionError
 from sample_building import scene
 
 FRAME = GridFrame(-1.0, 2.0, 0.1, 30, 40)
@@ -165,3 +167,12 @@ fill_box(cells, GridFrame(0.0, 0.0, 0.1, 10, 10), (0.5, 0.5), (0.4, 0.4), 30.0, 
 assert cells.any() and "numba" not in sys.modules
 """
     subprocess.run([sys.executable, "-c", code], check=True, timeout=60)
+
+
+def test_a_grid_beyond_the_limit_is_refused() -> None:
+    corners = [(0.0, 0.0), (2_000.0, 2_000.0)]
+    with pytest.raises(MansionError, match="64000000"):
+        GridFrame.around(corners, 0.5, RESOLUTION)
+    edges = np.array([[0.0, 0.0, 2_000.0, 0.0], [2_000.0, 0.0, 2_000.0, 2_000.0], [2_000.0, 2_000.0, 0.0, 0.0]])
+    with pytest.raises(MansionError, match="64000000"):
+        FreeGrid(edges, edges, [])

@@ -9,7 +9,7 @@ import signal
 import sys
 from typing import Any
 
-from mansion_bringup.graph.child import end_with_parent
+from mansion_msgs_py.workers import end_with_parent
 
 
 def answer(value: Any) -> None:

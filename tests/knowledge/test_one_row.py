@@ -27,7 +27,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 def test_what_a_row_leaves_out_is_its_kins(folder: Path) -> None:
     onsen, bathroom = default_knowledge().rooms["onsen"], default_knowledge().rooms["bathroom"]
-    assert (onsen.least, onsen.usual, onsen.most, onsen.zone) == (3.5, 6.0, 16.0, "service")
+    assert (onsen.least, onsen.usual, onsen.most, onsen.zone) == (4.0, 6.0, 16.0, "service")
     assert onsen.wet and onsen.near == bathroom.near
     assert onsen.synonyms == ("hot spring",)
     assert kin_of("onsen") == "bathroom"

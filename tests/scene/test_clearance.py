@@ -2,6 +2,7 @@
 
 from shapely.geometry import Polygon
 
+from mansion_geometry.robot_body import BODY_RADIUS
 from mansion_msgs_py.placement import PlacementOpening
 from mansion_msgs_py.scene import SceneObject
 from mansion_scene.clearance import clear_of_ways
@@ -40,3 +41,17 @@ def test_nothing_low_hangs_beside_the_door():
     low = thing("hook", 0.4, 0.6, (0.2, 0.05, 0.2), mount="wall", z=1.2)
     high = thing("sign", 0.4, 0.6, (0.2, 0.05, 0.2), mount="wall", z=2.6)
     assert left([low, high]) == ["sign"]
+
+
+def test_what_leaves_less_than_the_robot_needs_goes() -> None:
+    needs = 2 * BODY_RADIUS
+    for gap, stays in ((needs - 0.004, []), (needs + 0.004, ["shelf"])):
+        shelf = thing("shelf", 3.0, (0.5 - gap) / 2, (0.3, 0.5 - gap, 0.3), mount="wall", z=1.2)
+        assert left([shelf]) == stays
+
+
+def test_what_is_thin_narrows_a_way_too() -> None:
+    gap = 2 * BODY_RADIUS + 0.005
+    stall = thing("stall", 3.0, 1.0 + gap / 2, (1.0, 2.0 - gap, 2.0))
+    board = thing("board", 3.0, 0.005, (0.3, 0.01, 0.3), mount="wall", z=1.2)
+    assert [item.id for item in clear_of_ways([board], [stall, BASIN], ROOM, [DOOR])] == []

@@ -37,7 +37,7 @@ UPPER: Rooms = {
 THINGS = {
     "F1/kitchen": ["stove", "sink"],
     "F1/living_room": ["sofa", "coffee_table"],
-    "F2/pottery": ["office_desk", "office_desk"],
+    "F2/pottery": ["office_desk", "office_desk", "office_chair", "office_chair"],
     "F2/bedroom_1": ["bed"],
     "F2/bedroom_2": ["bed", "bed"],
 }

@@ -14,6 +14,7 @@ from mansion_bringup.extras import ensure_extra
 from mansion_editing.editor import SceneEditor
 from mansion_editing.physics.engine import engine_named
 from mansion_editing.storage import BuildingStore
+from mansion_msgs_py.errors import refused_by_system
 from mansion_scene.refurnishing import furnish_room
 
 __all__ = ["ENGINE_EXTRAS", "open_editor", "write_derived"]
@@ -51,4 +52,8 @@ def _now() -> str:
 
 def write_derived(editor: SceneEditor) -> list[int]:
     """Write anew what is made from the floors that changed, and return these floors."""
-    return editor.store.refresh(floor_files, building_files)
+    try:
+        return editor.store.refresh(floor_files, building_files)
+    except OSError as error:
+        outcome = "the building is as told, but plans and models made from it are behind; the next edit writes them"
+        raise refused_by_system(error, outcome) from error

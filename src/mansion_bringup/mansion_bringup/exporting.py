@@ -4,7 +4,8 @@ from pathlib import Path
 
 from mansion_bringup.extras import ensure_extra
 from mansion_export.formats import Format, export_formats
-from mansion_msgs_py.building_folder import BuildingFolder
+from mansion_geometry.sound_shapes import require_sound_shapes
+from mansion_msgs_py.building_folder import BuildingFolder, file_in
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import write_atomic
 
@@ -42,9 +43,11 @@ def write_export(building: Path, to: Format, output: Path | None = None) -> list
     read, target = BuildingFolder(building), output or building
     if to.extra:
         ensure_extra(to.extra)
-    files = to.make(read.scenes())
+    scenes = read.scenes()
+    require_sound_shapes(scenes)
+    files = to.make(scenes)
     for name, data in files.items():
-        write_atomic(target / name, data)
+        write_atomic(file_in(target, name), data)
     return [target / name for name in files]
 
 
@@ -53,5 +56,7 @@ def write_page(building: Path, output: Path | None = None) -> Path:
     from mansion_export.html import view_page
 
     page = output or building / PAGE
-    write_atomic(page, view_page(BuildingFolder(building).scenes()).encode())
+    scenes = BuildingFolder(building).scenes()
+    require_sound_shapes(scenes)
+    write_atomic(page, view_page(scenes).encode())
     return page

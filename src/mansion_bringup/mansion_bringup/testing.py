@@ -20,14 +20,15 @@ _CHECKOUT: Final = Path(__file__).resolve().parents[3]
 
 
 def pytest_command(arguments: Sequence[str]) -> list[str]:
-    """Return the command that runs pytest on two processes with coverage.
+    """Return the command that runs pytest on two processes with coverage, and that ends with this process.
 
     Parameters
     ----------
     arguments : sequence of str
         pytest's own; they come last and so win (``-n 0``, ``--no-cov``, a path).
     """
-    return [sys.executable, "-m", "pytest", "-n", "2", "--cov", "--cov-report=term:skip-covered", *arguments]
+    child = [sys.executable, "-m", "mansion_bringup.graph.child", str(os.getpid())]
+    return [*child, "pytest", "-n", "2", "--cov", "--cov-report=term:skip-covered", *arguments]
 
 
 def test_environment(environment: Mapping[str, str]) -> dict[str, str]:

@@ -5,17 +5,32 @@ objects can be reached is the question of `mansion_bringup.check.reach`, which a
 """
 
 import json
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, Final
 
 from mansion_bringup.check import Fault, check_building
+from mansion_bringup.check.building import check_floors, check_records
 from mansion_msgs_py.building import Building
+from mansion_msgs_py.layout import FloorLayout
+from mansion_msgs_py.scene import FloorScene
+from mansion_msgs_py.topology import FloorTopology
 
-__all__ = ["check_house_files", "check_houses", "verify_building"]
+__all__ = ["check_assets", "check_house_files", "check_houses", "floor_faults", "record_faults", "verify_building"]
 
 
-def check_house_files(folder: Path, building: Building) -> Iterator[Fault]:
+def check_assets(folder: Path, building: Building, scenes: Sequence[FloorScene]) -> Iterator[Fault]:
+    """Yield objects of which the catalogue has no asset, so that no format can show them."""
+    from mansion_assets.catalogue import load_catalogue
+
+    known = load_catalogue().assets
+    for scene in scenes:
+        for item in scene.objects:
+            if item.asset not in known:
+                yield Fault("OBJECT_ASSET", item.id, f"is {item.asset[:80]!r}, which is not in the catalogue")
+
+
+def check_house_files(folder: Path, building: Building, scenes: Sequence[FloorScene]) -> Iterator[Fault]:
     """Yield the faults of every floor's ``house.json``; a missing file is `check_files`'s."""
     for floor in building.floors:
         name = floor.files.get("house", "")
@@ -59,6 +74,9 @@ def check_houses(
             yield Fault("HOUSE", where, str(fault))
 
 
+_FURTHER: Final = (check_assets, check_house_files)
+
+
 def verify_building(path: Path | str) -> list[Fault]:
     """Return every fault of a building folder; empty for a sound one.
 
@@ -67,4 +85,16 @@ def verify_building(path: Path | str) -> list[Fault]:
     MansionError
         ``NOT_FOUND`` when `path` is no building folder.
     """
-    return check_building(path, further=(check_house_files,))
+    return check_building(path, further=_FURTHER)
+
+
+def floor_faults(building_id: str, scenes: Sequence[FloorScene], topologies: Sequence[FloorTopology]) -> list[Fault]:
+    """Return the faults of finished floors: the part of `verify_building` that takes its time."""
+    return list(check_floors(building_id, scenes, topologies))
+
+
+def record_faults(
+    folder: Path, building: Building, layouts: Sequence[FloorLayout], scenes: Sequence[FloorScene]
+) -> list[Fault]:
+    """Return the other faults of `verify_building`: those of files and records."""
+    return list(check_records(folder, building, layouts, scenes, _FURTHER))

@@ -1,9 +1,9 @@
 """Compile and cache the kernels, so that a first user does not wait: ``python -m mansion_bringup.warm``."""
 
 from collections.abc import Callable
-from concurrent.futures import ProcessPoolExecutor
-from multiprocessing import get_context
 from os import cpu_count
+
+from mansion_msgs_py.workers import worker_pool
 
 __all__ = ["WARMERS", "warm"]
 
@@ -54,7 +54,7 @@ WARMERS: tuple[Callable[[], None], ...] = (_solver, _placement, _navigation, _pi
 def warm() -> None:
     """Compile the kernels of the floor solver, the placer, navigation and the pictures, on all cores."""
     workers = min(len(WARMERS), cpu_count() or 1)
-    with ProcessPoolExecutor(workers, mp_context=get_context("fork")) as pool:
+    with worker_pool(workers, "fork") as pool:
         for done in [pool.submit(work) for work in WARMERS]:
             done.result()
 

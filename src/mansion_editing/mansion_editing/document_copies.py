@@ -102,16 +102,14 @@ class Documents:
                 details={"file": change.path},
             )
 
-    def put(self, change: DocumentChange, revision: int | None = None) -> None:
-        """Give a document the content that a change has after it; a scene gets a revision."""
-        file = self._folder / change.path
+    def after(self, change: DocumentChange, revision: int | None = None) -> bytes | None:
+        """Return what a document holds after a change, ``None`` where it is taken away; a scene gets a revision."""
         if not change.after:
-            file.unlink(missing_ok=True)
-            return
+            return None
         data = self.copy(change.after)
         if revision is not None and is_scene(change.path):
-            data = encode_bytes(msgspec.json.decode(data) | {"revision": revision}, indent=1)
-        write_atomic(file, data, durable=True)
+            return encode_bytes(msgspec.json.decode(data) | {"revision": revision}, indent=1)
+        return data
 
     def _keep(self, data: bytes) -> str:
         name = hashlib.sha256(data).hexdigest()[:32]
@@ -136,7 +134,7 @@ def _content(path: str, data: bytes) -> Any:
     if path == INDEX:
         index = _object(data)
         floors = [{**entry, "objects": 0} for entry in index.get("floors", [])]
-        return {**index, "floors": floors, "wishes": []}
+        return {**index, "floors": floors, "wishes": [], "checks": {**index.get("checks", {}), "objects": 0}}
     if path == _REPORT:
         return {**_object(data), "wishes": []}
     return data

@@ -1,6 +1,7 @@
 """The editor of one building: tools by name, edits that wait or land at once, undo and redo."""
 
 from collections.abc import Callable, Mapping, Sequence, Set
+from dataclasses import dataclass
 from typing import Any, Final, TypeAlias
 
 import msgspec
@@ -59,7 +60,16 @@ from mansion_msgs_py.scene import FloorScene, SceneObject
 from mansion_msgs_py.topology import TopologyNode
 from mansion_msgs_py.wording import with_article
 
-__all__ = ["ACTION_TOOLS", "FLOOR_TOOLS", "HISTORY_TOOLS", "PERCEPTION_TOOLS", "ROOM_TOOLS", "TOOLS", "SceneEditor"]
+__all__ = [
+    "ACTION_TOOLS",
+    "FLOOR_TOOLS",
+    "HISTORY_TOOLS",
+    "PERCEPTION_TOOLS",
+    "ROOM_TOOLS",
+    "TOOLS",
+    "Answered",
+    "SceneEditor",
+]
 
 Scenes: TypeAlias = Mapping[int, FloorScene]
 
@@ -100,6 +110,22 @@ _ASK: Final[dict[str, Callable[[SceneState, Any], Any]]] = {
 }
 
 
+@dataclass(frozen=True)
+class Answered:
+    """What a question was about, and the number of edits that had landed then.
+
+    Attributes
+    ----------
+    things, rooms : tuple of str
+        Ids.
+    """
+
+    edits: int
+    things: tuple[str, ...]
+    rooms: tuple[str, ...]
+    noun: str
+
+
 class SceneEditor:
     """Tools over one building.
 
@@ -116,6 +142,11 @@ class SceneEditor:
         What SearchAssets asks; text search when absent.
     furnisher : Furnisher, optional
         The placer, which FurnishRoom asks.
+
+    Attributes
+    ----------
+    answered : Answered, optional
+        What the last question was about.
     """
 
     def __init__(
@@ -135,6 +166,7 @@ class SceneEditor:
         self._what: list[str] = []
         self._marks: list[int] = []
         self._redo: list[tuple[str, list[Change]]] = []
+        self.answered: Answered | None = None
         self.reload()
 
     def reload(self) -> None:

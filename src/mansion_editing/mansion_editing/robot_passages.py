@@ -1,14 +1,16 @@
 """Where a robot's body fits between the furniture of a floor: the parts of each room's floor, and the doors of each."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from functools import lru_cache
 
+import msgspec
 import shapely
 from shapely.geometry import LineString, Point, Polygon
 
 from mansion_geometry.object_footprints import footprint
 from mansion_geometry.robot_body import BODY_RADIUS, CLEARANCE, THIN
-from mansion_msgs_py.scene import Door, FloorScene, SceneObject
+from mansion_msgs_py.scene import Door, FloorScene, SceneObject, SceneRoom
 from mansion_scene.spawn import free_region
 
 __all__ = ["LOW", "Passages", "passages_of"]
@@ -60,27 +62,59 @@ def passages_of(scene: FloorScene) -> Passages:
     for item in scene.objects:
         if _is_obstacle(item):
             standing.setdefault(item.room, []).append(item)
-    parts: dict[str, list[Polygon]] = {}
-    doors: dict[tuple[str, str], list[int]] = {}
-    cuts: dict[str, list[str]] = {}
+    parts: dict[str, Sequence[Polygon]] = {}
+    doors: dict[tuple[str, str], Sequence[int]] = {}
+    cuts: dict[str, Sequence[str]] = {}
     for room in scene.rooms:
-        empty = free_region(room, [], BODY_RADIUS)
-        if room.kind in ("stair", "elevator") or not empty:
-            continue
-        things = standing.get(room.id, [])
-        found = free_region(room, things, BODY_RADIUS) if things else empty
-        parts[room.id] = found
         own = [door for door in scene.doors if room.id in door.rooms]
-        for door in own:
-            doors[room.id, door.id] = _parts_at_door(door, found, empty)
-        shut = [door for door in own if not doors[room.id, door.id]]
-        if shut:
-            cuts[room.id] = _objects_at_doors(shut, things)
+        found = _passages_in(_furnished(room, standing.get(room.id, []), own))
+        if found is None:
             continue
-        between = _objects_between_parts(found, {n for d in own for n in doors[room.id, d.id]}, things)
-        if between is not None:
-            cuts[room.id] = between
+        parts[room.id] = found.parts
+        doors |= {(room.id, door.id): numbers for door, numbers in zip(own, found.doors, strict=True)}
+        if found.cuts is not None:
+            cuts[room.id] = found.cuts
     return Passages(parts, doors, cuts)
+
+
+@dataclass(frozen=True)
+class _Furnished:
+    """A room with what stands in it; equal to another where all that passages depend on is."""
+
+    mark: bytes
+    room: SceneRoom = field(compare=False)
+    things: Sequence[SceneObject] = field(compare=False)
+    doors: Sequence[Door] = field(compare=False)
+
+
+def _furnished(room: SceneRoom, things: Sequence[SceneObject], doors: Sequence[Door]) -> _Furnished:
+    poses = [(item.id, item.position, item.size, item.rotation, item.mount) for item in things]
+    shape = (room.id, room.kind, room.net_polygon, room.net_holes, [(door.id, door.segment) for door in doors])
+    return _Furnished(msgspec.json.encode((shape, poses)), room, things, doors)
+
+
+@dataclass(frozen=True)
+class _InRoom:
+    """The passages of one room; `cuts` is None where nothing cuts it."""
+
+    parts: Sequence[Polygon]
+    doors: Sequence[Sequence[int]]
+    cuts: Sequence[str] | None
+
+
+@lru_cache(maxsize=2048)
+def _passages_in(furnished: _Furnished) -> _InRoom | None:
+    """Return the passages of a room, None for stairs, lifts and rooms that no robot enters when they are empty."""
+    room, things, own = furnished.room, furnished.things, furnished.doors
+    empty = free_region(room, [], BODY_RADIUS)
+    if room.kind in ("stair", "elevator") or not empty:
+        return None
+    found = free_region(room, things, BODY_RADIUS) if things else empty
+    doors = [_parts_at_door(door, found, empty) for door in own]
+    shut = [door for door, numbers in zip(own, doors, strict=True) if not numbers]
+    if shut:
+        return _InRoom(found, doors, _objects_at_doors(shut, things))
+    return _InRoom(found, doors, _objects_between_parts(found, {n for numbers in doors for n in numbers}, things))
 
 
 def _is_obstacle(item: SceneObject) -> bool:

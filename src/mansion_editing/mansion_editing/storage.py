@@ -5,25 +5,25 @@ copies lie in ``DIR/edits/documents``. A transaction is written to ``pending.jso
 into the log; whoever takes the lock next finishes what a killed process left.
 """
 
-import fcntl
 import math
 import os
-import time
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from contextlib import AbstractContextManager
 from pathlib import Path
 
 import msgspec
 
 from mansion_editing.document_copies import Documents, floor_of, is_scene
+from mansion_editing.replaced_files import ReplacedFiles
 from mansion_editing.room_parts import parts_of, program_with, records_of, topology_with
 from mansion_editing.state import SceneChange, changed, inverse, rebase
 from mansion_msgs_py.building import Building
-from mansion_msgs_py.building_folder import INDEX, BuildingFolder, floor_directory
+from mansion_msgs_py.building_folder import INDEX, BuildingFolder, file_in, floor_directory
 from mansion_msgs_py.codec import decode, encode_bytes
 from mansion_msgs_py.editing.changes import DocumentChange, ObjectChange, RoomChange, Transaction
-from mansion_msgs_py.errors import ErrorCode, MansionError
-from mansion_msgs_py.files import write_atomic
+from mansion_msgs_py.errors import ErrorCode, MansionError, refused_by_system
+from mansion_msgs_py.file_locks import hold_lock
+from mansion_msgs_py.files import remove_remains, write_atomic
 from mansion_msgs_py.scene import FloorScene, SceneObject
 from mansion_msgs_py.topology import FloorTopology
 from mansion_msgs_py.world import ObjectState, WorldState
@@ -85,8 +85,11 @@ class BuildingStore:
         self._clock = clock
         self._reader = BuildingFolder(folder)
         self.documents = Documents(folder)
-        self._edits = folder / "edits"
-        self.lock_file = self._edits / "lock"
+        self._scenes: dict[int, tuple[tuple[int, int, int], FloorScene]] = {}
+        self.lock_file = file_in(folder, "edits/lock")
+        self._edits = self.lock_file.parent
+        for place in (folder, self._edits, *sorted(folder.glob("floors/*"))):
+            remove_remains(place)
         if (self._edits / "pending.json").exists():
             with locked(self.lock_file):
                 self._recover()
@@ -99,7 +102,19 @@ class BuildingStore:
     def scenes(self) -> dict[int, FloorScene]:
         """Return all floors as they are on disk."""
         self._reader = BuildingFolder(self.folder)
-        return {floor: self._reader.scene(floor) for floor in self._reader.floors}
+        return {floor: self._scene(floor) for floor in self._reader.floors}
+
+    def _scene(self, floor: int) -> FloorScene:
+        """Return a floor, decoded again only where its file is another one: each is replaced whole."""
+        path = self.folder / floor_directory(floor) / "scene.json"
+        if not path.is_file():
+            return self._reader.scene(floor)  # which says what is missing
+        file = path.stat()
+        mark = (file.st_ino, file.st_mtime_ns, file.st_size)
+        known = self._scenes.get(floor)
+        if known is None or known[0] != mark:
+            known = self._scenes[floor] = (mark, self._reader.scene(floor))
+        return known[1]
 
     def _topology(self, floor: int) -> FloorTopology | None:
         if not (self.folder / floor_directory(floor) / "topology.json").is_file():
@@ -149,6 +164,8 @@ class BuildingStore:
         with locked(self.lock_file):
             self._recover()
             before = self.scenes()
+            for floor in before:
+                file_in(self.folder, f"{floor_directory(floor)}/scene.json")
             carried = rebase(changes, before)
             if not (carried or rooms or documents):
                 raise MansionError(ErrorCode.CONFLICT, "nothing to save")
@@ -172,9 +189,29 @@ class BuildingStore:
                 redoes=redoes,
                 time=self._clock(),
             )
-            write_atomic(self._edits / "pending.json", encode_bytes(transaction), durable=True)
-            self._finish(transaction)
+            self._carry_out(transaction)
         return transaction
+
+    def _carry_out(self, transaction: Transaction) -> None:
+        """Write a transaction; where anything fails, all is as it was before, and nothing of it lands later."""
+        pending, log = self._edits / "pending.json", self._edits / "log.jsonl"
+        length = log.stat().st_size if log.exists() else None
+        files = ReplacedFiles(self.folder, self._edits / "former")
+        try:
+            write_atomic(pending, encode_bytes(transaction), durable=True)
+            self._finish(transaction, files)
+        except BaseException as error:
+            files.put_back()
+            if length is None:
+                log.unlink(missing_ok=True)
+            else:
+                os.truncate(log, length)
+            pending.unlink(missing_ok=True)
+            if isinstance(error, OSError):
+                raise refused_by_system(error, "nothing was changed") from error
+            raise
+        finally:
+            files.forget()
 
     def _replaced(self, before: Scenes, documents: Sequence[DocumentChange]) -> dict[int, FloorScene]:
         """Return the floors as they are once documents are replaced, which must be as their changes know them."""
@@ -229,24 +266,27 @@ class BuildingStore:
         """Finish the transaction of a process that was killed; the lock is held."""
         pending = self._edits / "pending.json"
         if pending.exists():
-            self._finish(decode(Transaction, pending.read_bytes()))
+            files = ReplacedFiles(self.folder, self._edits / "former")
+            self._finish(decode(Transaction, pending.read_bytes()), files)
 
-    def _finish(self, transaction: Transaction) -> None:
+    def _finish(self, transaction: Transaction, files: ReplacedFiles) -> None:
         """Write what a transaction changes; done again after an interruption it does the same."""
         for document in transaction.documents:
-            self.documents.put(document, transaction.revisions.get(str(floor_of(document.path))))
+            data = self.documents.after(document, transaction.revisions.get(str(floor_of(document.path))))
+            files.remove(document.path) if data is None else files.write(document.path, data)
         scenes = self.scenes()
         for name, revision in transaction.revisions.items():
-            self._raise(scenes[int(name)], revision, transaction)
-        self._write_records(transaction.rooms)
-        self._recount(scenes if transaction.documents else map(int, transaction.revisions))
+            self._raise(scenes[int(name)], revision, transaction, files)
+        self._write_records(transaction.rooms, files)
+        self._recount(files, scenes if transaction.documents else map(int, transaction.revisions))
         for name, data in (self._records(self.folder, self.scenes()) if self._records else {}).items():
-            write_atomic(self.folder / name, data, durable=True)
+            files.write(name, data)
         if len(self.log()) < transaction.number:
             append_line(self._edits / "log.jsonl", encode_bytes(transaction))
         (self._edits / "pending.json").unlink()
+        files.forget()
 
-    def _raise(self, scene: FloorScene, revision: int, transaction: Transaction) -> None:
+    def _raise(self, scene: FloorScene, revision: int, transaction: Transaction, files: ReplacedFiles) -> None:
         """Write a scene with its changes, where it does not have the revision that they make yet."""
         if scene.revision >= revision:
             return
@@ -254,9 +294,10 @@ class BuildingStore:
         for change in changes:
             if change.floor == scene.floor:
                 scene = changed(scene, change)
-        self._write(f"{floor_directory(scene.floor)}/scene.json", msgspec.structs.replace(scene, revision=revision))
+        raised = msgspec.structs.replace(scene, revision=revision)
+        files.write(f"{floor_directory(scene.floor)}/scene.json", encode_bytes(raised, indent=1))
 
-    def _write_records(self, rooms: Sequence[RoomChange]) -> None:
+    def _write_records(self, rooms: Sequence[RoomChange], files: ReplacedFiles) -> None:
         """Write rooms into the building's program and the room graphs of their floors."""
         building = BuildingFolder(self.folder).building
         program = building.program
@@ -264,23 +305,22 @@ class BuildingStore:
             program = program_with(program, change)
             graph = self._topology(change.floor)
             if graph is not None and topology_with(graph, change) != graph:
-                self._write(f"{floor_directory(change.floor)}/topology.json", topology_with(graph, change))
+                changed_graph = encode_bytes(topology_with(graph, change), indent=1)
+                files.write(f"{floor_directory(change.floor)}/topology.json", changed_graph)
         if program != building.program:
-            self._write(INDEX, msgspec.structs.replace(building, program=program))
+            files.write(INDEX, encode_bytes(msgspec.structs.replace(building, program=program), indent=1))
 
-    def _write(self, name: str, payload: msgspec.Struct) -> None:
-        write_atomic(self.folder / name, encode_bytes(payload, indent=1), durable=True)
-
-    def _recount(self, floors: Iterable[int]) -> None:
-        """Write the numbers of objects of some floors into ``building.json``."""
-        file = self.folder / "building.json"
-        building = msgspec.json.decode(file.read_bytes())
+    def _recount(self, files: ReplacedFiles, floors: Iterable[int]) -> None:
+        """Write the numbers of objects of some floors, and of all where it is stated, into ``building.json``."""
+        building = msgspec.json.decode((self.folder / INDEX).read_bytes())
         counts = {floor: len(self._reader.scene(floor).objects) for floor in floors}
         stale = [e for e in building["floors"] if e["objects"] != counts.get(e["floor"], e["objects"])]
         for entry in stale:
             entry["objects"] = counts[entry["floor"]]
         if stale:
-            write_atomic(file, encode_bytes(building, indent=1), durable=True)
+            if "objects" in building.get("checks", {}):
+                building["checks"]["objects"] = sum(entry["objects"] for entry in building["floors"])
+            files.write(INDEX, encode_bytes(building, indent=1))
 
     def undo(self, who: str) -> Transaction:
         """Take back the last transaction of `who` that is not undone.
@@ -324,6 +364,11 @@ class BuildingStore:
             redoes=_root(last),
         )
 
+    def _behind(self, record: Path) -> list[int]:
+        """Return the floors whose derived files are of another revision than their scenes."""
+        made = _revisions_made(record)
+        return [floor for floor, scene in self.scenes().items() if scene.revision != made.get(str(floor), 1)]
+
     def refresh(
         self,
         files_of: Callable[[FloorScene], Mapping[str, bytes]],
@@ -344,21 +389,28 @@ class BuildingStore:
             The floors that were behind.
         """
         record = self._edits / "derived.json"
+        if not self._behind(record):
+            return []
         with locked(self._edits / "derived.lock", patience=600.0):
-            made = decode(dict[str, int], record.read_bytes()) if record.exists() else {}
-            scenes = self.scenes()
-            behind = [f for f, s in scenes.items() if s.revision != made.get(str(f), 1)]
+            behind = self._behind(record)
             if not behind:
                 return []
+            scenes = self.scenes()
+            made = _revisions_made(record)
             files: dict[str, bytes] = {}
             for floor in behind:
                 files.update(files_of(scenes[floor]))
             files.update(whole([scenes[floor] for floor in sorted(scenes)]))
             for name, data in sorted(files.items()):
-                write_atomic(self.folder / name, data, durable=True)
+                write_atomic(file_in(self.folder, name), data, durable=True)
             made.update({str(floor): scenes[floor].revision for floor in behind})
             write_atomic(record, encode_bytes(made), durable=True)
         return behind
+
+
+def _revisions_made(record: Path) -> dict[str, int]:
+    """Return the revision of each floor's scene that its derived files were made from."""
+    return decode(dict[str, int], record.read_bytes()) if record.exists() else {}
 
 
 def _refuse_mixed(
@@ -449,8 +501,7 @@ def append_line(path: Path, line: bytes) -> None:
         os.fsync(stream.fileno())
 
 
-@contextmanager
-def locked(path: Path, patience: float = PATIENCE) -> Iterator[None]:
+def locked(path: Path, patience: float = PATIENCE) -> AbstractContextManager[None]:
     """Hold the lock file, waiting for its holder.
 
     Raises
@@ -458,21 +509,7 @@ def locked(path: Path, patience: float = PATIENCE) -> Iterator[None]:
     MansionError
         ``CONFLICT`` when another process keeps it for longer than `patience` seconds.
     """
-    path.parent.mkdir(parents=True, exist_ok=True)
-    with path.open("a") as stream:
-        deadline = time.monotonic() + patience
-        while True:
-            try:
-                fcntl.flock(stream, fcntl.LOCK_EX | fcntl.LOCK_NB)
-                break
-            except OSError:
-                if time.monotonic() >= deadline:
-                    raise MansionError(ErrorCode.CONFLICT, f"another editor holds {path}; try again") from None
-                time.sleep(0.02)
-        try:
-            yield
-        finally:
-            fcntl.flock(stream, fcntl.LOCK_UN)
+    return hold_lock(path, f"another editor holds {path}; try again", patience=patience)
 
 
 def refuse_in_session(folder: Path, changes: Iterable[ObjectChange], scenes: Mapping[int, FloorScene]) -> None:

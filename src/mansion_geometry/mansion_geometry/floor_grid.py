@@ -17,6 +17,8 @@ from typing import Final
 import numpy as np
 import numpy.typing as npt
 
+from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.limits import MAX_CELLS
 from mansion_msgs_py.scene import FloorScene
 from mansion_msgs_py.shapes import Point, Ring, Segment
 
@@ -26,6 +28,7 @@ __all__ = [
     "RESOLUTION",
     "UNKNOWN",
     "GridFrame",
+    "check_cells",
     "fill_box",
     "fill_rings",
     "fill_strip",
@@ -48,6 +51,22 @@ _EDGE: Final = 1e-6
 """By how much a box is grown, so that a cell whose centre is on its edge is in it; metres."""
 
 
+def check_cells(rows: int, columns: int) -> None:
+    """Refuse a grid that would take minutes and gigabytes.
+
+    Raises
+    ------
+    MansionError
+        ``INFEASIBLE`` with the limit.
+    """
+    if rows * columns > MAX_CELLS:
+        raise MansionError(
+            ErrorCode.INFEASIBLE,
+            f"a grid of {rows} x {columns} cells is too large; at most {MAX_CELLS} are made",
+            details={"rows": rows, "columns": columns, "limit": MAX_CELLS},
+        )
+
+
 @dataclass(frozen=True)
 class GridFrame:
     """Where the cells of a grid lie in the plane.
@@ -60,6 +79,11 @@ class GridFrame:
         Edge of a cell, metres.
     rows, columns : int
         Cells along y and along x.
+
+    Raises
+    ------
+    MansionError
+        As `check_cells`.
     """
 
     x0: float
@@ -67,6 +91,9 @@ class GridFrame:
     resolution: float
     rows: int
     columns: int
+
+    def __post_init__(self) -> None:
+        check_cells(self.rows, self.columns)
 
     @staticmethod
     def around(points: Sequence[Point], margin: float, resolution: float) -> "GridFrame":

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from mansion_geometry.compiled import Bools, Counts, Floats, Labels, kernel
+from mansion_geometry.floor_grid import check_cells
 from mansion_geometry.free_cells import (
     SLACK,
     cell_window,
@@ -191,6 +192,7 @@ class FreeGrid:
         # As many cell centres as lie below the far side, at least one.
         cols = max(1, math.ceil(width / cell - 0.5 - 1e-9))
         rows = max(1, math.ceil(height / cell - 0.5 - 1e-9))
+        check_cells(rows, cols)
         self.counts = wall_counts(rows, cols, self.x0, self.y0, cell, edges, walls, radius)
         self.reached = np.zeros((rows, cols), dtype=np.bool_)
         self.free_cells = int((self.counts == 0).sum())

@@ -126,6 +126,11 @@ def interchangeable_names() -> dict[str, tuple[str, ...]]:
     >>> interchangeable_names()["canteen"]
     ('cafeteria', 'dining room', 'canteen', 'dining hall', 'mess hall', 'dining area')
     """
-    groups = name_groups()
-    called = {entry.word.replace("_", " "): entry.called for entry in default_knowledge().words.values()}
+    return _interchangeable_names(default_knowledge())
+
+
+@lru_cache(maxsize=8)
+def _interchangeable_names(knowledge: KnowledgeBase) -> dict[str, tuple[str, ...]]:
+    groups = _name_groups(knowledge)
+    called = {entry.word.replace("_", " "): entry.called for entry in knowledge.words.values()}
     return {name: tuple(groups[own[0][0]]) for name, own in called.items() if own}

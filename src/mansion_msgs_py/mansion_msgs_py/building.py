@@ -1,12 +1,12 @@
 """``building.json`` and ``report.json``: the index of a building folder, and what was asked and met."""
 
-from typing import Literal
+from typing import Annotated, Literal
 
 import msgspec
 
 from mansion_msgs_py.program import BuildingProgram, CorePlan, Downgrade
 from mansion_msgs_py.request import BuildRequest
-from mansion_msgs_py.shapes import Identifier
+from mansion_msgs_py.shapes import BuildingId, FileInFolder, PathText
 from mansion_msgs_py.usage import LlmUsage
 from mansion_msgs_py.wishes import Wish
 
@@ -23,7 +23,7 @@ class FloorEntry(msgspec.Struct, frozen=True, kw_only=True):
     area: float
     rooms: int
     objects: int
-    files: dict[str, str]
+    files: dict[str, FileInFolder]
 
 
 class Building(msgspec.Struct, frozen=True, kw_only=True):
@@ -35,15 +35,15 @@ class Building(msgspec.Struct, frozen=True, kw_only=True):
         What the description asks for, and what became of it in the finished building.
     """
 
-    building_id: Identifier
+    building_id: BuildingId
     request: BuildRequest
     program: BuildingProgram
-    floors: list[FloorEntry]
+    floors: Annotated[list[FloorEntry], msgspec.Meta(min_length=1)]
     cores: list[CorePlan]
     seed: int
     versions: dict[str, str] = {}
     checks: dict[str, int] = {}
-    files: dict[str, str] = {}
+    files: dict[str, FileInFolder] = {}
     wishes: list[Wish] = []
     schema_version: Literal[1] = 1
 
@@ -71,9 +71,11 @@ class BuildingReport(msgspec.Struct, frozen=True, kw_only=True):
         With the planner ``llm``: which piece came from the model, which from the rules, and why.
     llm : LlmUsage, optional
         Answers, tokens, time and cost.
+    faults : list of str
+        What ``mansion check`` found when it was built; empty for a sound building.
     """
 
-    building_id: Identifier
+    building_id: BuildingId
     floors: list[FloorReport]
     downgrades: list[Downgrade]
     seconds: dict[str, float]
@@ -81,6 +83,7 @@ class BuildingReport(msgspec.Struct, frozen=True, kw_only=True):
     sources: dict[str, str] = {}
     llm: LlmUsage | None = None
     wishes: list[Wish] = []
+    faults: list[str] = []
     schema_version: Literal[1] = 1
 
 
@@ -97,7 +100,7 @@ class LoadBuilding(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fie
         Begin anew: everything back where the scenes have it, the robot at the spawn pose.
     """
 
-    path: str
+    path: PathText
     session: str = ""
     world: str = "shared"
     reset: bool = False

@@ -10,7 +10,7 @@ from mansion_msgs_py.layout import FloorLayout
 from mansion_msgs_py.scene import FloorScene
 from mansion_msgs_py.topology import FloorTopology
 
-__all__ = ["INDEX", "BuildingFolder", "check_building_folder", "floor_directory", "is_building_folder"]
+__all__ = ["INDEX", "BuildingFolder", "check_building_folder", "file_in", "floor_directory", "is_building_folder"]
 
 T = TypeVar("T")
 
@@ -21,6 +21,25 @@ INDEX: Final = "building.json"
 def floor_directory(floor: int) -> str:
     """Return the folder of a floor, relative to the building's."""
     return f"floors/floor_{floor}"
+
+
+def file_in(folder: Path, name: str) -> Path:
+    """Return the path of a file of a folder that is to be written.
+
+    Raises
+    ------
+    MansionError
+        ``INVALID_PAYLOAD`` for a name that leads out of the folder: an absolute one, one with ``..``, or one below a
+        link to another place.
+    """
+    path = folder / name
+    if not path.parent.resolve().is_relative_to(folder.resolve()):
+        raise MansionError(
+            ErrorCode.INVALID_PAYLOAD,
+            f"{name[:200]!r} leads out of {folder}; name a file below it",
+            details={"file": name[:200]},
+        )
+    return path
 
 
 def is_building_folder(path: Path) -> bool:

@@ -12,6 +12,7 @@ import msgspec
 from msgspec import inspect
 
 from mansion_msgs_py.errors import ErrorCode, ErrorInfo, ErrorReply, MansionError
+from mansion_msgs_py.limits import MAX_PAYLOAD
 from mansion_msgs_py.wording import choices
 
 __all__ = ["convert", "decode", "decode_reply", "encode", "encode_bytes", "explained", "schema", "to_builtins"]
@@ -83,6 +84,7 @@ def decode(kind: type[T], text: str | bytes) -> T:
     name = getattr(kind, "__name__", str(kind))
     try:
         data = text.encode() if isinstance(text, str) else text
+        _check_size(data, name)
         value: T = _decoder(cast(Hashable, kind)).decode(data if data.strip() else b"{}")
     except msgspec.ValidationError as error:
         raise _unfit(kind, error) from None
@@ -91,6 +93,15 @@ def decode(kind: type[T], text: str | bytes) -> T:
     except RecursionError:
         raise MansionError(ErrorCode.INVALID_PAYLOAD, "JSON nested too deeply", details={"payload": name}) from None
     return value
+
+
+def _check_size(data: bytes, name: str) -> None:
+    if len(data) > MAX_PAYLOAD:
+        raise MansionError(
+            ErrorCode.INVALID_PAYLOAD,
+            f"the JSON has {len(data)} bytes; at most {MAX_PAYLOAD} are read",
+            details={"payload": name},
+        )
 
 
 def convert(kind: type[T], value: Any) -> T:
@@ -139,6 +150,7 @@ _PATH = re.compile(r"^(?P<what>.*) - at `(?P<path>\$.*)`$", re.DOTALL)
 _STEP = re.compile(r"\.(?P<field>[^.\[\]]+)|\[(?P<index>[^\]]*)\]")
 _UNKNOWN = re.compile(r"^Object contains unknown field `(?P<name>.*)`$", re.DOTALL)
 _MISSING = re.compile(r"^Object missing required field `(?P<name>.*)`$", re.DOTALL)
+_PATTERN = "Expected `str` matching regex"
 _ENUM = re.compile(r"^Invalid enum value (?P<value>.*)$", re.DOTALL)
 
 
@@ -172,6 +184,8 @@ def explained(kind: Any, message: str) -> tuple[str, str]:
     if found := _ENUM.match(what):
         value = found["value"].strip("'")
         return f"{value!r} is not accepted; {choices(value, _values(places), 'values')}", path
+    if what.startswith(_PATTERN) and (said := _descriptions(places)):
+        return f"expected {' or '.join(said)}", path
     return what, path
 
 
@@ -225,6 +239,11 @@ def _fields(places: list[inspect.Type], wanted: str) -> str:
 
 def _structs(places: list[inspect.Type]) -> list[inspect.StructType]:
     return [place for place in places if isinstance(place, inspect.StructType)]
+
+
+def _descriptions(places: list[inspect.Type]) -> list[str]:
+    said = [place.extra_json_schema or {} for place in places if isinstance(place, inspect.Metadata)]
+    return [entry["description"] for entry in said if "description" in entry]
 
 
 def _values(places: list[inspect.Type]) -> list[str]:

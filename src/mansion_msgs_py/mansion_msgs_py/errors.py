@@ -4,7 +4,24 @@ from typing import Any, Final
 
 import msgspec
 
-__all__ = ["ErrorCode", "ErrorInfo", "ErrorReply", "MansionError"]
+from mansion_msgs_py.wording import shortened
+
+__all__ = [
+    "MOST_CHARACTERS",
+    "MOST_IN_DETAILS",
+    "ErrorCode",
+    "ErrorInfo",
+    "ErrorReply",
+    "MansionError",
+    "refused_by_system",
+]
+
+
+MOST_CHARACTERS: Final = 2_000
+"""Of a message: input that it quotes may have any length. A hint stands at its end, so that the middle gives way."""
+
+MOST_IN_DETAILS: Final = 8_000
+"""Characters of a text among the details, and entries of a list."""
 
 
 class ErrorCode:
@@ -68,8 +85,11 @@ class MansionError(Exception):
     """
 
     def __init__(self, code: str, message: str, *, path: str = "$", details: dict[str, Any] | None = None) -> None:
+        message = shortened(message, MOST_CHARACTERS)
         super().__init__(message)
-        self.info = ErrorInfo(code=code, message=message, path=path, details=dict(details or {}))
+        self.info = ErrorInfo(
+            code=code, message=message, path=shortened(path, MOST_CHARACTERS), details=_short(details or {})
+        )
 
     @classmethod
     def from_info(cls, info: ErrorInfo) -> "MansionError":
@@ -110,3 +130,33 @@ class MansionError(Exception):
 
     def __reduce__(self) -> tuple[Any, ...]:
         return (MansionError.from_info, (self.info,))
+
+
+def _short(value: Any) -> Any:
+    """Return details with long texts and lists shortened."""
+    if isinstance(value, str):
+        return shortened(value, MOST_IN_DETAILS)
+    if isinstance(value, dict):
+        return {_short(key): _short(entry) for key, entry in list(value.items())[:MOST_IN_DETAILS]}
+    if isinstance(value, list | tuple):
+        return [_short(entry) for entry in value[:MOST_IN_DETAILS]]
+    return value
+
+
+def refused_by_system(error: OSError, outcome: str = "") -> MansionError:
+    """Return what the system refused, such as to write to a full disk, as ``UNAVAILABLE`` in one line.
+
+    Parameters
+    ----------
+    error : OSError
+    outcome : str
+        What became of the work, for the end of the message.
+
+    Examples
+    --------
+    >>> str(refused_by_system(OSError(28, "No space left on device", "out/report.json"), "nothing was changed"))
+    'UNAVAILABLE: out/report.json: No space left on device; nothing was changed'
+    """
+    parts = [str(part) for part in (error.filename, error.strerror or error) if part is not None]
+    message = ": ".join(parts)
+    return MansionError(ErrorCode.UNAVAILABLE, f"{message}; {outcome}" if outcome else message)

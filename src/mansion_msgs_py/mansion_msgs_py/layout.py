@@ -7,6 +7,7 @@ from typing import Annotated, Literal, TypeAlias
 
 import msgspec
 
+from mansion_msgs_py.limits import MAX_OBJECTS, MAX_ROOMS
 from mansion_msgs_py.shapes import Area, Identifier, Length, Point, Ring, Segment
 from mansion_msgs_py.topology import Edge, EdgeKind, NodeKind, SeedPlan
 
@@ -81,8 +82,8 @@ class FloorProblem(msgspec.Struct, frozen=True, kw_only=True):
     """
 
     boundary: Annotated[Ring, msgspec.Meta(min_length=3)]
-    nodes: list[ProblemNode]
-    edges: list[Edge] = []
+    nodes: Annotated[list[ProblemNode], msgspec.Meta(max_length=MAX_ROOMS)]
+    edges: Annotated[list[Edge], msgspec.Meta(max_length=MAX_OBJECTS)] = []
     plan_id: PlanId = None
     holes: list[Ring] = []
     cores: list[ProblemCore] = []
@@ -157,7 +158,7 @@ class FloorLayout(msgspec.Struct, frozen=True, kw_only=True):
         Energy terms of section C.2, and what was measured on the final polygons.
     """
 
-    rooms: list[LayoutRoom]
+    rooms: Annotated[list[LayoutRoom], msgspec.Meta(max_length=MAX_ROOMS)]
     topology_satisfied: bool
     unmet_edges: list[UnmetEdge] = []
     plan_id: PlanId = None

@@ -4,7 +4,7 @@ from typing import Annotated, Literal, TypeAlias
 
 import msgspec
 
-from mansion_msgs_py.shapes import Identifier, Point, Ring, Segment, Size3
+from mansion_msgs_py.shapes import Elevation, Identifier, Point, Ring, Segment, Size3
 
 __all__ = [
     "Discarded",
@@ -91,7 +91,7 @@ class PlacementOpening(msgspec.Struct, frozen=True, kw_only=True):
 
     segment: Segment
     id: str = ""
-    sill: float = 0.9
+    sill: Elevation = 0.9
 
 
 class PlacementRoom(msgspec.Struct, frozen=True, kw_only=True):

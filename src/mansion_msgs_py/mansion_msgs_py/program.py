@@ -4,7 +4,7 @@ from typing import Annotated, Literal
 
 import msgspec
 
-from mansion_msgs_py.shapes import Area, Identifier, Length, Point, Ring, Segment
+from mansion_msgs_py.shapes import Area, BuildingId, Elevation, Identifier, Length, Point, Ring, Segment
 from mansion_msgs_py.wishes import Wish
 
 __all__ = [
@@ -139,7 +139,7 @@ class FloorProgram(msgspec.Struct, frozen=True, kw_only=True):
     rooms: list[RoomProgram]
     area_summary: AreaSummary
     label: str = ""
-    elevation: float = 0.0
+    elevation: Elevation = 0.0
     height: Length = 3.2
     outline: Ring = []
     holes: list[Ring] = []
@@ -177,7 +177,7 @@ class BuildingProgram(msgspec.Struct, frozen=True, kw_only=True):
         The kind of the knowledge base where `building_type` is called otherwise there; else empty.
     """
 
-    building_id: Identifier
+    building_id: BuildingId
     reasoning: str
     vertical_connectivity: VerticalConnectivity
     floors: Annotated[list[FloorProgram], msgspec.Meta(min_length=1)]

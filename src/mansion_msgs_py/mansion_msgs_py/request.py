@@ -2,20 +2,17 @@
 
 import hashlib
 import re
-from typing import Annotated, Any, Literal, TypeAlias
+from typing import Annotated, Any, Literal
 
 import msgspec
 
 from mansion_msgs_py.codec import encode
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import decode_from
-from mansion_msgs_py.shapes import Area, Ring
+from mansion_msgs_py.limits import MAX_BUILDING_AREA, MAX_FLOORS
+from mansion_msgs_py.shapes import Area, BuildingId, Ring
 
-__all__ = ["BuildRequest", "BuildingId", "Footprint", "building_id_of", "footprint_from_json", "identified"]
-
-
-BuildingId: TypeAlias = Annotated[str, msgspec.Meta(pattern=r"^[A-Za-z0-9][A-Za-z0-9_-]{0,63}$")]
-"""A building's id, which is also the name of its folder where none is given."""
+__all__ = ["BuildRequest", "Footprint", "building_id_of", "footprint_from_json", "identified"]
 
 
 class Footprint(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
@@ -57,8 +54,8 @@ class BuildRequest(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fie
     """
 
     description: Annotated[str, msgspec.Meta(max_length=200_000)]
-    floors: Annotated[int, msgspec.Meta(ge=1, le=100)] | None = None
-    area: Area | None = None
+    floors: Annotated[int, msgspec.Meta(ge=1, le=MAX_FLOORS)] | None = None
+    area: Annotated[float, msgspec.Meta(gt=0.0, le=MAX_BUILDING_AREA)] | None = None
     floor_area: Area | None = None
     footprint: Footprint | None = None
     seed: Annotated[int, msgspec.Meta(ge=0, le=2**53)] = 0

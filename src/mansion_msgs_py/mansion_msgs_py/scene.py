@@ -1,11 +1,24 @@
 """The furnished floor: what the scene stages write and the skills read."""
 
-from typing import Annotated, Literal, TypeAlias
+from typing import Annotated, Literal, TypeAlias, TypeVar
 
 import msgspec
 
+from mansion_msgs_py.limits import MAX_OBJECTS, MAX_ROOMS
 from mansion_msgs_py.program import Downgrade
-from mansion_msgs_py.shapes import Area, Identifier, Length, Point3, Ring, Segment, Size3
+from mansion_msgs_py.shapes import (
+    Area,
+    BuildingId,
+    Coordinate,
+    Degrees,
+    Elevation,
+    Identifier,
+    Length,
+    Point3,
+    Ring,
+    Segment,
+    Size3,
+)
 from mansion_msgs_py.topology import NodeKind
 from mansion_msgs_py.usage import LlmUsage
 
@@ -29,6 +42,9 @@ __all__ = [
     "Wall",
     "Window",
 ]
+
+T = TypeVar("T")
+_Many: TypeAlias = Annotated[list[T], msgspec.Meta(max_length=MAX_OBJECTS)]
 
 DoorKind: TypeAlias = Literal[
     "open", "doorway", "single", "double", "glazed", "sliding", "frame", "entrance", "balcony", "garage"
@@ -139,7 +155,7 @@ class Window(msgspec.Struct, frozen=True, kw_only=True):
     wall: str
     room: str
     segment: Segment
-    sill: float
+    sill: Elevation
     height: Length
     kind: str = "fixed"
 
@@ -171,7 +187,7 @@ class SceneObject(msgspec.Struct, frozen=True, kw_only=True):
     category: str
     asset: str
     position: Point3
-    rotation: float
+    rotation: Degrees
     size: Size3
     name: str = ""
     asset_id: str | None = None
@@ -194,7 +210,7 @@ class Light(msgspec.Struct, frozen=True, kw_only=True):
     position: Point3
     color: str = "#ffffff"
     intensity: float = 1.0
-    range: float = 10.0
+    range: Length = 10.0
     room: str | None = None
 
 
@@ -211,9 +227,9 @@ class Sky(msgspec.Struct, frozen=True, kw_only=True):
 class SpawnPose(msgspec.Struct, frozen=True, kw_only=True):
     """Where the robot starts; yaw in degrees counter-clockwise from +x."""
 
-    x: float
-    y: float
-    yaw: float
+    x: Coordinate
+    y: Coordinate
+    yaw: Degrees
     room: str
 
 
@@ -279,7 +295,7 @@ class LiftDetails(msgspec.Struct, frozen=True, kw_only=True, tag_field="kind", t
     """
 
     cabin: Box3
-    facing: float
+    facing: Degrees
     call_panel: Point3
     button_panel: Point3
     buttons: list[LiftButton]
@@ -348,20 +364,20 @@ class FloorScene(msgspec.Struct, frozen=True, kw_only=True):
         Raised by one with each edit.
     """
 
-    building_id: Identifier
+    building_id: BuildingId
     floor: int
     floors: Annotated[int, msgspec.Meta(ge=1)]
     label: str
-    elevation: float
+    elevation: Elevation
     height: Length
     outline: Ring
-    rooms: list[SceneRoom]
-    walls: list[Wall]
-    doors: list[Door]
-    windows: list[Window] = []
+    rooms: Annotated[list[SceneRoom], msgspec.Meta(max_length=MAX_ROOMS)]
+    walls: _Many[Wall]
+    doors: _Many[Door]
+    windows: _Many[Window] = []
     cores: list[SceneCore] = []
-    objects: list[SceneObject] = []
-    lights: list[Light] = []
+    objects: _Many[SceneObject] = []
+    lights: _Many[Light] = []
     sky: Sky = msgspec.field(default_factory=Sky)
     spawn: SpawnPose | None = None
     holes: list[Ring] = []

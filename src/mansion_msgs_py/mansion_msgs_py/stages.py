@@ -8,6 +8,7 @@ from mansion_msgs_py.building import Building
 from mansion_msgs_py.layout import FloorLayout, FloorProblem
 from mansion_msgs_py.program import BuildingProgram, FloorProgram, VerticalConnectivity
 from mansion_msgs_py.request import BuildRequest
+from mansion_msgs_py.shapes import BuildingId, PathText
 from mansion_msgs_py.topology import FloorTopology
 from mansion_msgs_py.usage import LlmUsage
 
@@ -48,7 +49,7 @@ class FurnishRequest(msgspec.Struct, frozen=True, kw_only=True):
         Who chooses the furniture; a model is told the building's `description`.
     """
 
-    building_id: str
+    building_id: BuildingId
     floor: FloorProgram
     floors: list[int]
     labels: list[str]
@@ -73,7 +74,7 @@ class BuildJob(BuildRequest, kw_only=True, forbid_unknown_fields=True, frozen=Tr
         Replace a building there even if running worlds have state in it.
     """
 
-    output: str | None = None
+    output: PathText | None = None
     force: bool = False
 
     @classmethod

@@ -2,7 +2,7 @@
 
 from enum import StrEnum
 from pathlib import Path
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, TypeAlias
 
 import msgspec
 
@@ -173,6 +173,10 @@ class ProgressScore(msgspec.Struct, kw_only=True, frozen=True, forbid_unknown_fi
     success: bool = False
 
 
+_BuildingId: TypeAlias = Annotated[str, msgspec.Meta(pattern=r"^([A-Za-z0-9][A-Za-z0-9_-]{0,63})?$")]
+"""A `BuildingId`, or nothing where the tasks are of any building."""
+
+
 class TaskSet(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """Tasks of one building, as ``mansion task generate`` writes them.
 
@@ -183,7 +187,7 @@ class TaskSet(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=T
     """
 
     building: str
-    building_id: str
+    building_id: _BuildingId
     tasks: list[Task]
     schema_version: Literal[1] = 1
 

@@ -3,7 +3,7 @@
 from collections.abc import Iterable
 from difflib import SequenceMatcher
 
-__all__ = ["choices", "counted", "nearest", "with_article"]
+__all__ = ["choices", "counted", "nearest", "shortened", "with_article"]
 
 FEW = 16
 """So many names are all shown; of more, the nearest."""
@@ -57,6 +57,20 @@ def counted(number: int, one: str, many: str = "") -> str:
     ('1 wish', '2 wishes', '0 rooms')
     """
     return f"{number} {one if number == 1 else many or one + 's'}"
+
+
+def shortened(text: str, most: int) -> str:
+    """Return a text whose middle is left out where it has more than `most` characters.
+
+    Examples
+    --------
+    >>> shortened("no floor 9", 20), shortened("x" * 1_000_000, 20)
+    ('no floor 9', 'xxxxxxxxxx... (999980 characters) ...xxxxxxxxxx')
+    """
+    if len(text) <= most:
+        return text
+    head, tail = text[: most - most // 2], text[len(text) - most // 2 :]
+    return f"{head}... ({len(text) - most} characters) ...{tail}"
 
 
 def nearest(wanted: str, known: Iterable[str], count: int = SHOWN) -> list[str]:

@@ -5,7 +5,7 @@ from typing import Any, Literal
 
 import msgspec
 
-from mansion_msgs_py.shapes import Point3
+from mansion_msgs_py.shapes import Coordinate, Degrees, Point3
 
 __all__ = [
     "LiftCall",
@@ -31,9 +31,9 @@ __all__ = [
 class Pose2D(msgspec.Struct, frozen=True, kw_only=True):
     """Planar pose in the floor's frame: metres, yaw in degrees counter-clockwise from +x."""
 
-    x: float
-    y: float
-    yaw: float = 0.0
+    x: Coordinate
+    y: Coordinate
+    yaw: Degrees = 0.0
 
 
 class RobotState(msgspec.Struct, frozen=True, kw_only=True):

@@ -1,9 +1,11 @@
 """What a description must be to be planned: there, not too long, and understood."""
 
 from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.limits import MAX_BUILDING_AREA, MAX_COORDINATE, MAX_FLOOR_AREA, MAX_ROOMS
+from mansion_msgs_py.program import BuildingProgram
 from mansion_planner.brief.facts import BriefFacts
 
-__all__ = ["check_length", "check_there", "check_understood", "nothing_understood", "states_something"]
+__all__ = ["check_length", "check_size", "check_there", "check_understood", "nothing_understood", "states_something"]
 
 MOST_CHARACTERS = 20_000
 """Characters of a description that are read."""
@@ -39,6 +41,47 @@ def check_length(description: str) -> None:
             f"the description has {len(description)} characters; up to {MOST_CHARACTERS} are read",
             path="$.description",
         )
+
+
+def check_size(program: BuildingProgram) -> None:
+    """Refuse a building that is larger than what is built (see `mansion_msgs_py.limits`).
+
+    Raises
+    ------
+    MansionError
+        ``INFEASIBLE`` with the storey and the limit.
+    """
+    for floor in program.floors:
+        if floor.gross_floor_area > MAX_FLOOR_AREA:
+            raise _too_large(f"storey {floor.label or floor.index}", floor.gross_floor_area, MAX_FLOOR_AREA)
+        reach = max((abs(value) for point in floor.outline for value in point), default=0.0)
+        if reach > MAX_COORDINATE:
+            raise MansionError(
+                ErrorCode.INFEASIBLE,
+                f"storey {floor.label or floor.index} of {floor.gross_floor_area:.0f} m2 would be {reach:.0f} m long;"
+                f" at most {MAX_COORDINATE:.0f} m are built",
+                path="$.description",
+                details={"length": reach, "limit": MAX_COORDINATE},
+            )
+        if len(floor.rooms) > MAX_ROOMS:
+            raise MansionError(
+                ErrorCode.INFEASIBLE,
+                f"storey {floor.label or floor.index} would have {len(floor.rooms)} rooms; at most {MAX_ROOMS} are"
+                " built",
+                path="$.description",
+            )
+    total = sum(floor.gross_floor_area for floor in program.floors)
+    if total > MAX_BUILDING_AREA:
+        raise _too_large("the building", total, MAX_BUILDING_AREA)
+
+
+def _too_large(what: str, area: float, limit: float) -> MansionError:
+    return MansionError(
+        ErrorCode.INFEASIBLE,
+        f"{what} would have {area:.4g} m2; at most {limit:.0f} m2 are built",
+        path="$.description",
+        details={"area": area, "limit": limit},
+    )
 
 
 def states_something(facts: BriefFacts) -> bool:

@@ -11,7 +11,7 @@ from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.request import BuildRequest, building_id_of
 from mansion_msgs_py.stages import PlanReply
 from mansion_planner.brief import read_brief
-from mansion_planner.brief_checks import check_length, check_there, check_understood
+from mansion_planner.brief_checks import check_length, check_size, check_there, check_understood
 from mansion_planner.program.building import plan_program
 from mansion_planner.topology import fallback_problem, floor_problem, floor_topology
 
@@ -65,6 +65,7 @@ def plan_building(
         facts = read_brief(request.description, base, cancelled=cancelled)
         check_understood(facts, request.description)
         planned = plan_program(request, facts, base, building_id, item_generator(request.seed, "program"))
+        check_size(planned.program)
     except MansionError as error:
         raise error.at_stage("program") from None
     topologies = [floor_topology(planned, storey, base) for storey in planned.storeys]

@@ -6,8 +6,9 @@ import shapely
 from shapely.geometry import LineString, Polygon
 from shapely.geometry.base import BaseGeometry
 
-from mansion_geometry.object_footprints import footprint
-from mansion_geometry.robot_body import CLEARANCE, ROBOT_RADIUS, ROBOT_REACH, THIN
+from mansion_geometry.floor_regions import disc_positions, largest_first
+from mansion_geometry.object_footprints import footprint, oblique_margin
+from mansion_geometry.robot_body import BODY_RADIUS, CLEARANCE, ROBOT_RADIUS, ROBOT_REACH
 from mansion_msgs_py.placement import PlacementOpening
 from mansion_msgs_py.scene import SceneObject
 from mansion_scene.structure.dimensions import DOOR_HEIGHT
@@ -15,9 +16,9 @@ from mansion_scene.structure.dimensions import DOOR_HEIGHT
 __all__ = ["clear_of_ways"]
 
 _DOORWAY = 0.8  # metres in front of a door that stay free
-_RADIUS = ROBOT_RADIUS - 0.01  # a little less than the robot's, so that rounding removes nothing
 _REACH = ROBOT_RADIUS + ROBOT_REACH  # from the robot's centre to what it approaches
 _FLAT = 0.03
+_ROUND = 16  # segments of a quarter of a circle: with few, the robot is narrower than it is
 
 
 def clear_of_ways(
@@ -45,7 +46,7 @@ def clear_of_ways(
 
 def _in_the_way(item: SceneObject) -> bool:
     low = item.position[2] - item.size[2] / 2
-    return item.mount == "wall" and low < CLEARANCE and item.size[1] > THIN
+    return item.mount == "wall" and low < CLEARANCE
 
 
 def _in_doorways(hung: Sequence[SceneObject], net: Polygon, doors: Sequence[PlacementOpening]) -> set[str]:
@@ -66,11 +67,12 @@ def _cutting_off(
     deep: Sequence[SceneObject], standing: Sequence[SceneObject], net: Polygon, doors: Sequence[PlacementOpening]
 ) -> set[str]:
     """Return the ids to remove so that every goal is reached that could be reached without any of the objects."""
-    solid = [footprint(item) for item in standing if item.size[2] > _FLAT]
-    goals = [*solid, *(LineString(door.segment) for door in doors)]
+    upright = [item for item in standing if item.size[2] > _FLAT]
+    solid = [_body(item) for item in upright]
+    goals = [*map(footprint, upright), *(LineString(door.segment) for door in doors)]
     free = net.difference(shapely.union_all(solid))
     wanted = _reached(free, goals)
-    shapes = {item.id: footprint(item) for item in deep}
+    shapes = {item.id: _body(item) for item in deep}
     dropped: set[str] = set()
     while len(dropped) < len(shapes):
         left = {name: shape for name, shape in shapes.items() if name not in dropped}
@@ -82,11 +84,15 @@ def _cutting_off(
     return dropped
 
 
+def _body(item: SceneObject) -> Polygon:
+    """Return the floor that an object takes from the robot."""
+    return footprint(item).buffer(oblique_margin(item))
+
+
 def _reached(free: BaseGeometry, goals: Sequence[BaseGeometry]) -> list[bool]:
     """Tell which goals the robot reaches from the largest connected region in which its centre can move."""
-    walk = free.buffer(-_RADIUS, quad_segs=4)
-    pieces = shapely.get_parts(walk)
-    if not len(pieces):
+    pieces = largest_first(disc_positions(free, BODY_RADIUS, quad_segs=_ROUND))
+    if not pieces:
         return [False] * len(goals)
-    largest = max(pieces, key=lambda piece: float(piece.area))
+    largest = pieces[0]
     return [bool(near) for near in shapely.distance(largest, list(goals)) <= _REACH]

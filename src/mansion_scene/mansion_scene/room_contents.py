@@ -1,15 +1,18 @@
 """Objects of a room: chosen from the catalogue, placed, and decorated (Algorithm 1, lines 12 and 13)."""
 
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from typing import Protocol
 
 import msgspec
 from shapely.geometry import LineString, Polygon
 
 from mansion_assets.catalogue import Asset, Catalogue, RoomFurnishing, furnish_request, load_catalogue
+from mansion_assets.catalogue.piece_counts import pieces
 from mansion_assets.catalogue.records import Item
 from mansion_assets.catalogue.requested_furniture import asked_counts, is_a
 from mansion_geometry.randomness import item_seed
+from mansion_knowledge.essentials import Need
 from mansion_knowledge.object_kinds import answers
 from mansion_msgs_py.placement import PlacedObject, PlacementOpening, PlacementResult, PlacementRoom
 from mansion_msgs_py.program import RequestedObject
@@ -18,6 +21,7 @@ from mansion_msgs_py.shapes import Segment
 from mansion_scene.clearance import clear_of_ways
 from mansion_scene.decor import decorate_room, scene_object
 from mansion_scene.decor.frames import Ids
+from mansion_scene.essentials import essential_items, essential_requests, essentials_of, lacking, left_out
 from mansion_scene.placement import place_room
 from mansion_scene.requested_objects import (
     PART,
@@ -43,6 +47,12 @@ ItemChooser = Callable[[SceneRoom, float, tuple[float, float]], Sequence[Item] |
 """Chooses the floor objects of a room, given the room, its net area and the sides of its bounding rectangle."""
 
 _Trial = tuple[RoomFurnishing, PlacementResult]
+
+_Place = Callable[[RoomFurnishing], PlacementResult]
+"""Places what a room is to have."""
+
+_HIGH_SILL = 1.5
+"""From this sill on a window is for air: a shower may stand before it where there is no other place, metres."""
 
 _PANEL_WALL = 0.4  # metres of wall on each side of a lift's landing door
 
@@ -129,13 +139,72 @@ class RoomFurnisher:
         standing : sequence of SceneObject
             What is in the room already; it keeps its place and its id, and is not among the objects returned.
         """
+        asked = self._requested.get(room.id, ())
         net = Polygon(room.net_polygon, room.net_holes)
         items = None if self._chooser is None else self._chooser(room, net.area, _extent(net))
-        wishes = self._wishes(room, net, items)
-        counts = asked_counts(self._requested.get(room.id, ()))
+        objects, left = self._furnished(room, standing, items, asked)
+        # What a model chooses is not overruled; the receipt tells what such a room lacks.
+        needs = essentials_of(room, asked) if items is None else []
+        short = lacking(needs, [*standing, *objects])
+        for frugality in range(3) if short else ():
+            trial, trial_left = self._furnished_usably(room, standing, asked, needs, frugality)
+            still = lacking(needs, [*standing, *trial])
+            if sum(still.values()) < sum(short.values()) and not self._loses(asked, objects, trial):
+                objects, left, short = trial, trial_left, still
+            if not short:
+                break
+        return objects, [*left, *left_out(self._catalogue, room, short)]
+
+    def _furnished_usably(
+        self,
+        room: SceneRoom,
+        standing: Sequence[SceneObject],
+        asked: Sequence[RequestedObject],
+        needs: Sequence[Need],
+        frugality: int,
+    ) -> tuple[list[SceneObject], list[Discard]]:
+        """Furnish a room with what it cannot be used without asked for, besides what the brief asks for.
+
+        Parameters
+        ----------
+        frugality : int
+            0 asks for what such rooms usually have, 1 for the smallest of its kind, 2 puts it before high windows too.
+        """
+        smallest = frugality > 0
+        wanted = list(lacking(needs, standing))
+        usual = self._catalogue.room_program(room.room_type).floor
+        fitting = None if smallest else essential_items(self._catalogue, usual, wanted)
+        more = essential_requests(self._catalogue, room.room_type, wanted, smallest=smallest)
+        return self._furnished(room, standing, fitting, [*asked, *more], high_windows=frugality < 2)
+
+    def _loses(
+        self, asked: Sequence[RequestedObject], before: Sequence[SceneObject], after: Sequence[SceneObject]
+    ) -> bool:
+        """Tell whether a room has less of what the brief asks for than before."""
+        counts = asked_counts(asked)
+        short = [shortage(counts, [self._catalogue.asset(o.asset) for o in objects]) for objects in (before, after)]
+        return sum(short[1].values()) > sum(short[0].values())
+
+    def _furnished(
+        self,
+        room: SceneRoom,
+        standing: Sequence[SceneObject],
+        items: Sequence[Item] | None,
+        asked: Sequence[RequestedObject],
+        *,
+        high_windows: bool = True,
+    ) -> tuple[list[SceneObject], list[Discard]]:
+        net = Polygon(room.net_polygon, room.net_holes)
+        wishes = self._wishes(room, net, items, asked)
+        counts = asked_counts(asked)
         free = floor_around(room, standing)
         if counts:
-            wishes, result = self._until_met(free, counts, wishes, self._wishes(room, net, items, compact=True))
+            compact = self._wishes(room, net, items, asked, compact=True)
+            settled = [request for request in asked if request.exact or not request.count]
+            usual = self._wishes(room, net, items, settled)
+            place = partial(self._placed, free, high_windows=high_windows)
+            trial = _until_met(place, counts, wishes, compact)
+            wishes, result = _no_fewer_than_usual(place, asked, trial, usual)
         else:
             result = self._placed(free, wishes)
         placed = self._scene_objects(free, wishes, result.placements, counts, standing)
@@ -147,11 +216,17 @@ class RoomFurnisher:
             return [*placed, *self._decorated(room, net, wishes, placed, standing)], left
         small, short = self._decorated_as_asked(room, net, wishes, placed, standing, counts)
         categories = {name: asset.category for name, asset in wishes.floor_assets.items()}
-        named = named_as_asked([*placed, *small], self._requested[room.id])
+        named = named_as_asked([*placed, *small], asked)
         return named, [*left, *not_met(self._catalogue, room.id, short, left, categories)]
 
     def _wishes(
-        self, room: SceneRoom, net: Polygon, items: Sequence[Item] | None, *, compact: bool = False
+        self,
+        room: SceneRoom,
+        net: Polygon,
+        items: Sequence[Item] | None,
+        asked: Sequence[RequestedObject],
+        *,
+        compact: bool = False,
     ) -> RoomFurnishing:
         return furnish_request(
             self._catalogue,
@@ -162,12 +237,13 @@ class RoomFurnisher:
             room_id=room.id,
             extent=_extent(net),
             items=items,
-            requested=self._requested.get(room.id, ()),
+            requested=asked,
             compact=compact,
         )
 
-    def _placed(self, room: SceneRoom, wishes: RoomFurnishing) -> PlacementResult:
+    def _placed(self, room: SceneRoom, wishes: RoomFurnishing, *, high_windows: bool = True) -> PlacementResult:
         doors, windows = room_openings(self._structure, room)
+        windows = [window for window in windows if high_windows or window.sill < _HIGH_SILL]
         return place_room(
             PlacementRoom(
                 room_id=room.id,
@@ -180,34 +256,6 @@ class RoomFurnisher:
             ),
             seed=item_seed(self._seed, room.id),
         )
-
-    def _until_met(
-        self, room: SceneRoom, counts: dict[str, int], wishes: RoomFurnishing, compact: RoomFurnishing
-    ) -> _Trial:
-        """Place with less and less of what nobody asked for, until all that the brief asks for stands."""
-        beyond = shortage(counts, placeable(wishes))
-        goal = {category: number - beyond.get(category, 0) for category, number in counts.items()}
-
-        def lost(trial: _Trial) -> int:
-            wishes, result = trial
-            stand = [wishes.asset_for(p.name, p.size) for p in result.placements]
-            return sum(shortage(goal, stand).values())
-
-        best: _Trial | None = None
-        least = 0
-        for number, trial_wishes in enumerate((in_usual_order(wishes), wishes, *asked_alone(compact))):
-            trial = trial_wishes, self._placed(room, trial_wishes)
-            if best is None or lost(trial) < least:
-                best, least, alone = trial, lost(trial), number > 1
-            if not least:
-                break
-        assert best is not None
-        for share in (0.6, 0.25) if alone else ():
-            fuller = with_usual(best[0], compact, share)
-            trial = fuller, self._placed(room, fuller)
-            if lost(trial) <= least:
-                return trial
-        return best
 
     def _scene_objects(
         self,
@@ -288,6 +336,57 @@ class RoomFurnisher:
             wanted = with_displaced(self._catalogue, wanted, left)
         unwanted = [category for category, number in counts.items() if not number]
         return [o for o in small if not any(is_a(o.category, category) for category in unwanted)], short
+
+
+def _until_met(place: _Place, counts: dict[str, int], wishes: RoomFurnishing, compact: RoomFurnishing) -> _Trial:
+    """Place with less and less of what nobody asked for, until all that the brief asks for stands."""
+    beyond = shortage(counts, placeable(wishes))
+    goal = {category: number - beyond.get(category, 0) for category, number in counts.items()}
+
+    def lost(trial: _Trial) -> int:
+        return sum(shortage(goal, _standing(trial)).values())
+
+    best: _Trial | None = None
+    least = 0
+    for number, trial_wishes in enumerate((in_usual_order(wishes), wishes, *asked_alone(compact))):
+        trial = trial_wishes, place(trial_wishes)
+        if best is None or lost(trial) < least:
+            best, least, alone = trial, lost(trial), number > 1
+        if not least:
+            break
+    assert best is not None
+    for share in (0.6, 0.25) if alone else ():
+        fuller = with_usual(best[0], compact, share)
+        trial = fuller, place(fuller)
+        if lost(trial) <= least:
+            return trial
+    return best
+
+
+def _no_fewer_than_usual(
+    place: _Place, asked: Sequence[RequestedObject], trial: _Trial, usual: RoomFurnishing
+) -> _Trial:
+    """Return a trial, or the room as it is without requests where that has more of what they are for.
+
+    Who asks for a sofa does not want fewer than such a room has anyway. Rows of seats are left alone: they stand seat
+    by seat only where they are asked for.
+    """
+    counts = asked_counts(request for request in asked if not request.exact)
+    planned = placeable(usual)
+    goal = {category: max(n, n and sum(pieces(category, a) == 1 for a in planned)) for category, n in counts.items()}
+    if not shortage(goal, _standing(trial)):
+        return trial
+    other = usual, place(usual)
+    least = asked_counts(asked)
+    short, otherwise = (sum(shortage(least, _standing(one)).values()) for one in (trial, other))
+    fewer, more = (sum(shortage(goal, _standing(one)).values()) for one in (trial, other))
+    return other if otherwise <= short and more < fewer else trial
+
+
+def _standing(trial: _Trial) -> list[Asset]:
+    """Return the assets of what stands on the floor after a trial."""
+    wishes, result = trial
+    return [wishes.asset_for(placed.name, placed.size) for placed in result.placements]
 
 
 def _extent(net: Polygon) -> tuple[float, float]:

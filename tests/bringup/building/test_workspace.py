@@ -68,3 +68,49 @@ def test_state_of_running_worlds_is_kept_unless_forced(tmp_path: Path) -> None:
     with pytest.raises(MansionError, match="--force"):
         Workspace(tmp_path, REQUEST)
     Workspace(tmp_path, REQUEST, force=True)
+
+
+def test_a_build_that_comes_during_the_commit_of_another_waits_its_turn(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    refused: list[MansionError] = []
+    rename = Path.rename
+
+    def rename_while_another_comes(path: Path, target: Path) -> Path:
+        with pytest.raises(MansionError) as caught:
+            Workspace(tmp_path / "flat", REQUEST).__enter__()
+        refused.append(caught.value)
+        return rename(path, target)
+
+    with Workspace(tmp_path / "flat", REQUEST) as workspace:
+        workspace.write({"building.json": b"{}"})
+        monkeypatch.setattr(Path, "rename", rename_while_another_comes)
+        workspace.commit()
+    assert [error.code for error in refused] == [ErrorCode.CONFLICT]
+    assert sorted(path.name for path in tmp_path.rglob("*")) == ["building.json", "flat"]
+
+
+def test_a_build_that_fails_leaves_no_lock(tmp_path: Path) -> None:
+    with pytest.raises(ZeroDivisionError), Workspace(tmp_path / "flat", REQUEST):
+        raise ZeroDivisionError
+    assert [path.name for path in tmp_path.iterdir()] == [".flat.partial"]
+
+
+@pytest.mark.parametrize("there", [True, False], ids=["to a folder", "dangling"])
+def test_a_link_stays_and_the_building_is_where_it_leads(tmp_path: Path, there: bool) -> None:
+    real, link = tmp_path / "disk" / "flat", tmp_path / "flat"
+    if there:
+        real.mkdir(parents=True)
+    link.symlink_to(real)
+    with Workspace(link, REQUEST) as workspace:
+        workspace.write({"building.json": b"{}"})
+        workspace.commit()
+    assert link.is_symlink() and [path.name for path in real.iterdir()] == ["building.json"]
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["disk", "flat"]
+    assert [path.name for path in real.parent.iterdir()] == ["flat"]
+
+
+def test_a_link_to_itself_is_refused(tmp_path: Path) -> None:
+    (tmp_path / "flat").symlink_to("flat")
+    with pytest.raises(MansionError, match="leads nowhere"):
+        Workspace(tmp_path / "flat", REQUEST)

@@ -171,6 +171,73 @@ def other_building(value: Json) -> None:
     value["building_id"] = "somebody-elses"
 
 
+def stair(value: Json) -> Json:
+    return next(core["details"] for core in value["cores"] if core["type"] == "stair")
+
+
+def lift(value: Json) -> Json:
+    return next(core["details"] for core in value["cores"] if core["type"] == "elevator")
+
+
+def removed_tread(value: Json) -> None:
+    del stair(value)["treads"][3]
+
+
+def removed_flights(value: Json) -> None:
+    stair(value).update(treads=[], landings=[])
+
+
+def narrow_flights(value: Json) -> None:
+    for low, high in stair(value)["treads"]:
+        across = max((0, 1), key=lambda axis: high[axis] - low[axis])
+        high[across] = low[across] + 0.3
+
+
+def landing_elsewhere(value: Json) -> None:
+    for corner in stair(value)["landings"][0]:
+        corner[0] += 8.0
+
+
+def scattered_treads(value: Json) -> None:
+    low, high = stair(value)["treads"][2]
+    across = max((0, 1), key=lambda axis: high[axis] - low[axis])
+    for corner in (low, high):
+        corner[across] += 1.2
+
+
+def no_opening_above(value: Json) -> None:
+    stair(value)["ceiling_opening"] = []
+
+
+def no_opening_below(value: Json) -> None:
+    stair(value)["floor_opening"] = []
+
+
+def closed_shaft(value: Json) -> None:
+    lift(value)["ceiling_opening"] = []
+
+
+def cabin_elsewhere(value: Json) -> None:
+    for corner in lift(value)["cabin"]:
+        corner[0] += 40.0
+
+
+def lost_button(value: Json) -> None:
+    del lift(value)["buttons"][0]
+
+
+def sill_below_the_floor(value: Json) -> None:
+    value["windows"][0]["sill"] = -0.4
+
+
+def unknown_asset(value: Json) -> None:
+    standing(value)["asset"] = "flying_saucer_1"
+
+
+def light_elsewhere(value: Json) -> None:
+    next(light for light in value["lights"] if light["kind"] != "directional")["position"][0] = 300.0
+
+
 PLANTED: list[tuple[Callable[[Json], None], str]] = [
     (outside, "OBJECT_OUTSIDE"),
     (floating, "OBJECT_FLOATS"),
@@ -195,6 +262,19 @@ PLANTED: list[tuple[Callable[[Json], None], str]] = [
     (buried_spawn, "SPAWN"),
     (wrong_elevation, "ELEVATION"),
     (other_building, "BUILDING_ID"),
+    (removed_tread, "STAIR_STEPS"),
+    (removed_flights, "STAIR_STEPS"),
+    (narrow_flights, "STAIR_NARROW"),
+    (landing_elsewhere, "STAIR_OUTSIDE"),
+    (scattered_treads, "STAIR_STEPS"),
+    (no_opening_above, "CORE_OPENING"),
+    (no_opening_below, "CORE_OPENING"),
+    (closed_shaft, "CORE_OPENING"),
+    (cabin_elsewhere, "LIFT_CABIN"),
+    (lost_button, "LIFT_BUTTONS"),
+    (sill_below_the_floor, "WINDOW_SILL"),
+    (unknown_asset, "OBJECT_ASSET"),
+    (light_elsewhere, "LIGHT_OUTSIDE"),
 ]
 
 
@@ -262,3 +342,15 @@ def test_no_way_in_from_outside_is_found(building: Path) -> None:
 def test_a_folder_that_is_no_building_is_refused(tmp_path: Path) -> None:
     with pytest.raises(MansionError, match="mansion build"):
         verify_building(tmp_path)
+
+
+@pytest.mark.parametrize("name", ["rooms", "objects", "area", "elevation", "height"])
+def test_an_index_that_counts_wrongly_is_found(building: Path, name: str) -> None:
+    change(building / "building.json", lambda value: value["floors"][1].update({name: value["floors"][1][name] + 1}))
+    assert "COUNT" in kinds(building)
+
+
+@pytest.mark.parametrize("name", ["rooms", "objects"])
+def test_a_total_that_is_wrong_is_found(building: Path, name: str) -> None:
+    change(building / "building.json", lambda value: value["checks"].update({name: value["checks"][name] + 1}))
+    assert kinds(building) == {"COUNT"}

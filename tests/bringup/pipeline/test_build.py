@@ -1,15 +1,26 @@
 """Building tells how far it is, step by step to the last, and takes the better of two layouts."""
 
 import math
+import threading
+import time
+from multiprocessing import active_children
 from pathlib import Path
 
 import msgspec
 import pytest
+from typer.testing import CliRunner
 
+from mansion_bringup.cli.app import app
 from mansion_bringup.pipeline.build import build_building, solve
 from mansion_bringup.pipeline.stages import LocalStages
+from mansion_bringup.verify import verify_building
+from mansion_msgs_py.building import BuildingReport
+from mansion_msgs_py.codec import decode
+from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.layout import FloorLayout, FloorProblem, LayoutRoom
 from mansion_msgs_py.request import BuildRequest
+from mansion_msgs_py.scene import FloorScene
+from mansion_msgs_py.stages import FurnishRequest
 from mansion_msgs_py.world import Progress
 from mansion_planner.plan import plan_building
 
@@ -45,3 +56,51 @@ def test_the_places_of_the_sketch_are_taken_where_a_layout_misses_the_areas(
     problem, fallback = (msgspec.structs.replace(plan.problems[0], plan_id=share) for share in (loose, sketched))
     plan = msgspec.structs.replace(plan, problems=[problem], fallbacks=[fallback])
     assert solve(_Solver(), plan, 0).plan_id == taken
+
+
+def test_a_killed_worker_ends_the_build_with_a_line_and_the_next_build_goes_on(tmp_path: Path) -> None:
+    def kill_workers(progress: Progress) -> None:
+        if progress.stage == "plan_program" and progress.done:
+            waiting.set()
+
+    def kill_one() -> None:
+        waiting.wait()
+        while not (children := active_children()):
+            time.sleep(0.01)
+        children[0].kill()
+
+    waiting = threading.Event()
+    killer = threading.Thread(target=kill_one)
+    killer.start()
+    request = BuildRequest(description="a house of two storeys")
+    with pytest.raises(MansionError, match="ended from outside") as caught:
+        build_building(request, tmp_path / "house", jobs=2, report=kill_workers)
+    killer.join()
+    assert caught.value.code == ErrorCode.UNAVAILABLE
+    build_building(request, tmp_path / "house")
+    assert [path.name for path in tmp_path.iterdir()] == ["house"]
+
+
+class _Careless(LocalStages):
+    """Stages whose furniture stands in a corner of its own, out of the building."""
+
+    def furnish(self, request: FurnishRequest) -> FloorScene:
+        scene = super().furnish(request)
+        first = msgspec.structs.replace(scene.objects[0], position=(-50.0, -50.0, 0.5))
+        return msgspec.structs.replace(scene, objects=[first, *scene.objects[1:]])
+
+
+def test_a_build_tells_the_faults_that_the_check_finds(tmp_path: Path) -> None:
+    request = BuildRequest(description="a small flat")
+    sound = build_building(request, tmp_path / "sound")
+    assert sound.report.faults == [] and verify_building(sound.path) == []
+    faulty = build_building(request, tmp_path / "faulty", stages=_Careless())
+    assert faulty.report.faults == [str(fault) for fault in verify_building(faulty.path)] != []
+    assert decode(BuildingReport, (faulty.path / "report.json").read_bytes()).faults == faulty.report.faults
+
+
+def test_a_build_with_faults_does_not_end_with_success(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("mansion_bringup.pipeline.build.LocalStages", _Careless)
+    result = CliRunner().invoke(app, ["build", "a small flat", "-o", str(tmp_path / "flat"), "--jobs", "1"])
+    assert result.exit_code == 1
+    assert "does not pass `mansion check`" in result.stderr

@@ -53,7 +53,7 @@ def number_of(editor: SceneEditor, category: str, room: str = "") -> int:
 def test_more_means_new_ones_besides_those_that_are_there(editor: SceneEditor) -> None:
     report = do(editor, Add(things=some("mug", 2), place=TABLE))
     assert report.done and number_of(editor, "mug", "F1/kitchen") == 3
-    assert report.message.startswith("there was 1 mug on the dining table in the kitchen; 2 added (F1/kitchen/mug_2")
+    assert report.message.startswith("there was 1 mug on the dining table in the Kitchen; 2 added (F1/kitchen/mug_2")
     assert report.message.endswith("now 3")
 
 

@@ -8,6 +8,7 @@ import pytest
 
 from mansion_editing.editor import SceneEditor
 from mansion_editing.instructions.checking.faults import Step, fault, faults
+from mansion_editing.instructions.conversation import context_of
 from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.run import carry_out
 from mansion_editing.instructions.statements import (
@@ -175,11 +176,11 @@ def _random_statement(pick: random.Random) -> Statement:
 def test_no_statement_changes_what_the_check_does_not_account_for(editor: SceneEditor, seed: int) -> None:
     pick = random.Random(seed)
     for _ in range(5):
-        before, objects = copied(editor.state), everything(editor.state)
+        before, objects, context = copied(editor.state), everything(editor.state), context_of(editor)
         statement = _random_statement(pick)
         report = carry_out(editor, Instruction(statements=[statement]), "at random")
         if not report.done or isinstance(statement, Ask):
             assert everything(editor.state) == objects
         else:
-            assert fault(statement, before, copied(editor.state), HERE) == ""
+            assert fault(statement, before, copied(editor.state), context) == ""
         assert report.message and not any("besides what was asked" in reason for reason in report.failed), report

@@ -42,3 +42,33 @@ def test_something_else_is_not_put_back(open_editor: EditorFactory) -> None:
     editor = open_editor()
     assert instruct(editor, "put an apple on the dining table").done
     assert not instruct(editor, "put the fridge back").done and _apples(editor) == 1
+
+
+def test_what_was_meant_is_done_instead(open_editor: EditorFactory) -> None:
+    editor = open_editor()
+    assert instruct(editor, "put a plant in the hall").done
+    assert instruct(editor, "I meant the kitchen").done
+    plants = [item.room for _, item in editor.state.objects() if item.category.endswith("plant")]
+    assert plants == ["F1/kitchen"]
+
+
+def test_several_edits_are_undone_together(open_editor: EditorFactory) -> None:
+    editor = open_editor()
+    before = editor.state.scenes[1].objects
+    assert instruct(editor, "put an apple on the dining table").done
+    assert instruct(editor, "put an apple on the dining table").done and _apples(editor) == 2
+    assert instruct(editor, "undo both steps").done and editor.state.scenes[1].objects == before
+    assert not instruct(editor, "undo the last two changes").done
+
+
+def test_a_question_tells_what_them_means(editor: SceneEditor) -> None:
+    assert "3 chairs" in instruct(editor, "How many chairs are in the hall?").message
+    assert instruct(editor, "Take two of them away.").done
+    assert "1 chair" in instruct(editor, "How many are left?").message
+
+
+def test_no_at_the_beginning_says_nothing(open_editor: EditorFactory) -> None:
+    editor = open_editor()
+    before = editor.state.scenes[1].objects
+    assert instruct(editor, "remove the mug from the dining table").done
+    assert instruct(editor, "Hmm no, put it back.").done and editor.state.scenes[1].objects == before

@@ -5,7 +5,9 @@ import signal
 import subprocess
 import sys
 import textwrap
+import time
 from collections.abc import Callable, Iterator
+from pathlib import Path
 
 import pytest
 
@@ -187,3 +189,41 @@ def test_a_fault_in_a_callback_is_reported(program: Program) -> None:
     _, errors = process.communicate(timeout=20)
     assert process.returncode == 1
     assert "ZeroDivisionError" in errors
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_a_node_whose_call_keeps_the_interpreter_ends_all_the_same(program: Program, number: signal.Signals) -> None:
+    process = program("""
+        import re
+        class Searching(Bare):
+            def __init__(self):
+                super().__init__()
+                self.create_timer(0.1, self.search)
+            def search(self):
+                print("ready")
+                re.match("(a|a)*b", "a" * 60)
+        run_node(Searching)
+    """)
+    status, errors = told(process, number)
+    assert (status, errors) == (-signal.SIGKILL, "")
+
+
+def test_nothing_watches_a_node_that_has_ended(program: Program) -> None:
+    process = program("""
+        class Spinning(Bare):
+            def __init__(self):
+                super().__init__()
+                self.create_timer(0.1, lambda: print("ready"))
+        run_node(Spinning)
+    """)
+    assert process.stdout is not None
+    assert process.stdout.readline() == "ready\n"
+    children = Path(f"/proc/{process.pid}/task/{process.pid}/children")
+    watchers = [Path("/proc", pid) for pid in children.read_text().split()]
+    assert len(watchers) == 1
+    process.kill()
+    process.communicate(timeout=20)
+    deadline = time.monotonic() + 20.0
+    while any(path.exists() for path in watchers) and time.monotonic() < deadline:
+        time.sleep(0.05)
+    assert not any(path.exists() for path in watchers)

@@ -19,7 +19,7 @@ from mansion_skills.engine.motion import VelocityCommand, drive_for
 from mansion_skills.engine.session import FairLock
 from mansion_skills.skills.go_to import MoveToArgs
 from mansion_skills.skills.motion_primitives import RotateArgs
-from mansion_skills.world.overlay import overlay_path
+from mansion_skills.world.overlay import overlay_path, world_overlays
 
 
 def pair(building: Path, **options: object) -> tuple[Robot, Robot]:
@@ -227,3 +227,31 @@ def test_a_fault_inside_a_skill_leaves_the_world_as_it_was(robot: Robot, monkeyp
     assert "open" not in robot.engine.session("").world.objects.state("F1/office/mug_1").states
     assert robot.engine.run("Rotate", RotateArgs(degrees=5.0)).status is SkillStatus.SUCCESS
     assert robot.pick_up("mug_1").status in (SkillStatus.SUCCESS, SkillStatus.PRECONDITION_FAILURE)
+
+
+def test_a_session_that_loads_leaves_what_another_is_saving_alone(
+    building: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    a, _ = pair(building)
+    a.rotate(90)
+    world = a.engine.session("").world
+    replaced = Path.replace
+
+    def while_another_loads(path: Path, target: Path) -> Path:
+        monkeypatch.setattr(Path, "replace", replaced)
+        assert world_overlays(building, world.name)
+        return replaced(path, target)
+
+    monkeypatch.setattr(Path, "replace", while_another_loads)
+    assert a.rotate(90).status is SkillStatus.SUCCESS
+    again = pair(building)[0]
+    assert again.where_am_i().pose == a.where_am_i().pose
+
+
+def test_the_number_of_sessions_is_limited(building: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("mansion_skills.engine.engine.MOST_SESSIONS", 2)
+    engine = pair(building)[0].engine
+    with pytest.raises(MansionError, match="2 sessions are open") as caught:
+        Robot(building, "third", engine=engine)
+    assert caught.value.code == ErrorCode.CONFLICT
+    Robot(building, "second", engine=engine)

@@ -346,3 +346,21 @@ def test_a_room_of_any_floor_is_found_by_the_name_that_it_was_given(building: Pa
     for name in ("the trough", "Canteen"):
         assert robot.plan_route(name).legs[-1].floor == 3
     assert robot.skill("PlanRoute", target="").status is SkillStatus.INVALID_ACTION
+
+
+@pytest.mark.parametrize(
+    ("skill", "arguments"),
+    [
+        ("GoToLandmark", {"landmark": "x" * 1_000_000}),
+        ("PickUp", {"object": "x" * 1_000_000}),
+        ("Place", {"target": "x" * 1_000_000, "relation": "y" * 1_000_000}),
+        ("UseElevator", {"target_floor": "x" * 1_000_000}),
+        ("TakeStairs", {"direction": "x" * 1_000_000}),
+        ("MoveTo", {"x": "1" * 1_000_000, "y": 1e300}),
+        ("Rotate", {"degrees": 1e300}),
+    ],
+)
+def test_a_refusal_quotes_long_arguments_in_short(robot: Robot, skill: str, arguments: dict[str, object]) -> None:
+    result = robot.skill(skill, **arguments)
+    assert result.status is not OK
+    assert len(encode_bytes(result)) < 20_000

@@ -24,12 +24,16 @@ class Description(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
     Attributes
     ----------
+    called : str
+        What people also call it, in phrases separated by semicolons: brands, slang, wider or looser words than the
+        synonyms of its category, which a brief and an instruction understand too.
     use : str
-        What one does with it, who needs it and where, in phrases separated by semicolons.
+        What one does with it, who needs it and where, in such phrases.
     look : str
-        Its parts, material, shape and colour.
+        Its parts, material, shape and colour, in such phrases.
     """
 
+    called: str = ""
     use: str = ""
     look: str = ""
 

@@ -298,6 +298,8 @@ class _Draft:
         """Return how the copies of an item spread in rows and columns; None where they do not."""
         if item.name not in self.asked.least or _is_whole(item.matrix, wanted):
             return item.matrix
+        if wanted < _MANY and not self._room_for_rows(item, asset, wanted):
+            return None
         tied = item.paired or any(relation.kind == "around" for relation in item.relative)
         along = 2 * sum(self.extent) * _WALLED
         bed = any(surface.kind == "mattress" for surface in asset.surfaces)
@@ -306,6 +308,10 @@ class _Draft:
         if tied or (item.matrix is None and (wanted < _MANY or walled)):
             return None
         return MatrixShape(max_rows=99, max_cols=99, gap=item.matrix.gap if item.matrix else _AISLES)
+
+    def _room_for_rows(self, item: Item, asset: Asset, wanted: int) -> bool:
+        """Tell whether one copy at least has space between the aisles of rows and columns."""
+        return item.matrix is None or math.prod(self._grid(item, asset, wanted, item.matrix)) > 0
 
     def _add_rests(self, item: Item, least: int) -> None:
         """Add the copies asked for that are not of the item's matrix, or have no place at its tables."""
@@ -408,6 +414,9 @@ class _Draft:
         inside = [a for a in assets if a.size[0] <= long - 0.3 and a.size[1] <= short - 0.3]
         if not inside and item.name in self.asked.least:  # lengthwise in a narrow room
             inside = [a for a in assets if max(a.size[:2]) <= long - 0.3 and min(a.size[:2]) <= short - 0.3]
+        if not inside and item.name in self.asked.least:  # the largest of another size
+            others = [a for a in self.catalogue.choose_from(item.category) if max(a.size[:2]) <= short - 0.3]
+            inside = sorted(others, key=lambda a: (-a.footprint, a.key))[:1]
         assets = inside
         if not assets:
             return None

@@ -27,6 +27,7 @@ _GENERIC: Final = {
 """Words that name many categories: those whose name ends with one of these."""
 
 
+@lru_cache(maxsize=32768)
 def stems(text: str) -> tuple[str, ...]:
     """Return the words of a text in small letters and in the singular, without articles.
 

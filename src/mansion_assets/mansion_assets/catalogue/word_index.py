@@ -20,8 +20,9 @@ __all__ = ["WordIndex", "word_index"]
 _FIELDS: Final = (
     ("name", 3.0, 0.3),
     ("synonym", 2.2, 0.2),
-    ("use", 1.3, 0.4),
-    ("look", 0.8, 0.4),
+    ("called", 1.9, 0.2),
+    ("use", 1.5, 0.4),
+    ("look", 1.2, 0.4),
     ("hypernym", 0.7, 0.4),
     ("tag", 0.5, 0.3),
     ("room", 0.12, 0.2),
@@ -39,6 +40,12 @@ _EXACT: Final = 14.0
 """Reward of a category of which the query is a name or synonym."""
 _OWN: Final = 3.0
 """Further reward of one of which it is the very name."""
+_CALLED: Final = 8.0
+"""Reward of one that people also call so, below the most typical members of a general notion of that name."""
+_LOOSELY: Final = 0.6
+"""Share of a contained name's reward for what people also call a category."""
+_NOTION: Final = 10.0
+"""Reward of the most typical member of a general notion that the query names."""
 
 
 class WordIndex:
@@ -57,11 +64,14 @@ class WordIndex:
         self._stems = _postings(texts, lambda text: [stem(word) for word in plain_words(text)])
         self._phrases = _phrases(texts, ("name", "synonym"))
         self._names = _phrases(texts, ("name",))
+        self._called = _phrases(texts, ("called",))
         self._notions: dict[tuple[str, ...], list[int]] = {}
+        self._bare_notions: dict[tuple[str, ...], list[int]] = {}
         for notion in hypernyms():
             members = [numbers[name] for name in notion.categories if name in numbers]
             for name in notion.names:
-                self._notions.setdefault(tuple(w.text for w in query_words(name)), []).extend(members)
+                self._notions.setdefault(tuple(plain_words(name)), []).extend(members)
+                self._bare_notions.setdefault(tuple(w.text for w in query_words(name)), []).extend(members)
         self._grams: dict[str, list[str]] = {}
         for word in self._words:
             for gram in _trigrams(word):
@@ -84,6 +94,10 @@ class WordIndex:
         return any(
             words in self._phrases for words in (tuple(plain_words(query)), tuple(w.text for w in query_words(query)))
         )
+
+    def knows(self, word: str) -> bool:
+        """Return whether a word, a form of it or a word alike is in the index."""
+        return word in self._words or stem(word) in self._stems or word in words_alike()
 
     def _fits(self, word: str) -> dict[int, float]:
         """Return how well categories fit one word: as it stands, in another form, by a word alike, or misspelt."""
@@ -147,8 +161,7 @@ class WordIndex:
         """Return words in which a compound is its two parts and a clear misspelling is what was meant."""
         out: list[QueryWord] = []
         for word in words:
-            known = word.text in self._words or stem(word.text) in self._stems or word.text in words_alike()
-            like = [] if known else self._like(word.text)
+            like = [] if self.knows(word.text) else self._like(word.text)
             parts = [other for other, _ in like]
             if len(like) == 2 and "".join(parts) == word.text:
                 out += [QueryWord(parts[0], min(1.0, word.weight)), QueryWord(parts[1], word.weight)]
@@ -164,7 +177,8 @@ class WordIndex:
         bare = tuple(word.text for word in wanted)
         best = max((word.weight for word in wanted), default=0.0)
         out: dict[int, float] = {}
-        for phrase in {asked, bare}:
+        for phrase in (asked, bare):
+            _raise(out, dict.fromkeys(self._called.get(phrase, ()), _CALLED), 1.0)
             _raise(out, dict.fromkeys(self._phrases.get(phrase, ()), _EXACT), 1.0)
             _raise(out, dict.fromkeys(self._names.get(phrase, ()), _EXACT + _OWN), 1.0)
         for start in range(len(bare)):
@@ -174,9 +188,10 @@ class WordIndex:
                 head = wanted[end - 1].weight >= best
                 bonus = (3.0 if head or end - start > 1 else 1.2) * (end - start) + (1.5 if head else 0.0)
                 _raise(out, dict.fromkeys(self._phrases.get(bare[start:end], ()), bonus), 1.0)
-        members = self._notions.get(bare) or self._notions.get(asked)
+                _raise(out, dict.fromkeys(self._called.get(bare[start:end], ()), bonus), _LOOSELY)
+        members = self._notions.get(asked) or self._bare_notions.get(bare)
         for rank, number in enumerate(members or ()):
-            _raise(out, {number: 10.0 - 0.2 * min(rank, 15)}, 1.0)
+            _raise(out, {number: _NOTION - 0.2 * min(rank, 15)}, 1.0)
         return out
 
 
@@ -186,6 +201,7 @@ def _texts_of(catalogue: Catalogue, category: str) -> dict[str, list[str]]:
     return {
         "name": [asset.name, category.replace("_", " ")],
         "synonym": list(asset.synonyms),
+        "called": [phrase for phrase in known.called.split("; ") if phrase],
         "use": [known.use],
         "look": [known.look],
         "hypernym": hypernyms_of(category),

@@ -63,13 +63,13 @@ def asset_text(asset: Asset) -> str:
     names = dict.fromkeys([asset.name, category, *asset.synonyms, *asset.tags])
     material = asset.material.replace("_", " ")
     known = description_of(asset.category)
-    return ", ".join(names) + "".join(f"; {more}" for more in (known.use, known.look, material) if more)
+    return ", ".join(names) + "".join(f"; {more}" for more in (known.called, known.use, known.look, material) if more)
 
 
 def phrases_of(asset: Asset) -> list[str]:
     """Return what an asset is called, what it is used for and what it looks like, each phrase once."""
     known = description_of(asset.category)
-    said = [*known.use.split("; "), known.look]
+    said = [*known.called.split("; "), *known.use.split("; "), known.look]
     names = [asset.name, asset.category.replace("_", " "), *asset.synonyms]
     return list(dict.fromkeys(phrase for phrase in (*names, *said) if phrase))
 

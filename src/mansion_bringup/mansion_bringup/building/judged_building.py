@@ -4,14 +4,18 @@ import re
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import cached_property
+from functools import cached_property, lru_cache
 from itertools import pairwise
+from typing import TypeAlias
 
 import networkx as nx
-from shapely.geometry import LineString, MultiLineString, Polygon
+import numpy as np
+import shapely
+from shapely.geometry import Polygon
 
 from mansion_assets.catalogue import load_catalogue
 from mansion_assets.catalogue.piece_counts import pieces
+from mansion_bringup.building.usable_rooms import Equipment, equipment_of
 from mansion_msgs_py.program import BuildingProgram
 from mansion_msgs_py.scene import FloorScene, SceneObject, SceneRoom
 from mansion_msgs_py.topology import FloorTopology
@@ -36,6 +40,7 @@ class JudgedRoom:
     surfaces: Mapping[str, str] = field(default_factory=dict)
     objects: Counter[str] = field(default_factory=Counter)
     object_ids: Mapping[str, Sequence[str]] = field(default_factory=dict)
+    equipment: Equipment = field(default_factory=Equipment)
 
     @property
     def full_id(self) -> str:
@@ -151,10 +156,10 @@ def _finished_room(scene: FloorScene, number: int) -> JudgedRoom:
     short = room.id.removeprefix(f"F{scene.floor}/")
     things: dict[str, list[str]] = {}
     numbers: Counter[str] = Counter()
-    for entry in scene.objects:
-        if entry.room == room.id:
-            things.setdefault(entry.category, []).append(entry.id)
-            numbers[entry.category] += _pieces(entry)
+    objects = [entry for entry in scene.objects if entry.room == room.id]
+    for entry in objects:
+        things.setdefault(entry.category, []).append(entry.id)
+        numbers[entry.category] += _pieces(entry)
     return JudgedRoom(
         scene.floor,
         short,
@@ -165,6 +170,7 @@ def _finished_room(scene: FloorScene, number: int) -> JudgedRoom:
         {"floor": room.floor_material, "wall": room.wall_material},
         numbers,
         things,
+        equipment_of(scene, room, objects),
     )
 
 
@@ -174,23 +180,37 @@ def _pieces(entry: SceneObject) -> int:
     return pieces(asset.category, asset) if asset is not None else 1
 
 
-def _touching(scene: FloorScene) -> Iterable[tuple[str, str]]:
-    """Yield the rooms that share enough straight wall for a door."""
-    shapes = [(room.id, Polygon(room.polygon, room.holes)) for room in scene.rooms]
-    for number, (first, shape) in enumerate(shapes):
-        for second, other in shapes[number + 1 :]:
-            if shape.distance(other) < 0.05 and _straight(shape, other) > _SHARED:
-                yield first, second
+def _touching(scene: FloorScene) -> tuple[tuple[str, str], ...]:
+    """Return the rooms that share enough straight wall for a door."""
+    return _touching_outlines(
+        tuple((room.id, _ring(room.polygon), tuple(map(_ring, room.holes))) for room in scene.rooms)
+    )
+
+
+_Ring: TypeAlias = tuple[tuple[float, float], ...]
+
+
+def _ring(points: Iterable[Sequence[float]]) -> _Ring:
+    return tuple((point[0], point[1]) for point in points)
+
+
+@lru_cache(maxsize=128)
+def _touching_outlines(outlines: tuple[tuple[str, _Ring, tuple[_Ring, ...]], ...]) -> tuple[tuple[str, str], ...]:
+    shapes = [Polygon(ring, holes) for _, ring, holes in outlines]
+    first, second = shapely.STRtree(shapes).query(shapes, predicate="dwithin", distance=0.05)
+    pairs = sorted((int(one), int(other)) for one, other in zip(first, second, strict=True) if one < other)
+    return tuple(
+        (outlines[one][0], outlines[other][0])
+        for one, other in pairs
+        if _straight(shapes[one], shapes[other]) > _SHARED
+    )
 
 
 def _straight(shape: Polygon, other: Polygon) -> float:
     """Return the length of the longest straight piece of a room's boundary that lies on another room."""
     beside = other.buffer(0.02, join_style="mitre")
-    longest = 0.0
-    for ring in (shape.exterior, *shape.interiors):
-        corners = list(ring.simplify(0.001).coords)
-        for edge in pairwise(corners):
-            shared = LineString(edge).intersection(beside)
-            pieces = shared.geoms if isinstance(shared, MultiLineString) else [shared]
-            longest = max(longest, *(piece.length for piece in pieces))
-    return longest
+    edges = [
+        shapely.linestrings(list(pairwise(ring.simplify(0.001).coords))) for ring in (shape.exterior, *shape.interiors)
+    ]
+    pieces = shapely.get_parts(shapely.intersection(np.concatenate(edges), beside))
+    return float(shapely.length(pieces).max(initial=0.0))

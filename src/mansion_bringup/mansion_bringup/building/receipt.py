@@ -43,9 +43,9 @@ def _judged(wish: Wish, state: JudgedBuilding) -> Wish:
         return msgspec.structs.replace(wish, status="not_understood")
     verdict = _JUDGES[wish.kind](wish, state)
     reason = verdict.reason
-    if verdict.status == "met" and wish.reason and wish.kind in ("room", "building_type"):
-        verdict = Verdict("partly", wish.reason, verdict.rooms, verdict.objects)
-        reason = wish.reason
+    if verdict.status != "not_met" and wish.reason and wish.kind in ("room", "building_type"):
+        reason = f"{wish.reason}; {reason}" if reason else wish.reason
+        verdict = Verdict("partly", reason, verdict.rooms, verdict.objects)
     elif verdict.status == "met" and wish.value.unheeded:
         reason = f"nothing was made of {listed([repr(word) for word in wish.value.unheeded])}"
         verdict = Verdict("partly", reason, verdict.rooms, verdict.objects)

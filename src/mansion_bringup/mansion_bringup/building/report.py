@@ -72,7 +72,7 @@ def building_report(
         building_id=plan.program.building_id,
         floors=floors,
         downgrades=downgrades,
-        seconds={name: round(value, 4) for name, value in seconds.items()},
+        seconds=dict(seconds),
         sources=_sources(plan, scenes),
         llm=total_usage([u for u in (plan.llm, *(scene.llm for scene in scenes)) if u is not None]),
         wishes=receipt(plan.program.wishes, plan.program, scenes),

@@ -1,7 +1,7 @@
 """Verdicts on wishes for rooms: how many, where, of which area and beside which, and those there are not to be."""
 
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Final
 
@@ -49,7 +49,27 @@ def _room(wish: Wish, state: JudgedBuilding) -> Verdict:
         if len(close) < min(_of_that_area(wish, state, len(rooms)), len(rooms)):
             sizes = ", ".join(f"{room.area:.0f}" for room in rooms[:4])
             return Verdict("partly", f"{sizes} m2 instead of {_BOUNDS[value.limit]}{value.area:.0f} m2", ids)
-    return Verdict("met", "", ids)
+    lack = _unusable(rooms, state)
+    return met_if(not lack, lack, partly=True, rooms=ids)
+
+
+def _unusable(rooms: Sequence[JudgedRoom], state: JudgedBuilding) -> str:
+    """Say what the first rooms that cannot be used have not; empty where all can."""
+    lacks = [(room.full_id, room.equipment.lack(_unwanted_in(room, state))) for room in rooms]
+    return "; ".join(f"{name} {lack}" for name, lack in [entry for entry in lacks if entry[1]][:2])
+
+
+def _unwanted_in(room: JudgedRoom, state: JudgedBuilding) -> list[str]:
+    """Return the categories of which the brief wants none in a room."""
+    wishes = [wish for wish in state.program.wishes if wish.kind == "no_object" and wish.value.type]
+    return [wish.value.type for wish in wishes if _is_about(wish, room, state)]
+
+
+def _is_about(wish: Wish, room: JudgedRoom, state: JudgedBuilding) -> bool:
+    scope = wish.scope
+    if scope.room:
+        return room.full_id in {other.full_id for other in state.called(scope.room, scope.room_type, scope.floors)}
+    return not scope.floors or room.floor in scope.floors
 
 
 _BOUNDS = {"most": "at most ", "least": "at least ", "": ""}
@@ -81,7 +101,9 @@ def _held(wish: Wish, state: JudgedBuilding) -> Verdict:
             small.append(f"{owner.full_id} has {listed([f'{room.area:.0f}' for room in rooms])} m2")
     if other:
         return Verdict("partly" if ids else "not_met", listed(other[:3]), ids)
-    return met_if(not small, listed(small[:3]), partly=True, rooms=ids)
+    held = [room for room in state.rooms if room.full_id in ids]
+    lack = listed(small[:3]) or _unusable(held, state)
+    return met_if(not lack, lack, partly=True, rooms=ids)
 
 
 def _close(area: float, wanted: float | None) -> bool:
@@ -133,6 +155,9 @@ def _adjacent(wish: Wish, state: JudgedBuilding) -> Verdict:
     ids = [room.full_id for pair in pairs[:1] for room in pair]
     if not firsts or not seconds:
         return Verdict("not_met", f"there is no {spoken(wish.value.name if not firsts else wish.value.other)}")
+    lonely = [a.full_id for a in firsts if a.full_id not in {first.full_id for first, _ in pairs}]
+    if wish.scope.each and pairs and lonely:
+        return Verdict("partly", f"{listed(lonely[:3])} lies beside none", ids)
     same = any(a.floor == b.floor for a in firsts for b in seconds)
     return met_if(bool(pairs), "they share no wall" if same else "they are on different storeys", rooms=ids)
 

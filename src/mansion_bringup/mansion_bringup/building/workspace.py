@@ -1,12 +1,13 @@
 """The folder that a build grows in before it takes its name, and that an interrupted build resumes from.
 
 Beside ``out/office`` a build writes ``out/.office.partial``: the plan first, then each floor as it is done. When all is
-there the folder is renamed. A later run of the same request takes over what it finds.
+there the folder is renamed. A later run of the same request takes over what it finds. Who writes holds
+``out/.office.lock``.
 """
 
-import fcntl
 import shutil
 from collections.abc import Mapping
+from contextlib import ExitStack
 from pathlib import Path
 from types import TracebackType
 from typing import Any, TypeVar
@@ -15,7 +16,8 @@ from mansion_bringup import __version__
 from mansion_msgs_py.building_folder import INDEX, floor_directory
 from mansion_msgs_py.codec import decode, encode_bytes
 from mansion_msgs_py.errors import ErrorCode, MansionError
-from mansion_msgs_py.files import write_atomic
+from mansion_msgs_py.file_locks import hold_lock
+from mansion_msgs_py.files import remove_remains, write_atomic
 from mansion_msgs_py.request import BuildRequest
 
 __all__ = ["Workspace"]
@@ -41,23 +43,21 @@ class Workspace:
     """
 
     def __init__(self, target: Path, request: BuildRequest, *, force: bool = False) -> None:
-        self.target = target.absolute()
+        self.target = _followed(target.absolute())
         self.partial = self.target.parent / f".{self.target.name}.partial"
         self._key = encode_bytes({"version": __version__, "request": request})
         _check_target(self.target, force=force)
 
     def __enter__(self) -> "Workspace":
-        try:
-            self.partial.mkdir(parents=True, exist_ok=True)
-            self._lock = (self.partial / "lock").open("w")
-        except OSError as error:
-            raise MansionError(ErrorCode.UNAVAILABLE, f"cannot write to {self.partial}: {error.strerror}") from None
-        try:
-            fcntl.flock(self._lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except OSError:
-            self._lock.close()
-            raise MansionError(ErrorCode.CONFLICT, f"another build is writing {self.target}") from None
-        self._adopt()
+        lock = self.target.parent / f".{self.target.name}.lock"
+        with ExitStack() as stack:
+            try:
+                stack.enter_context(hold_lock(lock, f"another build is writing {self.target}", remove=True))
+                self.partial.mkdir(parents=True, exist_ok=True)
+                self._adopt()
+            except OSError as error:
+                raise MansionError(ErrorCode.UNAVAILABLE, f"cannot write to {self.partial}: {error.strerror}") from None
+            self._locked = stack.pop_all()
         return self
 
     def _adopt(self) -> None:
@@ -65,14 +65,13 @@ class Workspace:
         if key.is_file() and key.read_bytes() == self._key:
             return
         for entry in self.partial.iterdir():
-            if entry.name != "lock":
-                shutil.rmtree(entry) if entry.is_dir() else entry.unlink()
+            shutil.rmtree(entry) if entry.is_dir() else entry.unlink()
         write_atomic(key, self._key)
 
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
-        self._lock.close()
+        self._locked.close()
 
     def load(self, kind: type[T], path: str) -> T | None:
         """Return a payload that an earlier run left, or ``None``."""
@@ -111,16 +110,25 @@ class Workspace:
             (self.partial / name).unlink(missing_ok=True)
         for marker in self.partial.glob("floors/*/.done"):
             marker.unlink()
-        for stale in self.partial.rglob(".*.??????*"):
-            stale.unlink()
+        for folder in (self.partial, *filter(Path.is_dir, self.partial.rglob("*"))):
+            remove_remains(folder)
         old = self.target.parent / f".{self.target.name}.old"
         shutil.rmtree(old, ignore_errors=True)
         if self.target.exists():
             self.target.rename(old)
-        (self.partial / "lock").unlink()
         self.partial.rename(self.target)
         shutil.rmtree(old, ignore_errors=True)
         return self.target
+
+
+def _followed(target: Path) -> Path:
+    """Return where a link leads, which is not itself replaced by a folder; other paths as they are."""
+    if not target.is_symlink():
+        return target
+    try:
+        return target.resolve()
+    except (OSError, RuntimeError):
+        raise MansionError(ErrorCode.CONFLICT, f"{target} is a link that leads nowhere; name a folder") from None
 
 
 def _check_target(target: Path, *, force: bool) -> None:

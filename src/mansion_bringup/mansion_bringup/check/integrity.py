@@ -12,7 +12,10 @@ from mansion_msgs_py.codec import decode, to_builtins
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.scene import FloorScene
 
-__all__ = ["check_files", "check_identity", "check_maps"]
+__all__ = ["check_counts", "check_files", "check_identity", "check_maps"]
+
+_AREA_SLACK = 0.5
+"""Square metres by which a stated area of a floor may differ, from the rounding of its rooms."""
 
 
 def check_files(folder: Path, building: Building) -> Iterator[Fault]:
@@ -30,6 +33,26 @@ def check_files(folder: Path, building: Building) -> Iterator[Fault]:
         return
     except MansionError as error:
         yield Fault("FILE", building.files["report"], str(error))
+
+
+def check_counts(building: Building, scenes: Sequence[FloorScene]) -> Iterator[Fault]:
+    """Yield what ``building.json`` says of its floors that is not so."""
+    rooms = {s.floor: sum(room.kind not in ("stair", "elevator") for room in s.rooms) for s in scenes}
+    objects = {scene.floor: len(scene.objects) for scene in scenes}
+    for entry, scene in zip(building.floors, scenes):
+        stated = (entry.floor, entry.rooms, entry.objects, entry.label)
+        if stated != (scene.floor, rooms[scene.floor], objects[scene.floor], scene.label):
+            what = f"{scene.label!r} has {rooms[scene.floor]} rooms and {objects[scene.floor]} objects"
+            yield Fault("COUNT", f"floor {entry.floor}", f"building.json states others: {what}")
+        for name in ("elevation", "height"):
+            if abs(getattr(entry, name) - getattr(scene, name)) > 1e-3:
+                yield Fault("COUNT", f"floor {entry.floor}", f"building.json states another {name}")
+        area = sum(room.area for room in scene.rooms)
+        if abs(entry.area - area) > _AREA_SLACK:
+            yield Fault("COUNT", f"floor {entry.floor}", f"building.json states {entry.area:.2f} m2 of {area:.2f} m2")
+    for name, number in (("rooms", sum(rooms.values())), ("objects", sum(objects.values()))):
+        if building.checks.get(name, number) != number:
+            yield Fault("COUNT", "building", f"states {building.checks[name]} {name}, but has {number}")
 
 
 def check_maps(folder: Path, building: Building, scenes: list[FloorScene]) -> Iterator[Fault]:

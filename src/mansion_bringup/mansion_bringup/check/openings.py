@@ -93,6 +93,8 @@ def _in_wall(opening: Door | Window, walls: dict[str, Wall]) -> Iterator[Fault]:
 
 def _window(window: Window, places: dict[str, BaseGeometry], walls: dict[str, Wall]) -> Iterator[Fault]:
     yield from _in_wall(window, walls)
+    if window.sill < -ROUNDING:
+        yield Fault("WINDOW_SILL", window.id, f"its sill is {-window.sill:.2f} m below the floor")
     wall = walls.get(window.wall)
     if wall is not None and not wall.exterior:
         yield Fault("WINDOW_WALL", window.id, f"is in the inner wall {wall.id}")

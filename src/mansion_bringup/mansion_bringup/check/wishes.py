@@ -15,6 +15,7 @@ from shapely import Polygon
 
 from mansion_bringup.check.fault import Fault
 from mansion_bringup.check.measures import outline_forms, shared_wall
+from mansion_knowledge.essentials import needs_of
 from mansion_knowledge.object_kinds import answers, seats_of_row
 from mansion_msgs_py.building import Building
 from mansion_msgs_py.layout import FloorLayout
@@ -83,9 +84,13 @@ class _Finished:
         """Return the rooms of some floors, or of all, each with its floor."""
         return [(scene.floor, room) for scene in self.scenes if _on(scene.floor, floors) for room in scene.rooms]
 
+    def on(self, floor: int) -> FloorScene:
+        """Return the scene of a storey."""
+        return next(scene for scene in self.scenes if scene.floor == floor)
+
     def suite(self, floor: int, owner: SceneRoom) -> list[SceneRoom]:
         """Return a room of a floor with the rooms that nobody enters without passing through it."""
-        scene = next(scene for scene in self.scenes if scene.floor == floor)
+        scene = self.on(floor)
         beside: dict[str, list[str]] = defaultdict(list)
         for door in scene.doors:
             first, second = door.rooms
@@ -305,14 +310,33 @@ def _room(wish: Wish, finished: _Finished) -> str:
             if not any(owner_floor == floor and _side_by_side(owner, room) for floor, room in rooms):
                 return f"{owner.id} has none of its own"
     if value.area is None:
-        return ""
+        return _idle(finished, rooms)
     wanted = value.area
     areas = [
         sum(part.area for part in finished.suite(floor, room)) if value.whole else room.area for floor, room in rooms
     ]
     fitting = sum(_keeps(area, value) if value.limit else _as_large(area, wanted) for area in areas)
     needed = (value.count or 1) * (len(floors) if wish.scope.each and floors else 1) if len(alike) > 1 else len(rooms)
-    return "" if fitting >= min(needed, len(rooms)) else f"{fitting} of {len(rooms)} have that area"
+    if fitting < min(needed, len(rooms)):
+        return f"{fitting} of {len(rooms)} have that area"
+    return _idle(finished, rooms)
+
+
+def _idle(finished: _Finished, rooms: Sequence[tuple[int, SceneRoom]]) -> str:
+    """Say which of some rooms nobody can use for what it is: too little stands in it of what the use needs."""
+    for floor, room in rooms:
+        objects = [thing for thing in finished.on(floor).objects if thing.room == room.id]
+        refused = [
+            entry.value.type
+            for entry in finished.ledger
+            if entry.kind == "no_object" and entry.value.type and _covers(entry, finished, floor, room)
+        ]
+        for need in needs_of(room.room_type, (room.name, *room.aliases)):
+            if all(any(answers(kind, thing.categories[0]) for kind in refused) for thing in need.things):
+                continue
+            if sum(need.pieces(thing.category, thing.size[0]) for thing in objects) < need.count:
+                return f"{room.id} cannot be used without {need.count} x {need.name}"
+    return ""
 
 
 def _written(room_id: str) -> tuple[str, str]:
@@ -341,7 +365,18 @@ def _inside(wish: Wish, finished: _Finished) -> str:
         needed = len(rooms) if len(alike) == 1 else min(value.count or 1, len(rooms))
         if value.area is not None and sum(_as_large(room.area, value.area) for room in rooms) < needed:
             return f"{unit.id} has them of another area"
+        idle = _idle(finished, [(floor, room) for room in rooms])
+        if idle:
+            return idle
     return "" if units else "there is no such unit"
+
+
+def _covers(entry: Wish, finished: _Finished, floor: int, room: SceneRoom) -> bool:
+    """Whether a wish of objects is about a room."""
+    scope = entry.scope
+    if not scope.room:
+        return _on(floor, scope.floors)
+    return any(other.id == room.id for _, other in finished.meant(scope.room, scope.room_type, scope.floors))
 
 
 def _as_large(area: float, wanted: float) -> bool:
@@ -356,7 +391,10 @@ def _no_room(wish: Wish, finished: _Finished) -> str:
 
 
 def _adjacent(wish: Wish, finished: _Finished) -> str:
-    return "" if _sides(wish, finished) else "no two such rooms share a wall"
+    beside = set(_sides(wish, finished))
+    if wish.scope.each and any(room.id not in beside for _, room in finished.meant(wish.value.name, wish.value.type)):
+        return "not every such room shares a wall with one"
+    return "" if beside else "no two such rooms share a wall"
 
 
 def _apart(wish: Wish, finished: _Finished) -> str:

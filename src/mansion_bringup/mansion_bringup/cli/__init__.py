@@ -2,13 +2,14 @@
 
 import os
 import sys
+from collections.abc import Sequence
 from typing import NoReturn
 
 from mansion_bringup.cli.app import app
 from mansion_bringup.cli.console import EXIT_INTERRUPTED
 from mansion_bringup.discovery import keep_to_this_machine
 from mansion_bringup.graph.rclpy_available import NO_RCLPY
-from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.errors import ErrorCode, MansionError, refused_by_system
 
 __all__ = ["main"]
 
@@ -16,10 +17,22 @@ EXIT_FAILURE = 1
 EXIT_INFEASIBLE = 2
 
 
+def _require_text(arguments: Sequence[str]) -> None:
+    """Refuse bytes that are no UTF-8, which Python passes on as characters that no file or message can hold."""
+    for number, argument in enumerate(arguments, start=1):
+        try:
+            argument.encode()
+        except UnicodeEncodeError:
+            raise MansionError(
+                ErrorCode.INVALID_PAYLOAD, f"argument {number}, {argument[:80]!r}, is no text in UTF-8"
+            ) from None
+
+
 def main() -> NoReturn:
     """Run the command line; expected failures print one line and end with status 1, an infeasible brief with 2."""
     keep_to_this_machine()
     try:
+        _require_text(sys.argv[1:])
         app(prog_name="mansion")
     except KeyboardInterrupt:
         sys.exit(EXIT_INTERRUPTED)
@@ -41,8 +54,8 @@ def main() -> NoReturn:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         sys.exit(EXIT_FAILURE)
     except OSError as error:
-        if "MANSION_DEBUG" in os.environ or error.filename is None:
+        if "MANSION_DEBUG" in os.environ or error.errno is None:
             raise
-        print(f"error: {error.filename}: {error.strerror}", file=sys.stderr)
+        print(f"error: {refused_by_system(error)}", file=sys.stderr)
         sys.exit(EXIT_FAILURE)
     sys.exit(0)

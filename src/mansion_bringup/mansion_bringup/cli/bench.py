@@ -8,6 +8,7 @@ from msgspec.structs import replace
 
 from mansion_bringup.cli.bench_agents import agents
 from mansion_bringup.cli.console import check_output_folder, err, progress_bar
+from mansion_msgs_py.building_folder import file_in
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import read_payload, write_atomic
 from mansion_msgs_py.placement import PlacementResult
@@ -129,5 +130,5 @@ def gallery(
         results.setdefault(name, []).extend(read_payload(list[PlacementResult], Path(file)))
     files = gallery_files(load_rooms(rooms), results, seed=seed, runs=runs)
     for file_name, data in files.items():
-        write_atomic(output / file_name, data)
+        write_atomic(file_in(output, file_name), data)
     err.print(f"wrote {len(files) - 2} pages, form.html and key.json to {output}", highlight=False)

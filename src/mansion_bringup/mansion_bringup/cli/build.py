@@ -11,7 +11,7 @@ from mansion_bringup.cli.receipt_table import print_receipt, refuse_unmet
 from mansion_bringup.cli.text_argument import TextCommand
 from mansion_msgs_py.building import Building, BuildingReport
 from mansion_msgs_py.building_folder import is_building_folder
-from mansion_msgs_py.codec import decode
+from mansion_msgs_py.codec import convert, decode
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import read_bytes
 from mansion_msgs_py.request import BuildRequest, Footprint
@@ -47,9 +47,7 @@ def request_from_options(
         "seed": seed,
         "planner": planner,
     }
-    from mansion_msgs_py.codec import encode
-
-    return decode(BuildRequest, encode(fields))
+    return convert(BuildRequest, fields)
 
 
 def read_footprint(path: Path) -> Footprint:
@@ -113,6 +111,17 @@ def build(
     _print_summary(result)
     if strict:
         refuse_unmet(result.building.wishes)
+    _refuse_faults(result)
+
+
+def _refuse_faults(result: "BuildResult") -> None:
+    """Name the faults of a building that does not pass the check, and end with status 1."""
+    faults = result.report.faults
+    for fault in faults:
+        err.print(fault, markup=False, highlight=False)
+    if faults:
+        err.print(f"{result.path} does not pass `mansion check`: {counted(len(faults), 'fault')}", highlight=False)
+        raise typer.Exit(1)
 
 
 def _refuse_unmet_plan(request: BuildRequest) -> None:

@@ -36,6 +36,7 @@ def edit(
     physics: Annotated[str, typer.Option(help="What settles objects: mujoco, static or thor.")] = "mujoco",
     who: Annotated[str, typer.Option(help="Name for the log; yours when absent.")] = "",
     dry_run: Annotated[bool, typer.Option("--dry-run", help="Show it, change nothing.")] = False,
+    partly: Annotated[bool, typer.Option("--partly", help="Do what is understood and possible of it.")] = False,
     as_json: Annotated[bool, typer.Option("--json", help="The agent's report as JSON.")] = False,
 ) -> None:
     """Change what stands in a building, or ask about it; every change is checked before it lands, and can be undone.
@@ -68,7 +69,7 @@ def edit(
     elif task is not None:
         reports = _provision(editor, task, task_id)
     else:
-        reports = [_instruct(editor, what, planner)]
+        reports = [_instruct(editor, what, planner, partly=partly)]
     for report in reports:
         print_json(report) if as_json else _show(report)
     if not dry_run and (floors := write_derived(editor)):
@@ -78,12 +79,12 @@ def edit(
         raise typer.Exit(1)
 
 
-def _instruct(editor: "SceneEditor", instruction: str, planner: str) -> AgentReport:
+def _instruct(editor: "SceneEditor", instruction: str, planner: str, *, partly: bool) -> AgentReport:
     from mansion_editing.instructions.instruct import instruct
 
     if planner == "llm":
         ensure_extra("llm")
-    return instruct(editor, instruction, planner)
+    return instruct(editor, instruction, planner, partly=partly)
 
 
 def _provision(editor: "SceneEditor", file: Path, task_id: str) -> list[AgentReport]:

@@ -5,7 +5,7 @@ import shutil
 import sys
 import time
 from pathlib import Path
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
@@ -14,6 +14,9 @@ from mansion_msgs_py.codec import decode
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.interfaces import DEFAULT_NAMESPACE
 
+if TYPE_CHECKING:
+    from mansion_bringup.graph.processes import GraphProcesses
+
 __all__ = ["register"]
 
 ECHO_STEP = 0.2
@@ -21,6 +24,9 @@ ECHO_STEP = 0.2
 
 ECHO_PATIENCE = 2.0
 """Seconds of silence after which ``echo`` says what it knows of the topic."""
+
+RESPAWN_DELAY = 2.0
+"""Seconds before a node is started again, as in the launch file."""
 
 Namespace = Annotated[str, typer.Option("--namespace", "-n", help="Where the graph lives.")]
 
@@ -44,6 +50,7 @@ def up(
             "--with-tf", help="Build tf2_msgs first where it is missing, so that there is /tf (needs a C++ compiler)."
         ),
     ] = False,
+    respawn: Annotated[bool, typer.Option("--respawn", help="Start a node again that has ended.")] = False,
 ) -> None:
     """Start the node graph and stay until Ctrl-C.
 
@@ -58,7 +65,7 @@ def up(
       ROS_DOMAIN_ID=7 mansion up
     """
     if not processes and _has_launch():
-        _exec_launch(namespace, log_level, params_file)
+        _exec_launch(namespace, log_level, params_file, respawn=respawn)
     from mansion_bringup.graph.processes import GraphOptions, GraphProcesses
     from mansion_bringup.graph.tf2_build import build_tf2_msgs, has_tf2
 
@@ -70,13 +77,24 @@ def up(
         names = ", ".join(f"{node.executable}" for node in running.nodes)
         err.print(f"up in {options.namespace}: {names}. Ctrl-C ends them.", highlight=False)
         try:
-            while not (ended := running.ended()):
-                time.sleep(0.2)
+            _watch(running, respawn=respawn)
         except KeyboardInterrupt:
             err.print("ending the nodes")
-            return
-        name, status = next(iter(ended.items()))
-        raise MansionError(ErrorCode.UNAVAILABLE, f"node {name} ended with status {status}")
+
+
+def _watch(running: "GraphProcesses", *, respawn: bool) -> None:
+    """Stay until a node ends; start it again instead, after a while, where that is wished."""
+    while True:
+        ended = running.ended()
+        for name, status in ended.items():
+            if not respawn:
+                raise MansionError(ErrorCode.UNAVAILABLE, f"node {name} ended with status {status}")
+            err.print(f"node {name} ended with status {status}; it is started again", highlight=False)
+        if ended:
+            time.sleep(RESPAWN_DELAY)
+            for name in ended:
+                running.start(name)
+        time.sleep(0.2)
 
 
 def _namespace(text: str) -> str:
@@ -89,8 +107,8 @@ def _has_launch() -> bool:
     return shutil.which("ros2") is not None and any(prefix and (Path(prefix) / share).exists() for prefix in prefixes)
 
 
-def _exec_launch(namespace: str, log_level: str, params_file: Path | None) -> None:
-    arguments = [f"namespace:={_namespace(namespace)}", f"log_level:={log_level}"]
+def _exec_launch(namespace: str, log_level: str, params_file: Path | None, *, respawn: bool) -> None:
+    arguments = [f"namespace:={_namespace(namespace)}", f"log_level:={log_level}", f"respawn:={str(respawn).lower()}"]
     if params_file is not None:
         arguments.append(f"params_file:={params_file.absolute()}")
     sys.stdout.flush()

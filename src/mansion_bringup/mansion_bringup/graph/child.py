@@ -3,25 +3,12 @@
 A supervisor that is killed cannot end its nodes; Linux does it when the child asks for a signal at its parent's death.
 """
 
-import ctypes
-import os
 import runpy
-import signal
 import sys
 
-__all__ = ["end_with_parent", "main"]
+from mansion_msgs_py.workers import end_with_parent
 
-PR_SET_PDEATHSIG = 1
-"""Option of prctl(2)."""
-
-
-def end_with_parent(parent: int) -> None:
-    """Ask for SIGTERM when the process `parent` ends; end now if it has ended already."""
-    if sys.platform != "linux":
-        return
-    ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGTERM)
-    if os.getppid() != parent:
-        os.kill(os.getpid(), signal.SIGTERM)
+__all__ = ["main"]
 
 
 def main() -> None:

@@ -22,14 +22,28 @@ def check_rclpy() -> None:
     Raises
     ------
     MansionError
+        ``INVALID_PAYLOAD`` for a ``ROS_DOMAIN_ID`` that is none.
         ``UNAVAILABLE`` where there is no rclpy, or where ``RMW_IMPLEMENTATION`` asks its wheels for another middleware.
     """
     if importlib.util.find_spec("rclpy") is None:
         raise MansionError(ErrorCode.UNAVAILABLE, NO_RCLPY)
+    _check_domain(os.environ.get("ROS_DOMAIN_ID", ""))
     wanted = os.environ.get("RMW_IMPLEMENTATION", "")
     if "AMENT_PREFIX_PATH" not in os.environ and wanted not in ("", WHEELS):
         raise MansionError(
             ErrorCode.UNAVAILABLE,
             f"RMW_IMPLEMENTATION is {wanted}, but without a sourced ROS 2 only {WHEELS} is available; unset it, or "
             f"source a ROS 2 that provides {wanted}",
+        )
+
+
+LAST_DOMAIN: Final = 232
+"""Of ROS: above it, there are no ports left for a domain."""
+
+
+def _check_domain(text: str) -> None:
+    if text and not (text.isascii() and text.isdecimal() and int(text) <= LAST_DOMAIN):
+        raise MansionError(
+            ErrorCode.INVALID_PAYLOAD,
+            f"ROS_DOMAIN_ID is {text[:80]!r}; it must be a whole number from 0 to {LAST_DOMAIN}",
         )

@@ -3,6 +3,7 @@
 import os
 import threading
 from collections.abc import Sequence
+from concurrent.futures import BrokenExecutor, ProcessPoolExecutor
 from pathlib import Path
 
 from rcl_interfaces.msg import FloatingPointRange, IntegerRange, ParameterDescriptor
@@ -50,7 +51,8 @@ class BuildingDirector(MansionNode):
             ),
         )
         self._progress = JsonPublisher(self, topic("progress"))
-        self._exporter = export_pool(min(os.cpu_count() or 1, MAX_BUILDS))
+        self._guard = threading.Lock()
+        self._exporter = _exports()
         self._slots = threading.BoundedSemaphore(MAX_BUILDS)
         self._stages = MansionClient(domain_id=self.context.get_domain_id(), namespace=self.get_namespace())
         group = ReentrantCallbackGroup()
@@ -67,7 +69,7 @@ class BuildingDirector(MansionNode):
                 request,
                 self._output(job, request),
                 stages=RemoteStages(self._stages, self.get_parameter("stage_timeout").value or 120.0),
-                exporter=self._exporter,
+                exporter=self._working_exporter(),
                 jobs=self.get_parameter("floors_at_once").value or 1,
                 report=self._progress.publish,
                 force=job.force,
@@ -77,6 +79,15 @@ class BuildingDirector(MansionNode):
             self._slots.release()
         self.get_logger().info(f"wrote {result.path}")
         return BuildReply(building=result.building, path=str(result.path))
+
+    def _working_exporter(self) -> ProcessPoolExecutor:
+        """Return the export processes, made anew where one of them was killed: the pool refuses all work then."""
+        with self._guard:
+            try:
+                self._exporter.submit(os.getpid)
+            except BrokenExecutor:
+                self._exporter = _exports()
+            return self._exporter
 
     def _output(self, job: BuildJob, request: BuildRequest) -> Path:
         if job.output is not None:
@@ -92,6 +103,10 @@ class BuildingDirector(MansionNode):
         self._exporter.shutdown(wait=False, cancel_futures=True)
         self._stages.close()
         super().destroy_node()
+
+
+def _exports() -> ProcessPoolExecutor:
+    return export_pool(min(os.cpu_count() or 1, MAX_BUILDS))
 
 
 def main(args: Sequence[str] | None = None) -> None:

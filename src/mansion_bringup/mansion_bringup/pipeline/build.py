@@ -2,8 +2,9 @@
 
 import time
 import traceback
-from collections.abc import Callable
-from concurrent.futures import Executor, Future, ProcessPoolExecutor
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import BrokenExecutor, Executor, Future, ProcessPoolExecutor
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TypeVar
@@ -14,8 +15,11 @@ from shapely.geometry import Polygon
 from mansion_bringup.building.files import floor_files
 from mansion_bringup.building.report import building_index, building_report
 from mansion_bringup.building.workspace import Workspace
+from mansion_bringup.check import Fault
+from mansion_bringup.check.building import in_order
 from mansion_bringup.pipeline.executors import BuildExecutors, local_executors, service_executors
 from mansion_bringup.pipeline.stages import LocalStages, Stages
+from mansion_bringup.verify import floor_faults, record_faults
 from mansion_export.formats import built_building_outputs
 from mansion_msgs_py.building import Building, BuildingReport
 from mansion_msgs_py.building_folder import INDEX, floor_directory
@@ -73,6 +77,9 @@ class _Job:
     def timed(self, stage: str, seconds: float) -> None:
         self.seconds[stage] = self.seconds.get(stage, 0.0) + seconds
 
+    def rounded_seconds(self) -> dict[str, float]:
+        return {name: round(value, 4) for name, value in self.seconds.items()}
+
 
 def build_building(
     request: BuildRequest,
@@ -114,18 +121,34 @@ def build_building(
     job = _Job(request, stages or LocalStages(), report, cancelled)
     started = time.perf_counter()
     executors = local_executors(jobs) if stages is None else service_executors(stages, jobs, exporter)
-    with Workspace(output, request, force=force) as workspace, executors:
+    with _told_of_killed_workers(), Workspace(output, request, force=force) as workspace, executors:
         plan = _plan(job, workspace)
         layouts = _solve(job, workspace, executors, plan)
         scenes = _furnish(job, workspace, executors, plan, layouts)
         index = building_index(request, plan, scenes)
+        checking = executors.exporter.submit(floor_faults, index.building_id, scenes, plan.topologies)
         _write_building(job, workspace, executors, index, scenes)
-        job.timed("total", time.perf_counter() - started)
         summary = building_report(plan, layouts, scenes, job.seconds)
+        workspace.write({"report.json": encode_bytes(summary, indent=1)})
+        faults = _check(job, workspace, checking, index, layouts, scenes)
+        job.timed("total", time.perf_counter() - started)
+        summary = msgspec.structs.replace(summary, faults=faults, seconds=job.rounded_seconds())
         workspace.write({"report.json": encode_bytes(summary, indent=1)})
         path = workspace.commit()
     job.step("done", f"wrote {path}", done=1)
     return BuildResult(path, index, summary)
+
+
+@contextmanager
+def _told_of_killed_workers() -> Iterator[None]:
+    try:
+        yield
+    except BrokenExecutor:
+        raise MansionError(
+            ErrorCode.UNAVAILABLE,
+            "a process of the build was ended from outside, as Linux does when memory runs out; the same build goes on"
+            " from the floors that are done, and with one job (--jobs 1) it takes the least memory",
+        ) from None
 
 
 def _plan(job: _Job, workspace: Workspace) -> PlanReply:
@@ -233,6 +256,22 @@ def _write_building(
     job.timed("export_building", time.perf_counter() - started)
 
 
+def _check(
+    job: _Job,
+    workspace: Workspace,
+    checking: Future[list[Fault]],
+    index: Building,
+    layouts: Sequence[FloorLayout],
+    scenes: Sequence[FloorScene],
+) -> list[str]:
+    """Return the faults that ``mansion check`` would find."""
+    job.step("check", "checking the building")
+    started = time.perf_counter()
+    faults = at_stage("check", lambda: [*checking.result(), *record_faults(workspace.partial, index, layouts, scenes)])
+    job.timed("check", time.perf_counter() - started)
+    return [str(fault) for fault in in_order(faults)]
+
+
 def at_stage(stage: str, call: Callable[[], T]) -> T:
     """Run one stage; any failure becomes a `MansionError` that names the stage."""
     try:
@@ -240,6 +279,8 @@ def at_stage(stage: str, call: Callable[[], T]) -> T:
     except MansionError as error:
         part = {"part": error.stage} if error.stage not in ("", stage) else {}
         raise error.with_details(**part, stage=stage) from error
+    except BrokenExecutor:
+        raise
     except Exception as error:
         raise MansionError(
             ErrorCode.INTERNAL,

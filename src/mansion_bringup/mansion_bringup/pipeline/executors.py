@@ -3,19 +3,17 @@
 A process that runs nodes has threads, so it must not fork: its exports go to a pool that a fork server made.
 """
 
-import os
-import signal
 from collections.abc import Callable
 from concurrent.futures import Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
 from dataclasses import dataclass
 from importlib import import_module
-from multiprocessing import active_children, get_context
+from multiprocessing import active_children
 from types import TracebackType
 from typing import Any, TypeVar
 
-from mansion_bringup.graph.child import end_with_parent
 from mansion_bringup.pipeline.stages import LocalStages, Stages
 from mansion_export.formats import built_building_outputs, built_floor_outputs
+from mansion_msgs_py.workers import worker_pool
 
 __all__ = ["BuildExecutors", "export_pool", "local_executors", "service_executors", "stage_pool"]
 
@@ -67,7 +65,7 @@ def local_executors(jobs: int) -> BuildExecutors:
     """Return `jobs` forked processes (or this thread's helper thread for one) that run stages and exports."""
     if jobs > 1:
         _import_stages()
-        pool = ProcessPoolExecutor(jobs, mp_context=get_context("fork"))
+        pool = worker_pool(jobs, "fork")
         return BuildExecutors(pool, pool)
     thread = ThreadPoolExecutor(1)
     return BuildExecutors(thread, thread)
@@ -81,23 +79,12 @@ def service_executors(stages: Stages, jobs: int, exporter: Executor | None) -> B
 
 def export_pool(workers: int) -> ProcessPoolExecutor:
     """Return processes for exports that end with this one, made without forking it."""
-    context = get_context("forkserver")
-    context.set_forkserver_preload(_export_modules())
-    return ProcessPoolExecutor(workers, mp_context=context, initializer=_tie_to_parent)
+    return worker_pool(workers, "forkserver", preload=tuple(_export_modules()))
 
 
 def stage_pool(workers: int) -> ProcessPoolExecutor:
-    """Return processes for whole builds that end with this one, however it ends.
-
-    They are this process's own children: those of a fork server keep it alive, and would outlive a process that is
-    killed.
-    """
-    return ProcessPoolExecutor(workers, mp_context=get_context("spawn"), initializer=_tie_to_parent)
-
-
-def _tie_to_parent() -> None:
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-    end_with_parent(os.getppid())
+    """Return processes for whole builds that end with this one, however it ends."""
+    return worker_pool(workers, "spawn")
 
 
 def _export_modules() -> list[str]:

@@ -5,7 +5,7 @@ from typing import Any
 
 import msgspec
 
-from mansion_editing.editor import SceneEditor
+from mansion_editing.editor import Answered, SceneEditor
 from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.descriptions import rooms_of
 from mansion_editing.instructions.meaning.room_words import room_order
@@ -27,24 +27,40 @@ from mansion_editing.storage import landed_by
 from mansion_msgs_py.editing.changes import Transaction
 from mansion_msgs_py.errors import ErrorCode, MansionError
 
-__all__ = ["context_of", "is_taken_back", "repeated"]
+__all__ = ["amended", "brief_of", "context_of", "is_taken_back", "remember", "repeated"]
 
 MOST_STEPS_BACK = 20
 """How many instructions that only repeat one another are gone back through."""
 
 
+def brief_of(editor: SceneEditor) -> str:
+    """Return the brief that the building was made from."""
+    building = editor.store.building
+    return building.program.description or building.request.description
+
+
 def context_of(editor: SceneEditor) -> Context:
     """Return what the user's last edit was about, which "it" and "there" may mean; empty before the first."""
-    last = _last(editor)
+    landed = landed_by(editor.store.log(), editor.who)
+    asked = editor.answered
+    if asked is not None and asked.edits == len(landed):
+        return Context(asked.things, asked.rooms, asked.noun)
+    last = landed[-1] if landed else None
     if last is None:
         return Context()
     state = editor.state
     there = [found for change in last.changes if (found := state.find(change.id)) is not None]
     objects = [change.after or change.before for change in last.changes]
     rooms = dict.fromkeys(item.room for item in objects if item is not None)
-    kinds = {item.category for _, item in there}
+    kinds = {item.category for item in objects if item is not None}
     noun = kinds.pop().replace("_", " ") if len(kinds) == 1 else ""
     return Context(tuple(item.id for _, item in there), tuple(rooms), noun)
+
+
+def remember(editor: SceneEditor, context: Context) -> None:
+    """Keep what a question was about, which the next instruction may refer to; an edit is told by the log."""
+    edits = len(landed_by(editor.store.log(), editor.who))
+    editor.answered = Answered(edits, context.things, context.rooms, context.noun)
 
 
 def _last(editor: SceneEditor) -> Transaction | None:
@@ -90,10 +106,44 @@ def repeated(instruction: Instruction, editor: SceneEditor) -> Instruction:
     return msgspec.structs.replace(instruction, statements=statements)
 
 
+def amended(statement: History, editor: SceneEditor) -> list[Statement]:
+    """Return the statements of the last instruction at the place, or with the things, that were meant.
+
+    Raises
+    ------
+    MansionError
+        ``NOT_FOUND`` where there is no earlier instruction, or it has none of that kind.
+    """
+    earlier = _earlier(editor)
+    if statement.things is not None:
+        changed = [_with_things(one, statement.things) for one in earlier]
+    else:
+        changed = [_elsewhere(one, statement.place or Place()) for one in earlier]
+    if changed == earlier:
+        raise MansionError(ErrorCode.NOT_FOUND, f"the last instruction is the same with {statement.quote!r}")
+    return [msgspec.structs.replace(one, quote=statement.quote) for one in changed]
+
+
+def _with_things(statement: Statement, things: Things) -> Statement:
+    own = getattr(statement, "things", None)
+    if not isinstance(own, Things):
+        return statement
+    noun = own.noun if not things.noun or things.noun.endswith("one") else things.noun
+    changed = msgspec.structs.replace(
+        own,
+        noun=noun,
+        colour=things.colour or own.colour,
+        material=things.material or own.material,
+        place=things.place or own.place,
+        ordinal=things.ordinal or own.ordinal,
+    )
+    return msgspec.structs.replace(statement, things=changed)
+
+
 def _earlier(editor: SceneEditor) -> list[Statement]:
     landed = landed_by(editor.store.log(), editor.who)
     for transaction in reversed(landed[-MOST_STEPS_BACK:]):
-        read = read_instruction(transaction.what, editor.state)
+        read = read_instruction(transaction.what, editor.state, brief_of(editor))
         asked: list[Statement] = [s for s in read.statements if not isinstance(s, Mention)]
         if asked and not read.not_understood and not any(isinstance(s, History) for s in asked):
             return asked

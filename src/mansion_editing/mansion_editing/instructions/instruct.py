@@ -7,12 +7,14 @@ from mansion_msgs_py.errors import ErrorCode, MansionError
 __all__ = ["instruct"]
 
 
-def instruct(editor: SceneEditor, instruction: str, planner: str = "rules") -> AgentReport:
+def instruct(editor: SceneEditor, instruction: str, planner: str = "rules", *, partly: bool = False) -> AgentReport:
     """Carry out an instruction; its edits land together or not at all.
 
     Parameters
     ----------
     planner : {"rules", "llm"}
+    partly : bool
+        The rules do what they can of it and say what they did not; all or nothing otherwise.
 
     Raises
     ------
@@ -21,10 +23,12 @@ def instruct(editor: SceneEditor, instruction: str, planner: str = "rules") -> A
         edits wait to be saved.
     """
     if planner == "rules":
+        from mansion_editing.instructions.conversation import brief_of
         from mansion_editing.instructions.run import carry_out
         from mansion_editing.instructions.sentences.reader import read_instruction
 
-        return carry_out(editor, read_instruction(instruction, editor.state), instruction)
+        read = read_instruction(instruction, editor.state, brief_of(editor))
+        return carry_out(editor, read, instruction, partly=partly)
     if planner == "llm":
         from mansion_editing.instructions.by_model.carrying_out import carry_out_with_model
         from mansion_llm import LlmClient

@@ -1,15 +1,19 @@
 """Carry out an instruction that was read: each statement with tools, the whole checked, and landed or dropped."""
 
+import re
 from dataclasses import replace
 from typing import Final
 
+import msgspec
+
 from mansion_editing.editor import SceneEditor
 from mansion_editing.instructions.checking.faults import Step, faults, moved_aside
-from mansion_editing.instructions.conversation import context_of, is_taken_back, repeated
+from mansion_editing.instructions.conversation import amended, context_of, is_taken_back, remember, repeated
+from mansion_editing.instructions.doing.answering import holds
 from mansion_editing.instructions.doing.carrying_out import carry
 from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.descriptions import things_of
-from mansion_editing.instructions.statements import Ask, History, Instruction, Keep, Mention
+from mansion_editing.instructions.statements import Ask, History, Instruction, Keep, Mention, When
 from mansion_editing.runs.policies import Policy, Unmet, Verdict
 from mansion_editing.runs.run import run_policy
 from mansion_editing.state import SceneState
@@ -24,13 +28,15 @@ MOST_STEPS, MOST_EDITS = 12_000, 3_000
 """What is enough for a statement about all things of a large building."""
 
 
-def carry_out(editor: SceneEditor, instruction: Instruction, text: str) -> AgentReport:
+def carry_out(editor: SceneEditor, instruction: Instruction, text: str, *, partly: bool = False) -> AgentReport:
     """Carry out an instruction and check the scene; its edits land together or not at all.
 
     Parameters
     ----------
     text : str
         The instruction's own words, for the log.
+    partly : bool
+        What is understood and can be done lands though the rest is not; all or nothing otherwise.
 
     Returns
     -------
@@ -45,10 +51,50 @@ def carry_out(editor: SceneEditor, instruction: Instruction, text: str) -> Agent
     (first, *more) = instruction.statements or [Mention()]
     if isinstance(first, History) and not more and not instruction.not_understood:
         if first.what == "redo":
-            return _undo_or_redo(editor, "Redo")
+            return _undone_or_redone(editor, "Redo", first.times)
+        if first.what == "amend":
+            return _amended(editor, first, text)
         if is_taken_back(first, editor):
-            return _undo_or_redo(editor, "Undo")
-    return run_policy(editor, statement_policy(editor, instruction), text, most_steps=MOST_STEPS, most_edits=MOST_EDITS)
+            return _undone_or_redone(editor, "Undo", first.times)
+    policy = statement_policy(editor, instruction, partly=partly)
+    return run_policy(editor, policy, text, most_steps=MOST_STEPS, most_edits=MOST_EDITS)
+
+
+def _undone_or_redone(editor: SceneEditor, tool: str, times: int) -> AgentReport:
+    """Undo or redo so many edits, or none of them."""
+    reports: list[AgentReport] = []
+    for _ in range(times):
+        report = _undo_or_redo(editor, tool)
+        if not report.done:
+            for _ in reports:
+                _undo_or_redo(editor, "Redo" if tool == "Undo" else "Undo")
+            return report
+        reports.append(report)
+    message = "; ".join(report.message for report in reports)
+    return msgspec.structs.replace(reports[-1], message=message, edits=len(reports))
+
+
+def _amended(editor: SceneEditor, statement: History, text: str) -> AgentReport:
+    """Take the last edit back and do it at another place, or leave it where that cannot be done."""
+    try:
+        instruction = Instruction(statements=amended(statement, editor))
+    except MansionError as error:
+        return run_policy(editor, _refused_policy(error), text)
+    taken_back = _undo_or_redo(editor, "Undo")
+    if not taken_back.done:
+        return taken_back
+    report = run_policy(
+        editor, statement_policy(editor, instruction), text, most_steps=MOST_STEPS, most_edits=MOST_EDITS
+    )
+    if not report.done:
+        _undo_or_redo(editor, "Redo")
+        return report
+    return msgspec.structs.replace(report, message=f"{taken_back.message}; {report.message}")
+
+
+def _refused_policy(error: MansionError) -> Policy:
+    yield from ()
+    return _refused(error, "")
 
 
 _EXAMPLES: Final = (
@@ -57,13 +103,30 @@ _EXAMPLES: Final = (
 )
 
 
-def statement_policy(editor: SceneEditor, instruction: Instruction) -> Policy:
-    """Carry out the statements of an instruction in turn, and check what became of them."""
+_OPENINGS: Final = re.compile(r"\b(door|window)s?\b", re.IGNORECASE)
+_OF_OPENINGS: Final = (
+    "doors and windows are part of the structure: an instruction neither opens nor closes them; a door can be added"
+    ' between two rooms ("add a door between the kitchen and the dining room")'
+)
+
+
+def statement_policy(editor: SceneEditor, instruction: Instruction, *, partly: bool = False) -> Policy:
+    """Carry out the statements of an instruction in turn, and check what became of them.
+
+    Parameters
+    ----------
+    partly : bool
+        As of `carry_out`.
+    """
+    asked = [statement for statement in instruction.statements if not isinstance(statement, Mention)]
+    missed: list[str] = []
     if instruction.not_understood:
         words = "; ".join(repr(part[:80]) for part in instruction.not_understood)
-        reason = f"not understood: {words}; {_EXAMPLES}"
-        return Verdict(reason, failed=[reason])
-    asked = [statement for statement in instruction.statements if not isinstance(statement, Mention)]
+        if not (partly and asked):
+            openings = any(_OPENINGS.search(part) for part in instruction.not_understood)
+            reason = f"not understood: {words}; {_OF_OPENINGS if openings else _EXAMPLES}"
+            return Verdict(reason, failed=[reason])
+        missed.append(f"not understood: {words}")
     if not asked:
         return Verdict("the words ask for nothing", failed=["the words ask for nothing"])
     try:
@@ -76,12 +139,27 @@ def statement_policy(editor: SceneEditor, instruction: Instruction) -> Policy:
     before = state.copied()
     context = replace(context_of(editor), kept=_kept(instruction, state))
     for statement in instruction.statements:
+        mark = len(state.pending)
         try:
+            if isinstance(statement, When):
+                if holds(statement.ask, state, context) != statement.holds:
+                    replies.append(f"{statement.quote}: not so, nothing had to change")
+                    continue
+                statement = statement.then
             done = yield from carry(statement, state, context)
         except (Unmet, MansionError) as error:
-            return _refused(error, statement.quote)
+            if not partly:
+                return _refused(error, statement.quote)
+            state.roll_back(mark)
+            missed.append(_refused(error, statement.quote).summary)
+            continue
         after = state.copied()
         step = Step(statement, context, before, after)
+        wrong = faults([step]) if partly else []
+        if wrong:
+            state.roll_back(mark)
+            missed += wrong
+            continue
         steps.append(step)
         replies += [done.reply] if done.reply else []
         replies += moved_aside(step)
@@ -90,7 +168,11 @@ def statement_policy(editor: SceneEditor, instruction: Instruction) -> Policy:
     if found:
         return Verdict(f"the edit was dropped: {'; '.join(found)}", failed=found)
     if all(isinstance(statement, Ask) for statement in asked):
+        remember(editor, context)
         return Verdict(" ".join(replies), replies, question=True)
+    if partly and not steps:
+        return Verdict("; ".join(missed), failed=missed)
+    replies += [f"not done: {reason}" for reason in missed]
     told = f" (ignored, as scenes do not record it: {', '.join(instruction.ignored)})" if instruction.ignored else ""
     return Verdict("; ".join(replies) + told, replies)
 

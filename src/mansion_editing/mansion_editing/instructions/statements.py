@@ -4,11 +4,12 @@ A rules reader and a language model both answer in these terms; `mansion_editing
 checks them. Every statement quotes the words that it was read from.
 """
 
-from typing import Literal, TypeAlias
+from typing import Final, Literal, TypeAlias
 
 import msgspec
 
 __all__ = [
+    "JOINED",
     "Add",
     "Amount",
     "AmountKind",
@@ -33,15 +34,22 @@ __all__ = [
     "Reshape",
     "Rooms",
     "SetState",
+    "Shift",
     "Spot",
     "Statement",
     "Surface",
     "Swap",
     "Things",
     "Turn",
+    "When",
 ]
 
-AmountKind: TypeAlias = Literal["some", "exactly", "at_least", "at_most", "more", "fewer", "all", "all_but", "none"]
+JOINED: Final = " / "
+"""Between the names of several rooms in `Rooms.words`."""
+
+AmountKind: TypeAlias = Literal[
+    "some", "exactly", "at_least", "at_most", "more", "fewer", "all", "all_but", "half", "none"
+]
 Relation: TypeAlias = Literal[
     "", "on", "in", "under", "above", "beside", "left", "right", "behind", "front", "between", "around", "near"
 ]
@@ -57,7 +65,7 @@ class Amount(msgspec.Struct, frozen=True, kw_only=True):
     kind : str
         ``some``: the number as it stands ("two mugs", "the two mugs", "a mug"); ``exactly``; ``at_least``;
         ``at_most``; ``more``: besides those that are there ("another", "two more"); ``fewer``: so many of them go
-        ("one sofa less"); ``all``; ``all_but`` the number; ``none``.
+        ("one sofa less"); ``all``; ``all_but`` the number; ``half`` of them, rounded down; ``none``.
     number : int
         0 where no number is given ("mugs", "all mugs").
     of : int
@@ -75,7 +83,7 @@ class Rooms(msgspec.Struct, frozen=True, kw_only=True, tag=True):
     Attributes
     ----------
     words : str
-        Name or kind ("meeting room 2"); empty where only storeys are given.
+        Name or kind ("meeting room 2"), or several of them; empty where only storeys are given.
     floors : tuple of int
         Storeys, the ground being 1; empty for any.
     every : bool
@@ -91,6 +99,12 @@ class Rooms(msgspec.Struct, frozen=True, kw_only=True, tag=True):
         Words for a room that it shares a wall or a door with ("the office next to the lobby", "the next room").
     holding : Things, optional
         What stands in it ("the room with the piano").
+    up : int
+        Storeys above the one of `base`, or of the room that was mentioned last; below it where negative.
+    base : str
+        Words for the room that `up` counts from.
+    over : bool
+        Right above or below `base` ("the room above the kitchen").
     """
 
     words: str = ""
@@ -102,6 +116,9 @@ class Rooms(msgspec.Struct, frozen=True, kw_only=True, tag=True):
     same: bool = False
     next_to: str = ""
     holding: "Things | None" = None
+    up: int = 0
+    base: str = ""
+    over: bool = False
 
 
 class Things(msgspec.Struct, frozen=True, kw_only=True, tag=True):
@@ -243,6 +260,23 @@ class Move(_Said, kw_only=True, frozen=True):
     or_new: bool = False
 
 
+class Shift(_Said, kw_only=True, frozen=True):
+    """Things move so many metres where they stand.
+
+    Attributes
+    ----------
+    way : str
+        ``left``, ``right``, ``front`` and ``behind`` of the thing itself, a point of the compass, or ``towards`` and
+        ``away`` from `mark` or the nearest `spot` of the room.
+    """
+
+    things: Things
+    metres: float
+    way: Literal["left", "right", "front", "behind", "north", "south", "east", "west", "towards", "away"]
+    mark: Things | None = None
+    spot: Spot = ""
+
+
 class Swap(_Said, kw_only=True, frozen=True):
     """Two things, or two rooms, exchange their places."""
 
@@ -355,16 +389,36 @@ class History(_Said, kw_only=True, frozen=True):
     ----------
     what : str
         ``undo``, ``redo``; ``restore``: only `things` of it go back; ``repeat``: the same once more, at `place` or
-        with `things` where they are given ("the same for the next room", "one more").
+        with `things` where they are given ("the same for the next room", "one more"); ``amend``: the last one is
+        taken back, and done at `place` or with `things` instead ("I meant the archive").
+    times : int
+        How many edits are taken back or done again.
     """
 
-    what: Literal["undo", "redo", "restore", "repeat"]
+    what: Literal["undo", "redo", "restore", "repeat", "amend"]
     things: Things | None = None
     place: Place | None = None
+    times: int = 1
+
+
+class When(_Said, kw_only=True, frozen=True):
+    """A statement that is carried out only where a question has the answer `holds`."""
+
+    ask: Ask
+    holds: bool
+    then: "Statement"
 
 
 class Mention(_Said, kw_only=True, frozen=True):
-    """Background that asks for nothing ("one of our clients is allergic")."""
+    """Background that asks for nothing ("one of our clients is allergic").
+
+    Attributes
+    ----------
+    rooms : Rooms, optional
+        What it tells of, which the next statement may be about ("the dining room is too dark").
+    """
+
+    rooms: Rooms | None = None
 
 
 Statement: TypeAlias = (
@@ -375,6 +429,7 @@ Statement: TypeAlias = (
     | Keep
     | Clear
     | Move
+    | Shift
     | Swap
     | Replace
     | SetState
@@ -388,6 +443,7 @@ Statement: TypeAlias = (
     | Ask
     | History
     | Mention
+    | When
 )
 
 

@@ -17,6 +17,7 @@ from mansion_assets.catalogue import load_catalogue
 from mansion_assets.retrieval.configured import configured_retriever
 from mansion_editing.editor import TOOLS, SceneEditor
 from mansion_editing.instructions.instruct import instruct
+from mansion_editing.open_editors import OpenEditors
 from mansion_editing.physics.engine import engine_named
 from mansion_editing.provisioning.provision import provision
 from mansion_editing.storage import BuildingStore
@@ -49,7 +50,7 @@ class SceneEditorNode(MansionNode):
             self.declare_parameter(name, value, descriptor)
         engine_named(self._physics())
         self.add_on_set_parameters_callback(_accept_physics)
-        self._editors: dict[str, SceneEditor] = {}
+        self._editors = OpenEditors()
         self._scenes = JsonPublisher(self, topic("floor_scene"))
         self._hooks = _load_hooks(str(self.get_parameter("hooks").value))
         self._behind: dict[str, BuildingStore] = {}
@@ -79,7 +80,7 @@ class SceneEditorNode(MansionNode):
             retriever=configured_retriever(),
             furnisher=furnish_room,
         )
-        self._editors[args.editor] = editor
+        self._editors.put(args.editor, editor)
         self._finish(store)
         entries = store.building.floors
         return EditorInfo(
@@ -95,7 +96,7 @@ class SceneEditorNode(MansionNode):
     def instruct(self, args: InstructArgs) -> AgentReport:
         """Carry out an instruction."""
         editor = self._editor(args.editor)
-        return self._reported(editor, instruct(editor, args.instruction, args.planner))
+        return self._reported(editor, instruct(editor, args.instruction, args.planner, partly=args.partly))
 
     def provision(self, args: ProvisionArgs) -> AgentReport:
         """Make a task possible."""
@@ -118,13 +119,7 @@ class SceneEditorNode(MansionNode):
         return call
 
     def _editor(self, name: str) -> SceneEditor:
-        if name not in self._editors:
-            raise MansionError(
-                ErrorCode.NOT_LOADED,
-                f"no building is open as {name!r}; call scene/open with its folder first",
-                path="$.editor",
-            )
-        editor = self._editors[name]
+        editor = self._editors.get(name)
         if editor.engine.name != (physics := self._physics()):
             editor.engine = engine_named(physics)
         return editor

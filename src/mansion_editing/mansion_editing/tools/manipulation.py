@@ -180,7 +180,7 @@ def _target(
     if item.mount in ("wall", "ceiling"):
         raise refusal(f"{item.id} hangs on {with_article(item.mount)}")
     asset = state.asset(receptacle)
-    inside = asset is not None and bool(asset.volumes) and not asset.surfaces
+    inside = asset is not None and bool(asset.volumes) and (args.inside or not asset.surfaces)
     where = AtReceptacle(target, receptacle, inside=inside, wish=wish, companions=own)
     try:
         return target, settle_on(state, item, where, engine)

@@ -142,7 +142,8 @@ def fulfils(scene: FloorScene, room: SceneRoom, item: SceneObject, wish: Placing
 
 def _beside_landmark(item: SceneObject, wish: PlacingWish, near: SceneObject) -> bool:
     if wish.side not in ("under", "above"):
-        if not _same_level(item, near) or footprint_gap(item, near) > greatest_gap(item, wish) + ROUNDING:
+        gap = greatest_gap(item, wish) + ROUNDING
+        if not _same_level(item, near) or _least_gap(item, near) > gap or footprint_gap(item, near) > gap:
             return False
     elif wish.within is not None and footprint_gap(item, near) > wish.within + ROUNDING:
         return False
@@ -185,6 +186,14 @@ def footprint_gap(item: SceneObject, other: SceneObject) -> float:
     return float(footprint(item).distance(footprint(other)))
 
 
+def _least_gap(item: SceneObject, other: SceneObject) -> float:
+    """Return a quick lower bound of the distance between two footprints, metres; negative where they may overlap."""
+    return (
+        math.dist(item.position[:2], other.position[:2])
+        - (math.hypot(*item.size[:2]) + math.hypot(*other.size[:2])) / 2
+    )
+
+
 def _overlap(item: SceneObject, near: SceneObject) -> bool:
     if item.mount in ("wall", "ceiling"):
         return _heights_meet(item, near) and _reaches_into(item, near)
@@ -196,6 +205,8 @@ def _heights_meet(item: SceneObject, near: SceneObject) -> bool:
 
 
 def _reaches_into(item: SceneObject, near: SceneObject) -> bool:
+    if _least_gap(item, near) > 0.0:
+        return False
     return bool(footprint(item).intersection(footprint(near)).area > TOUCH * min(*item.size[:2], *near.size[:2]))
 
 
@@ -223,7 +234,9 @@ def _on_side(item: SceneObject, near: SceneObject, side: Side) -> bool:
 
 def _between(item: SceneObject, near: SceneObject, wish: PlacingWish) -> bool:
     other = wish.other
-    if other is None or not _same_level(item, other) or _overlap(item, near) or _overlap(item, other):
+    if other is None or not _in_strip(item, near, other):
+        return False
+    if not _same_level(item, other) or _overlap(item, near) or _overlap(item, other):
         return False
     if wish.within is not None and footprint_gap(item, other) > wish.within + ROUNDING:
         return False
@@ -233,6 +246,17 @@ def _between(item: SceneObject, near: SceneObject, wish: PlacingWish) -> bool:
     if not MultiPoint(corners).convex_hull.covers(middle) or line.distance(footprint(item)) > CENTRED:
         return False
     return bool(0.0 < line.project(middle) < line.length)
+
+
+def _in_strip(item: SceneObject, near: SceneObject, other: SceneObject) -> bool:
+    """Whether the middle of an object lies between two others along the line through theirs, and not far from it."""
+    (ax, ay), (bx, by), (x, y) = near.position[:2], other.position[:2], item.position[:2]
+    length = math.hypot(bx - ax, by - ay)
+    if length < ROUNDING:
+        return False
+    along = ((x - ax) * (bx - ax) + (y - ay) * (by - ay)) / length
+    across = abs((x - ax) * (by - ay) - (y - ay) * (bx - ax)) / length
+    return 0.0 < along < length and across - math.hypot(*item.size[:2]) / 2 <= CENTRED
 
 
 def _under(item: SceneObject, near: SceneObject) -> bool:

@@ -1,11 +1,12 @@
 """What an edit changes: objects, rooms and documents, as the edit log and the replies of tools record it."""
 
-from typing import Literal
+from typing import Annotated, Literal, TypeAlias
 
 import msgspec
 
 from mansion_msgs_py.program import RoomProgram
 from mansion_msgs_py.scene import Discard, Light, SceneObject, SceneRoom, SpawnPose
+from mansion_msgs_py.shapes import FileInFolder
 from mansion_msgs_py.topology import TopologyNode
 
 __all__ = ["DiffReport", "DocumentChange", "EditResult", "ObjectChange", "RoomChange", "RoomParts", "Transaction"]
@@ -64,6 +65,9 @@ class RoomChange(msgspec.Struct, frozen=True, kw_only=True):
         return self.after.room.id
 
 
+_Copy: TypeAlias = Annotated[str, msgspec.Meta(pattern="^([0-9a-f]{32})?$")]
+
+
 class DocumentChange(msgspec.Struct, frozen=True, kw_only=True):
     """A document of the building that is replaced whole.
 
@@ -75,9 +79,9 @@ class DocumentChange(msgspec.Struct, frozen=True, kw_only=True):
         Names of the stored copies below ``edits/documents``; empty where the document was or is not there.
     """
 
-    path: str
-    before: str = ""
-    after: str = ""
+    path: FileInFolder
+    before: _Copy = ""
+    after: _Copy = ""
 
     @property
     def id(self) -> str:

@@ -11,10 +11,17 @@ __all__ = ["AgentReport", "AgentStep", "InstructArgs", "ProvisionArgs", "ReadSta
 
 
 class InstructArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
-    """An instruction for the editing agent; `planner` as in a `BuildRequest`."""
+    """An instruction for the editing agent; `planner` as in a `BuildRequest`.
+
+    Attributes
+    ----------
+    partly : bool
+        The rules do what they can of it and say what they did not; all or nothing otherwise.
+    """
 
     instruction: Annotated[str, msgspec.Meta(max_length=4000)]
     planner: Literal["rules", "llm"] = "rules"
+    partly: bool = False
 
 
 class ProvisionArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):

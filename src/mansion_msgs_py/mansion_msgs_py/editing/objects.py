@@ -5,6 +5,7 @@ from typing import Annotated, Literal, TypeAlias
 import msgspec
 
 from mansion_msgs_py.editing.open_buildings import Text, ToolArgs
+from mansion_msgs_py.shapes import Coordinate, Degrees
 
 __all__ = [
     "MoveObjectArgs",
@@ -19,8 +20,6 @@ __all__ = [
     "SwapObjectsArgs",
 ]
 
-Coordinate = Annotated[float, msgspec.Meta(ge=-10_000.0, le=10_000.0)]
-Degrees = Annotated[float, msgspec.Meta(ge=-3600.0, le=3600.0)]
 Gap = Annotated[float, msgspec.Meta(ge=0.0, le=100.0)]
 
 Side: TypeAlias = Literal["", "beside", "left", "right", "behind", "front", "under", "above", "between", "around"]
@@ -109,10 +108,13 @@ class MoveObjectArgs(PlacingWishes, kw_only=True, forbid_unknown_fields=True, fr
         Metres and degrees on its own floor. A rotation alone turns it where it is.
     turn : float, optional
         Degrees to turn it by, counter-clockwise.
+    inside : bool
+        In a receptacle that also carries things on top.
     """
 
     object_id: Text
     receptacle_id: Text = ""
+    inside: bool = False
     x: Coordinate | None = None
     y: Coordinate | None = None
     rotation: Degrees | None = None

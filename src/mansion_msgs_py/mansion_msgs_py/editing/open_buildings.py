@@ -4,6 +4,8 @@ from typing import Annotated
 
 import msgspec
 
+from mansion_msgs_py.shapes import PathText
+
 __all__ = ["EditorInfo", "OpenEditorArgs", "Text", "ToolArgs"]
 
 Text = Annotated[str, msgspec.Meta(max_length=400)]
@@ -26,7 +28,7 @@ class OpenEditorArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=
         Land each edit at once; else edits wait for ``scene/save``.
     """
 
-    path: Annotated[str, msgspec.Meta(max_length=4096)]
+    path: PathText
     who: Text = ""
     autosave: bool = True
 

@@ -2,6 +2,7 @@
 
 import os
 import signal
+import subprocess
 import sys
 import threading
 import time
@@ -88,6 +89,35 @@ class Interrupts:
                 signal.signal(number, signal.SIG_IGN)
 
 
+LAST_GRACE: Final = 0.3
+"""Seconds beyond `GRACE` after which the process is killed, should it not have been able to end itself."""
+
+_WATCH: Final = """
+[ -n "$(head -c 1 | tr '\\000-\\377' x)" ] || exit 0
+timeout "$2" cat >/dev/null
+[ $? = 124 ] && kill -KILL "$1"
+"""
+"""Waits for the byte that Python's handler writes for a signal; then, unless this process closes the pipe in time by
+ending, kills it."""
+
+
+def watch_from_outside(grace: float = GRACE + LAST_GRACE) -> None:
+    """Have this process killed `grace` seconds after a signal if it is still there.
+
+    What ends it otherwise is Python, which does nothing while a call of C keeps the interpreter: a search of a regular
+    expression, a kernel. The byte in the pipe is written by the signal's handler itself (`signal.set_wakeup_fd`).
+    """
+    if sys.platform != "linux" or threading.current_thread() is not threading.main_thread():
+        return
+    reading, writing = os.pipe()
+    os.set_blocking(writing, False)
+    command = ["/bin/sh", "-c", _WATCH, "watch", str(os.getpid()), f"{grace:g}"]
+    quiet = subprocess.DEVNULL
+    subprocess.Popen(command, stdin=reading, stdout=quiet, stderr=quiet, start_new_session=True)
+    os.close(reading)
+    signal.set_wakeup_fd(writing, warn_on_full_buffer=False)
+
+
 CALLBACK_GRACE = 0.5
 """Seconds for which callbacks that still run are waited for at the end."""
 
@@ -111,6 +141,7 @@ def run_node(make: Callable[[], Node], args: Sequence[str] | None = None, *, thr
     """
     interrupts = Interrupts()
     interrupts.install()
+    watch_from_outside()
     rclpy.init(args=list(args) if args is not None else None)
     node: Node | None = None
     try:

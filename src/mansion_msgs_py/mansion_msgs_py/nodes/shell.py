@@ -4,6 +4,7 @@
 string: it is aliased here as `JsonCall` and used by that name everywhere.
 """
 
+import errno
 import traceback
 from collections.abc import Callable
 from typing import Any, Final
@@ -19,9 +20,10 @@ from std_msgs.msg import String
 from std_srvs.srv import Trigger
 
 from mansion_msgs_py.codec import decode, encode
-from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.errors import MOST_CHARACTERS, MOST_IN_DETAILS, ErrorCode, MansionError, refused_by_system
 from mansion_msgs_py.interfaces import Qos, ServiceInterface, TopicInterface
 from mansion_msgs_py.nodes.node import MansionNode
+from mansion_msgs_py.wording import shortened
 
 __all__ = [
     "CALLS",
@@ -71,16 +73,37 @@ def run_handler(node: MansionNode, name: str, call: Callable[[], Any]) -> tuple[
         try:
             return True, encode(call())
         except MansionError as error:
-            node.calls.refuse()
-            node.get_logger().warning(f"{name}: {error}")
-            return False, encode(error.reply())
+            return _refusal(node, name, error)
+        except OSError as error:
+            if error.errno not in _OF_THE_SYSTEM:
+                return _fault(node, name, error)
+            return _refusal(node, name, refused_by_system(error))
         except Exception as error:
-            reason = f"{name} failed inside Mansion: {type(error).__name__}: {error}"
-            node.calls.fail(reason)
-            if node.context.ok():
-                node.get_logger().error(f"{name}: {traceback.format_exc()}")
-            details = {"node": node.get_fully_qualified_name()}
-            return False, encode(MansionError(ErrorCode.INTERNAL, reason, details=details).reply())
+            return _fault(node, name, error)
+
+
+_OF_THE_SYSTEM: Final = frozenset(
+    (
+        errno.ENOSPC, errno.EDQUOT, errno.EROFS, errno.EACCES, errno.EPERM, errno.EFBIG, errno.EIO, errno.EMFILE,
+        errno.ENFILE, errno.ENAMETOOLONG, errno.ENOTDIR, errno.EISDIR,
+    )
+)  # fmt: skip
+"""Errors that tell of the machine or of a path, and of no fault of Mansion's."""
+
+
+def _refusal(node: MansionNode, name: str, error: MansionError) -> tuple[bool, str]:
+    node.calls.refuse()
+    node.get_logger().warning(f"{name}: {error}")
+    return False, encode(error.reply())
+
+
+def _fault(node: MansionNode, name: str, error: Exception) -> tuple[bool, str]:
+    reason = f"{name} failed inside Mansion: {type(error).__name__}: {error}"
+    node.calls.fail(shortened(reason, MOST_CHARACTERS))
+    if node.context.ok():
+        node.get_logger().error(f"{name}: {shortened(traceback.format_exc(), MOST_IN_DETAILS)}")
+    details = {"node": node.get_fully_qualified_name()}
+    return False, encode(MansionError(ErrorCode.INTERNAL, reason, details=details).reply())
 
 
 def add_json_service(

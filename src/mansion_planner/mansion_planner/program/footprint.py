@@ -9,6 +9,7 @@ import shapely
 from shapely.geometry import Polygon
 
 from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.limits import MAX_EXTENT
 from mansion_msgs_py.request import Footprint
 from mansion_msgs_py.wording import with_article
 from mansion_planner.program.model import CoreBox, Corridor, Massing, Placement, PlannedRoom, Sketch, Storey
@@ -16,7 +17,6 @@ from mansion_planner.program.model import CoreBox, Corridor, Massing, Placement,
 __all__ = ["check_footprint", "free_cores", "free_massing", "is_rectangle", "sketch_free"]
 
 LEAST_AREA = 12.0
-MOST_EXTENT = 400.0
 _CoreWish = tuple[Literal["stair", "elevator"], list[tuple[int, int]]]
 CHILDREN = 8
 
@@ -48,9 +48,9 @@ def check_footprint(footprint: Footprint) -> Polygon:
             raise _fault(f"the ring is not simple ({shapely.is_valid_reason(shape)})", path)
     outer = Polygon(footprint.boundary)
     extent = max(outer.bounds[2] - outer.bounds[0], outer.bounds[3] - outer.bounds[1])
-    if outer.area < LEAST_AREA or extent > MOST_EXTENT:
+    if outer.area < LEAST_AREA or extent > MAX_EXTENT:
         raise _fault(
-            f"it covers {outer.area:.1f} m2 and is {extent:.0f} m long (at most {MOST_EXTENT:.0f})", rings[0][1]
+            f"it covers {outer.area:.1f} m2 and is {extent:.0f} m long (at most {MAX_EXTENT:.0f})", rings[0][1]
         )
     for hole, path in rings[1:]:
         if not outer.contains(Polygon(hole)):

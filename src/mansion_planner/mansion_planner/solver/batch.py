@@ -6,7 +6,6 @@ starts anew and loads the kernels itself.
 """
 
 import multiprocessing
-import signal
 import sys
 import threading
 import time
@@ -21,6 +20,7 @@ from mansion_msgs_py.codec import decode, encode_bytes
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.files import read_payload, write_atomic
 from mansion_msgs_py.layout import FloorLayout, FloorProblem, UnmetEdge
+from mansion_msgs_py.workers import worker_pool
 from mansion_msgs_py.world import Progress
 from mansion_planner.solver.options import SolverOptions
 from mansion_planner.solver.solve import solve_floor, warm
@@ -103,20 +103,8 @@ def _pool(workers: int) -> ProcessPoolExecutor:
     """Return the worker processes, ready to solve."""
     if sys.platform == "linux" and threading.active_count() == 1:
         warm()
-        forking = multiprocessing.get_context("fork")
-        return ProcessPoolExecutor(workers, forking, initializer=_leave_interrupts)
-    spawning = multiprocessing.get_context("spawn")
-    return ProcessPoolExecutor(workers, spawning, initializer=_start_cold)
-
-
-def _leave_interrupts() -> None:
-    """Let Ctrl-C, which reaches the whole group of processes, be the parent's to answer."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-
-
-def _start_cold() -> None:
-    _leave_interrupts()
-    warm()
+        return worker_pool(workers, "fork")
+    return worker_pool(workers, "spawn", warm)
 
 
 def _solve_encoded(data: bytes) -> bytes:

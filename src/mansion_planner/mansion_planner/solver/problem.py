@@ -20,6 +20,7 @@ from mansion_geometry.rings import as_polygon, dominant_angle, polygon_parts, ro
 from mansion_geometry.shared_walls import SharedWall, edge_array, shared_walls
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.layout import FloorProblem, ProblemNode
+from mansion_msgs_py.limits import MAX_FLOOR_AREA
 from mansion_msgs_py.topology import SeedPlan
 from mansion_msgs_py.wording import with_article
 from mansion_planner.solver.options import SolverOptions
@@ -401,6 +402,10 @@ def make_model(problem: FloorProblem, options: SolverOptions) -> FloorModel:
         ``INFEASIBLE`` with the place and the reason when no layout can exist.
     """
     outline = _shape(problem.boundary, "$.boundary")
+    if outline.area > MAX_FLOOR_AREA:
+        raise _refuse(
+            f"the outline holds {outline.area:.4g} m2; at most {MAX_FLOOR_AREA:.0f} m2 are laid out", "$.boundary"
+        )
     angle = -dominant_angle([problem.boundary])
     if angle != 0.0:
         outline = _shape(problem.boundary, "$.boundary", angle)

@@ -1,9 +1,7 @@
 """Placement of files of rooms (``mansion place``), in one process or several."""
 
-import multiprocessing
 import time
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import ProcessPoolExecutor
 from functools import partial
 from pathlib import Path
 
@@ -13,6 +11,7 @@ from mansion_msgs_py.codec import decode, encode_bytes
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.files import read_payload, write_atomic
 from mansion_msgs_py.placement import Discarded, PlacementResult, PlacementRoom
+from mansion_msgs_py.workers import worker_pool
 from mansion_msgs_py.world import Progress
 from mansion_scene.placement import PlacementOptions, place_room, warm
 
@@ -57,8 +56,7 @@ def placements(
             yield place_timed(room, seed, chosen)
         return
     work = partial(_place_encoded, seed, chosen)
-    spawning = multiprocessing.get_context("spawn")
-    with ProcessPoolExecutor(min(jobs, len(rooms)), spawning, initializer=warm) as pool:
+    with worker_pool(min(jobs, len(rooms)), "spawn", warm) as pool:
         for data in pool.map(work, [encode_bytes(room) for room in rooms]):
             yield decode(PlacementResult, data)
 

@@ -42,6 +42,9 @@ from mansion_skills.world.world import World
 
 __all__ = ["Engine"]
 
+MOST_SESSIONS = 64
+"""Robots of one process."""
+
 MOST_WAITING = 8
 """Most calls of one session that may wait."""
 
@@ -144,6 +147,7 @@ class Engine:
         name = check_session(arguments.session)
         key = (Path(arguments.path).expanduser().resolve(), arguments.world)
         with self._guard:
+            self._refuse_one_more(name)
             others = self._others(name, key)
             if arguments.reset:
                 _forget_world(key[0], key[1], name, others)
@@ -160,6 +164,14 @@ class Engine:
                 if others:
                     self._keep_apart(shared)
                 return self._loaded(session, notes)
+
+    def _refuse_one_more(self, name: str) -> None:
+        if name not in self._sessions and len(self._sessions) >= MOST_SESSIONS:
+            raise MansionError(
+                ErrorCode.CONFLICT,
+                f"{MOST_SESSIONS} sessions are open; load a building in one of them, or start another skill server",
+                path="$.session",
+            )
 
     def _keep_apart(self, shared: SharedWorld) -> None:
         """Save the robots of a shared world that were never saved, so that each is restored to its own pose."""

@@ -7,6 +7,8 @@ from typing import Any, TypeAlias
 
 from msgspec.structs import replace
 
+from mansion_msgs_py.errors import MOST_CHARACTERS
+from mansion_msgs_py.wording import shortened
 from mansion_msgs_py.world import SkillChange, SkillResult, SkillStatus
 from mansion_skills.world.robot_body import RobotBody
 from mansion_skills.world.world import World
@@ -47,7 +49,7 @@ def refused(
     return SkillResult(
         skill=skill,
         status=status,
-        message=message,
+        message=shortened(message, MOST_CHARACTERS),
         satisfied_by=satisfied_by,
         data=data,
         state=world.robot_state(robot),

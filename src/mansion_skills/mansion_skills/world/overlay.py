@@ -4,9 +4,10 @@ import re
 import shutil
 from pathlib import Path
 
+from mansion_msgs_py.building_folder import file_in
 from mansion_msgs_py.codec import decode, encode_bytes
 from mansion_msgs_py.errors import ErrorCode, MansionError
-from mansion_msgs_py.files import write_atomic
+from mansion_msgs_py.files import remove_remains, write_atomic
 from mansion_msgs_py.world import WorldState
 from mansion_skills.world.robot_body import RobotBody
 from mansion_skills.world.world import World
@@ -47,7 +48,7 @@ def check_session(session: str) -> str:
 
 def overlay_path(building: Path, session: str) -> Path:
     """Return where a session's overlay lives (see `check_session`)."""
-    return building / "state" / check_session(session) / "world.json"
+    return file_in(building, f"state/{check_session(session)}/world.json")
 
 
 def save_overlay(path: Path, state: WorldState, *, durable: bool = True) -> None:
@@ -65,8 +66,7 @@ def save_overlay(path: Path, state: WorldState, *, durable: bool = True) -> None
 
 def load_overlay(path: Path) -> WorldState | None:
     """Return the overlay of a former run, or ``None``; remains of an interrupted write are removed."""
-    for remains in sorted(path.parent.glob(".world.*")):
-        remains.unlink(missing_ok=True)
+    remove_remains(path.parent)
     try:
         return decode(WorldState, path.read_bytes())
     except FileNotFoundError:

@@ -8,6 +8,7 @@ import msgspec
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import decode_from, read_bytes, write_atomic
+from mansion_msgs_py.shapes import BuildingId, FileName
 from mansion_msgs_py.task import SkillCall, Task
 from mansion_msgs_py.world import Pose2D, SkillStatus
 
@@ -21,8 +22,8 @@ class EpisodeStart(msgspec.Struct, frozen=True, kw_only=True, tag="start", tag_f
 
     task: Task
     building: str
-    building_id: str
-    agent: str
+    building_id: BuildingId
+    agent: FileName
     seed: int
     lessons: list[str] = []
     schema_version: Literal[1] = 1

@@ -4,9 +4,12 @@ import os
 import queue
 import signal
 from collections.abc import Callable, Generator, Iterator, Sequence
-from concurrent.futures import Future, ProcessPoolExecutor
+from concurrent.futures import Future
+from functools import partial
 from multiprocessing import active_children, get_context
 from typing import Any, Final, TypeVar
+
+from mansion_msgs_py.workers import worker_pool
 
 __all__ = ["in_processes"]
 
@@ -39,7 +42,7 @@ def in_processes(work: Callable[[U], Iterator[R]], units: Sequence[U], jobs: int
     """
     context = get_context("spawn")
     reports: Any = context.Queue()
-    pool = ProcessPoolExecutor(jobs, mp_context=context, initializer=_initialise_worker, initargs=(reports,))
+    pool = worker_pool(jobs, "spawn", partial(_initialise_worker, reports), ending=signal.SIGTERM)
     finished = False
     try:
         futures = [pool.submit(_run, work, number, unit) for number, unit in enumerate(units)]
@@ -71,10 +74,9 @@ def _collect(reports: Any, futures: Sequence["Future[None]"]) -> Iterator[tuple[
 
 
 def _initialise_worker(reports: Any) -> None:
-    """Make a worker of this process: Ctrl-C is its parent's to answer, which ends it by SIGTERM."""
+    """Make a worker of this process, which its parent ends by SIGTERM."""
     global _reports
     _reports = reports
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
     signal.signal(signal.SIGTERM, _terminate)
 
 

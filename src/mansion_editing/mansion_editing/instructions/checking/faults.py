@@ -18,7 +18,7 @@ from mansion_editing.instructions.checking.numbers import (
     check_remove,
     check_replace,
 )
-from mansion_editing.instructions.checking.places import check_move, check_swap, check_turn
+from mansion_editing.instructions.checking.places import check_move, check_shift, check_swap, check_turn
 from mansion_editing.instructions.doing.work import listed
 from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.descriptions import all_at, things_of
@@ -39,6 +39,7 @@ from mansion_editing.instructions.statements import (
     Replace,
     Reshape,
     SetState,
+    Shift,
     Statement,
     Swap,
     Turn,
@@ -128,6 +129,7 @@ _CHECKS: Final[dict[type[Any], Callable[[Any, SceneState, SceneState, Context, D
     Clear: check_clear,
     Replace: check_replace,
     Move: check_move,
+    Shift: check_shift,
     Swap: check_swap,
     Turn: check_turn,
     SetState: check_state,
@@ -152,6 +154,8 @@ def _aside(diff: Differences, finding: Finding) -> list[str]:
 def moved_aside(step: Step) -> list[str]:
     """Return a sentence for each small thing that was moved to make room."""
     diff = differences(step.before, step.after)
+    if not diff.moved:
+        return []
     finding = _finding(step.statement, step.before, step.after, step.context, diff)
     if not finding.makes_room:
         return []

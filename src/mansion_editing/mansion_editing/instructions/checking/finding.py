@@ -55,9 +55,11 @@ def numbers_meant(things: Things, fitting: Sequence[SceneObject], *, surplus: bo
         return number, number
     if amount.kind == "none":
         return 0, 0
+    if amount.kind == "half":
+        return count // 2, count // 2
     if amount.kind == "all" or (things.plural and amount.number <= 1):
         return loose, count
-    one_of_many = things.refers == "last" or (things.definite and "light" in things.noun)
+    one_of_many = (things.refers == "last" and not amount.number) or (things.definite and "light" in things.noun)
     if one_of_many and not means_several(things):
         return 1, count
     return max(1, amount.number), max(1, amount.number)

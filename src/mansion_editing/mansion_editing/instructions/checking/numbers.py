@@ -91,7 +91,7 @@ def check_ensure(
     most = sum(max(0, number - len(ids)) for ids in olds)
     reason = ""
     if not holds:
-        counts = ", ".join(str(len(ids)) for ids in news) or "0"
+        counts = ", ".join(str(len(ids) or "none") for ids in news) or "none"
         reason = f"{thing_words(things)} {place_words(place)}: there are {counts}"
     elif len(came) > most or (gone and kind not in ("exactly", "at_most", "none")):
         reason = f"{len(came)} came and {len(gone)} left, though {most} were missing"

@@ -8,22 +8,24 @@ from mansion_editing.instructions.checking.differences import Differences, carri
 from mansion_editing.instructions.checking.finding import Finding, any_number, at_shares, numbers_meant, shares_of
 from mansion_editing.instructions.checking.numbers import check_add
 from mansion_editing.instructions.doing.work import listed
-from mansion_editing.instructions.meaning.choices import concerned
+from mansion_editing.instructions.meaning.choices import concerned, from_there
 from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.descriptions import rooms_of, things_of
+from mansion_editing.instructions.meaning.directions import direction_of
 from mansion_editing.instructions.meaning.wording import place_words, thing_words
-from mansion_editing.instructions.statements import Add, Move, Rooms, Swap, Turn
+from mansion_editing.instructions.statements import Add, Move, Rooms, Shift, Swap, Turn
 from mansion_editing.state import SceneState
 from mansion_editing.tools.relations import relation_holds
 from mansion_msgs_py.scene import SceneObject
 
-__all__ = ["check_move", "check_swap", "check_turn"]
+__all__ = ["check_move", "check_shift", "check_swap", "check_turn"]
 
 
 def check_move(statement: Move, before: SceneState, after: SceneState, context: Context, diff: Differences) -> Finding:
     """Check that the number meant is at the place now, and that nothing else went there."""
     things, place = statement.things, statement.place
     fitting = concerned(before, things, context)
+    context = from_there(before, things, place, context)
     if not fitting and statement.or_new:
         new = msgspec.structs.replace(things, definite=False, place=None)
         return check_add(Add(things=new, place=place), before, after, context, diff)
@@ -58,6 +60,26 @@ def check_move(statement: Move, before: SceneState, after: SceneState, context: 
 def _same(after: SceneState, item: SceneObject) -> SceneObject | None:
     found = after.find(item.id)
     return None if found is None else found[1]
+
+
+_EXACT = 0.05
+"""Greatest difference between the way that something moved and the length that was asked for, metres."""
+
+
+def check_shift(
+    statement: Shift, before: SceneState, after: SceneState, context: Context, diff: Differences
+) -> Finding:
+    """Check that things moved so far, in the direction that was asked for, within their room."""
+    fitting = concerned(before, statement.things, context)
+    went = {item.id: diff.moved[item.id] for item in fitting if item.id in diff.moved}
+    low, high = numbers_meant(statement.things, fitting)
+    reason = "" if low <= len(went) <= high else f"{len(went)} of {len(fitting)} {thing_words(statement.things)} moved"
+    for name, (old, new) in went.items():
+        dx, dy = direction_of(statement, old, before, context)
+        wanted = (old.position[0] + statement.metres * dx, old.position[1] + statement.metres * dy)
+        if math.dist(new.position[:2], wanted) > _EXACT or old.room != new.room:
+            reason = f"{name} did not move by {statement.metres:g} m that way"
+    return Finding(reason, set(went) | carried_below(before, went))
 
 
 _CLOSE = 1.0

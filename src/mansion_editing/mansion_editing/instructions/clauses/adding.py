@@ -2,8 +2,10 @@
 
 import msgspec
 
-from mansion_editing.instructions.clauses.items import Item, NotUnderstood
+from mansion_editing.instructions.clauses.colours import Colours
+from mansion_editing.instructions.clauses.items import Item, NotUnderstood, joined_places
 from mansion_editing.instructions.clauses.states import States, state_set
+from mansion_editing.instructions.phrases.places import read_place
 from mansion_editing.instructions.phrases.word_sets import BACK_IN_PLACE
 from mansion_editing.instructions.phrases.words import STATE_WORDS
 from mansion_editing.instructions.statements import Add, Amount, Ensure, History, Mention, Place, Statement, Things
@@ -11,12 +13,15 @@ from mansion_editing.instructions.statements import Add, Amount, Ensure, History
 __all__ = ["Adding"]
 
 
-class Adding(States):
+class Adding(States, Colours):
     """Reads ``put``, ``add``, ``bring``, ``give`` and ``set``."""
 
     def _add(self, at: int, place: int) -> tuple[list[Statement], int]:
         if self.text(place) in ("on", "off") and self.text(at) == "put":
             return self._switch(at, place)
+        laid = self._laid(at, place)
+        if laid is not None:
+            return laid
         door = self._door_between(at, place)
         if door is not None:
             return door
@@ -51,12 +56,39 @@ class Adding(States):
         if any(w.text in ("or", "either") for w in self.words[place:end]):
             raise NotUnderstood(place, end)
         items, further = self._places_after_places(items)
+        joined, end = self._joined_places(end)
         if any(item.is_room for item in items):
             raise NotUnderstood(place, end)
         out = [self._added(items, item, self.quote(at, end)) for item in items]
         for extra in further:
             out += [self._elsewhere(statement, extra) for statement in out[: len(items)]]
+        for place_too in joined:
+            moved = [s for s in out[: len(items)] if not isinstance(s, Add | Ensure)]
+            if moved:
+                raise NotUnderstood(place, end)
+            out += [msgspec.structs.replace(statement, place=place_too) for statement in out[: len(items)]]
+        out = [msgspec.structs.replace(statement, quote=self.quote(at, end)) for statement in out]
         return self._with_companions(items[-1], out, at, end)
+
+    def _joined_places(self, at: int) -> tuple[list[Place], int]:
+        """Read ``and in the bathroom`` after a place: the same there."""
+        out: list[Place] = []
+        while True:
+            after = self.conjunction(at)
+            read = read_place(self.words, after, self.lexicon, self.floors) if after else None
+            if (
+                read is None
+                or read.source
+                or self.text(after - 1) not in ("and", ",", "&")
+                or self.starts_clause(after)
+            ):
+                return out, at
+            places, end = self.places(after)
+            place = joined_places(list(places))[0]
+            if self.phrase(end) is not None or (place.anchor is None and place.rooms is None):
+                return out, at
+            out.append(place)
+            at = end
 
     def _places_after_places(self, items: list[Item]) -> tuple[list[Item], list[Item]]:
         """Tell further places from things: in ``a mug on the table and the desk`` the desk is a place."""
@@ -76,6 +108,8 @@ class Adding(States):
         main = said[-1]
         if self.text(place) != "with" or not isinstance(main, Add | Ensure):
             return said, end
+        if main.place == Place():
+            return self._with_contents(said[:-1], main, at, place + 1)
         try:
             others = self.items(place + 1)
         except NotUnderstood:
@@ -96,6 +130,22 @@ class Adding(States):
                 where = Place(relation="on", anchor=last) if on_it else main.place
             out.append(Add(things=things, place=where, quote=quote))
         return out, stop
+
+    def _with_contents(
+        self, said: list[Statement], main: Add | Ensure, at: int, place: int
+    ) -> tuple[list[Statement], int]:
+        """Read ``a box with bandages on the trolley``: the box goes there, and they into or onto it."""
+        others = self.items(place)
+        end = others[-1].end
+        goal = self._framed(self._shared_goal(others, others[-1]))[0]
+        quote = self.quote(at, end)
+        holder = Things(refers="last", definite=True, amount=Amount(number=0))
+        out: list[Statement] = [*said, msgspec.structs.replace(main, place=goal, quote=quote)]
+        for other in others:
+            if self.lexicon.stands(other.phrase.noun.words):
+                raise NotUnderstood(place, end)
+            out.append(Add(things=other.phrase.things(), place=Place(relation="on", anchor=holder), quote=quote))
+        return out, end
 
     def _give(self, at: int, place: int) -> tuple[list[Statement], int]:
         """Read ``give the lobby two plants``; ``give me a chair`` asks for it."""

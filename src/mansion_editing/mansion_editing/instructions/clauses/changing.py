@@ -29,7 +29,7 @@ class Changing(Wishes, Moving, Sizes):
                 end = goals[0].start if goals else end
                 subject = [Item(i.phrase, tuple(p for p in i.places if p.end <= end), end) for i in subject]
             if self.text(end) in ("to", "into", "for"):
-                colour = self._colour_at(end + 1)
+                colour = self.colour_at(end + 1)
                 if (colour is not None and self.phrase(end + 1) is None) or (
                     colour is not None and colour[2] >= len(self.words)
                 ):
@@ -51,9 +51,9 @@ class Changing(Wishes, Moving, Sizes):
         if self.text(place) in ("it", "this") and self.text(place + 1) in ("look", "so", "happen", "seem"):
             end = self.boundary(place)
             return [Mention(quote=self.quote(at, end))], end
-        surface = self._surface(place)
+        surface = self.surface(place)
         if surface is not None:
-            colour = self._colour_at(surface[1])
+            colour = self.colour_at(surface[1])
             if colour is not None:
                 return self._painted(surface[0], colour[0], colour[1], self.quote(at, colour[2])), colour[2]
         if self.text(place) == "it" and place + 1 < len(self.words) and self.words[place + 1].kind == "number":
@@ -87,7 +87,7 @@ class Changing(Wishes, Moving, Sizes):
                 change = Reshape(what="area", rooms=item.rooms(), area=sign * area[0], absolute=area[1], quote=quote)
                 return [change], area[2]
             raise NotUnderstood(at, self.boundary(at))
-        colour = self._colour_at(end)
+        colour = self.colour_at(end)
         if colour is not None:
             return self._painted([item], colour[0], colour[1], self.quote(at, colour[2])), colour[2]
         found = self._predicate(item, end, at)

@@ -15,10 +15,16 @@ __all__ = ["Colours"]
 _PART: Final[dict[str, Surface]] = {"wall": "walls", "floor": "floor", "ceiling": "ceiling", "flooring": "floor"}
 
 
+_COVERINGS: Final = frozenset(
+    "parquet carpet tile linoleum vinyl laminate terrazzo hardwood marble flooring floor concrete".split()
+)
+"""Words for what covers floors."""
+
+
 class Colours(Outcomes):
     """Reads what is painted, and its colour."""
 
-    def _colour_at(self, at: int) -> tuple[str, str, int] | None:
+    def colour_at(self, at: int) -> tuple[str, str, int] | None:
         """Read a colour or a material: ``dark red``, ``oak parquet``."""
         place = at
         while self.text(place) in BEFORE_COLOUR_WORDS:
@@ -37,12 +43,47 @@ class Colours(Outcomes):
         place += self.text(place) in ("colour", "color", "flooring", "floor", "wallpaper")
         return colour, material, place
 
+    def _covering_at(self, at: int) -> tuple[str, str, int] | None:
+        """Read what a floor is covered with: ``oak parquet``, ``grey carpet``, ``new tiles``."""
+        colour = self.colour_at(at)
+        if colour is None or not colour[1] or self.words[colour[2] - 1].text not in _COVERINGS:
+            return None
+        return colour
+
+    def _covered(self, item: Item, place: int, at: int) -> tuple[list[Statement], int] | None:
+        """Read ``the library gets a grey carpet``: its floor takes it."""
+        covering = self._covering_at(place + 1)
+        own = item.is_room or self.lexicon.is_own_room(item.phrase.noun.words)
+        if covering is None or not own:
+            return None
+        end = covering[2]
+        places, stop = self.places(end)
+        if places and any(p.place.anchor is not None or p.place.rooms is not None for p in places):
+            return None
+        end = stop
+        finish = Finish(
+            rooms=item.rooms(), part="floor", colour=covering[0], material=covering[1], quote=self.quote(at, end)
+        )
+        return [finish], end
+
+    def _laid(self, at: int, place: int) -> tuple[list[Statement], int] | None:
+        """Read ``lay oak parquet in the living room``; with an article it is a thing (``a carpet``)."""
+        covering = None if self.text(place) in ("a", "an", "the") else self._covering_at(place)
+        if covering is None:
+            return None
+        places, end = self.places(covering[2])
+        rooms = joined_places(places)[0].rooms if places else self.frame.rooms
+        if rooms is None or any(p.place.anchor is not None for p in places):
+            return None
+        finish = Finish(rooms=rooms, part="floor", colour=covering[0], material=covering[1], quote=self.quote(at, end))
+        return [finish], end
+
     def _paint(self, at: int, place: int) -> tuple[list[Statement], int]:
         items = self.items_or_surfaces(place)
         if items is None:
             raise NotUnderstood(at, self.boundary(at))
         subject, end = items
-        colour = self._colour_at(end)
+        colour = self.colour_at(end)
         if colour is None:
             raise NotUnderstood(at, self.boundary(at))
         stop = colour[2]
@@ -50,7 +91,7 @@ class Colours(Outcomes):
 
     def items_or_surfaces(self, at: int) -> tuple[tuple[Surface, Rooms] | list[Item], int] | None:
         """Read ``the walls of the lobby``, ``the kitchen floor``, or objects."""
-        surface = self._surface(at)
+        surface = self.surface(at)
         if surface is not None:
             return surface
         try:
@@ -59,7 +100,7 @@ class Colours(Outcomes):
             return None
         return items, items[-1].end
 
-    def _surface(self, at: int) -> tuple[tuple[Surface, Rooms], int] | None:
+    def surface(self, at: int) -> tuple[tuple[Surface, Rooms], int] | None:
         place = at
         while self.text(place) in BEFORE_SURFACES:
             place += 1

@@ -57,6 +57,9 @@ class Item:
             if more is not None:
                 whole = merged(Place(rooms=rooms), Place(rooms=more)).rooms
                 rooms = rooms if whole is None else whole
+            elif read.place.anchor is not None and read.place.relation in ("above", "under"):
+                up = 1 if read.place.relation == "above" else -1
+                rooms = msgspec.structs.replace(rooms, up=up, base=read.place.anchor.noun, over=True)
             elif read.place.anchor is not None:
                 rooms = msgspec.structs.replace(rooms, holding=read.place.anchor)
         return rooms

@@ -2,6 +2,7 @@
 
 from mansion_editing.instructions.clauses.adding import Adding
 from mansion_editing.instructions.clauses.items import NotUnderstood
+from mansion_editing.instructions.clauses.removing import Removing
 from mansion_editing.instructions.clauses.wishes import Wishes
 from mansion_editing.instructions.phrases.word_sets import ALL_THE_REST, KEPT_AS_IT_IS, LEFT_ALONE, LEFT_AS_IT_IS
 from mansion_editing.instructions.phrases.words import STATE_WORDS
@@ -10,8 +11,15 @@ from mansion_editing.instructions.statements import Keep, Mention, Statement
 __all__ = ["Keeping"]
 
 
-class Keeping(Wishes, Adding):
+class Keeping(Wishes, Adding, Removing):
     """Reads ``leave``, ``keep`` and ``let``."""
+
+    def _staying(self, at: int) -> tuple[list[Statement], int] | None:
+        """Read ``only the candles may stay on it``, an exception to what was cleared before."""
+        staying = self._only_stays(at)
+        if staying is None:
+            return None
+        return [Keep(things=things, quote=self.quote(at, staying[1])) for things in staying[0]], staying[1]
 
     def _leave(self, at: int, place: int) -> tuple[list[Statement], int]:
         """Read ``leave the sofa alone``, ``leave the door open``, ``leave two mugs on the desk``."""
@@ -83,6 +91,10 @@ class Keeping(Wishes, Adding):
             found = self._existential(place, asked=True)
             if found is not None:
                 return found
+        surface = self.surface(place)
+        colour = self.colour_at(surface[1] + 1) if surface is not None and self.text(surface[1]) == "be" else None
+        if surface is not None and colour is not None:
+            return self._painted(surface[0], colour[0], colour[1], self.quote(at, colour[2])), colour[2]
         item = self.item(place)
         if item is not None:
             found = self._predicate(item, item.end, at)

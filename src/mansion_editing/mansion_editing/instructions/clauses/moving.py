@@ -3,17 +3,20 @@
 import msgspec
 
 from mansion_editing.instructions.clauses.items import Item, NotUnderstood, joined_places
-from mansion_editing.instructions.clauses.outcomes import Outcomes
+from mansion_editing.instructions.clauses.shifting import Shifting
 from mansion_editing.instructions.phrases.places import read_place, with_place
 from mansion_editing.instructions.statements import Add, Move, Place, Replace, Rooms, Statement, Swap
 
 __all__ = ["Moving"]
 
 
-class Moving(Outcomes):
+class Moving(Shifting):
     """Reads ``move``, ``swap`` and ``replace``."""
 
     def _move(self, at: int, place: int) -> tuple[list[Statement], int]:
+        shifted = self._shifted(at, place)
+        if shifted is not None:
+            return shifted
         items = self.items(place)
         end = items[-1].end
         if any(item.is_room for item in items):

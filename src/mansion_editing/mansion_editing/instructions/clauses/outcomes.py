@@ -8,7 +8,18 @@ from mansion_editing.instructions.clauses.items import Item, joined_places
 from mansion_editing.instructions.clauses.sentence import Sentence
 from mansion_editing.instructions.phrases.places import ReadPlace, merged, read_place, with_place
 from mansion_editing.instructions.phrases.word_sets import NO_FRONTED_PLACES
-from mansion_editing.instructions.statements import Add, Amount, Clear, Ensure, Move, Place, Remove, Statement, Things
+from mansion_editing.instructions.statements import (
+    Add,
+    Amount,
+    Clear,
+    Ensure,
+    Move,
+    Place,
+    Remove,
+    Rooms,
+    Statement,
+    Things,
+)
 
 __all__ = ["Outcomes", "named_as"]
 
@@ -81,11 +92,20 @@ class Outcomes(Sentence):
         phrase = item.phrase
         shared = item.places or not any(other.places for other in items)
         source = joined_places([p for p in item.places if p.source])[0] if shared else Place()
-        if any(p.relative or p.goal for p in item.places) and (phrase.definite or phrase.refers):
+        whence = phrase.definite or phrase.refers or source != Place()
+        if any(p.relative or p.goal for p in item.places) and whence:
             source, goal, each = self._source_and_goal(item.places)
             goal, each = self._framed((goal, each))
+        to_them = goal.anchor is not None and goal.anchor.refers == "last" and not goal.anchor.noun
+        if phrase.refers == "last" and not phrase.noun.words and phrase.amount.number and to_them:
+            more = Things(refers="last", amount=Amount(kind="more", number=phrase.amount.number), plural=phrase.plural)
+            return Add(things=more, place=Place(rooms=Rooms(same=True)), quote=quote)
+        partitive = self._is_partitive(phrase)
+        if partitive and any(p.relative for p in item.places):
+            source, goal, each = self._source_and_goal(item.places)
         moved = (
             phrase.definite
+            or partitive
             or (phrase.refers and phrase.amount.kind != "more")
             or source != Place()
             or phrase.amount.kind in ("all", "all_but")

@@ -8,6 +8,7 @@ from mansion_editing.instructions.clauses.states import States
 from mansion_editing.instructions.clauses.ways import Ways
 from mansion_editing.instructions.phrases.places import merged, with_place
 from mansion_editing.instructions.phrases.word_sets import (
+    ANY_LONGER,
     BEFORE_PREDICATES,
     BEING_SOMEWHERE,
     FAILING,
@@ -42,14 +43,14 @@ __all__ = ["Predicates"]
 class Predicates(States, Colours, Ways):
     """Reads predicates."""
 
-    def _predicate(self, item: Item, end: int, at: int) -> tuple[list[Statement], int] | None:
-        """Read what is said of a subject."""
+    def _predicate(self, item: Item, end: int, at: int, *, denied: bool = False) -> tuple[list[Statement], int] | None:
+        """Read what is said of a subject, or denied of it ("neither the lamp nor the radio should be on")."""
         place = end
         while self._is_before_predicate(place, end):
             place += 1
-        negated = any(word.text in ("not", "never", "no") for word in self.words[end:place])
-        for reader in (self._said_state, self._said_participle, self._said_having, self._said_gone, self._said_where,
-                       self._said_colour, self._said_good):  # fmt: skip
+        negated = denied or any(word.text in ("not", "never", "no") for word in self.words[end:place])
+        for reader in (self._said_become, self._said_state, self._said_participle, self._said_having, self._said_gone,
+                       self._said_where, self._said_colour, self._said_good):  # fmt: skip
             found = reader(item, place, at, negated)
             if found is not None:
                 return found
@@ -66,6 +67,26 @@ class Predicates(States, Colours, Ways):
         if word in ("to", "only", "just", "no", "all", "both") and self.phrase(at + 1) is not None:
             return word == "to" and self.text(at - 1) not in BE and at != end
         return True
+
+    def _said_become(self, item: Item, place: int, at: int, negated: bool) -> tuple[list[Statement], int] | None:
+        """Read ``should become a home gym``, ``is turned into an office``, ``should become red``."""
+        turned = self.text(place) in ("turned", "made", "changed", "transformed") and self.text(place + 1) == "into"
+        if negated or not (self.text(place) == "become" or turned):
+            return None
+        place += 1 + turned
+        colour = self.colour_at(place)
+        if colour is not None and self.phrase(place) is None:
+            return self._painted([item], colour[0], colour[1], self.quote(at, colour[2])), colour[2]
+        new = self.phrase(place)
+        if new is None or new.noun.unknown:
+            return None
+        quote = self.quote(at, new.end)
+        if item.phrase.noun.kind in ("room", "both") and new.noun.kind in ("room", "both"):
+            kind = " ".join((*filter(None, [new.noun.owned]), *new.noun.words))
+            return [Furnish(rooms=item.rooms(), kind=kind, quote=quote)], new.end
+        if item.is_room or new.noun.kind == "room":
+            return None
+        return [Replace(things=self._all_if_plural(item.things()), by=new.things(), quote=quote)], new.end
 
     def _said_state(self, item: Item, place: int, at: int, negated: bool) -> tuple[list[Statement], int] | None:
         found = self._state_after(item, place, at)
@@ -115,7 +136,7 @@ class Predicates(States, Colours, Ways):
                 -1
             ].end
         if deed == "paint":
-            colour = self._colour_at(after)
+            colour = self.colour_at(after)
             if colour is not None:
                 return self._painted([item], colour[0], colour[1], self.quote(at, colour[2])), colour[2]
         if deed == "equip" and self.text(after) == "with":
@@ -152,6 +173,12 @@ class Predicates(States, Colours, Ways):
             return None
         if self.text(place + 1) == "to":
             return None
+        wanted = self.item(place + 1) if word in ("want", "need") else None
+        if wanted is not None and self._participle(wanted.end) is not None:
+            return self._predicate(wanted, wanted.end, at)
+        covered = self._covered(item, place, at)
+        if covered is not None and not negated:
+            return covered
         new = self.items(place + 1)
         if self._is_way(new[0].phrase):
             return self._way(at, new[0].phrase.end)
@@ -169,6 +196,8 @@ class Predicates(States, Colours, Ways):
             where = goal if own == Place() else merged(own, goal)
             if thing.phrase.amount.kind == "none":
                 out += self._gone_from(item, [thing], quote)
+            elif thing.phrase.definite and own != Place() and not thing.phrase.plural:
+                out.append(Move(things=thing.phrase.things(), place=where, or_new=True, quote=quote))
             elif thing.phrase.amount.kind == "more" or word in ("need", "require", "get", "lack", "deserve", "miss"):
                 out.append(self._given(thing, goal, quote, each=each))
             else:
@@ -186,6 +215,16 @@ class Predicates(States, Colours, Ways):
                 end += 1
             kept = Item(item.phrase, (*item.places, *(places if end == after else ())), end)
             return [Keep(things=self._all(kept.things()), quote=self.quote(at, end))], end
+        if word in ("needed", "required", "wanted", "necessary"):
+            end = place + 1
+            while self.text(end) in ANY_LONGER:
+                end += 1
+            if negated:
+                return [Remove(things=self._all_if_plural(item.things()), quote=self.quote(at, end))], end
+            places, end = self.places(end + (self.text(end) == ","))
+            if places and not item.phrase.definite:
+                whole = Item(item.phrase, (*item.places, *places), end)
+                return self._there(whole, whole.goal(), self.quote(at, end)), end
         if word in ("go", "disappear", "vanish", "leave") and not negated:
             places, end = self.places(place + 1)
             if not places:
@@ -221,7 +260,7 @@ class Predicates(States, Colours, Ways):
                 things = msgspec.structs.replace(things, amount=Amount(kind="all", number=0))
             return [Remove(things=things, quote=quote)], end
         whole = Item(item.phrase, places, end)
-        if item.phrase.definite or item.phrase.refers:
+        if item.phrase.definite or item.phrase.refers or self._is_partitive(item.phrase):
             return [self._brought(item, places, quote)], end
         return self._there(whole, whole.goal(), quote), end
 
@@ -264,14 +303,14 @@ class Predicates(States, Colours, Ways):
             return None
         if item.is_room:
             self.frame = Place(rooms=item.rooms())
-        else:
-            self.topic = item.things()
+            return [Mention(rooms=item.rooms(), quote=self.quote(at, stop))], stop
+        self.topic = item.things()
         return [Mention(quote=self.quote(at, stop))], stop
 
     def _said_colour(self, item: Item, place: int, at: int, negated: bool) -> tuple[list[Statement], int] | None:
         if negated or place == item.end:
             return None
-        colour = self._colour_at(place)
+        colour = self.colour_at(place)
         if colour is None:
             return None
         return self._painted([item], colour[0], colour[1], self.quote(at, colour[2])), colour[2]

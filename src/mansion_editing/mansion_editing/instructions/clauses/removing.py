@@ -2,8 +2,9 @@
 
 from mansion_editing.instructions.clauses.items import Item, NotUnderstood
 from mansion_editing.instructions.clauses.moving import Moving
-from mansion_editing.instructions.phrases.word_sets import AWAY
-from mansion_editing.instructions.statements import Clear, Mention, Statement
+from mansion_editing.instructions.phrases.word_sets import AWAY, STAYING_AS_IT_IS
+from mansion_editing.instructions.phrases.words import MODALS
+from mansion_editing.instructions.statements import Clear, Mention, Statement, Things
 
 __all__ = ["Removing"]
 
@@ -48,8 +49,28 @@ class Removing(Moving):
         while self.text(end) in ("up", "out", "off", "completely", "totally", "entirely"):
             end += 1
         end, spare = self.exceptions(end)
+        staying = self._only_stays(end)
+        spare, end = (staying[0], staying[1]) if staying is not None and not spare else (spare, end)
         quote = self.quote(at, end)
         return [Clear(place=self._emptied(each), spare=spare, quote=quote) for each in items], end
+
+    def _only_stays(self, at: int) -> tuple[tuple[Things, ...], int] | None:
+        """Read ``: only the laptop may remain``, ``, only the candles stay on it``."""
+        place = at
+        while self.text(place) in (",", ":", "-", "and", "but", "so", "that"):
+            place += 1
+        if self.text(place) not in ("only", "just") or self.item(place + 1) is None:
+            return None
+        items = self.items(place + 1)
+        end = items[-1].end
+        while self.text(end) in MODALS or self.text(end) in ("be", "is", "are", "to"):
+            end += 1
+        if self.text(end) not in ("stay", "remain", "left", "kept", "stand", "lie"):
+            return None
+        end += 1
+        while self.text(end) in STAYING_AS_IT_IS:
+            end += 1
+        return tuple(self._all(item.phrase.things()) for item in items), end
 
     def _tidy(self, at: int, place: int) -> tuple[list[Statement], int]:
         """Read ``tidy the hall``, which by itself asks for nothing that can be checked."""
@@ -57,7 +78,12 @@ class Removing(Moving):
         if any(p.source for item in items for p in item.places):
             return self._remove(at, place)
         end = items[-1].end
-        return [Mention(quote=self.quote(at, end))], end
+        staying = self._only_stays(end)
+        if staying is not None:
+            quote = self.quote(at, staying[1])
+            return [Clear(place=self._emptied(each), spare=staying[0], quote=quote) for each in items], staying[1]
+        rooms = items[0].rooms() if items[0].is_room else None
+        return [Mention(rooms=rooms, quote=self.quote(at, end))], end
 
     def _cleared_of(self, at: int, item: Item) -> tuple[list[Statement], int]:
         """Read ``clear the lobby of chairs``."""

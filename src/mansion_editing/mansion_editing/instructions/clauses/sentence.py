@@ -36,6 +36,10 @@ __all__ = ["Sentence"]
 
 _SKIPPED: Final = COURTESIES | BETWEEN_CLAUSES
 
+_LYING: Final = frozenset("lying standing sitting hanging resting leaning".split())
+
+_THOSE: Final = frozenset("the these those my our your them".split())
+
 _EXCEPTIONS: Final = (
     ("except", "for"), ("apart", "from"), ("other", "than"), ("aside", "from"), ("except",), ("but", "not"),
     ("and", "not"), ("not",), ("besides",), ("but",), ("save", "for"), ("excluding",), ("without",),
@@ -90,12 +94,22 @@ class Sentence(ABC):
         """Read a noun phrase."""
         return noun_phrase(self.words, at, self.lexicon, self.floors)
 
+    def phrase_of(self, noun: str) -> Noun | None:
+        """Return a noun of the sentence by its words, which ``one`` may mean later."""
+        for at in range(len(self.words)):
+            found = self.phrase(at)
+            if found is not None and " ".join(found.noun.words) == noun:
+                return found.noun
+        return None
+
     def places(self, at: int) -> tuple[tuple[ReadPlace, ...], int]:
         """Read the places from a place in the words on."""
         found: list[ReadPlace] = []
         while True:
             start = at
-            relative = self.text(at) in ("that", "which", "who")
+            relative = self.text(at) in ("that", "which", "who") or (
+                self.words[at : at + 1] and self.words[at].raw in _LYING
+            )
             while (
                 self.text(at) in PARTICIPLES_OF_REST
                 and self.text(at) != "there"
@@ -136,9 +150,10 @@ class Sentence(ABC):
             return read
         if read is None or read.place.rooms is None or read.place.anchor is not None:
             return None
-        if place.rooms is not None and (place.rooms.floors or read.place.rooms.words):
+        unnamed = place.rooms is not None and not place.rooms.words and not place.rooms.same
+        if place.rooms is not None and not unnamed and (place.rooms.floors or read.place.rooms.words):
             return None
-        ends = read.end >= len(self.words) or self.text(read.end) in (",", ".", "and", ")", "please", ";")
+        ends = read.end >= len(self.words) or self.text(read.end) in (",", ".", "and", ")", "please", ";", "there")
         return read if (ends and verb_at(self.words, read.end + 1, self.lexicon) is None) or ends else None
 
     def item(self, at: int, *, places: bool = True) -> Item | None:
@@ -149,6 +164,7 @@ class Sentence(ABC):
         if not places:
             return Item(found, (), found.end)
         following, end = self.places(found.end)
+        following = self._with_ones(following, found)
         counted = self.text(found.end - 1) in ("them", "those") and self.text(found.end) == ","
         if counted and not following:
             following, end = self.places(found.end + 1)
@@ -200,6 +216,11 @@ class Sentence(ABC):
         first = before[-1].phrase
         phrase = replace(item.phrase, amount=first.amount, definite=first.definite)
         return Item(phrase, item.places, item.end)
+
+    def _with_ones(self, places: tuple[ReadPlace, ...], phrase: NounPhrase) -> tuple[ReadPlace, ...]:
+        """Put the noun for ``one`` in places: a second sofa opposite the first one."""
+        noun = phrase.noun if phrase.noun.kind == "object" else self.last_noun
+        return places if noun is None else tuple(replace(p, place=_with_noun(p.place, noun)) for p in places)
 
     def _named(self, item: Item, before: Sequence[Item]) -> Item:
         """Put the noun that came before for ``one``: two red mugs and a blue one."""
@@ -286,7 +307,7 @@ class Sentence(ABC):
                 while self.text(at + 1) in AFTER_THANKS:
                     at += 1
             if self.text(at) == "there" and (self.text(at + 1) in BE or self.text(at + 1) in MODALS
-                                             or self.text(at + 1) in ("need", "has", "have")):  # fmt: skip
+                                             or self.text(at + 1) in ("need", "has", "have", "not")):  # fmt: skip
                 break
             if self.text(at) == "for" and self.text(at + 1) not in ("now", "me", "us"):
                 break
@@ -318,6 +339,11 @@ class Sentence(ABC):
             return items[-1].end, tuple(_kind_of_its_own(self._all(item.things())) for item in items)
         return at, ()
 
+    def _is_partitive(self, phrase: NounPhrase) -> bool:
+        """Whether a phrase takes some of those that are there: ``two of the hammers``."""
+        inner = self.words[phrase.start : phrase.end]
+        return any(w.text == "of" and self.text(phrase.start + k + 1) in _THOSE for k, w in enumerate(inner))
+
     def _is_way(self, phrase: NounPhrase) -> bool:
         return bool(phrase.noun.words) and self.lexicon.is_way(phrase.noun.words[-1])
 
@@ -335,6 +361,14 @@ class Sentence(ABC):
         place, each = goal
         each = each or (self.frame.rooms is not None and self.frame.rooms.every and bool(self.frame.rooms.words))
         return (place if self.frame == Place() else merged(place, self.frame) if place != Place() else self.frame), each
+
+
+def _with_noun(place: Place, noun: Noun) -> Place:
+    anchor = place.anchor
+    if anchor is None or anchor.noun.split()[-1:] != ["one"]:
+        return place
+    words = (*anchor.noun.split()[:-1], *noun.words)
+    return msgspec.structs.replace(place, anchor=msgspec.structs.replace(anchor, noun=" ".join(words)))
 
 
 def _kind_of_its_own(things: Things) -> Things:

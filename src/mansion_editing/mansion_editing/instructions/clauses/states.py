@@ -106,14 +106,19 @@ class States(RoomChanges, Turning):
         if self.text(place) in ("on", "off") and self.phrase(place + 1) is not None:
             return None
         state, value = STATE_WORDS[self.text(place)]
-        quote = self.quote(at, place + 1)
-        switched = self._state_of([item], item, state, (), quote, value=value)
+        where, stop = self.places(place + 1)
+        quote = self.quote(at, stop)
+        whole = Item(item.phrase, (*item.places, *where), stop)
+        switched = self._state_of([whole], whole, state, (), quote, value=value)
         brought = not item.phrase.definite and item.phrase.amount.kind == "some" and bool(item.places)
         if brought and not item.is_room:
             goal, each = self._framed(item.goal())
-            return [Ensure(things=item.phrase.things(), place=goal, each=each, quote=quote), switched], place + 1
-        return [switched], place + 1
+            return [Ensure(things=item.phrase.things(), place=goal, each=each, quote=quote), switched], stop
+        return [switched], stop
 
 
 def state_set(things: Things, state: str, quote: str, *, value: bool) -> SetState:
+    """Return that things take a state; without a noun whatever can take it is meant."""
+    if not things.noun and not things.refers:
+        things = msgspec.structs.replace(things, noun="openable" if state == "open" else "switchable")
     return SetState(things=things, state="open" if state == "open" else "on", value=value, quote=quote)

@@ -1,7 +1,5 @@
 """Clauses with a subject and a predicate: "the lamp should be on"."""
 
-from dataclasses import replace
-
 import msgspec
 
 from mansion_editing.instructions.clauses.items import Item, joined_places
@@ -23,12 +21,12 @@ class Subjects(Predicates):
         number = self._number_should_be(at) or self._only_thing(at)
         if number is not None:
             return number
-        surface = self._surface(at)
+        surface = self.surface(at)
         if surface is not None:
             end = surface[1]
             while self.text(end) in MODALS or self.text(end) in BEFORE_COLOURS:
                 end += 1
-            colour = self._colour_at(end)
+            colour = self.colour_at(end)
             if colour is not None and end > surface[1] - 1:
                 return self._painted(surface[0], colour[0], colour[1], self.quote(at, colour[2])), colour[2]
         return self._of_subjects(at)
@@ -53,10 +51,7 @@ class Subjects(Predicates):
         out: list[Statement] = []
         end = at
         for subject in subjects:
-            if self.text(at) == "neither":
-                none = Amount(kind="none", number=0)
-                subject = Item(replace(subject.phrase, amount=none), subject.places, subject.end)
-            found = self._predicate(subject, subjects[-1].end, at)
+            found = self._predicate(subject, subjects[-1].end, at, denied=self.text(at) == "neither")
             if found is None:
                 return None
             out += found[0]

@@ -4,7 +4,7 @@ from mansion_editing.instructions.clauses.adding import Adding
 from mansion_editing.instructions.clauses.items import NotUnderstood
 from mansion_editing.instructions.clauses.removing import Removing
 from mansion_editing.instructions.phrases.places import read_place
-from mansion_editing.instructions.statements import History, Mention, Statement
+from mansion_editing.instructions.statements import History, Mention, Place, Statement, Things
 
 __all__ = ["Taking"]
 
@@ -42,11 +42,31 @@ class Taking(Adding, Removing):
         later = {w.text for w in self.words[after : after + 8]}
         return self.starts_clause(after) and bool(later & {"it", "them", "that"})
 
+    def _gone_up(self, at: int) -> tuple[list[Statement], int] | None:
+        """Read ``go up one floor from the cafe``, which tells where the rest of the sentence is."""
+        if self.text(at) not in ("go", "walk", "head", "climb", "come"):
+            return None
+        read = read_place(self.words, at + 1, self.lexicon, self.floors)
+        if read is None or read.place.rooms is None or not (read.place.rooms.up or read.place.rooms.floors):
+            return None
+        self.frame = read.place
+        return [Mention(quote=self.quote(at, read.end))], read.end
+
+    def _goes_on_there(self, at: int) -> bool:
+        """Whether another clause follows what was only gone to."""
+        return self.starts_clause(self.conjunction(at) or self.skip(at))
+
     def _go(self, at: int, place: int) -> tuple[list[Statement], int]:
         """Read ``find the wardrobe and open it``: the thing is only what the next clause is about."""
         items = self.items(place)
         end = items[-1].end
-        if not (self._goes_on_with_it(end) or end >= len(self.words) or self.text(end) in (":", ".")):
+        if not (
+            self._goes_on_with_it(end)
+            or self._goes_on_there(end)
+            or end >= len(self.words)
+            or self.text(end) in (":", ".")
+        ):
             raise NotUnderstood(at, self.boundary(at))
-        self.topic = items[0].things()
+        room = items[0].is_room
+        self.topic = Things(place=Place(rooms=items[0].rooms())) if room else items[0].things()
         return [Mention(quote=self.quote(at, end))], end

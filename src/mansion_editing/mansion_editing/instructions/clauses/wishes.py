@@ -197,6 +197,8 @@ class Wishes(Subjects, Negations):
                 return self.read(place)
         if self.text(place) == "you" and self.text(place + 1) == "to":
             return self.read(place + 2)
+        if self.text(place) == "you" and verb_at(self.words, place + 1, self.lexicon) is not None:
+            return self.read(place + 1)
         if self.text(place) == "there":
             found = self._existential(place, asked=True)
             if found is not None:

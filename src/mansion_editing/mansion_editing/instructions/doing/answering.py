@@ -2,14 +2,16 @@
 
 from collections.abc import Sequence
 
+import msgspec
+
 from mansion_editing.instructions.doing.changing import able, state_word
-from mansion_editing.instructions.doing.work import Done, counted, listed, whereabouts
+from mansion_editing.instructions.doing.work import Done, listed, whereabouts
 from mansion_editing.instructions.meaning.choices import one_room_each
-from mansion_editing.instructions.meaning.context import Context
+from mansion_editing.instructions.meaning.context import Context, ambiguous
 from mansion_editing.instructions.meaning.descriptions import all_at, anchors_of, carried_by, rooms_of, things_of
 from mansion_editing.instructions.meaning.room_words import room_title
-from mansion_editing.instructions.meaning.wording import place_words
-from mansion_editing.instructions.statements import Ask, Place, Rooms, Things
+from mansion_editing.instructions.meaning.wording import counted, place_words, title_of
+from mansion_editing.instructions.statements import Amount, Ask, Place, Rooms, Things
 from mansion_editing.state import SceneState
 from mansion_editing.tools.paths import check_path
 from mansion_language.colours import colour_of
@@ -17,7 +19,7 @@ from mansion_msgs_py.editing.questions import CheckPathArgs
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import SceneObject
 
-__all__ = ["answer"]
+__all__ = ["answer", "holds"]
 
 
 def answer(question: Ask, state: SceneState, context: Context) -> Done:
@@ -28,7 +30,12 @@ def answer(question: Ask, state: SceneState, context: Context) -> Done:
     MansionError
         ``NOT_FOUND`` for a question about rooms or things that are not there.
     """
-    if question.about in ("rooms", "area"):
+    them = question.things is not None and question.things.refers == "last" and not question.things.noun
+    if question.about == "count" and them and context.noun:
+        here = question.place or (Place(rooms=Rooms(same=True, every=True)) if context.rooms else None)
+        counted_things = Things(noun=context.noun, plural=True, amount=Amount(kind="all", number=0))
+        question = msgspec.structs.replace(question, things=counted_things, place=here)
+    if question.about in ("rooms", "area") or (question.about == "where" and question.things is None):
         return _of_rooms(question, state, context)
     if question.about == "reach":
         return _of_ways(question, state, context)
@@ -40,6 +47,35 @@ def answer(question: Ask, state: SceneState, context: Context) -> Done:
     rooms = tuple(dict.fromkeys(item.room for item in found))
     noun = "" if question.things is None else question.things.noun
     return Done(reply, context.followed([item.id for item in found], rooms, noun))
+
+
+def holds(question: Ask, state: SceneState, context: Context) -> bool:
+    """Whether the answer to a question of yes or no is yes.
+
+    Raises
+    ------
+    MansionError
+        ``NOT_FOUND`` for a question about rooms or things that are not there.
+    """
+    if question.place is not None and question.place.anchor is not None and question.about == "exists":
+        things = question.things or Things(plural=True)
+        return len(all_at(state, things_of(state, things, context), question.place, context)) >= _least(things)
+    found = _found(question, state, context)
+    if question.about == "state":
+        name = question.state or "open"
+        ready = [item for item in found if able(item, name)]
+        if not ready:
+            raise MansionError(ErrorCode.NOT_FOUND, f"there is no {_noun(question)}{_said(question)}")
+        values = [bool(item.states.get(name, False)) == question.value for item in ready]
+        one = question.things is not None and not question.things.plural
+        if one and len(set(values)) > 1:
+            raise ambiguous(_noun(question), [title_of(state, item) for item in ready], [item.id for item in ready])
+        return all(values)
+    return len(found) >= _least(question.things)
+
+
+def _least(things: Things | None) -> int:
+    return 1 if things is None else max(1, things.amount.number)
 
 
 def _found(question: Ask, state: SceneState, context: Context) -> list[SceneObject]:
@@ -83,8 +119,10 @@ def _noun(question: Ask) -> str:
 def _count(question: Ask, found: Sequence[SceneObject], said: str, state: SceneState) -> str:
     verb = "is" if len(found) == 1 else "are"
     if not found:
-        return f"There are no {counted(0, _noun(question))[2:]}{said or ' in the building'}."
+        return f"There are {counted(0, _noun(question))}{said or ' in the building'}."
     by_room = {room: sum(item.room == room for item in found) for room in dict.fromkeys(i.room for i in found)}
+    if len(by_room) == 1 and said:
+        return f"There {verb} {counted(len(found), _noun(question))}{said}."
     spread = ", ".join(f"{number} in {room_title(state, room)}" for room, number in by_room.items())
     return f"There {verb} {counted(len(found), _noun(question))}{said or ' in the building'}: {spread}."
 
@@ -117,7 +155,8 @@ def _what(question: Ask, found: Sequence[SceneObject], said: str, state: SceneSt
     for item in found:
         kinds[item.name or item.category] = kinds.get(item.name or item.category, 0) + 1
     verb = "is" if len(found) == 1 else "are"
-    return f"There {verb}{said} {', '.join(counted(number, kind) for kind, number in kinds.items())}: {listed(found)}."
+    where = f"{said.strip()[:1].upper()}{said.strip()[1:]} there" if said else "There"
+    return f"{where} {verb} {', '.join(counted(number, kind) for kind, number in kinds.items())}: {listed(found)}."
 
 
 def _states(question: Ask, found: Sequence[SceneObject], said: str, state: SceneState) -> str:
@@ -156,9 +195,16 @@ def _of_rooms(question: Ask, state: SceneState, context: Context) -> Done:
         reply = "; ".join(areas) + "."
     elif not found:
         reply = f"There are no rooms called {wanted.words}." if wanted.words else "There are no such rooms."
+    elif question.about == "where":
+        reply = "; ".join(f"{room_title(state, room)} is on floor {_floor_of(state, room)}" for room in found) + "."
     else:
         reply = f"{counted(len(found), 'room')}: {', '.join(room_title(state, room) for room in found)}."
     return Done(reply, context.followed((), found, ""))
+
+
+def _floor_of(state: SceneState, room: str) -> int:
+    found = state.room(room)
+    return 0 if found is None else found[0]
 
 
 def _of_ways(question: Ask, state: SceneState, context: Context) -> Done:

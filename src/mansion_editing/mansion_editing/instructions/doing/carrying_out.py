@@ -10,9 +10,11 @@ from mansion_editing.instructions.doing.moving import move, swap, turn
 from mansion_editing.instructions.doing.providing import add, ensure, replace_things
 from mansion_editing.instructions.doing.removing import clear, remove
 from mansion_editing.instructions.doing.rooms import finish, furnish_rooms, rename, reshape
+from mansion_editing.instructions.doing.shifting import shift
 from mansion_editing.instructions.doing.work import Done, Work, listed
 from mansion_editing.instructions.meaning.choices import things_meant
 from mansion_editing.instructions.meaning.context import Context
+from mansion_editing.instructions.meaning.descriptions import rooms_of
 from mansion_editing.instructions.meaning.wording import place_words, thing_words
 from mansion_editing.instructions.statements import (
     Add,
@@ -32,6 +34,7 @@ from mansion_editing.instructions.statements import (
     Replace,
     Reshape,
     SetState,
+    Shift,
     Statement,
     Swap,
     Turn,
@@ -47,6 +50,7 @@ _WORK: Final[dict[type[Any], Callable[[Any, SceneState, Context], Work]]] = {
     Remove: remove,
     Clear: clear,
     Move: move,
+    Shift: shift,
     Swap: swap,
     Replace: replace_things,
     SetState: set_state,
@@ -81,5 +85,6 @@ def carry(statement: Statement, state: SceneState, context: Context) -> Generato
     if isinstance(statement, Forbid):
         return Done(f"no {thing_words(statement.things)} added {place_words(statement.place)}".rstrip(), context)
     if isinstance(statement, Mention):
-        return Done("", context)
+        rooms = () if statement.rooms is None else tuple(rooms_of(state, statement.rooms, context))
+        return Done("", context.followed((), rooms if len(rooms) == 1 else (), ""))
     raise Unmet("an earlier instruction is taken back, or done again, in an instruction of its own")

@@ -1,6 +1,8 @@
 """SetState, Paint and Reach: what things look like and whether they are open or on, and whether a way leads there."""
 
+import re
 from collections.abc import Sequence
+from typing import Final
 
 from mansion_editing.instructions.doing.work import Done, Work, listed
 from mansion_editing.instructions.meaning.choices import concerned, one_room_each, things_meant
@@ -19,6 +21,10 @@ __all__ = ["able", "ends_of", "paint", "reach", "set_state", "state_word"]
 _WORDS = {("open", True): "open", ("open", False): "closed", ("on", True): "on", ("on", False): "off"}
 
 
+_WHATEVER: Final = re.compile(r"\b(all|every|everything|any|each|whatever|no)\b", re.IGNORECASE)
+"""Words that mean as many as there are, none among them; "close the curtains" says that there are some."""
+
+
 def state_word(state: str, *, value: bool) -> str:
     """Return the word for a state of a thing."""
     return _WORDS[state, value]
@@ -34,11 +40,12 @@ def set_state(statement: SetState, state: SceneState, context: Context) -> Work:
     things, name, value = statement.things, statement.state, statement.value
     word = state_word(name, value=value)
     found = concerned(state, things, context)
-    if not found and things.amount.kind == "all" and things.noun:
+    if not found and things.amount.kind == "all" and things.noun and _WHATEVER.search(statement.quote):
         return Done(f"there was nothing to do: there is no {thing_words(things)}", context)
     ready = {item.id for item in found if able(item, name)}
     if found and not ready:
-        raise Unmet(f"no {thing_words(things)} {'opens or closes' if name == 'open' else 'switches'}: {listed(found)}")
+        what = "open or close" if name == "open" else "switch on or off"
+        raise Unmet(f"{listed(found)} {'does' if len(found) == 1 else 'do'} not {what}")
     other = {item.id for item in found if item.id in ready and bool(item.states.get(name, False)) != value}
     preferred = other if len(other) == 1 else ready
     chosen = things_meant(state, things, context, lambda item: item.id in preferred)

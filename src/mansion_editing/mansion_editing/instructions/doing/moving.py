@@ -9,9 +9,9 @@ import msgspec
 from mansion_editing.instructions.doing.providing import add, wishes_of
 from mansion_editing.instructions.doing.rooms import swap_rooms
 from mansion_editing.instructions.doing.work import Done, Work, listed, live, whereabouts
-from mansion_editing.instructions.meaning.choices import things_meant
+from mansion_editing.instructions.meaning.choices import from_there, things_meant
 from mansion_editing.instructions.meaning.context import Context
-from mansion_editing.instructions.meaning.descriptions import all_at, things_of
+from mansion_editing.instructions.meaning.descriptions import all_at, rooms_of, things_of
 from mansion_editing.instructions.meaning.nouns import is_loose
 from mansion_editing.instructions.meaning.numbers import means_one
 from mansion_editing.instructions.meaning.targets import Target, places_of
@@ -45,10 +45,15 @@ def move(statement: Move, state: SceneState, context: Context) -> Work:
             said = f"{none}, and {listed(arrived)} {_is([i.id for i in arrived])} there already"
             rooms = tuple(dict.fromkeys(item.room for item in arrived))
             return Done(said, context.followed([item.id for item in arrived], rooms, things.noun))
+    place, context = _on_other_storey(state, things, place, context)
     targets = _targets(state, place, context)
     there = {item.id for item in all_at(state, found, place, context)}
     away = [item for item in found if item.id not in there]
     single = not things.plural and things.amount.number <= 1 and things.amount.kind in ("some", "all")
+    reached = {target.room for target in targets}
+    elsewhere = bool(targets) and not any(item.room in reached for item in away)
+    if means_one(things) and there and elsewhere:
+        away = []
     if (found and not away) or (there and single and not means_one(things) and not statement.or_new):
         said = f"{listed(sorted(there))} {_is(there)} there already; nothing had to move"
         rooms = tuple(dict.fromkeys(item.room for item in found if item.id in there))
@@ -65,6 +70,18 @@ def move(statement: Move, state: SceneState, context: Context) -> Work:
         replies.append(f"{name} moved from {where} to {whereabouts(now).removeprefix('in ')}")
     rooms = tuple(dict.fromkeys(item.room for item in live(state, ids)))
     return Done("; ".join(replies), context.followed(ids, rooms, things.noun))
+
+
+def _on_other_storey(state: SceneState, things: Things, place: Place, context: Context) -> tuple[Place, Context]:
+    """Return the place with the room there that is of the kind of the one that things come from: ``up one floor``."""
+    near = from_there(state, things, place, context)
+    if near is context or place.rooms is None or place.rooms.words:
+        return place, near
+    kinds = {found[1].room_type for name in near.rooms if (found := state.room(name)) is not None}
+    there = [name for name in rooms_of(state, place.rooms, near) if state.room(name) is not None]
+    alike = [name for name in there if (found := state.room(name)) is not None and found[1].room_type in kinds]
+    chosen = alike if len(alike) == 1 else there
+    return (msgspec.structs.replace(place, rooms=Rooms(words=chosen[0])) if len(chosen) == 1 else place), near
 
 
 def _is(ids: Sequence[str] | set[str]) -> str:
@@ -137,7 +154,9 @@ def _ways(
     """Return arguments of MoveObject, the best first."""
     wishes = wishes_of(place, target)
     if target.anchor is not None and place.relation in ("on", "in"):
-        return [{"receptacle_id": target.anchor.id, **wishes}]
+        asset = state.asset(target.anchor)
+        inward = place.relation == "in" and asset is not None and bool(asset.volumes)
+        return [{"receptacle_id": target.anchor.id, **wishes, **({"inside": True} if inward else {})}]
     if target.anchor is not None:
         holder = target.anchor.parent if is_loose(item) else None
         return [{"receptacle_id": holder or target.room, **wishes}]

@@ -6,14 +6,14 @@ from typing import Any
 import msgspec
 
 from mansion_editing.instructions.doing.removing import removed
-from mansion_editing.instructions.doing.work import Done, Work, counted, listed, live
+from mansion_editing.instructions.doing.work import Done, Work, listed, live
 from mansion_editing.instructions.meaning.choices import things_meant
 from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.descriptions import all_at, rooms_of, things_of
 from mansion_editing.instructions.meaning.nouns import has_material
 from mansion_editing.instructions.meaning.numbers import means_several, new_number
 from mansion_editing.instructions.meaning.targets import Target, places_of
-from mansion_editing.instructions.meaning.wording import place_words, thing_words
+from mansion_editing.instructions.meaning.wording import place_in, place_words, there_were, thing_words
 from mansion_editing.instructions.statements import Add, Amount, Ensure, Place, Replace, Rooms, Things
 from mansion_editing.provisioning.facts import ObjectDescription, Scope
 from mansion_editing.provisioning.making_room import make_room
@@ -72,8 +72,8 @@ def _added_reply(
 ) -> Done:
     items = live(state, made)
     rooms = tuple(dict.fromkeys(item.room for item in items))
-    where = place_words(place) or f"in {' and '.join(rooms)}"
-    had = f"there {'was' if before == 1 else 'were'} {counted(before, things.noun)} {where}"
+    where = place_in(state, place, context) or f"in {' and '.join(rooms)}"
+    had = f"{there_were(before, things.noun)} {where}"
     reply = f"{had}; {len(made)} added ({listed(made)}), now {before + len(made)}"
     return Done(reply, context.followed(made, rooms, things.noun))
 
@@ -300,8 +300,8 @@ def ensure(statement: Ensure, state: SceneState, context: Context) -> Work:
             made += yield from place_at(things, number - len(found), place, order if whole else order[:1], state)
     items = live(state, made)
     rooms = tuple(dict.fromkeys([*(i.room for i in items), *(t.room for g in groups for t in g[:1])]))
-    where = place_words(place) or "in the building"
-    reply = f"there {'was' if had == 1 else 'were'} {counted(had, things.noun)} {where}"
+    where = place_in(state, place, context) or "in the building"
+    reply = f"{there_were(had, things.noun)} {where}"
     if made:
         reply += f"; {len(made)} added ({listed(made)}), now {had + len(made)}"
     if gone:

@@ -5,13 +5,13 @@ from collections.abc import Callable, Generator, Sequence
 import msgspec
 
 from mansion_assets.catalogue.vocabulary import stems, vocabulary_of
-from mansion_editing.instructions.doing.work import Done, Work, counted, listed, live
+from mansion_editing.instructions.doing.work import Done, Work, listed, live
 from mansion_editing.instructions.meaning.choices import concerned, one_room_each, things_meant
 from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.descriptions import all_at, anchors_of, carried_by, rooms_of, things_of
 from mansion_editing.instructions.meaning.nouns import is_fixed, is_loose, names_many
 from mansion_editing.instructions.meaning.numbers import means_one
-from mansion_editing.instructions.meaning.wording import place_words, thing_words
+from mansion_editing.instructions.meaning.wording import counted, place_in, place_words, thing_words
 from mansion_editing.instructions.statements import Clear, Place, Remove, Things
 from mansion_editing.runs.policies import Action, Outcome, Unmet, ask
 from mansion_editing.state import SceneState
@@ -63,10 +63,12 @@ def _chosen(things: Things, state: SceneState, context: Context) -> list[SceneOb
     several = amount.kind in ("all", "at_most", "none") or (things.plural and amount.number <= 1)
     found = concerned(state, things, context)
     known = names_many(things.noun) or bool(vocabulary_of(state.catalogue).nouns(things.noun))
+    if not found and things.refers:
+        raise Unmet(f"there is nothing that {thing_words(things)!r} could be")
     if not found and known and (several or (means_one(things) and bool(things.noun))):
         return []
     if amount.kind in ("all_but", "exactly") and len(found) < amount.number:
-        raise Unmet(f"there are only {len(found)} {thing_words(things)}, not {amount.number}")
+        raise Unmet(f"there are only {counted(len(found), things.noun or 'thing')}, not {amount.number}")
     chosen = things_meant(state, things, context, surplus=True)
     free = [item for item in chosen if not is_fixed(item) or _is_named(state, item, things.noun)]
     if chosen and not free:
@@ -89,9 +91,9 @@ def _nothing_to_remove(things: Things, state: SceneState, context: Context) -> D
     if place is not None and place.anchor is not None and not anchors_of(state, place, context):
         raise Unmet(f"there is no {thing_words(msgspec.structs.replace(place.anchor, definite=False))}")
     found = concerned(state, things, context)
-    where = "" if place is None else f" {place_words(place)}"
+    where = "" if place is None else f" {place_in(state, place, context)}"
     verb = "is" if len(found) == 1 else "are"
-    left = counted(len(found), things.noun or "thing").replace("0 ", "no ", 1 if not found else 0)
+    left = counted(len(found), things.noun or "thing")
     rooms = [] if place is None or place.rooms is None else rooms_of(state, place.rooms, context)
     said = f"there was nothing to remove: there {verb} {left}{where}"
     return Done(said, context.followed((), rooms, things.noun))
@@ -106,6 +108,8 @@ def to_clear(statement: Clear, state: SceneState, context: Context) -> list[Scen
         ``NOT_FOUND`` for a place that is not there; see `things_meant`.
     """
     place = statement.place
+    if place == Place():
+        raise Unmet("say which room, storey or piece of furniture is to be emptied; not the whole building at once")
     spared = {item.id for things in statement.spare for item in things_of(state, things, context)} | context.kept
     if place.anchor is not None and place.relation in ("on", "in", ""):
         anchor = place.anchor

@@ -7,10 +7,9 @@ from typing import TypeAlias
 from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.runs.policies import Action, Outcome
 from mansion_editing.state import SceneState
-from mansion_language import plural
 from mansion_msgs_py.scene import SceneObject
 
-__all__ = ["Done", "Work", "counted", "listed", "live", "whereabouts"]
+__all__ = ["Done", "Work", "listed", "live", "whereabouts"]
 
 
 @dataclass(frozen=True)
@@ -31,17 +30,6 @@ class Done:
 
 Work: TypeAlias = Generator[Action, Outcome, Done]
 """Yields calls of tools; raises `Unmet` or `MansionError` where the statement cannot be carried out."""
-
-
-def counted(number: int, noun: str) -> str:
-    """Return a number with a noun.
-
-    Examples
-    --------
-    >>> counted(1, "mug"), counted(0, "mug")
-    ('1 mug', '0 mugs')
-    """
-    return f"{number} {noun if number == 1 else plural(noun)}"
 
 
 def listed(items: Sequence[SceneObject] | Sequence[str]) -> str:

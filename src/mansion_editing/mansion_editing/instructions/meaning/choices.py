@@ -10,13 +10,20 @@ from mansion_editing.instructions.meaning.context import Context, ambiguous
 from mansion_editing.instructions.meaning.descriptions import all_at, anchors_of, rooms_of, things_of
 from mansion_editing.instructions.meaning.numbers import is_one, means_one
 from mansion_editing.instructions.meaning.room_words import room_title
-from mansion_editing.instructions.meaning.wording import at_words, bare_words, room_words, thing_words, title_of
-from mansion_editing.instructions.statements import Place, Rooms, Things
+from mansion_editing.instructions.meaning.wording import (
+    at_words,
+    bare_words,
+    counted,
+    room_words,
+    thing_words,
+    title_of,
+)
+from mansion_editing.instructions.statements import Amount, Place, Rooms, Things
 from mansion_editing.state import SceneState
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import SceneObject
 
-__all__ = ["Fit", "concerned", "one_room_each", "things_meant", "too_few"]
+__all__ = ["Fit", "concerned", "from_there", "one_room_each", "things_meant", "too_few"]
 
 Fit: TypeAlias = Callable[[str], bool]
 """Whether a room, by its id, fits the rest of a statement."""
@@ -40,7 +47,10 @@ def one_room_each(state: SceneState, rooms: Rooms, context: Context, fits: Fit |
     found = rooms_of(state, rooms, context)
     if not found:
         known = ", ".join(dict.fromkeys(room.name or room.room_type.replace("_", " ") for _, room in state.rooms()))
-        raise MansionError(ErrorCode.NOT_FOUND, f"there is no {room_words(rooms)}; the rooms are {known[:600]}")
+        elsewhere = rooms_of(state, msgspec.structs.replace(rooms, floors=()), context) if rooms.floors else []
+        where = " and ".join(f"{room_title(state, name)} on floor {_floor(state, name)}" for name in elsewhere[:4])
+        hint = f"there is {where}" if where else f"the rooms are {known[:600]}"
+        raise MansionError(ErrorCode.NOT_FOUND, f"there is no {room_words(rooms)}; {hint}")
     if rooms.number > 1 and len(found) != rooms.number:
         if len(found) > rooms.number:
             raise ambiguous(room_words(rooms), [room_title(state, room) for room in found], found)
@@ -53,6 +63,23 @@ def one_room_each(state: SceneState, rooms: Rooms, context: Context, fits: Fit |
             raise ambiguous(f"the {room_words(rooms)}", [room_title(state, r) for r in candidates], candidates)
         return fitting
     return found
+
+
+def _floor(state: SceneState, room: str) -> int:
+    found = state.room(room)
+    return 0 if found is None else found[0]
+
+
+def from_there(state: SceneState, things: Things, place: Place, context: Context) -> Context:
+    """Return the context in which ``up one floor`` and ``under the bed`` are told from where things are."""
+    rooms = place.rooms
+    if rooms is None and place.anchor is not None and place.anchor.definite and not place.anchor.refers:
+        own = {item.room for item in things_of(state, things, context)}
+        return context.followed((), tuple(own), "") if len(own) == 1 else context
+    if rooms is None or not rooms.up or rooms.base:
+        return context
+    found = [item.room for item in things_of(state, things, context)]
+    return context.followed((), tuple(dict.fromkeys(found)), "")
 
 
 def concerned(state: SceneState, things: Things, context: Context) -> list[SceneObject]:
@@ -108,7 +135,9 @@ def things_meant(
         found = _at_one_place(state, things.place, found, context)
     amount, count = things.amount, len(found)
     if amount.of and amount.of != count:
-        message = f"there are {count} {bare_words(things)}{at_words(things.place)}, not {amount.of}: {_ids(found)}"
+        are = "is" if count == 1 else "are"
+        kind = counted(count, bare_words(things))
+        message = f"there {are} {kind}{at_words(things.place)}, not {amount.of}: {_ids(found)}"
         raise MansionError(ErrorCode.INFEASIBLE, message)
     if amount.kind == "all":
         if amount.number > 1 and amount.number != count:
@@ -120,18 +149,26 @@ def things_meant(
         return _any_of(state, found, max(0, count - amount.number))
     if amount.kind == "none":
         return []
+    if amount.kind == "half":
+        return _any_of(state, found, _half(things, found))
     if things.plural and amount.number <= 1:
         return found
     if means_one(things) or (things.refers == "last" and not things.plural and things.noun):
         return _the_one(things, found, context, prefer)
-    if things.refers == "last":
+    if things.refers == "last" and (not amount.number or amount.number >= count):
         return found
     number = max(1, amount.number)
     if number > count:
         raise too_few(things, found)
-    if things.definite and number < count and not amount.of:
+    if things.definite and not things.refers and number < count and not amount.of:
         raise ambiguous(thing_words(things), [title_of(state, item) for item in found], [i.id for i in found])
     return _any_of(state, found, number)
+
+
+def _half(things: Things, found: list[SceneObject]) -> int:
+    if len(found) < 2:
+        raise too_few(msgspec.structs.replace(things, amount=Amount(number=2)), found)
+    return len(found) // 2
 
 
 def _the_one(
@@ -157,7 +194,8 @@ def too_few(things: Things, found: list[SceneObject]) -> MansionError:
     only = "only " if things.amount.number >= len(found) else ""
     verb = "is" if len(found) == 1 else "are"
     message = (
-        f"there {verb} {only}{len(found)} {bare_words(things)}{at_words(things.place)}, not {things.amount.number}: "
+        f"there {verb} {only}{counted(len(found), bare_words(things))}{at_words(things.place)},"
+        f" not {things.amount.number}: "
     )
     return MansionError(ErrorCode.INFEASIBLE, message + _ids(found))
 
@@ -196,6 +234,9 @@ def _at_one_place(state: SceneState, place: Place, found: list[SceneObject], con
         for anchor in anchors
     }
     having = [anchor for anchor in anchors if near[anchor.id]]
+    here = [anchor for anchor in having if anchor.room in context.rooms]
+    if len(here) == 1:
+        return near[here[0].id]
     if len(having) > 1:
         words = thing_words(place.anchor)
         raise ambiguous(words, [title_of(state, item) for item in having], [item.id for item in having])

@@ -5,13 +5,14 @@ from collections.abc import Sequence
 from typing import Final
 
 import msgspec
+from shapely import Polygon
 
 from mansion_assets.catalogue.vocabulary import stems
 from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.nouns import called, has_colour, has_material, id_order
 from mansion_editing.instructions.meaning.numbers import means_several
 from mansion_editing.instructions.meaning.room_words import adjoining, best_named, room_order
-from mansion_editing.instructions.statements import Place, Rooms, Things
+from mansion_editing.instructions.statements import JOINED, Place, Rooms, Things
 from mansion_editing.state import SceneState
 from mansion_editing.tools.perception import contents, on_top
 from mansion_editing.tools.relations import relation_holds
@@ -34,6 +35,10 @@ def rooms_of(state: SceneState, rooms: Rooms, context: Context) -> list[str]:
 
 
 def _rooms_of(state: SceneState, rooms: Rooms, context: Context) -> list[SceneRoom]:
+    if JOINED in rooms.words:
+        names = rooms.words.split(JOINED)
+        each = [msgspec.structs.replace(rooms, words=words, every=False, number=0) for words in names]
+        return list({room.id: room for one in each for room in _rooms_of(state, one, context)}.values())
     pool = sorted((room for floor, room in state.rooms() if not rooms.floors or floor in rooms.floors), key=room_order)
     if rooms.same and rooms.words:
         storeys = {name.split("/", 1)[0] for name in context.rooms}
@@ -43,6 +48,8 @@ def _rooms_of(state: SceneState, rooms: Rooms, context: Context) -> list[SceneRo
         if not last and rooms.floors:
             last = tuple(room.id for room in pool)
         pool = [room for room in pool if room.id in last]
+    if rooms.up:
+        pool = _storeys_away(state, rooms, context, pool)
     if rooms.next_to:
         beside = _next_rooms(state, rooms, context)
         pool = [room for room in pool if room.id in beside]
@@ -61,6 +68,30 @@ def _rooms_of(state: SceneState, rooms: Rooms, context: Context) -> list[SceneRo
     if rooms.ordinal:
         pool = _nth(pool, rooms.ordinal)
     return pool
+
+
+def _storeys_away(state: SceneState, rooms: Rooms, context: Context, pool: list[SceneRoom]) -> list[SceneRoom]:
+    """Return the rooms so many storeys above or below a room, the last one that was mentioned, or the entrance's."""
+    bases = [found for name in _bases(state, rooms, context) if (found := state.room(name)) is not None]
+    wanted = {floor + rooms.up for floor, _ in bases}
+    there = [room for room in pool if (found := state.room(room.id)) is not None and found[0] in wanted]
+    if not rooms.over:
+        return there
+    shapes = [Polygon(room.polygon) for _, room in bases]
+    shared = {room.id: sum(Polygon(room.polygon).intersection(shape).area for shape in shapes) for room in there}
+    return [room for room in there if shared[room.id] >= _SHARED * max(shared.values(), default=0.0) > 0.0]
+
+
+_SHARED: Final = 0.5
+"""Least share of the greatest overlap from which a room lies above another."""
+
+
+def _bases(state: SceneState, rooms: Rooms, context: Context) -> Sequence[str]:
+    if rooms.base:
+        return rooms_of(state, Rooms(words=rooms.base), context)
+    if context.rooms:
+        return context.rooms[-1:]
+    return [room.id for floor, room in state.rooms() if floor == 1][:1]
 
 
 def _next_rooms(state: SceneState, rooms: Rooms, context: Context) -> set[str]:

@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Callable, Iterable
+from functools import lru_cache
 from typing import Final
 
 from mansion_assets.catalogue.vocabulary import stems, vocabulary_of
@@ -69,6 +70,9 @@ def _is_furniture(item: SceneObject) -> bool:
 
 _MANY: Final[dict[str, Callable[[SceneObject], bool]]] = {
     **{word: (lambda item: not is_fixed(item)) for word in _ANYTHING},
+    "switchable": lambda item: item.toggleable,
+    "openable": lambda item: item.openable,
+    "counter": _ending(("counter", "counter_top")),
     "furniture": _is_furniture,
     "furnishing": _is_furniture,
     "light": is_light,
@@ -164,7 +168,12 @@ def _ranks(state: SceneState, pool: Iterable[SceneObject], noun: str) -> dict[st
 
 def id_order(item: SceneObject) -> tuple[str, ...]:
     """Return a key that puts objects in the order of their ids, chair_2 before chair_10."""
-    return tuple(part.zfill(6) if part.isdigit() else part for part in re.split(r"(\d+)", item.id))
+    return _numbers_padded(item.id)
+
+
+@lru_cache(maxsize=65536)
+def _numbers_padded(name: str) -> tuple[str, ...]:
+    return tuple(part.zfill(6) if part.isdigit() else part for part in re.split(r"(\d+)", name))
 
 
 def has_colour(item: SceneObject, colour: str) -> bool:

@@ -13,7 +13,7 @@ LEAST_PLURAL: Final = 2
 def means_several(things: Things) -> bool:
     """Whether words mean more than one thing: the plural, a number above one, all."""
     amount = things.amount
-    whole = amount.kind in ("all", "all_but", "none")
+    whole = amount.kind in ("all", "all_but", "half", "none")
     return things.plural or whole or amount.number > 1
 
 
@@ -37,4 +37,8 @@ def means_one(things: Things) -> bool:
 
 
 def is_one(rooms: Rooms) -> bool:
-    return not rooms.every and rooms.number < 2 and bool(rooms.words or rooms.next_to or rooms.holding or rooms.same)
+    return (
+        not rooms.every
+        and rooms.number < 2
+        and bool(rooms.words or rooms.next_to or rooms.holding or rooms.same or rooms.over)
+    )

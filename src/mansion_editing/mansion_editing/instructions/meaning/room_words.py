@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Sequence
+from functools import lru_cache
 
 from shapely import Polygon
 
@@ -79,14 +80,25 @@ def _read_like(text: str) -> tuple[str, ...]:
 
 
 def _is_synonym(wanted: tuple[str, ...], kind: tuple[str, ...]) -> bool:
+    return kind in _names_like(wanted)
+
+
+@lru_cache(maxsize=4096)
+def _names_like(wanted: tuple[str, ...]) -> frozenset[tuple[str, ...]]:
+    """Return the names, in stems, that people use for a name in stems."""
     groups = interchangeable_names()
     group = groups.get(" ".join(wanted)) or next((names for name, names in groups.items() if stems(name) == wanted), ())
-    return any(stems(name) == kind for name in group)
+    return frozenset(stems(name) for name in group)
 
 
 def room_order(room: SceneRoom) -> tuple[str, ...]:
     """Return a key that puts rooms in the order of their ids, office_2 before office_10."""
-    return tuple(part.zfill(6) if part.isdigit() else part for part in re.split(r"(\d+)", room.id))
+    return _numbers_padded(room.id)
+
+
+@lru_cache(maxsize=4096)
+def _numbers_padded(name: str) -> tuple[str, ...]:
+    return tuple(part.zfill(6) if part.isdigit() else part for part in re.split(r"(\d+)", name))
 
 
 def room_title(state: SceneState, room_id: str) -> str:

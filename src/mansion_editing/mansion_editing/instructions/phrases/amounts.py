@@ -62,6 +62,8 @@ def read_amount(words: Sequence[Word], at: int) -> Amounted:
                 return Amount(kind=kind, number=number), False, False, place + 1
     first = text_at(words, at)
     number = number_at(words, at)
+    if first == "half" and text_at(words, at + 1) in ("of", "the", "our", "my", "these", "those", "all"):
+        return _half(words, at + 1)
     if first == "half" or (first in ("every", "each") and at + 1 < len(words) and words[at + 1].kind == "ordinal"):
         return Amount(number=0), False, False, len(words)  # no share of things can be asked for
     if first in WHOLES:
@@ -84,6 +86,15 @@ def read_amount(words: Sequence[Word], at: int) -> Amounted:
     if first in DETERMINERS:
         return _definite(words, at)
     return Amount(number=0), False, False, at
+
+
+def _half(words: Sequence[Word], at: int) -> Amounted:
+    """Read ``half of the six chairs``."""
+    place = at
+    while text_at(words, place) in BEFORE_ALL_OF:
+        place += 1
+    whole = number_at(words, place)
+    return Amount(kind="half", number=0, of=whole or 0), True, False, place + (whole is not None)
 
 
 def _all(words: Sequence[Word], at: int) -> Amounted:

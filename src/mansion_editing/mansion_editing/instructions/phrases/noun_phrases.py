@@ -11,7 +11,7 @@ from mansion_editing.instructions.phrases.runs import ENDS_RUN, end_of_run
 from mansion_editing.instructions.phrases.storeys import read_storeys
 from mansion_editing.instructions.phrases.word_sets import BARE_PRONOUNS
 from mansion_editing.instructions.phrases.words import ADVERBS, DETERMINERS, STATE_WORDS, Word, text_at
-from mansion_editing.instructions.statements import Amount, AmountKind, Place, Rooms, Things
+from mansion_editing.instructions.statements import JOINED, Amount, AmountKind, Place, Rooms, Things
 
 __all__ = ["NounPhrase", "noun_phrase"]
 
@@ -42,13 +42,15 @@ class NounPhrase:
     @property
     def plural(self) -> bool:
         """Whether several are meant."""
-        return self.noun.plural or self.amount.number > 1 or self.amount.kind in ("all", "all_but")
+        return self.noun.plural or self.amount.number > 1 or self.amount.kind in ("all", "all_but", "half")
 
     def things(self) -> Things:
         """Return the phrase as a description of objects."""
         noun = self.noun
         return Things(
-            noun="" if noun.kind == "anything" else " ".join((*noun.words, *filter(None, [noun.number]))),
+            noun=""
+            if noun.kind == "anything" and noun.words[-1:] != ("one",)
+            else " ".join((*noun.words, *filter(None, [noun.number]))),
             amount=self.amount,
             definite=self.definite,
             plural=self.noun.plural and not (self.amount.number == 1 and self.amount.kind in ("some", "more")),
@@ -67,6 +69,10 @@ class NounPhrase:
         noun = self.noun
         words = " ".join((*filter(None, [noun.owned]), *noun.words, *filter(None, [noun.number])))
         words = "" if words == "room" else words
+        if noun.numbers:
+            base = words.removesuffix(noun.number)
+            words = JOINED.join([words, *(f"{base}{number}" for number in noun.numbers)])
+            return Rooms(words=words, floors=noun.floors, every=True, number=1 + len(noun.numbers))
         one = self.amount.kind == "some" and self.amount.number == 1
         several = (noun.plural and not one) or self.each or self.amount.kind == "all"
         return Rooms(
@@ -126,10 +132,33 @@ def noun_phrase(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Sequen
     count = _number_after(words, end)
     if count is not None and amount.number in (0, 1) and not definite:
         amount, end = Amount(number=count[0]), count[1]
+    whole = _whole_after(words, end)
+    if whole is not None and (found.plural or amount.kind == "all"):
+        amount, definite, end = whole[0], True, whole[1]
     if amount.number == 0 and amount.kind == "some" and not definite and not found.plural:
         amount = Amount(number=1)
-    noun = replace(found, floors=storeys)
+    more, end = _further_numbers(words, found, end, lexicon)
+    noun = replace(found, floors=storeys, numbers=more)
     return NounPhrase(noun, amount, definite, start, end, each=each)
+
+
+def _further_numbers(words: Sequence[Word], noun: Noun, at: int, lexicon: Lexicon) -> tuple[tuple[str, ...], int]:
+    """Read ``2 and 3`` of ``classrooms 1, 2 and 3``."""
+    out: list[str] = []
+    while noun.number and noun.plural and noun.kind in ("room", "both"):
+        through = text_at(words, at) in ("to", "-", "through")
+        place = at + (text_at(words, at) == "," or through)
+        place += text_at(words, place) in ("and", "&")
+        if place == at or place >= len(words) or not (words[place].kind == "code" or words[place].raw.isdecimal()):
+            break
+        following = words[place + 1] if place + 1 < len(words) else None
+        if following is not None and (following.kind == "unit" or lexicon.is_object((following.text,))):
+            break
+        if through and noun.number.isdecimal() and words[place].raw.isdecimal():
+            out += [str(number) for number in range(int((out or [noun.number])[-1]) + 1, int(words[place].raw))][:40]
+        out.append(words[place].raw)
+        at = place + 1
+    return tuple(out), at
 
 
 def _pronoun(words: Sequence[Word], start: int, at: int, place: int, amount: Amount) -> NounPhrase | None:
@@ -170,6 +199,8 @@ def _bare_amount(words: Sequence[Word], start: int, place: int, amount: Amount) 
     counted = place > start and (amount.kind == "more" or words[place - 1].kind == "number")
     if not counted:
         return None
+    if text_at(words, place - 1) == "one" and text_at(words, place - 2) in ("the", "that", "this"):
+        return NounPhrase(Noun(("one",), "anything"), Amount(number=0), True, start, place)
     return NounPhrase(Noun((), "anything"), amount, amount.of > 0, start, place, refers="last")
 
 
@@ -188,6 +219,23 @@ def _number_after(words: Sequence[Word], at: int) -> tuple[int, int] | None:
     ):
         return number, place + 3
     return None
+
+
+def _whole_after(words: Sequence[Word], at: int) -> tuple[Amount, int] | None:
+    """Read ``, all three of them,`` and ``- both`` after a noun in the plural."""
+    place = at + (text_at(words, at) in (",", "-", "("))
+    if place == at or text_at(words, place) not in ("all", "both"):
+        return None
+    number = 2 if words[place].text == "both" else number_at(words, place + 1)
+    end = place + 1 + (number is not None and words[place].text != "both")
+    if text_at(words, end) == "of" and text_at(words, end + 1) in ("them", "these", "those"):
+        end += 2
+    if end < len(words) and words[end].kind != "mark":
+        return None
+    end += text_at(words, end) == ")" or (
+        text_at(words, end) in (",", "-") and text_at(words, end + 1) in ("from", "in", "on", "at", "of", "out", "off")
+    )
+    return Amount(kind="all", number=number or 0, of=number or 0), end
 
 
 def _others(

@@ -56,6 +56,7 @@ class Noun:
     states: dict[str, bool] = field(default_factory=dict)
     unknown: tuple[str, ...] = ()
     floors: tuple[int, ...] = ()
+    numbers: tuple[str, ...] = ()
 
 
 def read_noun(words: Sequence[Word], start: int, end: int, lexicon: Lexicon) -> tuple[Noun | None, int]:
@@ -110,6 +111,10 @@ def _split(
     if noun is not None:
         return _modified(run, noun, "object", number, lexicon, plural=plural)
     texts = [w.text for w in run]
+    of_room = _after_room(texts, lexicon)
+    if of_room:
+        kind: Literal["object", "room", "both", "anything"] = "object"
+        return _modified(run[:of_room], tuple(texts[of_room:]), kind, number, lexicon, plural=run[-1].plural)
     for first in range(len(run)):
         span = tuple(texts[first:])
         if len(span) > 1 and span[0] in COLOUR_WORDS and lexicon.is_object(span[1:]):
@@ -121,7 +126,7 @@ def _split(
             thing = False
         if not (room or thing) and not (len(span) == 1 and (span[0] in ANYTHING or span[0] in HYPERNYMS)):
             continue
-        kind: Literal["object", "room", "both", "anything"] = "object"
+        kind = "object"
         if span[0] in ANYTHING and not thing:
             kind = "anything"
         elif room and thing:
@@ -132,6 +137,16 @@ def _split(
     if run and run[-1].text == "one":
         return _modified(run[:-1], ("one",), "anything", "", lexicon, plural=run[-1].plural)
     return None
+
+
+def _after_room(texts: Sequence[str], lexicon: Lexicon) -> int:
+    """Return where a thing's name begins after a room's of several words: ``home office desk``; 0 where it does not."""
+    for at in range(len(texts) - 1, 1, -1):
+        room = next((k for k in range(at - 1) if lexicon.is_own_room(tuple(texts[k:at]))), None)
+        whole = room is not None and lexicon.is_object(tuple(texts[room:]))
+        if room is not None and not whole and lexicon.is_object(tuple(texts[at:])):
+            return at
+    return 0
 
 
 def _modified(

@@ -8,10 +8,11 @@ import msgspec
 
 from mansion_editing.instructions.phrases.lexicon import Lexicon
 from mansion_editing.instructions.phrases.noun_phrases import NounPhrase, noun_phrase
+from mansion_editing.instructions.phrases.relative_storeys import read_relative_storey
 from mansion_editing.instructions.phrases.storeys import read_storeys
 from mansion_editing.instructions.phrases.word_sets import BEFORE_PLACES, BEFORE_SPOTS, NEAR_SPOTS
 from mansion_editing.instructions.phrases.words import BE, MODALS, Word, text_at
-from mansion_editing.instructions.statements import Place, Relation, Rooms, Spot, Things
+from mansion_editing.instructions.statements import JOINED, Amount, Place, Relation, Rooms, Spot, Things
 
 __all__ = ["SAME_FLOOR", "ReadPlace", "merged", "read_place", "with_place"]
 
@@ -112,7 +113,28 @@ def _between_ends(found: ReadPlace, start: int, end: int) -> ReadPlace:
     return ReadPlace(found.place, start, end, found.goal, found.source, found.each)
 
 
+def _relative(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Sequence[int]) -> ReadPlace | None:
+    """Read ``one flight up``, ``on the floor below the kitchen``, ``right above the cafe``."""
+    found = read_relative_storey(words, at)
+    if found is None:
+        return None
+    up, end = found
+    joint = end + (text_at(words, end) in ("from", "of", "than"))
+    base = noun_phrase(words, joint, lexicon, floors)
+    if base is not None and base.noun.kind in ("room", "both") and not base.noun.unknown and base.definite:
+        rooms = Rooms(up=up, base=base.rooms().words)
+        return ReadPlace(Place(rooms=rooms), at, base.end)
+    goal = "up" in (text_at(words, at), text_at(words, end - 1)) or "down" in (
+        text_at(words, at),
+        text_at(words, end - 1),
+    )
+    return None if joint > end else ReadPlace(Place(rooms=Rooms(up=up)), at, end, goal=goal)
+
+
 def _unbracketed(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Sequence[int]) -> ReadPlace | None:
+    relative = _relative(words, at, lexicon, floors)
+    if relative is not None:
+        return relative
     if text_at(words, at) in ("up", "over", "down", "in", "right") and text_at(words, at + 1) == "there":
         at += 1
     if text_at(words, at) in ("there", "here"):
@@ -172,6 +194,8 @@ def _after_preposition(
     if storeys is not None and not _goes_on(words, storeys[2], lexicon):
         numbers, every, end = storeys
         rooms = Rooms(floors=numbers, every=every)
+        if phrase == ("off",) and text_at(words, at) in ("upstairs", "downstairs"):
+            return None
         return ReadPlace(Place(rooms=rooms), start, end, goal, source, each=every)
     spot = _spot(words, start, at, phrase, relation, lexicon, floors)
     if spot is not None:
@@ -286,7 +310,7 @@ def _spot(
         return None
     if spot in ("window", "door") and phrase[0] not in NEAR_SPOTS:
         return None
-    if spot == "door" and text_at(words, place + 1) in ("of", "to"):
+    if spot == "door" and text_at(words, place + 1) == "to":
         return None
     if spot == "wall" and not ceiling_or_wall and phrase[0] not in ("against", "along", "at", "by", "to", "next"):
         return None
@@ -335,22 +359,51 @@ def _at_noun(
         spot: Spot = "wall" if noun.words == ("wall",) else ""
         return ReadPlace(Place(rooms=Rooms(words=noun.owned), spot=spot), start, target.end, goal, source)
     inward = relation in ("in", "") or phrase[0] in ("at", "throughout", "across")
+    inward = inward or (relation in ("above", "under") and text_at(words, start - 1) == "room")
     room = noun.kind == "room" or (noun.kind == "both" and inward and lexicon.is_own_room(noun.words))
-    if noun.kind == "both" and relation in ("on", "under", "beside", "near", "behind", "front") and phrase[0] != "at":
+    if (
+        noun.kind == "both"
+        and not inward
+        and relation in ("on", "under", "beside", "near", "behind", "front")
+        and phrase[0] != "at"
+    ):
         room = False
     if target.refers and relation == "" and noun.kind == "anything":
         room = False
     if room:
         rooms = target.rooms()
+        if relation in ("in", "") and not rooms.every and noun.kind == "room":
+            rooms, target = _and_rooms(words, rooms, target, lexicon, floors)
         if target.refers:
             rooms = msgspec.structs.replace(rooms, same=False)
-        if relation in ("beside", "near", "front") and phrase[0] != "at" and phrase[0] != "by":
+        if relation in ("above", "under"):
+            up = 1 if relation == "above" else -1
+            rooms = Rooms(up=up, base=rooms.words, over=True, floors=())
+        elif relation in ("beside", "near", "front") and phrase[0] != "at" and phrase[0] != "by":
             rooms = Rooms(next_to=rooms.words, floors=rooms.floors)
         return ReadPlace(Place(rooms=rooms), start, target.end, goal, source, each=target.each or rooms.every)
     own: Relation = relation or "on"
     outside = phrase == ("away", "from")
     place = Place(relation=own, anchor=target.things(), outside=outside)
     return ReadPlace(place, start, target.end, goal, source, each=target.each)
+
+
+def _and_rooms(
+    words: Sequence[Word], rooms: Rooms, target: NounPhrase, lexicon: Lexicon, floors: Sequence[int]
+) -> tuple[Rooms, NounPhrase]:
+    """Read ``and the bathroom`` after a room, where the clause ends with it."""
+    names, last = [rooms.words], target
+    while text_at(words, last.end) in ("and", ",", "&"):
+        at = last.end + 1 + (text_at(words, last.end) == "," and text_at(words, last.end + 1) == "and")
+        more = noun_phrase(words, at, lexicon, floors)
+        if more is None or more.noun.kind != "room" or more.noun.unknown or more.refers or more.noun.plural:
+            break
+        names.append(more.rooms().words)
+        last = more
+    ends = last.end >= len(words) or words[last.end].kind == "mark" or text_at(words, last.end) in ("please", "too")
+    if len(names) < 2 or not ends or not all(names):
+        return rooms, target
+    return Rooms(words=JOINED.join(names), floors=rooms.floors, every=True, number=len(names)), last
 
 
 def merged(outer: Place, inner: Place) -> Place:
@@ -378,17 +431,23 @@ def _merged_rooms(one: Rooms | None, other: Rooms | None) -> Rooms | None:
         return one or other
     if other.words and not one.words:
         one, other = other, one
-    here = (SAME_FLOOR,) if other.same and not other.every and one.words and not one.floors else ()
+    here = (SAME_FLOOR,) if other.same and not other.every and one.words and not (one.floors or one.up) else ()
     return msgspec.structs.replace(
         one,
         floors=one.floors or other.floors or here,
         every=one.every or (other.every and not other.words),
-        same=one.same or (other.same and not here and not (one.words and other.every)),
+        same=one.same or (other.same and not here and not one.up and not (one.words and other.every)),
         number=one.number or other.number,
         next_to=one.next_to or other.next_to or (other.words if one.words else ""),
+        up=one.up or other.up,
+        base=one.base or other.base,
+        over=one.over or other.over,
     )
 
 
 def with_place(things: Things, place: Place) -> Things:
-    """Return things that are at a place."""
+    """Return things that are at a place; one of several rooms is one in each of them."""
+    one = things.definite and not things.plural and things.amount.kind == "some" and things.amount.number <= 1
+    if one and not things.refers and place.rooms is not None and JOINED in place.rooms.words:
+        things = msgspec.structs.replace(things, amount=Amount(kind="all", number=0), plural=True)
     return msgspec.structs.replace(things, place=place if things.place is None else merged(things.place, place))

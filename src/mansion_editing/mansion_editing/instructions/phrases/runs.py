@@ -38,7 +38,7 @@ ENDS_RUN: Final = (
         "somewhere anywhere here now also as if so that facing exactly which upstairs downstairs each both all every "
         "ajar deleted reachable accessible where belong sit lie apart rather wherever whose whatever died broke fell "
         "short away does did look seem anew afresh want visible go disappear vanish put exceed trade untouched alone "
-        "starting next either".split()
+        "starting next either if unless half closer nearer further farther forward forwards backward backwards".split()
     )
 )  # fmt: skip
 
@@ -67,8 +67,9 @@ def end_of_run(words: Sequence[Word], at: int, lexicon: Lexicon) -> int:
         if text == "can" and end > at and lexicon.is_object((words[end - 1].text, "can")):
             end += 1
             continue
-        bare = end == at and text in ("empty", "free", "clear", "closed")
-        if bare and _starts_noun(words, end + 1, end + 1, lexicon):
+        bare = end == at and text in ("empty", "free", "clear", "closed", "round")
+        thing = bare and text == "round" and lexicon.is_object((text_at(words, end + 1),))
+        if thing or (bare and _starts_noun(words, end + 1, end + 1, lexicon)):
             end += 1
             continue
         ending = text in ENDS_RUN and not (end > at and word.genitive)
@@ -79,6 +80,8 @@ def end_of_run(words: Sequence[Word], at: int, lexicon: Lexicon) -> int:
         if text == "other" and text_at(words, end + 1) == "than":
             break
         if end > at and text in ("more", "less", "fewer", "itself", "themselves"):
+            break
+        if end > at and text.endswith("ly") and _is_named(words, at, end, lexicon):
             break
         if end > at and text in ("turn", "switch") and text_at(words, end + 1) in ("on", "off"):
             break
@@ -92,19 +95,25 @@ def end_of_run(words: Sequence[Word], at: int, lexicon: Lexicon) -> int:
     return end
 
 
+def _is_named(words: Sequence[Word], at: int, end: int, lexicon: Lexicon) -> bool:
+    """Whether the last of some words name an object or a room."""
+    before = tuple(w.text for w in words[at:end])
+    return any(lexicon.is_object(before[k:]) or lexicon.is_room(before[k:]) for k in range(len(before)))
+
+
 def _is_colour_after(words: Sequence[Word], end: int, at: int, lexicon: Lexicon) -> bool:
     """Whether a colour stands after the noun that takes it: ``make the sofa dark red``."""
     shaded = words[end].text in SHADES and end + 1 < len(words) and words[end + 1].text in COLOUR_WORDS
     if not (shaded or words[end].text in COLOUR_WORDS):
         return False
-    before = tuple(w.text for w in words[at:end])
-    named = any(lexicon.is_object(before[k:]) or lexicon.is_room(before[k:]) for k in range(len(before)))
     last = end + 1 + shaded
-    return named and (last >= len(words) or not lexicon.is_object((words[last].text,)))
+    return _is_named(words, at, end, lexicon) and (last >= len(words) or not lexicon.is_object((words[last].text,)))
 
 
 def _starts_noun(words: Sequence[Word], end: int, at: int, lexicon: Lexicon) -> bool:
     """Whether a word that often ends a phrase belongs to it: a ceiling light, a front door, an open office."""
+    if end >= len(words):
+        return False
     text = words[end].text
     for first in range(max(at, end - 2), end + 1):
         for last in range(end + 1, min(len(words), end + 3) + 1):
@@ -118,9 +127,7 @@ def _starts_noun(words: Sequence[Word], end: int, at: int, lexicon: Lexicon) -> 
 
 def _is_last_of_run(words: Sequence[Word], end: int, at: int, lexicon: Lexicon) -> bool:
     """Whether ``one`` stands for a noun ("the red one"), and does not begin the next phrase ("the sofa one more")."""
-    before = tuple(w.text for w in words[at:end])
-    named = any(lexicon.is_object(before[k:]) or lexicon.is_room(before[k:]) for k in range(len(before)))
-    return not named and not _starts_noun(words, end + 1, end + 1, lexicon)
+    return not _is_named(words, at, end, lexicon) and not _starts_noun(words, end + 1, end + 1, lexicon)
 
 
 def _names_number(words: Sequence[Word], end: int, lexicon: Lexicon, at: int) -> bool:

@@ -42,6 +42,9 @@ def read_storeys(words: Sequence[Word], at: int, floors: Sequence[int]) -> Store
     spelt = word.kind == "number" and word.text.isalpha() and int(word.value) in floors and place == at
     if spelt and at > 0 and words[at - 1].text == "on" and (at + 1 >= len(words) or words[at + 1].kind == "mark"):
         return (int(word.value),), False, at + 1
+    digits = word.kind == "number" and word.raw.isdecimal() and int(word.value) in floors and place == at
+    if digits and at > 0 and words[at - 1].text == "on" and (at + 1 >= len(words) or words[at + 1].kind == "mark"):
+        return (int(word.value),), False, at + 1
     if word.kind == "level":
         return (int(word.value),), False, place + 1
     if word.text == "floor":

@@ -19,6 +19,10 @@ _AFTER_A_VERB: Final = (
 )
 
 
+_PARTICLES: Final = frozenset(["on", "off", "up", "down", "out", "over", "away"])
+"""They belong to a verb as often as they begin a place."""
+
+
 def verb_at(words: Sequence[Word], at: int, lexicon: Lexicon) -> tuple[Deed, int] | None:
     """Return what the verb at a place asks for, and the place after it; None where there is no verb.
 
@@ -48,6 +52,10 @@ def _is_noun_here(words: Sequence[Word], at: int, lexicon: Lexicon) -> bool:
     if not (lexicon.is_object((word.text,)) or lexicon.is_own_room((word.text,)) or word.text in ("light", "open")):
         return False
     if following is None:
+        return True
+    after = words[at + 2] if at + 2 < len(words) else None
+    beside = following.text in PREPOSITIONS - _PARTICLES
+    if beside and after is not None and after.text in DETERMINERS:
         return True
     if following.kind in ("number", "ordinal") or following.text in _AFTER_A_VERB:
         return False

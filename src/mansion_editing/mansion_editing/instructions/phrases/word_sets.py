@@ -105,7 +105,7 @@ BEFORE_PREDICATES: Final = frozenset(
 WANTING: Final = frozenset("need require lack get want deserve miss missing keep".split())
 BEING_SOMEWHERE: Final = frozenset("belong come sit stand lie live rest hang".split())
 FAILING: Final = frozenset("died broke fell leaks squeaks smells wobbles cracked burst".split())
-BEFORE_COLOURS: Final = frozenset("be is are in get painted have".split())
+BEFORE_COLOURS: Final = frozenset("be is are in get painted have become turn made".split())
 BEFORE_STATES: Final = frozenset("switched turned left kept powered wide fully be always ,".split())
 DISTURBING: Final = frozenset("touch disturb alter bother affect move break mess".split())
 AFTER_NEGATED: Final = frozenset("on off any more either yet at all anymore there away".split())
@@ -123,13 +123,13 @@ BACK_IN_PLACE: Final = frozenset("where it they was were to its place there agai
 AWAY: Final = frozenset("away out off completely altogether entirely too".split())
 EARLIER_STEPS: Final = frozenset(
     "the that it this last latest previous my your edit change step one instruction thing what you did just again "
-    "recent most action have done".split()
+    "recent most action have done both two three all step".split()
 )
 
 # Rooms, surfaces and sizes
 
 PROPERTIES: Final = frozenset("colour color name material type kind use".split())
-BEFORE_COLOUR_WORDS: Final = frozenset("a an the in light dark pale bright deep soft to of as made".split())
+BEFORE_COLOUR_WORDS: Final = frozenset("a an the new in light dark pale bright deep soft to of as made".split())
 BEFORE_SURFACES: Final = frozenset("the all its a whole four every".split())
 BEFORE_NAMES: Final = frozenset('to as into " the be called named :'.split())
 BEFORE_DOORS: Final = frozenset("a an another the new connecting internal one extra".split())
@@ -198,7 +198,7 @@ HAVING: Final = frozenset("have has got contain hold already still include get n
 AFTER_COUNTED: Final = frozenset(
     "there do does we have has i got you find it exist in total altogether currently now right at moment the".split()
 )
-AFTER_WHERE: Final = frozenset("can i find do we have does one".split())
+AFTER_WHERE: Final = frozenset("can i find do we have does one did leave put my you keep see".split())
 AFTER_WHICH_ROOMS: Final = frozenset("have has contain hold there do can i find with that".split())
 AFTER_WHAT: Final = frozenset(
     "object thing item furniture there kind of else stand lie sit all can i see do we have".split()

@@ -112,7 +112,8 @@ ADVERBS: Final = frozenset(
 )
 UNRECORDED: Final = frozenset(
     "nice new small large big clean fresh cosy cozy comfortable modern old fancy simple pretty beautiful lovely little "
-    "tiny huge tall long wide low high dirty tasty warm cute elegant cheap sturdy soft heavy stylish ripe".split()
+    "tiny huge tall long wide low high round rectangular dirty tasty warm cute elegant cheap sturdy soft heavy "
+    "stylish ripe".split()
 )
 """Adjectives that are understood but that no scene describes."""
 
@@ -123,7 +124,7 @@ VAGUE: Final = frozenset(
     "single individual separate loose dirty tasty hot warm tidy cute elegant cheap sturdy soft heavy light dark "
     "bright stylish random correct appropriate several whole entire more other further free available ripe "
     "unused used broken cold chilled cool iced refrigerated favourite favorite old-fashioned possible actual "
-    "particular required necessary freestanding stray second-hand visible "
+    "round rectangular particular required necessary freestanding stray second-hand visible "
     "matching useless unneeded unnecessary remaining respective".split()
 )
 BREAKS: Final = frozenset([",", ";", ".", ":", "!", "?", "\n", "-", "(", ")", '"', "*", "/", "=", "#", "|", "[", "]"])
@@ -142,7 +143,11 @@ _SHORT: Final = {
     "center": "middle", "storey": "floor", "story": "floor", "level": "floor", "upon": "on", "onto": "onto",
     "meter": "metre", "lift": "elevator", "kid": "child", "fl": "floor", "goes": "go",
     "teh": "the", "adn": "and", "taht": "that", "hte": "the",
-    **dict.fromkeys("dont doesnt shouldnt isnt arent cant wont mustnt didnt".split(), "not"),
+    **dict.fromkeys(
+        "dont doesnt shouldnt isnt arent cant wont mustnt didnt hasn hasnt haven havent hadn wouldn couldn needn"
+        " neednt shouldn mustn".split(),
+        "not",
+    ),
 }  # fmt: skip
 _ID: Final = re.compile(r"\b[fF]-?\d+/[A-Za-z0-9_./-]*[A-Za-z0-9_]|\b[a-z]+(?:_[a-z0-9]+)+\b")
 _DOTTED: Final = re.compile(r"\b(fl|flr|rm|no|nr|approx|ca|st|incl)\.(?=\s)", re.IGNORECASE)

@@ -52,7 +52,8 @@ def read_question(reader: ClauseReader, words: Sequence[Word], at: int, *, marke
             if tuple(w.text for w in words[at : at + len(opening)]) == opening:
                 if opening == ("check",) and reader.text(at + 1) not in ("if", "whether", "how", "where", "what"):
                     continue
-                if opening == ("check",) and not marked and reader.text(at + 1) not in ("how", "where", "what"):
+                asked = ("how", "where", "what", "if", "whether")
+                if opening == ("check",) and not marked and reader.text(at + 1) not in asked:
                     return None
                 at += len(opening)
                 moved = True
@@ -101,6 +102,12 @@ def _how_many(reader: ClauseReader, at: int, *, marked: bool, opened: bool) -> t
     if (reader.text(at), reader.text(at + 1)) not in (("how", "many"), ("how", "much"), ("number", "of")):
         return None
     item = reader.item(at + 2)
+    if item is None and (reader.text(at + 2) in BE or reader.text(at + 2) in ("do", "does", "remain")):
+        where, end = _rest(reader, at + 2)
+        while reader.text(end) in ("left", "remain", "still", "it", "we", "have", "over", "now"):
+            end += 1
+        them = Things(refers="last", definite=True, plural=True, amount=Amount(kind="all", number=0))
+        return Ask(about="count", things=them, place=where), end
     if item is None:
         raise NotUnderstood(at, reader.boundary(at))
     subject_end = item.end
@@ -171,7 +178,7 @@ def _where(reader: ClauseReader, at: int, *, marked: bool, opened: bool) -> tupl
     end = item.end
     while reader.text(end) in BE or reader.text(end) in ("located", "kept"):
         end += 1
-    if item.phrase.noun.kind in ("room",):
+    if item.is_room or reader.lexicon.is_own_room(item.phrase.noun.words):
         return Ask(about="where", rooms=item.rooms()), end
     return Ask(about="where", things=_plain(item), place=_place_of(item)), end
 
@@ -205,7 +212,7 @@ def _which_rooms(reader: ClauseReader, at: int) -> tuple[Ask, int] | None:
     end = item.end
     while reader.text(end) in BE or reader.text(end) in ("located", "in", "on"):
         end += 1
-    if item.is_room:
+    if item.is_room or (noun == "floor" and reader.lexicon.is_own_room(item.phrase.noun.words)):
         return Ask(about="where", rooms=item.rooms()), end
     if noun == "room" or holder is not None:
         wanted = msgspec.structs.replace(_plain(item), definite=False)

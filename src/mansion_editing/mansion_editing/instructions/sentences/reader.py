@@ -1,42 +1,33 @@
 """Instructions in English to statements: sentences, their clauses in order, and what one sentence tells of another."""
 
+import re
 from collections.abc import Iterable, Sequence
-from typing import Any, Final
+from typing import Any, Final, Literal
 
 import msgspec
 
 from mansion_editing.instructions.clauses.items import NotUnderstood
 from mansion_editing.instructions.clauses.reader import ClauseReader
-from mansion_editing.instructions.phrases.lexicon import HYPERNYMS, Lexicon
-from mansion_editing.instructions.phrases.nouns import Noun
+from mansion_editing.instructions.phrases.lexicon import HYPERNYMS
 from mansion_editing.instructions.phrases.places import merged, read_place, with_place
 from mansion_editing.instructions.phrases.storeys import read_storeys
+from mansion_editing.instructions.phrases.verbs import verb_at
 from mansion_editing.instructions.phrases.word_sets import AFTER_CLAUSES, HEADINGS, JOINING
-from mansion_editing.instructions.phrases.words import (
-    COURTESIES,
-    FUNCTION_WORDS,
-    PERSONS,
-    UNRECORDED,
-    Word,
-    split_words,
-)
+from mansion_editing.instructions.phrases.words import COURTESIES, FUNCTION_WORDS, STATE_WORDS, UNRECORDED, Word
+from mansion_editing.instructions.sentences.accounting import unaccounted
 from mansion_editing.instructions.sentences.background import end_of_background, is_background, split_sentences
+from mansion_editing.instructions.sentences.conditions import Condition, begins_condition, on_condition, read_condition
 from mansion_editing.instructions.sentences.questions import read_question
-from mansion_editing.instructions.sentences.refinement import (
-    exactly,
-    in_place_of,
-    is_open,
-    narrowed,
-    so_many,
-    with_noun_at,
-    with_storeys,
-)
+from mansion_editing.instructions.sentences.refinement import exactly, in_place_of, so_many, with_noun_at, with_storeys
+from mansion_editing.instructions.sentences.repeating import Repeating
+from mansion_editing.instructions.sentences.telling import Telling
 from mansion_editing.instructions.statements import (
     Add,
     Amount,
+    Ask,
     Clear,
     Ensure,
-    History,
+    Finish,
     Instruction,
     Keep,
     Mention,
@@ -62,11 +53,13 @@ _PAIRS_AFTER_CLAUSES: Final = (
 )  # fmt: skip
 
 
-def read_instruction(text: str, state: SceneState) -> Instruction:
+def read_instruction(text: str, state: SceneState, brief: str = "") -> Instruction:
     """Read what an instruction says.
 
     Parameters
     ----------
+    brief : str
+        The building's own, which may count its storeys from the one above the ground floor.
     state : SceneState
         Gives the names of rooms and objects; nothing is looked up in it.
 
@@ -75,25 +68,11 @@ def read_instruction(text: str, state: SceneState) -> Instruction:
     Instruction
         With the words that belong to no statement, none where it was understood whole.
     """
-    return _Reader(text, state).read()
+    return _Reader(text, state, brief).read()
 
 
-class _Reader:
+class _Reader(Telling, Repeating):
     """Reads one instruction."""
-
-    def __init__(self, text: str, state: SceneState) -> None:
-        self.text = text
-        self.lexicon = Lexicon(state)
-        self.floors = state.floors
-        self.words = split_words(text, self.lexicon.speller, self.lexicon.kept)
-        self.statements: list[Statement] = []
-        self.unknown: list[str] = []
-        self.topic: Things | None = None
-        self.spared: tuple[Things, ...] = ()
-        self.frames: tuple[Place, ...] = ()
-        self.last_noun: Noun | None = None
-        self.told: list[tuple[str, Place]] = []
-        self.is_last = False
 
     def read(self) -> Instruction:
         """Read all sentences in order."""
@@ -107,10 +86,28 @@ class _Reader:
                 for s in self.statements
             ]
         self.statements = [s for one in self.statements for s in [self._told_later(one)]]
+        self.unknown += [s.quote for s in self.statements if '"noun":"one"' in msgspec.json.encode(s).decode()]
+        if not self.unknown:
+            self.unknown = unaccounted(self.text, self.words, self.statements, self.lexicon) or self._asks_in_vain()
         if not self.unknown and all(isinstance(statement, Mention) for statement in self.statements):
             self.unknown = [self.text.strip()]
-        ignored = list(dict.fromkeys(word.raw for word in self.words if word.text in UNRECORDED))
+        told = msgspec.json.encode(self.statements).decode()
+        plain = [word for word in self.words if word.text in UNRECORDED]
+        ignored = list(dict.fromkeys(w.raw for w in plain if not re.search(rf'"noun":"[^"]*\b{w.text}\b', told)))
         return Instruction(statements=with_storeys(self.statements), not_understood=self.unknown, ignored=ignored)
+
+    def _asks_in_vain(self) -> list[str]:
+        """Return the last clause with a verb where it was only taken to begin what no other clause goes on with."""
+        last = next((s for s in reversed(self.statements) if not isinstance(s, Mention)), None)
+        after = self.statements if last is None else self.statements[self.statements.index(last) + 1 :]
+        verbs = [s.quote for s in after if isinstance(s, Mention) and self._begins_with_order(s.quote)]
+        return verbs[:1]
+
+    def _begins_with_order(self, quote: str) -> bool:
+        start = self.text.find(quote)
+        at = next((k for k, word in enumerate(self.words) if word.start >= start), len(self.words))
+        verb = verb_at(self.words, at, self.lexicon)
+        return verb is not None and verb[0] not in ("leave", "keep", "make", "want")
 
     def _told_later(self, statement: Statement) -> Statement:
         """Return a statement with the places of things that a sentence before it told."""
@@ -141,11 +138,6 @@ class _Reader:
         thing = self.lexicon.is_object(pair) and not self.lexicon.is_own_room((owner.text,))
         return thing or self.lexicon.is_own_room(pair)
 
-    def _quote(self, words: Sequence[Word], start: int, end: int) -> str:
-        if start >= end:
-            return ""
-        return self.text[words[start].start : words[min(end, len(words)) - 1].end]
-
     def _read_sentence(self, words: Sequence[Word], *, marked: bool) -> None:
         reader = ClauseReader(words, self.lexicon, self.floors, lambda a, b: self._quote(words, a, b))
         self.frames = ()
@@ -155,21 +147,34 @@ class _Reader:
 
     def _read_words(self, reader: ClauseReader, words: Sequence[Word], *, marked: bool) -> None:
         at = reader.skip(0)
+        if reader.text(at) in ("no", "nope") and (reader.text(at + 1) in (",", "wait", "-") or at + 1 >= len(words)):
+            at = reader.skip(at + 1 + (reader.text(at + 1) == "wait"))
+        if tuple(w.text for w in words[at : at + 3]) == ("from", "now", "on"):
+            at = reader.skip(at + 3)
         if at >= len(words):
             return
         if self._reads_scope(reader, at) or self._tells_of_person(reader, at):
             return
-        if self._reads_question(reader, words, at, marked=marked):
+        conditional = begins_condition(words, at) and not marked
+        if not conditional and self._reads_question(reader, words, at, marked=marked):
             return
         at = self._read_heading(reader, words, at)
         at = self._read_exception(reader, at)
         at = self._read_frame(reader, at)
         if self._repeats(reader, words, at):
             return
+        if self._reads_state_of_topic(words, at):
+            return
         while at < len(words):
             at = reader.skip(at)
             if at >= len(words):
                 return
+            at, condition = self._read_condition(reader, words, at)
+            first = len(self.statements)
+            if condition is not None:
+                at = self._read_clause(reader, words, reader.skip(at)) if at < len(words) else at
+                self._depend(condition, first, self._quote(words, 0, at))
+                continue
             end = end_of_background(words, at)
             if end > at:
                 self.statements.append(Mention(quote=self._quote(words, at, end)))
@@ -177,11 +182,42 @@ class _Reader:
                 continue
             at = self._read_clause(reader, words, at)
 
+    def _read_condition(self, reader: ClauseReader, words: Sequence[Word], at: int) -> tuple[int, Condition | None]:
+        """Read ``if the lamp is off,`` before a clause; of a question before it, ``if not,``."""
+        asked = self.statements[-1] if self.statements else None
+        start = at - 1 if at and words[at - 1].text in ("only", "but", "so") else at
+        if isinstance(asked, Ask) and tuple(w.text for w in words[at : at + 2]) in (("if", "not"), ("if", "so")):
+            end = at + 2 + (reader.text(at + 2) == ",")
+            self.statements[-1] = Mention(quote=asked.quote)
+            self.topic = self._asked_for(asked)
+            return end, Condition(asked, reader.text(at + 1) == "so")
+        found = read_condition(reader, start, None)
+        if found is None or found[0].ask is None or found[1] >= len(words):
+            return at, None
+        condition, end = found
+        things = condition.ask.things if condition.ask is not None else None
+        if things is not None and condition.ask is not None:
+            noun = reader.phrase_of(things.noun)
+            reader.last_noun = noun or reader.last_noun
+            self.topic = msgspec.structs.replace(
+                things, place=condition.ask.place or things.place, amount=Amount(number=1), definite=condition.holds
+            )
+        return end, condition
+
+    def _depend(self, condition: Condition, first: int, quote: str) -> None:
+        """Let the statements from a place on depend on a condition."""
+        for at in range(first, len(self.statements)):
+            statement = self.statements[at]
+            if not isinstance(statement, Mention):
+                told = statement if quote == "" else msgspec.structs.replace(statement, quote=quote)
+                self.statements[at] = on_condition(told, condition)
+
     def _read_heading(self, reader: ClauseReader, words: Sequence[Word], at: int) -> int:
         """Read what a sentence is about: ``The lamp: ...``, ``Too many chairs ...``."""
         heading = reader.item(at)
-        if heading is not None and heading.phrase.definite and not heading.is_room and reader.text(heading.end) == ":":
-            self.topic = heading.things()
+        told = heading is not None and (heading.phrase.definite or bool(heading.places))
+        if heading is not None and told and not heading.is_room and reader.text(heading.end) == ":":
+            self.topic = msgspec.structs.replace(heading.things(), definite=True)
             self.statements.append(Mention(quote=self._quote(words, at, heading.end)))
             at = heading.end + 1
         if reader.text(at) == "many" and at > 0 and words[at - 1].text == "too":
@@ -191,6 +227,16 @@ class _Reader:
                 at = reader.skip(much.end)
         return at
 
+    def _reads_state_of_topic(self, words: Sequence[Word], at: int) -> bool:
+        """Read ``off`` after ``The table lamp in the dining area:``."""
+        if self.topic is None or at + 1 != len(words) or words[at].text not in STATE_WORDS or words[at - 1].text != ":":
+            return False
+        name, value = STATE_WORDS[words[at].text]
+        state: Literal["open", "on"] = "open" if name == "open" else "on"
+        quote = self._quote(words, 0, len(words))
+        self.statements[-1:] = [SetState(things=self.topic, state=state, value=value, quote=quote)]
+        return True
+
     def _read_exception(self, reader: ClauseReader, at: int) -> int:
         """Read ``Apart from the vase, ...``, an exception to what comes next."""
         end, things = reader.exceptions(at)
@@ -198,54 +244,6 @@ class _Reader:
             return at
         self.spared = things
         return end + 1
-
-    def _repeats(self, reader: ClauseReader, words: Sequence[Word], at: int) -> bool:
-        """Read what only repeats an earlier instruction: ``and in the bedroom too``, ``the same upstairs``."""
-        if self.statements:
-            return False
-        if reader.text(at) in ("same", "likewise", "ditto") or (
-            reader.text(at) == "the" and reader.text(at + 1) == "same"
-        ):
-            at += 1 + (reader.text(at) == "the")
-            at += reader.text(at) in ("thing", "again")
-            if reader.text(at) == "for":
-                return self._repeats_for(reader, words, at + 1)
-        elif not (
-            words[0].text in ("and", "also", "now", "then") or "too" in (words[-1].text, reader.text(len(words) - 2))
-        ):
-            return self._one_more(reader, words, at)
-        places, end = reader.places(at)
-        if not places or reader.skip(end) < len(words):
-            return self._one_more(reader, words, at)
-        place = places[0].place
-        for read in places[1:]:
-            place = merged(place, read.place)
-        self.statements.append(History(what="repeat", place=place, quote=self._quote(words, 0, len(words))))
-        return True
-
-    def _repeats_for(self, reader: ClauseReader, words: Sequence[Word], at: int) -> bool:
-        quote = self._quote(words, 0, len(words))
-        if tuple(w.text for w in words[at : at + 3]) in (("the", "next", "room"), ("the", "next", "one")):
-            place = Place(rooms=Rooms(next_to="room", same=True))
-            self.statements.append(History(what="repeat", place=place, quote=quote))
-            return True
-        item = reader.item(at)
-        if item is None or reader.skip(item.end) < len(words):
-            return False
-        if item.phrase.noun.kind in ("room", "both"):
-            self.statements.append(History(what="repeat", place=Place(rooms=item.rooms()), quote=quote))
-        else:
-            self.statements.append(History(what="repeat", things=item.things(), quote=quote))
-        return True
-
-    def _one_more(self, reader: ClauseReader, words: Sequence[Word], at: int) -> bool:
-        phrase = reader.phrase(at)
-        bare = phrase is not None and phrase.refers == "last" and phrase.amount.kind == "more"
-        if phrase is None or not bare or reader.skip(phrase.end) < len(words):
-            return False
-        quote = self._quote(words, 0, len(words))
-        self.statements.append(History(what="repeat", things=phrase.things(), quote=quote))
-        return True
 
     def _read_clause(self, reader: ClauseReader, words: Sequence[Word], at: int) -> int:
         same = self._same_of_others(reader, words, at)
@@ -280,13 +278,19 @@ class _Reader:
         found = [self._about_topic(statement) for statement in found]
         if topic is not None or any(not isinstance(statement, Mention) for statement in found):
             self.topic = topic
+        self.clause = found
         end, exact = self._read_tail(reader, words, end)
+        found = self.clause
         self._take([exactly(statement) for statement in found] if exact else found)
         return end
 
     def _same_of_others(self, reader: ClauseReader, words: Sequence[Word], at: int) -> int | None:
         """Read things without a verb after a state, a removal or the like: ``turn the TV on and the beer tap too``."""
         last = self.statements[-1] if self.statements else None
+        if isinstance(last, Finish) and at and words[at - 1].text in ("and", ","):
+            covered = self._surface_too(reader, words, at, last)
+            if covered is not None:
+                return covered
         if not isinstance(last, SetState | Remove | Paint | Turn) or at == 0 or reader.starts_clause(at):
             return None
         if words[at - 1].text not in ("and", "also", ",", "plus"):
@@ -305,6 +309,19 @@ class _Reader:
             things = msgspec.structs.replace(things, amount=Amount(kind="all", number=0))
         self.statements.append(msgspec.structs.replace(last, things=things, quote=self._quote(words, at, end)))
         return end
+
+    def _surface_too(self, reader: ClauseReader, words: Sequence[Word], at: int, last: Finish) -> int | None:
+        """Read ``and the walls green`` after the ceiling of a room was painted."""
+        frame, reader.frame = reader.frame, Place(rooms=last.rooms)
+        surface = reader.surface(at)
+        reader.frame = frame
+        colour = None if surface is None else reader.colour_at(surface[1])
+        if surface is None or colour is None:
+            return None
+        (part, rooms), _ = surface
+        quote = self._quote(words, at, colour[2])
+        self.statements.append(Finish(rooms=rooms, part=part, colour=colour[0], material=colour[1], quote=quote))
+        return colour[2]
 
     def _more_of_the_same(self, reader: ClauseReader, words: Sequence[Word], at: int) -> int | None:
         """Read things without a verb, which go where the things before them went: ``and a pen too``."""
@@ -337,8 +354,12 @@ class _Reader:
             return so_many(Ensure(things=statement.things, place=Place(), quote=statement.quote), topic)
 
         def named(value: Any) -> Any:
+            there = isinstance(value, Add | Ensure | Move) and value.place == Place(rooms=Rooms(same=True))
+            if there and topic.place is not None:
+                value = msgspec.structs.replace(value, place=topic.place)
             if isinstance(value, Move) and value.things.refers == "last" and not topic.definite:
-                return msgspec.structs.replace(value, things=topic, or_new=True)
+                where = named(value.place)
+                return msgspec.structs.replace(value, things=topic, place=where, or_new=True)
             if isinstance(value, Rooms) and value.same and not value.words and rooms:
                 return rooms
             if isinstance(value, Things) and value.refers == "last" and not value.noun:
@@ -373,7 +394,18 @@ class _Reader:
                 spared = msgspec.structs.replace(last.things, beside=(*last.things.beside, statement.things))
                 self.statements[-1] = msgspec.structs.replace(last, things=spared)
                 continue
+            if isinstance(last, Remove) and isinstance(statement, Move) and last.things.noun and _is_it(statement):
+                moved = Move(things=last.things, place=statement.place, quote=self._from_to(last, statement))
+                self.statements[-1] = moved
+                continue
+            if isinstance(last, Ensure) and isinstance(statement, Remove) and statement.things.refers == "others":
+                self.statements[-1] = msgspec.structs.replace(exactly(last), quote=self._from_to(last, statement))
+                continue
             self.statements.append(statement)
+
+    def _from_to(self, first: Statement, last: Statement) -> str:
+        """Return the words from one statement's to another's."""
+        return self.text[self.text.find(first.quote) : self.text.rfind(last.quote) + len(last.quote)]
 
     def _read_tail(self, reader: ClauseReader, words: Sequence[Word], end: int) -> tuple[int, bool]:
         """Read what may follow a clause: ``please``, ``if possible``; the rest must begin a new clause.
@@ -400,7 +432,10 @@ class _Reader:
                 continue
             text = words[end].text
             pair = (text, words[end + 1].text if end + 1 < len(words) else "")
-            if tuple(w.text for w in words[end : end + 3]) == ("from", "now", "on"):
+            depends = self._depends_on(reader, end + (text == ","))
+            if depends:
+                end = depends
+            elif tuple(w.text for w in words[end : end + 3]) == ("from", "now", "on"):
                 end += 3
             elif pair in (("rather", "than"), ("instead", "of")) and self._contrasted(reader, end + 2):
                 end = self._contrasted(reader, end + 2)
@@ -420,6 +455,26 @@ class _Reader:
             return stop, exact
         self.unknown.append(self._quote(words, end, stop))
         return stop, exact
+
+    def _depends_on(self, reader: ClauseReader, at: int) -> int:
+        """Read a condition after a clause, on which its statements then depend; return its end, 0 where it is none."""
+        last = [self._said_before(statement) for statement in self.clause]
+        things = next((s.things for s in last if isinstance(s, Add | Ensure | Move | SetState)), None)
+        found = read_condition(reader, at, things)
+        if found is None or not last:
+            return 0
+        start = self.text.find(last[0].quote)
+        quote = self.text[max(0, start) : reader.words[found[1] - 1].end]
+        self.clause = [on_condition(msgspec.structs.replace(s, quote=quote), found[0]) for s in last]
+        return found[1]
+
+    def _said_before(self, statement: Statement) -> Statement:
+        """Return what the clause before said should be there for ``add one``."""
+        last = self.statements[-1] if self.statements else None
+        bare = isinstance(statement, Add | Ensure | Move) and statement.things.refers == "last"
+        if bare and isinstance(last, Ensure) and not getattr(statement, "things", Things()).noun:
+            return msgspec.structs.replace(last, quote=statement.quote)
+        return statement
 
     def _contrasted(self, reader: ClauseReader, at: int) -> int:
         """Return the end of what is not meant: ``than two``, ``of on the shelf``; 0 where it is a thing."""
@@ -449,9 +504,24 @@ class _Reader:
                 if more is not None and more[1] > end:
                     self.statements.append(more[0])
                     end = reader.skip(more[1])
-            if end < len(words):
+            if end < len(words) and reader.starts_clause(end):
+                self.topic = self._asked_for(ask)
+                while end < len(words):
+                    end = reader.skip(self._read_clause(reader, words, end))
+            elif end < len(words):
                 self.unknown.append(self._quote(words, end, len(words)))
         return True
+
+    def _asked_for(self, ask: Ask) -> Things | None:
+        """Return what a question was about, which ``it`` means in what comes next."""
+        if ask.things is None:
+            return None
+        number = max(1, ask.things.amount.number)
+        one = ask.things.amount.kind != "all" or not ask.things.plural
+        amount = Amount(number=number) if one else Amount(kind="all", number=0)
+        return msgspec.structs.replace(
+            ask.things, place=ask.place or ask.things.place, amount=amount, definite=True, plural=not one
+        )
 
     def _read_frame(self, reader: ClauseReader, at: int) -> int:
         """Read a place that the sentence begins with, up to its comma or the clause."""
@@ -486,101 +556,7 @@ class _Reader:
         reader.frame = place
         return after if not comma else end + 1
 
-    def _reads_scope(self, reader: ClauseReader, at: int) -> bool:
-        """Read a sentence that only tells where something mentioned is: ``The desk is in the lobby.``."""
-        if self._tells_storeys(reader, at):
-            return True
-        item = reader.item(at)
-        if item is None:
-            return False
-        end = item.end
-        indicative = reader.text(end) in ("is", "are")
-        contracted = reader.words[item.phrase.end - 1].genitive and item.end > item.phrase.end
-        pronoun = item.phrase.refers == "last" and reader.words[at].raw in ("it's", "they're")
-        if not (indicative or contracted or pronoun):
-            return False
-        places, stop = reader.places(end + indicative) if indicative or not item.places else (item.places, item.end)
-        if not places or reader.skip(stop) < len(reader.words):
-            return False
-        place = Place()
-        for read in places:
-            place = read.place if place == Place() else merged(place, read.place)
-        noun = " ".join(item.phrase.noun.words)
-        number = item.phrase.noun.number
-        refined = [with_noun_at(s, f"{noun} {number}".strip(), place) for s in self.statements]
-        if item.phrase.refers == "last" and self.statements:
-            refined = [*self.statements[:-1], narrowed(self.statements[-1], place)]
-        if refined == self.statements and item.is_room and place.rooms is not None and self.statements:
-            rooms = merged(Place(rooms=item.phrase.rooms()), place)
-            refined = [narrowed(s, rooms) if is_open(s) else s for s in self.statements]
-        if (
-            refined == self.statements
-            and not (self.is_last or item.is_room or item.phrase.refers)
-            and item.phrase.definite
-        ):
-            self.told.append((f"{noun} {number}".strip(), place))
-            self.topic = with_place(item.phrase.things(), place)
-            self.statements.append(Mention(quote=self._quote(reader.words, at, stop)))
-            return True
-        if refined == self.statements:
-            return False
-        self.statements = refined
-        return True
 
-    def _tells_of_person(self, reader: ClauseReader, at: int) -> bool:
-        """Read ``She sleeps in the children's room``, which tells where the bed is; and why something is not right."""
-        words = reader.words
-        first = reader.text(at)
-        whole = self._quote(words, 0, len(words))
-        if first in ("he", "she") and at + 1 < len(words):
-            places, end = reader.places(at + 2)
-            if places and reader.skip(end) >= len(words) and self.statements and places[0].place.rooms is not None:
-                place = places[0].place
-                self.statements = [narrowed(s, place) if is_open(s) else s for s in self.statements]
-                self.statements.append(Mention(quote=whole))
-                return True
-        if first in ("why",):
-            there = next((k for k in range(at, len(words)) if words[k].text == "there"), -1)
-            item = reader.item(there + 1) if there >= 0 else None
-            self.topic = None if item is None else item.things()
-            if self.topic is not None and not self.topic.definite:
-                whole_of_it = Amount(kind="all", number=0)
-                self.topic = msgspec.structs.replace(self.topic, amount=whole_of_it, plural=True, definite=True)
-            self.statements.append(Mention(quote=whole))
-            return True
-        told = words[at].raw in ("is", "are", "looks") and len(words) - at <= 7
-        if told and not reader.item(at + 1):
-            self.statements.append(Mention(quote=whole))
-            return True
-        return self._tells_what_was_left(reader, at)
-
-    def _tells_what_was_left(self, reader: ClauseReader, at: int) -> bool:
-        """Read ``A guest left a suitcase in room 4``, which says what the next sentence is about."""
-        words = reader.words
-        verbs = ("left", "forgot", "lost", "dropped", "has", "have", "uses", "needs", "put")
-        left = next((k for k in range(at, min(at + 8, len(words))) if words[k].raw in verbs), -1)
-        if self.is_last:
-            return False
-        if left < 0 or not {w.text for w in words[at:left]} & PERSONS:
-            return False
-        item = reader.item(left + 1)
-        end = len(words) if item is None else item.end
-        end += 2 if tuple(w.text for w in words[end : end + 2]) == ("any", "more") else 0
-        if item is None or reader.skip(end) < len(words):
-            return False
-        self.topic = item.things()
-        if words[left].raw in ("has", "have", "uses", "needs"):
-            self.topic = msgspec.structs.replace(self.topic, definite=True)
-        self.statements.append(Mention(quote=self._quote(words, 0, len(words))))
-        return True
-
-    def _tells_storeys(self, reader: ClauseReader, at: int) -> bool:
-        """Read ``the top floor is 8``, which asks for nothing."""
-        storeys = read_storeys(reader.words, at, self.floors)
-        if storeys is None or reader.text(storeys[2]) not in ("is", "are"):
-            return False
-        end = storeys[2] + 1
-        if end + 1 != len(reader.words) or reader.words[end].kind not in ("number", "ordinal"):
-            return False
-        self.statements.append(Mention(quote=self._quote(reader.words, at, end + 1)))
-        return True
+def _is_it(statement: Move) -> bool:
+    """Whether a statement moves only what was mentioned last."""
+    return statement.things.refers == "last" and not statement.things.noun

@@ -1,0 +1,181 @@
+"""Words of an instruction that no statement accounts for: numbers, negations, quantifiers, nouns, colours.
+
+A reader that takes a clause for another one leaves words out. What was read is compared with the words that it was read
+from, so that such a clause is named to the user rather than carried out as something else.
+"""
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import Any, Final
+
+import msgspec
+
+from mansion_editing.instructions.phrases.lexicon import Lexicon
+from mansion_editing.instructions.phrases.nouns import MATERIALS
+from mansion_editing.instructions.phrases.runs import SHADES
+from mansion_editing.instructions.phrases.verb_words import VERB_WORDS
+from mansion_editing.instructions.phrases.words import FUNCTION_WORDS, VAGUE, Word, text_at
+from mansion_editing.instructions.statements import (
+    Ask,
+    Clear,
+    Ensure,
+    Finish,
+    Forbid,
+    History,
+    Keep,
+    Mention,
+    Move,
+    Reach,
+    Remove,
+    Rename,
+    Replace,
+    SetState,
+    Statement,
+    Swap,
+    When,
+)
+from mansion_language.colours import COLOUR_WORDS
+
+__all__ = ["unaccounted"]
+
+_NEGATIONS: Final = frozenset("not no never neither nor none without".split())
+_DENYING: Final = (Remove, Clear, Forbid, Keep, SetState, Ask, Reach, Swap, Replace)
+"""Statements that a negation may stand in: what goes or stays, or a state that is the other one."""
+
+_LIMITING: Final = frozenset(["none", "at_most", "at_least", "exactly", "all_but"])
+_ALTERNATIVES: Final = frozenset(["or", "either", "whichever"])
+_WHOLE: Final = frozenset("each every both".split())
+_OTHERS: Final = frozenset("other others rest remaining remainder".split())
+_OF_ANY_OF_THEM: Final = (Remove, Clear, Forbid, Keep, Ask)
+"""Statements in which things joined by "or" are all meant."""
+
+
+@dataclass(frozen=True)
+class _Told:
+    """What statements hold: the words of their texts, their numbers, and the kinds of their amounts."""
+
+    words: frozenset[str]
+    numbers: frozenset[float]
+    kinds: frozenset[str]
+    flags: frozenset[str]
+
+
+def unaccounted(text: str, words: Sequence[Word], statements: Sequence[Statement], lexicon: Lexicon) -> list[str]:
+    """Return the quotes of statements that leave out what their words say, each with the word.
+
+    Parameters
+    ----------
+    text : str
+        The instruction.
+    words : sequence of Word
+        Its words.
+    """
+    out: list[str] = []
+    for quote, group in _by_quote([s.then if isinstance(s, When) else s for s in statements]):
+        said = _words_of(text, words, quote)
+        left = [] if any(isinstance(s, Rename | History) for s in group) else _left_out(said, group, lexicon)
+        out += [f"{word.raw} (in {quote!r})" for word in left[:1]]
+    return list(dict.fromkeys(out))
+
+
+def _by_quote(statements: Sequence[Statement]) -> Iterator[tuple[str, list[Statement]]]:
+    told = [s for s in statements if s.quote and not isinstance(s, Mention | Ask)]
+    for quote in dict.fromkeys(s.quote for s in told):
+        yield quote, [s for s in told if s.quote in quote or quote in s.quote]
+
+
+def _words_of(text: str, words: Sequence[Word], quote: str) -> list[Word]:
+    start = text.find(quote)
+    out: list[Word] = []
+    within = False
+    for word in words:
+        if not start <= word.start < start + len(quote):
+            continue
+        within = (within or word.text in ("if", "unless")) and word.text != ","
+        out += [] if within else [word]
+    return out
+
+
+def _left_out(said: Sequence[Word], group: Sequence[Statement], lexicon: Lexicon) -> list[Word]:
+    told = _told(group)
+    return [word for at, word in enumerate(said) if _is_left_out(said, at, group, told, lexicon)]
+
+
+def _is_left_out(said: Sequence[Word], at: int, group: Sequence[Statement], told: _Told, lexicon: Lexicon) -> bool:
+    word = said[at]
+    text = word.text
+    if text in told.words or word.raw in told.words:
+        return False
+    if word.kind in ("number", "ordinal"):
+        return text != "one" and word.value not in told.numbers and not _is_part(said, at)
+    if text in _NEGATIONS:
+        return not (told.kinds & _LIMITING or "outside" in told.flags or any(isinstance(s, _DENYING) for s in group))
+    if text in _ALTERNATIVES:
+        return not all(isinstance(s, _OF_ANY_OF_THEM) or _is_none(s) for s in group)
+    if text == "half":
+        return "half" not in told.kinds and 0.5 not in told.numbers and 180.0 not in told.numbers
+    if text in _WHOLE:
+        several = told.flags & {"each", "every"} or told.kinds & {"all", "all_but", "none"}
+        return not (several or (text == "both" and (2.0 in told.numbers or len(group) > 1)) or len(group) > 1)
+    if text in _OTHERS:
+        return not (told.flags & {"others", "spare"} or told.kinds & {"all_but", "more", "exactly"})
+    if text in COLOUR_WORDS:
+        return COLOUR_WORDS[text] not in told.words and text not in SHADES
+    if text in ("off", "open", "closed", "shut") and word.kind == "word":
+        return not (
+            told.flags & {"states"}
+            or any(isinstance(s, SetState | Remove | Clear | Move | Keep | Forbid) for s in group)
+        )
+    return _is_lost_noun(said, at, group, lexicon)
+
+
+def _is_part(said: Sequence[Word], at: int) -> bool:
+    """Whether a number belongs to a noun or a measure of it: a three-seat sofa, a 60-cm shelf."""
+    return at + 1 < len(said) and (said[at + 1].kind == "unit" or said[at].end + 1 == said[at + 1].start)
+
+
+def _is_none(statement: Statement) -> bool:
+    return isinstance(statement, Ensure) and statement.things.amount.kind in ("none", "at_most")
+
+
+def _is_lost_noun(said: Sequence[Word], at: int, group: Sequence[Statement], lexicon: Lexicon) -> bool:
+    text = said[at].text
+    if said[at].kind != "word" or text in FUNCTION_WORDS or text in VAGUE or text in MATERIALS or text in VERB_WORDS:
+        return False
+    held = "of" in (text_at(said, at - 1), text_at(said, at + 1))
+    if held or any(isinstance(s, Finish | Reach) for s in group):
+        return False
+    return lexicon.is_called((text,)) and not lexicon.is_own_room((text,))
+
+
+def _told(group: Sequence[Statement]) -> _Told:
+    words: set[str] = set()
+    numbers: set[float] = set()
+    kinds: set[str] = set()
+    flags: set[str] = set()
+
+    def note(name: str, value: Any) -> None:
+        if isinstance(value, bool):
+            flags.update([name] if value else [])
+        elif isinstance(value, str):
+            words.update(re.findall(r"[a-z]+|\d+", value.lower()))
+            numbers.update(float(part) for part in re.findall(r"\d+", value))
+            kinds.update([value] if name == "kind" else [])
+            flags.update([value] if name == "refers" else [])
+        elif isinstance(value, int | float):
+            numbers.update([float(value), abs(float(value))])
+        elif isinstance(value, dict):
+            flags.update([name] if value else [])
+        elif isinstance(value, tuple | list):
+            flags.update(["spare"] if value and name in ("spare", "beside") else [])
+            for part in value:
+                note(name, part)
+        elif isinstance(value, msgspec.Struct):
+            for field in value.__struct_fields__:
+                if field != "quote":
+                    note(field, getattr(value, field))
+
+    for statement in group:
+        note("", statement)
+    return _Told(frozenset(words), frozenset(numbers), frozenset(kinds), frozenset(flags))

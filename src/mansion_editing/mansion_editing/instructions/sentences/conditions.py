@@ -1,0 +1,204 @@
+"""Conditions: ``if there is no plant in the kitchen``, ``unless it is on``, ``only if it is closed``."""
+
+from collections.abc import Sequence
+from typing import Final
+
+import msgspec
+
+from mansion_editing.instructions.clauses.items import Item, joined_places
+from mansion_editing.instructions.clauses.reader import ClauseReader
+from mansion_editing.instructions.phrases.places import merged
+from mansion_editing.instructions.phrases.words import BE, STATE_WORDS, Word
+from mansion_editing.instructions.statements import Add, Amount, Ask, Ensure, Place, Statement, Things, When
+
+__all__ = ["Condition", "begins_condition", "on_condition", "read_condition"]
+
+_BEFORE: Final = frozenset("only but and just".split())
+_BETWEEN: Final = frozenset("already still currently yet really now switched turned".split())
+_AFTER: Final = frozenset("yet there already so far still , then at all right now in it inside".split())
+
+
+class Condition(msgspec.Struct, frozen=True):
+    """What must be so, or must not.
+
+    Attributes
+    ----------
+    ask : Ask, optional
+        The question; None where the condition is only that what a clause brings is not there yet.
+    holds : bool
+        The answer that lets the clause be carried out.
+    """
+
+    ask: Ask | None
+    holds: bool
+
+
+def begins_condition(words: Sequence[Word], at: int) -> int:
+    """Return the place after ``if``, ``only if``, ``unless``, ``in case``; 0 where there is none."""
+    place = at
+    while place < len(words) and words[place].text in _BEFORE:
+        place += 1
+    if place < len(words) and words[place].text in ("if", "unless"):
+        return place + 1
+    pair = tuple(w.text for w in words[place : place + 2])
+    return place + 2 if pair in (("in", "case"), ("provided", "that"), ("as", "long")) else 0
+
+
+def read_condition(reader: ClauseReader, at: int, last: Things | None) -> tuple[Condition, int] | None:
+    """Read the condition that begins at a place; None where it is not understood.
+
+    Parameters
+    ----------
+    last : Things, optional
+        What the clause before brought, which ``one`` and ``it`` mean.
+    """
+    place = begins_condition(reader.words, at)
+    if not place:
+        return None
+    denied = any(w.text == "unless" for w in reader.words[at:place])
+    found = _existing(reader, place, last) or _elliptic(reader, place) or _of_subject(reader, place, last)
+    if found is None:
+        return None
+    condition, end = found
+    while reader.text(end) in _AFTER and not (reader.text(end) == "," and reader.starts_clause(reader.skip(end))):
+        end += 1
+    end += reader.text(end) == ","
+    return Condition(condition.ask, condition.holds != denied), end
+
+
+def on_condition(statement: Statement, condition: Condition) -> Statement:
+    """Return a statement that is carried out only where a condition holds."""
+    same = condition.ask is not None and isinstance(statement, Add) and _is_about(condition.ask, statement)
+    if condition.ask is None or (same and not condition.holds):
+        if isinstance(statement, Add) and not (condition.ask is None and condition.holds):
+            return Ensure(things=statement.things, place=statement.place, each=statement.each, quote=statement.quote)
+        return statement
+    return When(ask=condition.ask, holds=condition.holds, then=statement, quote=statement.quote)
+
+
+def _is_about(ask: Ask, statement: Add) -> bool:
+    things = ask.things
+    return ask.about == "exists" and things is not None and things.noun == statement.things.noun and ask.place is None
+
+
+def _elliptic(reader: ClauseReader, at: int) -> tuple[Condition, int] | None:
+    """Read ``if it hasn't``, ``if not already there``, ``if needed``, ``if missing``."""
+    texts = [w.text for w in reader.words[at:]]
+    for words, holds in _SHORT:
+        if tuple(texts[: len(words)]) == words and (len(texts) == len(words) or not texts[len(words)].isalpha()):
+            return Condition(None, holds), at + len(words)
+    return None
+
+
+_LACKING = (
+    "not|missing|needed|necessary|required|not there|not already there|it is missing|it has not|it have not|it not|"
+    "they not|it is not there|it is not already there|they are not there|not there yet|it do not|it does not|"
+    "not already present|not yet there"
+)
+_PRESENT = "it has|it is already there"
+_SHORT: Final = tuple(
+    (tuple(words.split()), holds)
+    for group, holds in ((_LACKING, False), (_PRESENT, True))
+    for words in group.split("|")
+)
+"""Conditions without a noun, and whether what is meant is there then."""
+
+
+def _existing(reader: ClauseReader, at: int, last: Things | None) -> tuple[Condition, int] | None:
+    """Read ``there is no plant in the kitchen``, ``there is not one yet``."""
+    if reader.text(at) != "there" and reader.words[at : at + 1] and reader.words[at].raw not in ("there's", "theres"):
+        return None
+    place = at + 1
+    denied = False
+    while reader.text(place) in BE or reader.text(place) in (*_BETWEEN, "not"):
+        denied = denied or reader.text(place) == "not"
+        place += 1
+    if reader.text(place) in ("one", "none", "any", "some"):
+        holds = reader.text(place) != "none" and not denied
+        where, end = reader.places(_past(reader, place + 1))
+        if where and last is not None:
+            ask = Ask(about="exists", things=_any(last), place=joined_places(where)[0])
+            return Condition(ask, holds), end
+        return Condition(None, holds), end
+    item = reader.item(place)
+    if item is None:
+        return None
+    denied = denied or item.phrase.amount.kind == "none"
+    return Condition(_exists(item, item.things().place), not denied), item.end
+
+
+def _of_subject(reader: ClauseReader, at: int, last: Things | None) -> tuple[Condition, int] | None:
+    """Read ``the microwave is off``, ``the kitchen has no plant``, ``it already has one``."""
+    item = reader.item(at)
+    if item is None:
+        return None
+    place = item.end
+    denied = False
+    verb = ""
+    while reader.text(place) in BE or reader.text(place) in (
+        *_BETWEEN,
+        "not",
+        "do",
+        "does",
+        "has",
+        "have",
+        "contain",
+        "got",
+        "hold",
+    ):
+        denied = denied or reader.text(place) == "not"
+        verb = "have" if reader.text(place) in ("has", "have", "contain", "got", "hold") else verb or "be"
+        place += 1
+    if place == item.end:
+        return None
+    things = last if item.phrase.refers == "last" and last is not None else item.things()
+    if verb == "have":
+        return _having(reader, item, place, last, denied=denied)
+    if reader.text(place) in STATE_WORDS:
+        name, value = STATE_WORDS[reader.text(place)]
+        plain = msgspec.structs.replace(things, amount=Amount(kind="all", number=0), place=None)
+        ask = Ask(
+            about="state", things=plain, place=things.place, state="open" if name == "open" else "on", value=value
+        )
+        return Condition(ask, not denied), place + 1
+    where, end = reader.places(place)
+    if not where:
+        return None
+    own = things.place
+    goal = joined_places(where)[0]
+    ask = Ask(about="exists", things=_any(things), place=goal if own is None else merged(goal, own))
+    return Condition(ask, not denied), end
+
+
+def _having(
+    reader: ClauseReader, item: Item, at: int, last: Things | None, *, denied: bool
+) -> tuple[Condition, int] | None:
+    if reader.text(at) in ("one", "none", "any", "some"):
+        holds = reader.text(at) != "none" and not denied
+        if item.phrase.refers == "last" or last is None:
+            return Condition(None, holds), at + 1
+        holder = Place(rooms=item.rooms()) if item.is_room else Place(relation="on", anchor=item.phrase.things())
+        return Condition(Ask(about="exists", things=_any(last), place=holder), holds), at + 1
+    thing = reader.item(at)
+    if thing is None or item.phrase.refers == "last":
+        return None
+    holder = Place(rooms=item.rooms()) if item.is_room else Place(relation="on", anchor=item.phrase.things())
+    denied = denied or thing.phrase.amount.kind == "none"
+    own = thing.things().place
+    return Condition(_exists(thing, holder if own is None else merged(own, holder)), not denied), thing.end
+
+
+def _exists(item: Item, place: Place | None) -> Ask:
+    return Ask(about="exists", things=_any(item.phrase.things()), place=place)
+
+
+def _any(things: Things) -> Things:
+    number = things.amount.number if things.amount.kind in ("some", "at_least") else 0
+    amount = Amount(kind="all", number=0) if number < 2 else things.amount
+    return msgspec.structs.replace(things, amount=amount, definite=False, place=None)
+
+
+def _past(reader: ClauseReader, at: int) -> int:
+    while reader.text(at) in ("yet", "already", "of", "them"):
+        at += 1
+    return at

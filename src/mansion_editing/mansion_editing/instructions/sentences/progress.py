@@ -1,0 +1,38 @@
+"""How far an instruction is read: its words, what was read so far, and what the next clause may refer to."""
+
+from collections.abc import Sequence
+
+from mansion_editing.instructions.phrases.lexicon import Lexicon
+from mansion_editing.instructions.phrases.nouns import Noun
+from mansion_editing.instructions.phrases.storey_counts import counted_from_ground, counts_above_ground
+from mansion_editing.instructions.phrases.words import Word, split_words
+from mansion_editing.instructions.statements import Place, Statement, Things
+from mansion_editing.state import SceneState
+
+__all__ = ["Progress"]
+
+
+class Progress:
+    """The words of one instruction, and what was read of them."""
+
+    def __init__(self, text: str, state: SceneState, brief: str = "") -> None:
+        self.text = text
+        self.lexicon = Lexicon(state)
+        self.floors = state.floors
+        self.words = split_words(text, self.lexicon.speller, self.lexicon.kept)
+        if counts_above_ground(text, brief):
+            self.words = counted_from_ground(self.words)
+        self.statements: list[Statement] = []
+        self.unknown: list[str] = []
+        self.topic: Things | None = None
+        self.spared: tuple[Things, ...] = ()
+        self.frames: tuple[Place, ...] = ()
+        self.last_noun: Noun | None = None
+        self.told: list[tuple[str, Place]] = []
+        self.clause: list[Statement] = []
+        self.is_last = False
+
+    def _quote(self, words: Sequence[Word], start: int, end: int) -> str:
+        if start >= end:
+            return ""
+        return self.text[words[start].start : words[min(end, len(words)) - 1].end]

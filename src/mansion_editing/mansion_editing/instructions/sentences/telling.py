@@ -1,0 +1,116 @@
+"""Sentences that ask for nothing themselves, but tell where something is or what the next one is about."""
+
+import msgspec
+
+from mansion_editing.instructions.clauses.reader import ClauseReader
+from mansion_editing.instructions.phrases.places import merged, with_place
+from mansion_editing.instructions.phrases.storeys import read_storeys
+from mansion_editing.instructions.phrases.words import PERSONS
+from mansion_editing.instructions.sentences.progress import Progress
+from mansion_editing.instructions.sentences.refinement import is_open, narrowed, with_noun_at
+from mansion_editing.instructions.statements import Amount, Mention, Place
+
+__all__ = ["Telling"]
+
+
+class Telling(Progress):
+    """Reads what sentences tell of things, rooms and persons."""
+
+    def _reads_scope(self, reader: ClauseReader, at: int) -> bool:
+        """Read a sentence that only tells where something mentioned is: ``The desk is in the lobby.``."""
+        if self._tells_storeys(reader, at):
+            return True
+        item = reader.item(at)
+        if item is None:
+            return False
+        end = item.end
+        indicative = reader.text(end) in ("is", "are")
+        contracted = reader.words[item.phrase.end - 1].genitive and item.end > item.phrase.end
+        pronoun = item.phrase.refers == "last" and reader.words[at].raw in ("it's", "they're")
+        if not (indicative or contracted or pronoun):
+            return False
+        places, stop = reader.places(end + indicative) if indicative or not item.places else (item.places, item.end)
+        if not places or reader.skip(stop) < len(reader.words):
+            return False
+        place = Place()
+        for read in places:
+            place = read.place if place == Place() else merged(place, read.place)
+        noun = " ".join(item.phrase.noun.words)
+        number = item.phrase.noun.number
+        refined = [with_noun_at(s, f"{noun} {number}".strip(), place) for s in self.statements]
+        if item.phrase.refers == "last" and self.statements:
+            refined = [*self.statements[:-1], narrowed(self.statements[-1], place)]
+        if refined == self.statements and item.is_room and place.rooms is not None and self.statements:
+            rooms = merged(Place(rooms=item.phrase.rooms()), place)
+            refined = [narrowed(s, rooms) if is_open(s) else s for s in self.statements]
+        if (
+            refined == self.statements
+            and not (self.is_last or item.is_room or item.phrase.refers)
+            and item.phrase.definite
+        ):
+            self.told.append((f"{noun} {number}".strip(), place))
+            self.topic = with_place(item.phrase.things(), place)
+            self.statements.append(Mention(quote=self._quote(reader.words, at, stop)))
+            return True
+        if refined == self.statements:
+            return False
+        self.statements = refined
+        return True
+
+    def _tells_of_person(self, reader: ClauseReader, at: int) -> bool:
+        """Read ``She sleeps in the children's room``, which tells where the bed is; and why something is not right."""
+        words = reader.words
+        first = reader.text(at)
+        whole = self._quote(words, 0, len(words))
+        if first in ("he", "she") and at + 1 < len(words):
+            places, end = reader.places(at + 2)
+            if places and reader.skip(end) >= len(words) and self.statements and places[0].place.rooms is not None:
+                place = places[0].place
+                self.statements = [narrowed(s, place) if is_open(s) else s for s in self.statements]
+                self.statements.append(Mention(quote=whole))
+                return True
+        if first in ("why",):
+            there = next((k for k in range(at, len(words)) if words[k].text == "there"), -1)
+            item = reader.item(there + 1) if there >= 0 else None
+            self.topic = None if item is None else item.things()
+            if self.topic is not None and not self.topic.definite:
+                whole_of_it = Amount(kind="all", number=0)
+                self.topic = msgspec.structs.replace(self.topic, amount=whole_of_it, plural=True, definite=True)
+            self.statements.append(Mention(quote=whole))
+            return True
+        told = words[at].raw in ("is", "are", "looks") and len(words) - at <= 7
+        if told and not reader.item(at + 1) and reader.text(at + 1) != "there":
+            self.statements.append(Mention(quote=whole))
+            return True
+        return self._tells_what_was_left(reader, at)
+
+    def _tells_what_was_left(self, reader: ClauseReader, at: int) -> bool:
+        """Read ``A guest left a suitcase in room 4``, which says what the next sentence is about."""
+        words = reader.words
+        verbs = ("left", "forgot", "lost", "dropped", "has", "have", "uses", "needs", "put")
+        left = next((k for k in range(at, min(at + 8, len(words))) if words[k].raw in verbs), -1)
+        if self.is_last:
+            return False
+        if left < 0 or not {w.text for w in words[at:left]} & PERSONS:
+            return False
+        item = reader.item(left + 1)
+        end = len(words) if item is None else item.end
+        end += 2 if tuple(w.text for w in words[end : end + 2]) == ("any", "more") else 0
+        if item is None or reader.skip(end) < len(words):
+            return False
+        self.topic = item.things()
+        if words[left].raw in ("has", "have", "uses", "needs"):
+            self.topic = msgspec.structs.replace(self.topic, definite=True)
+        self.statements.append(Mention(quote=self._quote(words, 0, len(words))))
+        return True
+
+    def _tells_storeys(self, reader: ClauseReader, at: int) -> bool:
+        """Read ``the top floor is 8``, which asks for nothing."""
+        storeys = read_storeys(reader.words, at, self.floors)
+        if storeys is None or reader.text(storeys[2]) not in ("is", "are"):
+            return False
+        end = storeys[2] + 1
+        if end + 1 != len(reader.words) or reader.words[end].kind not in ("number", "ordinal"):
+            return False
+        self.statements.append(Mention(quote=self._quote(reader.words, at, end + 1)))
+        return True

@@ -1,0 +1,56 @@
+"""Clauses that depend on a condition are carried out only where it holds."""
+
+import pytest
+
+from mansion_editing.editor import SceneEditor
+from mansion_editing.instructions.instruct import instruct
+
+
+def _number(editor: SceneEditor, category: str, room: str) -> int:
+    return sum(item.category == category and item.room == room for _, item in editor.state.objects())
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Add a chair to the hall if there is none yet.",
+        "Add a chair to the hall unless it already has one.",
+        "Put a chair in the hall only if there isn't one.",
+        "If there is no chair in the hall, put one there.",
+        "If the hall has no chair, add one.",
+    ],
+)
+def test_nothing_is_added_where_it_is_there(editor: SceneEditor, text: str) -> None:
+    report = instruct(editor, text)
+    assert report.done and not report.edits and _number(editor, "chair", "F1/hall") == 3
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Add a chair to the kitchen if there is none yet.",
+        "Add a chair to the kitchen unless it already has one.",
+        "If there is no chair in the kitchen, put one there.",
+    ],
+)
+def test_what_is_missing_is_added(editor: SceneEditor, text: str) -> None:
+    assert instruct(editor, text).done and _number(editor, "chair", "F1/kitchen") == 1
+
+
+def test_a_state_decides(editor: SceneEditor) -> None:
+    closed = instruct(editor, "If the fridge is open, remove the sofa from the hall.")
+    assert closed.done and not closed.edits and "not so" in closed.message
+    done = instruct(editor, "If the fridge is closed, remove the sofa from the hall.")
+    assert done.done and _number(editor, "sofa", "F1/hall") == 0
+
+
+def test_the_answer_to_a_question_decides(editor: SceneEditor) -> None:
+    assert not instruct(editor, "Is the fridge closed? If not, close it.").edits
+    assert instruct(editor, "Is the fridge closed? If so, open it.").edits == 1
+    fridge = editor.state.get("F1/kitchen/fridge_1")[1]
+    assert fridge.states["open"]
+
+
+def test_to_check_whether_is_a_question(editor: SceneEditor) -> None:
+    report = instruct(editor, "Check if the fridge is open")
+    assert report.question and not report.edits and report.message.startswith("No")

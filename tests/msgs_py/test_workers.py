@@ -1,0 +1,65 @@
+"""No worker outlives the process that made it."""
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+SCRIPT = """
+import os, sys, time
+from mansion_msgs_py.workers import worker_pool
+
+if __name__ == "__main__":
+    pool = worker_pool(2, sys.argv[1])
+    work = [pool.submit(time.sleep, float(sys.argv[2])) for _ in range(2)]
+    while len(pool._processes) < 2:
+        time.sleep(0.01)
+    pool.submit(os.getpid).result() if sys.argv[2] == "0" else time.sleep(1.0)
+    print(*pool._processes, flush=True)
+    time.sleep(600)
+"""
+
+
+def is_running(pid: int) -> bool:
+    try:
+        state = Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0]
+    except FileNotFoundError:
+        return False
+    return state != "Z"
+
+
+def ended(pids: list[int], seconds: float) -> bool:
+    deadline = time.monotonic() + seconds
+    while any(map(is_running, pids)) and time.monotonic() < deadline:
+        time.sleep(0.05)
+    return not any(map(is_running, pids))
+
+
+@pytest.mark.parametrize("busy", ["0", "600"], ids=["idle", "busy"])
+@pytest.mark.parametrize("method", ["fork", "forkserver", "spawn"])
+def test_workers_end_when_their_parent_is_killed(tmp_path: Path, method: str, busy: str) -> None:
+    script = tmp_path / "owner.py"
+    script.write_text(SCRIPT)
+    owner = subprocess.Popen([sys.executable, str(script), method, busy], stdout=subprocess.PIPE, text=True)
+    assert owner.stdout is not None
+    workers = [int(pid) for pid in owner.stdout.readline().split()]
+    helpers = [*workers, *children(owner.pid)]
+    try:
+        assert len(workers) == 2 and all(map(is_running, workers))
+        owner.kill()
+        owner.wait()
+        assert ended(helpers, 20.0)
+    finally:
+        owner.kill()
+        owner.stdout.close()
+        for pid in filter(is_running, helpers):
+            os.kill(pid, signal.SIGKILL)
+
+
+def children(pid: int) -> list[int]:
+    """Return the direct children of a process: its workers, a fork server, a tracker of resources."""
+    return [int(child) for child in Path(f"/proc/{pid}/task/{pid}/children").read_text().split()]

@@ -1,0 +1,43 @@
+"""A brief for more than can be built is refused with the limit."""
+
+import pytest
+
+from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.layout import FloorProblem, ProblemNode
+from mansion_msgs_py.request import BuildRequest
+from mansion_planner.plan import plan_building
+from mansion_planner.solver.solve import solve_floor
+
+
+@pytest.mark.parametrize(
+    "request_",
+    [
+        BuildRequest(description="a warehouse of one floor, 1000000 m2"),
+        BuildRequest(description="an office, 99999999999999999999 m2"),
+        BuildRequest(description="a two-storey office, 60,000 m2 per floor"),
+        BuildRequest(description="an office", floors=1, area=60_000.0),
+    ],
+    ids=lambda request: request.description[:30],
+)
+def test_a_storey_beyond_the_limit_is_refused(request_: BuildRequest) -> None:
+    with pytest.raises(MansionError, match="at most 50000 m2") as caught:
+        plan_building(request_)
+    assert caught.value.code == ErrorCode.INFEASIBLE
+
+
+def test_a_building_beyond_the_limit_is_refused() -> None:
+    with pytest.raises(MansionError, match="at most 1000000 m2"):
+        plan_building(BuildRequest(description="an office of 80 storeys", floor_area=15_000.0))
+
+
+def test_the_solver_refuses_an_outline_beyond_the_limit() -> None:
+    side = 1_500.0
+    outline = [(0.0, 0.0), (side, 0.0), (side, side), (0.0, side)]
+    problem = FloorProblem(boundary=outline, nodes=[ProblemNode(id="hall", type="main")])
+    with pytest.raises(MansionError, match="at most 50000 m2"):
+        solve_floor(problem)
+
+
+def test_a_storey_longer_than_the_limit_is_refused() -> None:
+    with pytest.raises(MansionError, match="at most 10000 m are built"):
+        plan_building(BuildRequest(description="a warehouse of one floor", floor_area=45_000.0))
