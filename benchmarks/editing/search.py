@@ -25,8 +25,14 @@ TESTS = Path(__file__).parents[2] / "tests" / "assets" / "catalogue"
 LISTS = (
     TESTS / "search_queries.json",
     TESTS / "search_queries_worded.json",
-    Path(__file__).with_name("queries_training.json"),
-    Path(__file__).with_name("queries_checking.json"),
+    *(
+        Path(__file__).with_name(f"queries_{name}.json")
+        for name in (
+            *("training", "checking", "first_sight"),
+            *("synonyms", "uses", "descriptions"),
+            *("fresh", "fresh_2"),
+        )
+    ),
 )
 
 

@@ -33,6 +33,7 @@ setup(
         "mansion_planner",
         "mansion_skills",
         "mansion_tasks",
+        "mansion_world",
         "msgspec>=0.19",
         "networkx>=2.8",
         "numpy>=1.26",

@@ -43,6 +43,7 @@ setup(
         "mansion_scene",
         "mansion_skills",
         "mansion_tasks",
+        "mansion_world",
         "matplotlib>=3.6",
         "msgspec>=0.19",
         "networkx>=2.8",

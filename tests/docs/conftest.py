@@ -3,26 +3,41 @@
 import os
 import shutil
 from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
 
 from mansion_bringup.pipeline.build import build_building, solve
 from mansion_bringup.pipeline.stages import LocalStages
+from mansion_bringup.worlds import build_for_world, check_for_world
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.request import BuildRequest, identified
 from mansion_msgs_py.stages import FurnishRequest
+from mansion_world.making import make_world
+from mansion_world.mixture import load_mixture
+
+FLATS = Path(__file__).parents[2] / "examples" / "small_world.toml"
 
 
 @pytest.fixture(scope="session")
 def stock(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A folder with a small building, a furnishing request, and a user's empty knowledge."""
+    """A folder with two buildings, a world of one flat, a furnishing request, and a user's empty knowledge."""
     folder = tmp_path_factory.mktemp("pages")
     request = identified(BuildRequest(description="a two-storey clinic", floor_area=160.0))
     build_building(request, folder / "out" / "clinic")
     office = BuildRequest(description="A four-storey office with a cafeteria on the ground floor")
     build_building(office, folder / "out" / "office", jobs=2)
     (folder / "my_knowledge").mkdir()
+    make_world(
+        folder / "out" / "flats",
+        1,
+        seed=7,
+        mix=load_mixture(FLATS),
+        build=build_for_world,
+        check=check_for_world,
+        workers=lambda: ThreadPoolExecutor(1),
+    )
     stages = LocalStages()
     plan = stages.plan(request)
     furnish = FurnishRequest(

@@ -94,6 +94,7 @@ CASES: list[tuple[str, Wish, WishStatus]] = [
     ("no kitchen above", wish("no_room", WishValue(type="kitchen", unwanted=True), Scope(floors=[2])), "met"),
     ("side by side", wish("adjacent", _pair("kitchen", "dining_room")), "met"),
     ("a corner is no wall", wish("adjacent", _pair("bedroom_1", "kitchen")), "not_met"),
+    ("each beside one", wish("adjacent", _pair("kitchen", "dining_room"), Scope(each=True)), "met"),
     ("no such neighbour", wish("adjacent", _pair("kitchen", "gym")), "not_met"),
     ("apart", wish("apart", _pair("hallway", "dining_room")), "met"),
     ("not apart", wish("apart", _pair("kitchen", "dining_room")), "not_met"),

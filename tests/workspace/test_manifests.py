@@ -31,6 +31,7 @@ NAMES = [
     "mansion_scene",
     "mansion_skills",
     "mansion_tasks",
+    "mansion_world",
 ]
 
 # Keys of rosdep's python.yaml with a rule for Ubuntu 24.04: an unknown one stops `rosdep install`.

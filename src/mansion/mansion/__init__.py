@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from mansion.plans import Plan, plan
     from mansion.robot import Robot
     from mansion.selections import Floors, Objects, Rooms, Selection, Wishes
+    from mansion.worlds import World, WorldBuilding
     from mansion_bringup.pipeline.build import BuildResult, build_building
     from mansion_msgs_py.building_folder import BuildingFolder
     from mansion_msgs_py.errors import ErrorCode, MansionError
@@ -52,6 +53,8 @@ __all__ = [
     "Rooms",
     "Selection",
     "Wishes",
+    "World",
+    "WorldBuilding",
     "__version__",
     "build",
     "build_building",
@@ -82,6 +85,8 @@ _HOMES = {
     "Rooms": "mansion.selections",
     "Selection": "mansion.selections",
     "Wishes": "mansion.selections",
+    "World": "mansion.worlds",
+    "WorldBuilding": "mansion.worlds",
     "build": "mansion.making",
     "build_building": "mansion_bringup.pipeline.build",
     "connect": "mansion.graph",

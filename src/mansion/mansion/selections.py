@@ -340,7 +340,7 @@ class Wishes(Selection[Wish]):
 
     def records(self) -> list[dict[str, Any]]:
         """Return a dictionary for each wish, with what it was read as beside its words."""
-        from mansion_bringup.cli.wish_reading import read_as
+        from mansion_bringup.building.wish_words import read_as
 
         made = zip(super().records(), self)
         return [{"id": row.pop("id"), "text": row.pop("text"), "read_as": read_as(wish), **row} for row, wish in made]
@@ -348,7 +348,7 @@ class Wishes(Selection[Wish]):
     @property
     def summary(self) -> str:
         """How many wishes there are of each status, in one line."""
-        from mansion_bringup.cli.receipt_table import receipt_summary
+        from mansion_bringup.building.wish_words import receipt_summary
 
         return receipt_summary(self._parts)
 

@@ -18,6 +18,7 @@ def queries(name: str) -> list[tuple[str, list[str]]]:
 
 
 QUERIES = queries("search_queries.json")
+BENCHMARKS = Path(__file__).parents[3] / "benchmarks" / "editing"
 WORDED = queries("search_queries_worded.json")
 
 
@@ -85,6 +86,52 @@ def notion_of(query: str) -> Hypernym:
     """Return the general notion that a query names."""
     wanted = plain_words(query)
     return next(notion for notion in hypernyms() if wanted in [plain_words(name) for name in notion.names])
+
+
+def test_names_of_general_notions_give_three_different_members_first() -> None:
+    """At least 19 in 20 of all names of notions with three members or more."""
+    names = [
+        (name, set(notion.categories)) for notion in hypernyms() if len(notion.categories) > 2 for name in notion.names
+    ]
+    missed = [name for name, members in names if len(set(first_three(name)) & members) < 3]
+    assert len(missed) <= 0.05 * len(names), missed
+
+
+def first_three(query: str) -> list[str]:
+    """Return the categories of the first three hits."""
+    return [hit.asset.category for hit in search_assets(load_catalogue(), query, 3)]
+
+
+@pytest.mark.parametrize(
+    ("query", "category"),
+    [("something to drink", "cola_can"), ("something to drink from", "glass"), ("something to eat", "apple")],
+)
+def test_small_words_tell_general_notions_apart(query: str, category: str) -> None:
+    assert first_three(query)[0] == category
+
+
+@pytest.mark.parametrize(
+    ("query", "category"),
+    [
+        ("La-Z-Boy", "recliner"),
+        ("Pepsi", "cola_can"),
+        ("the Times", "newspaper"),
+        ("liquidizer", "blender"),
+        ("clothes horse", "drying_rack"),
+        ("settle down the brolly", "umbrella"),
+        ("thing to hang coats on", "coat_rack"),
+    ],
+)
+def test_brands_slang_and_circumlocutions_are_found(query: str, category: str) -> None:
+    assert category in first_three(query)
+
+
+@pytest.mark.parametrize(("name", "share"), [("synonyms", 0.98), ("uses", 0.97), ("descriptions", 0.97)])
+def test_every_category_is_found_by_a_synonym_a_use_and_a_description(name: str, share: float) -> None:
+    rows = msgspec.json.decode((BENCHMARKS / f"queries_{name}.json").read_bytes(), type=list[tuple[str, list[str]]])
+    assert {accepted[0] for _, accepted in rows} == set(load_catalogue().categories)
+    missed = [query for query, accepted in rows if not set(first_three(query)) & set(accepted)]
+    assert len(missed) <= (1 - share) * len(rows), missed
 
 
 @pytest.mark.parametrize(

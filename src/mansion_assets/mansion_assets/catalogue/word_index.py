@@ -95,6 +95,10 @@ class WordIndex:
             words in self._phrases for words in (tuple(plain_words(query)), tuple(w.text for w in query_words(query)))
         )
 
+    def knows(self, word: str) -> bool:
+        """Return whether a word, a form of it or a word alike is in the index."""
+        return word in self._words or stem(word) in self._stems or word in words_alike()
+
     def _fits(self, word: str) -> dict[int, float]:
         """Return how well categories fit one word: as it stands, in another form, by a word alike, or misspelt."""
         out: dict[int, float] = dict(self._words.get(word, {}))
@@ -157,8 +161,7 @@ class WordIndex:
         """Return words in which a compound is its two parts and a clear misspelling is what was meant."""
         out: list[QueryWord] = []
         for word in words:
-            known = word.text in self._words or stem(word.text) in self._stems or word.text in words_alike()
-            like = [] if known else self._like(word.text)
+            like = [] if self.knows(word.text) else self._like(word.text)
             parts = [other for other, _ in like]
             if len(like) == 2 and "".join(parts) == word.text:
                 out += [QueryWord(parts[0], min(1.0, word.weight)), QueryWord(parts[1], word.weight)]

@@ -155,6 +155,9 @@ def _adjacent(wish: Wish, state: JudgedBuilding) -> Verdict:
     ids = [room.full_id for pair in pairs[:1] for room in pair]
     if not firsts or not seconds:
         return Verdict("not_met", f"there is no {spoken(wish.value.name if not firsts else wish.value.other)}")
+    lonely = [a.full_id for a in firsts if a.full_id not in {first.full_id for first, _ in pairs}]
+    if wish.scope.each and pairs and lonely:
+        return Verdict("partly", f"{listed(lonely[:3])} lies beside none", ids)
     same = any(a.floor == b.floor for a in firsts for b in seconds)
     return met_if(bool(pairs), "they share no wall" if same else "they are on different storeys", rooms=ids)
 

@@ -391,7 +391,10 @@ def _no_room(wish: Wish, finished: _Finished) -> str:
 
 
 def _adjacent(wish: Wish, finished: _Finished) -> str:
-    return "" if _sides(wish, finished) else "no two such rooms share a wall"
+    beside = set(_sides(wish, finished))
+    if wish.scope.each and any(room.id not in beside for _, room in finished.meant(wish.value.name, wish.value.type)):
+        return "not every such room shares a wall with one"
+    return "" if beside else "no two such rooms share a wall"
 
 
 def _apart(wish: Wish, finished: _Finished) -> str:

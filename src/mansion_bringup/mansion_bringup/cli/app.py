@@ -5,7 +5,21 @@ from typing import Annotated
 import typer
 
 from mansion_bringup.about import about
-from mansion_bringup.cli import bench, build, edit, export, graph, look, plan, quality, schema, skill, solve, task
+from mansion_bringup.cli import (
+    bench,
+    build,
+    edit,
+    export,
+    graph,
+    look,
+    plan,
+    quality,
+    schema,
+    skill,
+    solve,
+    task,
+    world,
+)
 
 __all__ = ["app"]
 
@@ -37,5 +51,5 @@ def common(
     """Take what every command has in common; the help of the whole is the text of `app`."""
 
 
-for module in (build, bench, plan, edit, export, graph, solve, schema, quality, skill, look, task):
+for module in (build, bench, plan, edit, export, graph, solve, schema, quality, skill, look, task, world):
     module.register(app)

@@ -20,23 +20,36 @@ def register(app: typer.Typer) -> None:
 def check(
     building: Annotated[Path, typer.Argument(help="Folder that `mansion build` wrote.")],
     as_json: Annotated[bool, typer.Option("--json", help="Faults as JSON.")] = False,
+    norms: Annotated[
+        bool, typer.Option("--norms", help="Deviations from rules of building too: rule, place, found, asked, source.")
+    ] = False,
 ) -> None:
     """Verify a building from its geometry and its request; exit status 1 and a line for each fault.
+
+    With --norms also a line for each deviation from a rule of building, and exit status 1 where the brief does not
+    ask for one explicitly; as JSON an object of `faults` and `deviations`.
 
     Examples:
 
       mansion check out/office
+
+      mansion check out/office --norms
     """
+    from mansion_bringup.check.norms import norms_of_folder
     from mansion_bringup.verify import verify_building
 
     faults = verify_building(building)
+    unreadable = any(fault.kind == "FILE" for fault in faults)
+    deviations = norms_of_folder(building) if norms and not unreadable else []
     if as_json:
-        print_json(faults)
+        print_json({"faults": faults, "deviations": deviations} if norms else faults)
     else:
-        for fault in faults:
-            typer.echo(str(fault))
-    if faults:
-        err.print(f"{building}: {counted(len(faults), 'fault')}", highlight=False)
+        for line in (*faults, *deviations):
+            typer.echo(str(line))
+    wrong = [item for item in deviations if not item.caused_by]
+    if faults or wrong:
+        found = [counted(len(faults), "fault")] * bool(faults) + [counted(len(wrong), "deviation")] * bool(wrong)
+        err.print(f"{building}: {', '.join(found)}", highlight=False)
         raise typer.Exit(1)
     err.print(f"{building}: no fault found")
 

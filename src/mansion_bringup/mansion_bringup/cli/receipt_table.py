@@ -1,20 +1,19 @@
 """The receipt of a brief as a table: what was asked for, and what became of it."""
 
 from collections.abc import Sequence
+from typing import Final
 
 from rich.table import Table
 from rich.text import Text
 
+from mansion_bringup.building.wish_words import STATUS_WORDS, read_as, receipt_summary
 from mansion_bringup.cli.console import out
-from mansion_bringup.cli.wish_reading import read_as
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.wishes import Wish
-from mansion_msgs_py.wording import counted
 
-__all__ = ["print_receipt", "receipt_summary", "receipt_table", "refuse_unmet"]
+__all__ = ["print_receipt", "receipt_table", "refuse_unmet"]
 
-_MARKS = {"met": ("met", "green"), "partly": ("partly", "yellow"), "not_met": ("not met", "red"),
-          "not_understood": ("not understood", "magenta"), "": ("open", "")}  # fmt: skip
+_COLOURS: Final = {"met": "green", "partly": "yellow", "not_met": "red", "not_understood": "magenta", "": ""}
 
 
 def receipt_table(wishes: Sequence[Wish]) -> Table:
@@ -31,23 +30,15 @@ def receipt_table(wishes: Sequence[Wish]) -> Table:
         table.add_column("read by", no_wrap=True)
     table.add_column("reason", overflow="fold")
     for wish in wishes:
-        mark, colour = _MARKS[wish.status]
         reader = [Text(wish.read_by)] if signed else []
-        table.add_row(Text(wish.text), Text(read_as(wish)), Text(mark, style=colour), *reader, Text(wish.reason))
+        table.add_row(
+            Text(wish.text),
+            Text(read_as(wish)),
+            Text(STATUS_WORDS[wish.status], style=_COLOURS[wish.status]),
+            *reader,
+            Text(wish.reason),
+        )
     return table
-
-
-def receipt_summary(wishes: Sequence[Wish]) -> str:
-    """Return one line: how many wishes there are of each status.
-
-    Examples
-    --------
-    >>> receipt_summary([])
-    'nothing was asked for'
-    """
-    counts = {status: sum(wish.status == status for wish in wishes) for status in _MARKS}
-    parts = [f"{count} {_MARKS[status][0]}" for status, count in counts.items() if count]
-    return f"{counted(len(wishes), 'wish', 'wishes')}: {', '.join(parts)}" if wishes else "nothing was asked for"
 
 
 def print_receipt(wishes: Sequence[Wish]) -> None:
@@ -67,7 +58,7 @@ def refuse_unmet(wishes: Sequence[Wish]) -> None:
     """
     unmet = [wish for wish in wishes if wish.status != "met"]
     if unmet:
-        named = "; ".join(f'"{wish.text}" ({wish.reason or _MARKS[wish.status][0]})' for wish in unmet[:3])
+        named = "; ".join(f'"{wish.text}" ({wish.reason or STATUS_WORDS[wish.status]})' for wish in unmet[:3])
         more = f" and {len(unmet) - 3} more" if len(unmet) > 3 else ""
         raise MansionError(
             ErrorCode.INFEASIBLE,

@@ -15,7 +15,7 @@ from mansion_bringup.pipeline.stages import LocalStages, Stages
 from mansion_export.formats import built_building_outputs, built_floor_outputs
 from mansion_msgs_py.workers import worker_pool
 
-__all__ = ["BuildExecutors", "export_pool", "local_executors", "service_executors"]
+__all__ = ["BuildExecutors", "export_pool", "local_executors", "service_executors", "stage_pool"]
 
 T = TypeVar("T")
 
@@ -80,6 +80,11 @@ def service_executors(stages: Stages, jobs: int, exporter: Executor | None) -> B
 def export_pool(workers: int) -> ProcessPoolExecutor:
     """Return processes for exports that end with this one, made without forking it."""
     return worker_pool(workers, "forkserver", preload=tuple(_export_modules()))
+
+
+def stage_pool(workers: int) -> ProcessPoolExecutor:
+    """Return processes for whole builds that end with this one, however it ends."""
+    return worker_pool(workers, "spawn")
 
 
 def _export_modules() -> list[str]:

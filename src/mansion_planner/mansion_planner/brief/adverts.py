@@ -23,7 +23,8 @@ def read_adverts(reading: Reading, places: Sequence[Place]) -> None:
             continue
         singular = not reading.plural(index + 1)
         several = reading.value(index) > 1 or index + 2 in reading.mention_at
-        if word in ("br", "bhk") or (word == "bed" and singular and several and index not in reading.taken):
+        beds = word == "bed" and (several if singular else _lists_baths(reading, index + 2))
+        if word in ("br", "bhk") or beds:
             _state(reading, "bedroom", index)
         elif word in ("bath", "ba", "bathroom") and singular and _follows_bedrooms(reading, index):
             _state(reading, "bathroom", index)
@@ -38,6 +39,12 @@ def read_bedrooms_of_building(reading: Reading, phrase: Phrase) -> None:
             and not reading.tokens[index + 1].spaced
         ) and reading.sentence[index] == reading.sentence[phrase.begin]:
             _state(reading, "bedroom", index, inside=True)
+
+
+def _lists_baths(reading: Reading, index: int) -> bool:
+    """Whether "2 baths" stands right after "3 beds", which are bedrooms then."""
+    index += reading.word(index) in ("/", ",", "+", "and", "&")
+    return reading.kind(index) == "number" and reading.word(index + 1) in ("bath", "ba", "bathroom")
 
 
 def _follows_bedrooms(reading: Reading, index: int) -> bool:

@@ -211,6 +211,9 @@ def read_sizes(reading: Reading, first: int, last: int) -> None:
             reading.facts.size.append((f"{word[:-4]}_rise", span))
         elif word in ("skyscraper", "tower") and reading.word(index + 1) not in ("room", "block"):
             reading.facts.size.append(("high_rise", span))
-        elif word in _SMALL | _LARGE and (first - 3 <= index < max(last, 4)):
+        elif word in _SMALL | _LARGE and first - 3 <= index < max(last, 4) and _beside(reading, index, first):
             reading.facts.size.append(("small" if word in _SMALL else "large", span))
-            reading.take(index, index + 1)
+
+
+def _beside(reading: Reading, index: int, first: int) -> bool:
+    return reading.sentence[index] == reading.sentence[first]

@@ -45,6 +45,8 @@ def coreferences(
         later = [n for n in others if n > number and phrases[n].determiner not in ("the", "this", "that", "its")]
         if earlier:
             same[number] = _best(phrases, phrase, earlier[::-1])
+        elif phrase.determiner in ("each", "every", "all") and any(phrases[n].counted for n in later):
+            same[number] = next(n for n in later if phrases[n].counted)  # "a desk in each bedroom; three bedrooms"
         elif later and number in operands and phrase.determiner not in ("a", "an"):
             same[number] = _best(phrases, phrase, later)
     return same, groups

@@ -3,6 +3,7 @@
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 
+from mansion_planner.brief.facts import Quantity
 from mansion_planner.brief.phrase import Phrase
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
 from mansion_planner.brief.suites import read_suites
@@ -16,6 +17,11 @@ def read_late_counts(reading: Reading, phrases: list[Phrase]) -> None:
     for index, token in enumerate(reading.tokens):
         if token.kind != "number" or index in reading.taken or token.value < 1 or token.value != int(token.value):
             continue
+        following = _of_which(reading, phrases, index)
+        if following is not None:
+            phrases[following] = replace(phrases[following], count=int(token.value), counted=True)
+            reading.take(index, index + 1)
+            continue
         of_them = reading.words(index + 1, index + 3) == ("of", "them")
         corrects = not {"sorry", "mean", "correction"}.isdisjoint(reading.words(index - 3, index))
         if not of_them and not corrects:
@@ -25,6 +31,31 @@ def read_late_counts(reading: Reading, phrases: list[Phrase]) -> None:
         if several and phrases[before[-1]].counted == corrects:
             phrases[before[-1]] = replace(phrases[before[-1]], count=int(token.value), counted=True)
             reading.take(index, index + (3 if of_them else 1))
+
+
+def _of_which(reading: Reading, phrases: list[Phrase], index: int) -> int | None:
+    """Return the rooms that some of those named before have one of each: "three of which have a bathroom"."""
+    if reading.words(index + 1, index + 3) == ("of", "the"):
+        return _of_the(reading, phrases, index)
+    if reading.word(index + 1) != "of" or reading.word(index + 2) not in ("which", "them", "these", "those"):
+        return None
+    if reading.word(index + 3) not in ("have", "has", "with", "having", "get", "need"):
+        return None
+    after = next((n for n, p in enumerate(phrases) if p.first >= index + 4), None)
+    if after is None or phrases[after].head != "room" or phrases[after].counted or phrases[after].begin > index + 6:
+        return None
+    return after
+
+
+def _of_the(reading: Reading, phrases: list[Phrase], index: int) -> int | None:
+    """Return what some rooms have that are named with the number: "two of the three bedrooms have a bathroom"."""
+    owner = next((n for n, p in enumerate(phrases) if p.first >= index + 3), len(phrases))
+    if owner + 1 >= len(phrases) or phrases[owner].first > index + 3 or phrases[owner].head != "room":
+        return None
+    had = phrases[owner + 1]
+    gap = reading.words(phrases[owner].last, had.begin)
+    has = len(gap) < 4 and set(gap) <= {"with", "have", "has", "having", "a", "an", "their", "own"}
+    return owner + 1 if has and had.head == "room" and not had.counted else None
 
 
 def read_counts_by_storey(
@@ -63,6 +94,10 @@ def read_counts_by_storey(
         reading.take(index, place)
         if starts[place].refs[0].kind == "every":
             shared.add(total.first)
+            number = int(token.value)
+            if not reading.facts.floors and total.counted and total.count and total.count % number == 0:
+                span = reading.span(index, starts[place].last)
+                reading.facts.floors.append(Quantity(float(total.count // number), span))  # "6 flats, two per floor"
             continue
         extra.append(
             (
@@ -103,6 +138,10 @@ def read_counts_by_group(reading: Reading, phrases: list[Phrase], households: Ho
         ):
             continue
         subject = reading.word(index + 1)
+        if subject in _HAVING and reading.word(index - 1) == "," and reading.kind(index - 3) == "number":
+            subject = reading.word(index - 2)  # "60 children in 3 groups, each with a toilet"
+            if any(p.begin <= index - 2 < p.noun_end and p.head in ("room", "building") for p in phrases):
+                continue
         if subject not in counts or any(p.begin <= index + 1 < p.noun_end and p.head == "room" for p in phrases):
             continue
         for number, phrase in enumerate(phrases):

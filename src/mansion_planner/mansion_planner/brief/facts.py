@@ -104,6 +104,8 @@ class RoomFact:
         The knowledge base has the user's words; otherwise `room_type` is only the nearest kind.
     limit : {"", "most", "least"}
         What `area` bounds.
+    size : {"", "large", "small"}
+        How large each is to be, in words; of none whose area is stated.
     unit : bool
         A dwelling or another unit of several rooms: `suite` is what the brief says it holds, `area` that of all.
     """
@@ -121,6 +123,7 @@ class RoomFact:
     known: bool = True
     unit: bool = False
     limit: Literal["", "most", "least"] = ""
+    size: Literal["", "large", "small"] = ""
 
 
 @dataclass(frozen=True)
@@ -141,6 +144,8 @@ class AdjacencyFact:
     ----------
     first_name, second_name : str
         The user's own names, where the rooms have some.
+    each : bool
+        Several rooms are spoken of, and every one of them is to lie so.
     """
 
     first: str
@@ -148,6 +153,7 @@ class AdjacencyFact:
     span: Span
     first_name: str = ""
     second_name: str = ""
+    each: bool = False
 
 
 @dataclass(frozen=True)

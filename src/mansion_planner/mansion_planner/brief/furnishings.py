@@ -64,7 +64,7 @@ def read_furnishings(
                 words=phrase.label,
                 category=phrase.category,
                 span=reading.span(phrase.first, last),
-                count=phrase.count,
+                count=phrase.count and phrase.count * _sets(reading, phrases, number),
                 room=room.name if room is not None else "",
                 room_type=room.room_type if room is not None else "",
                 each=each or (room is None and number in attached and attached[number].each),
@@ -75,6 +75,19 @@ def read_furnishings(
             )
         )
     return found
+
+
+def _sets(reading: Reading, phrases: list[Phrase], number: int) -> int:
+    """Return of how many sets furniture is said: ten in "10 tables of four chairs"."""
+    phrase = phrases[number]
+    before = phrases[number - 1] if number and phrase.counted else None
+    if before is None or before.head != "object" or not before.counted or before.category == phrase.category:
+        return 1
+    gap = reading.words(before.last, phrase.first)
+    shared = gap in (("of",), ("each", "with"), (",", "each", "with")) or (
+        gap in (("with",), ("for",)) and reading.word(phrase.last) in ("each", "apiece")
+    )
+    return before.count or 1 if shared else 1
 
 
 def _unread_place(reading: Reading, phrase: Phrase) -> int:
@@ -172,6 +185,9 @@ def _passes_by(reading: Reading, phrases: list[Phrase], number: int) -> bool:
         if phrase.category in _VEHICLES:  # "an entrance for ambulances" is about who comes there
             reading.taken.difference_update(range(phrase.first, phrase.last))
             return True
+    if phrase.category == "wheelchair" and not phrase.counted:  # it is who uses one that the text speaks of
+        reading.taken.difference_update(range(phrase.first, phrase.last))
+        return True
     before = phrases[number - 1] if number else None
     if before is None or before.head not in ("elevator", "stair"):
         return False

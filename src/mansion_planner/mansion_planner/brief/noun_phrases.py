@@ -43,7 +43,7 @@ _FURNITURE_TOO = frozenset({"locker", "stall"})
 _VERBAL_MODIFIERS = frozenset(
     """
     live touch sleep cook sit meet walk making serving meeting sharing reading facing opening making share sit stand
-    look talk play
+    look talk play round
     """.split()
 )
 _PARTS = frozenset("roof window door wall ceiling view light equipment furniture roofed".split())
@@ -166,6 +166,9 @@ def _chunks(reading: Reading) -> list[tuple[int, int]]:
             and reading.kind(index - 1) == "word"
         )
         glued = glued or named
+        if begin >= 0 and _postposed(reading, index):
+            chunks.append((begin, index))
+            begin = -1
         soft = content or (index < len(reading.tokens) and index not in reading.taken and index in inside)
         if soft or glued:
             begin = index if begin < 0 else begin
@@ -173,6 +176,12 @@ def _chunks(reading: Reading) -> list[tuple[int, int]]:
             chunks.append((begin, index))
             begin = -1
     return chunks
+
+
+def _postposed(reading: Reading, index: int) -> bool:
+    """Whether a bathroom is named right after the rooms that have it: "three bedrooms en suite"."""
+    mention = reading.mention_at.get(index)
+    return mention is not None and mention.room == "ensuite_bathroom" and reading.plural(index - 1)
 
 
 def _is_modifier(reading: Reading, index: int) -> bool:

@@ -116,6 +116,8 @@ class Phrase:
         Square metres; of each room, or one for each.
     limit : {"", "most", "least"}
         What the areas bound.
+    size : {"", "large", "small"}
+        How large the rooms are to be, in words.
     """
 
     head: Head
@@ -135,6 +137,7 @@ class Phrase:
     known: bool = True
     areas: tuple[float, ...] = ()
     limit: Literal["", "most", "least"] = ""
+    size: Literal["", "large", "small"] = ""
 
 
 def finished_phrase(

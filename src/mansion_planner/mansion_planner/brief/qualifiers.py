@@ -11,6 +11,7 @@ from mansion_planner.brief.facts import BriefFacts, Span
 from mansion_planner.brief.furniture_words import furniture_of
 from mansion_planner.brief.phrase import Phrase
 from mansion_planner.brief.reading import Reading
+from mansion_planner.brief.sizes import is_size
 
 __all__ = ["is_property", "unheeded_words"]
 
@@ -43,6 +44,13 @@ _NO_PROPERTIES = frozenset(
     disabled injured retired homeless wireless related stepped recessed closed mirrored covered
     """.split()
 )
+_ORIGINS = frozenset(
+    """
+    american arab brazilian british chinese danish dutch english finnish french german greek indian irish italian
+    korean mexican moorish moroccan norwegian polish portuguese russian scottish spanish swedish swiss thai turkish
+    """.split()
+)
+"""Where a building is usual, of which no plan is made but by the styles that are called so."""
 _KINDS = frozenset({"room", "building", "object", "stair", "elevator"})
 
 
@@ -87,7 +95,16 @@ def _is_own(reading: Reading, phrase: Phrase, index: int) -> bool:
     """Whether a word is a property of what its phrase names: not "corner" in "children's corner room"."""
     if reading.kind(index) != "word" or (reading.word(index) == "corner" and index > phrase.begin):
         return False
+    if is_size(reading.word(index)):
+        return not phrase.size and not _is_measured(reading, phrase)
+    if phrase.head == "building" and reading.word(index) in _ORIGINS:
+        return True
     return is_property(reading.word(index), things=phrase.head == "object")
+
+
+def _is_measured(reading: Reading, phrase: Phrase) -> bool:
+    """Whether an area says how large a thing is that is called large or small."""
+    return bool(phrase.areas) or (phrase.head == "building" and bool(reading.facts.area or reading.facts.floor_area))
 
 
 def _core(reading: Reading, phrase: Phrase) -> int:

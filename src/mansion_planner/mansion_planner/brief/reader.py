@@ -12,6 +12,7 @@ from dataclasses import replace
 from mansion_knowledge import KnowledgeBase
 from mansion_planner.brief.adverts import read_adverts, read_bedrooms_of_building
 from mansion_planner.brief.background_phrases import without_bystanders
+from mansion_planner.brief.bare_areas import with_bare_areas
 from mansion_planner.brief.building import building_phrase, is_compound, own_building_name, unknown_building
 from mansion_planner.brief.building_shape import read_copies, read_massing, read_shape, read_sizes
 from mansion_planner.brief.coreference import coreferences
@@ -31,18 +32,20 @@ from mansion_planner.brief.households import read_households
 from mansion_planner.brief.measures import Measure, find_measures, give_measures, read_heights
 from mansion_planner.brief.named_rooms import desks_as_places, rooms_by_name
 from mansion_planner.brief.noun_phrases import noun_phrases
-from mansion_planner.brief.phrase import FUNCTION_WORDS, PLAIN, Phrase
-from mansion_planner.brief.qualifiers import is_property, unheeded_words
-from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading, start_reading
+from mansion_planner.brief.phrase import Phrase
+from mansion_planner.brief.qualifiers import unheeded_words
+from mansion_planner.brief.reading import Place, Reading, start_reading
 from mansion_planner.brief.relations import Relation, read_relations
 from mansion_planner.brief.room_facts import RoomStatements, identifier
 from mansion_planner.brief.similarity import HEAD_TYPES, similar_room_type
+from mansion_planner.brief.sizes import sized
 from mansion_planner.brief.stacked_uses import read_stacking
 from mansion_planner.brief.storey_attachment import Attachment
 from mansion_planner.brief.storeys import read_storeys
 from mansion_planner.brief.suites import read_suites
 from mansion_planner.brief.unit_storeys import attach_units
 from mansion_planner.brief.units import are_units
+from mansion_planner.brief.unread_words import leave_unread
 
 __all__ = ["read_brief"]
 
@@ -88,7 +91,7 @@ def read_brief(text: str, knowledge: KnowledgeBase, *, cancelled: Callable[[], b
     read_copies(reading, places)
     read_style(reading, named=False)
     reading.facts.unheeded += unheeded_words(reading, phrases, reading.facts)
-    _leave_unread(reading)
+    leave_unread(reading)
     return reading.facts
 
 
@@ -110,6 +113,7 @@ class _Reader:
         phrases = [phrase for number, phrase in enumerate(phrases) if number not in stacked]
         self.building = self._name_building(phrases)
         self.phrases = [self._plain_rooms(phrase) for phrase in give_measures(reading, measures, phrases)]
+        self.phrases = sized(reading, with_bare_areas(reading, self.phrases), self.building)
         reading.go_on()
         read_late_counts(reading, self.phrases)
         self.phrases, self.households = read_households(reading, self.phrases, self.places, self.building)
@@ -128,6 +132,7 @@ class _Reader:
         self._other_names_of_building()
         reading.go_on()
         self.same, self.groups = coreferences(reading, self.phrases, self._wanted_rooms(), self.relations)
+        self._tell_rooms_within()
         self._said_with_area()
         self._placed_later()
         read_counts_by_group(reading, self.phrases, self.households)
@@ -162,7 +167,7 @@ class _Reader:
             if (
                 token.kind == "number"
                 and reading.word(index - 1) == "for"
-                and any(p.last == index - 1 and p.head == "room" for p in self.phrases)
+                and any(p.last == index - 1 and p.head == "room" and p.areas for p in self.phrases)
             ):
                 reading.take(index, index + 1)  # how many a room is for
         return self.phrases
@@ -341,6 +346,14 @@ class _Reader:
             elif number not in self.same:
                 named.append(number)
 
+    def _tell_rooms_within(self) -> None:
+        """Give back the room that another is to be in: "an attic ... a drying room in the attic"."""
+        for number in self.same:
+            inner, outer = self.phrases[number - 1], self.phrases[number]
+            inside = number and inner.head == outer.head == "room" and inner.last == outer.begin - 2
+            if inside and self.reading.words(inner.last, outer.begin) == ("in", "the"):
+                self.reading.taken.difference_update(range(outer.begin, outer.noun_end))
+
     def _is_alone(self, phrase: Phrase) -> bool:
         """Whether a phrase of a style and a noun is a sentence of its own."""
         sentence = self.reading.sentence[phrase.first]
@@ -452,7 +465,12 @@ class _Reader:
                     span = self.reading.span(relation.first, relation.last)
                 held.append(
                     AdjacencyFact(
-                        first.room_type, second.room_type, span, identifier(first.name), identifier(second.name)
+                        first.room_type,
+                        second.room_type,
+                        span,
+                        identifier(first.name),
+                        identifier(second.name),
+                        each=pair[0] != pair[1] and (first.count or 2) > 1 and not relation.apart,
                     )
                 )
             if len(held) == many:
@@ -494,56 +512,3 @@ _PLAIN = {
     "student_dormitory": "dorm_room",
     "nursing_home": "resident_room",
 }
-
-
-def _leave_unread(reading: Reading) -> None:
-    """Record the runs of content words that nothing was read from."""
-    first = -1
-    for index in range(len(reading.tokens) + 1):
-        open_word = index < len(reading.tokens) and index not in reading.taken and _is_content(reading, index)
-        if open_word and first < 0:
-            first = index
-        elif not open_word and first >= 0:
-            reading.facts.unread.append(reading.span(first, min(index, first + 12)))
-            first = -1
-
-
-_RELATING = frozenset(
-    """
-    above below beneath underneath over under behind beside next near opposite surrounded share overlooking except
-    unless
-    """.split()
-)
-"""Words that tell where a room is, or what it shares; where no relation was read they are told of."""
-
-_REQUESTS = frozenset(
-    "design generate imagine think thank suppose assume kindly hereby attach attached regards".split()
-)
-"""Words that ask for a building and say nothing of it."""
-
-
-def _is_content(reading: Reading, index: int) -> bool:
-    token = reading.tokens[index]
-    if token.kind == "number":
-        return True
-    grounded = reading.word(index + 1) in ("ground", "grade") or reading.kind(index + 1) in ("number", "unit")
-    if token.kind == "ordinal" or (token.text in _RELATING and not grounded):
-        return True
-    if reading.word(index - 1) == "(" and reading.word(index + 1) == ")" and token.text in PLAIN:
-        return True  # "kitchen (open)"
-    if (
-        token.text in ("same", "different")
-        and reading.word(index + 1) in FLOOR_WORDS
-        and index + 1 not in reading.taken
-    ):
-        return True  # "on the same floor as"
-    if token.text == "only" and reading.plural(index - 1) and reading.breaks(index + 1):
-        return True  # "on the first floor we want bedrooms only"
-    return (
-        token.kind == "word"
-        and token.text not in FUNCTION_WORDS
-        and (token.text not in PLAIN or is_property(token.text))
-        and token.text not in FLOOR_WORDS
-        and token.text not in _REQUESTS
-        and len(token.text) > 1
-    )

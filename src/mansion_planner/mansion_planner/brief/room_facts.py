@@ -142,6 +142,7 @@ class RoomStatements:
                 label=child.label,
                 known=child.known,
                 limit=child.limit,
+                size="" if child.areas else child.size,
             )
             for child in (*held, *children)
             if child.room_type
@@ -158,6 +159,7 @@ class RoomStatements:
             suite=suite,
             known=phrase.known,
             limit=phrase.limit,
+            size="" if phrase.areas else phrase.size,
             unit=bool(held) or (self.reading.knowledge.room(phrase.room_type).unit and are_dwellings(phrase)),
         )
         if self._said_before(fact, phrase):

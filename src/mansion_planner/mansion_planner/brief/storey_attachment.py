@@ -123,6 +123,8 @@ class _Walk:
             elif self._ends_line(place):
                 self.heading = scope = place
                 opened, left = True, []
+            elif self._is_served(place, left):
+                continue
             elif self._is_prenominal(place, rest):
                 scope_before, scope = scope, None
                 self._give(rest[0], place, trailing=False)
@@ -143,6 +145,15 @@ class _Walk:
             else:
                 scope, opened, left = place, True, []
         return scope if opened else None
+
+    def _is_served(self, place: Place, left: list[int]) -> bool:
+        """Whether a place only says where a lift or stair goes: "a lift to all floors"."""
+        before = self.phrases[left[-1]] if left else None
+        if before is None or before.head not in ("elevator", "stair"):
+            return False
+        if before.last == place.first and self.reading.word(place.first) in ("to", "serving"):
+            return True
+        return self.reading.words(before.last, place.first) in (("to",), ("serving",), ("reaching",), ("up", "to"))
 
     def _within(self, place: Place, scope: Place | None) -> Place:
         """Read "each floor" as each of the storeys that the clause is about: "floors 3 to 9: nine on each floor"."""

@@ -69,6 +69,12 @@ def read_suites(
             continue
         gap_words = reading.words(phrases[owner].last, phrase.begin)
         gap = set(gap_words)
+        if "of" in gap and not {"which", "them", "these", "those", "whom"}.isdisjoint(gap):
+            continue  # "six rooms, three of which have a bathroom"
+        if reading.words(phrases[owner].first - 2, phrases[owner].first) == ("of", "the") and reading.kind(
+            phrases[owner].first - 3
+        ) in ("number",):
+            continue  # "two of the three bedrooms en suite"
         if "," in gap and owner not in suites and _list_goes_on(phrases, owner, number, gap_words):
             continue
         if ("each", "group") in itertools.pairwise(gap_words) or ("per", "group") in itertools.pairwise(gap_words):
@@ -87,6 +93,7 @@ def read_suites(
             shared = not _SHARED.isdisjoint(reading.words(phrase.first, phrase.noun_end))
             joined = (
                 not shared
+                and phrases[suites[owner]].last != phrases[owner].begin
                 and _outside_brackets(gap_words) <= {"and", "a", "an", "its", "own", ",", "the", "one"}
                 and "and" in gap
                 and not (phrase.determiner == "the" and "," in gap_words)
@@ -123,7 +130,9 @@ def read_suites(
                 continue
         if tail == ("each",) and reading.word(phrases[owner].last) == "each":
             continue  # "floors with 30 desks each and 4 offices each"
-        if (several and distributive) or both or own or plain or (several and tail == ("each",)):
+        postposed = not gap_words and phrase.room_type == "ensuite_bathroom"  # "three bedrooms en suite"
+        shared_out = several and (distributive or tail == ("each",))
+        if shared_out or both or postposed or own or plain:
             suites[number] = owner
     return Suites({n: o for n, o in suites.items() if n not in same}, twin_rooms)
 

@@ -27,6 +27,7 @@ from mansion_planner.program.model import (
     touching,
 )
 from mansion_planner.program.outline import Envelope, Frame, envelope_of
+from mansion_planner.program.public_toilets import with_public_toilets
 from mansion_planner.program.storey_rooms import Allocation, fill_storey, fit_areas, hub_area, name_rooms
 
 __all__ = [
@@ -232,7 +233,8 @@ def _rooms(
         room, share = capacity(massing, storey), 0.0
     if massing.hall:
         share = stated or max(storey.hub.usual, 0.38 * room)
-    chosen = fill_storey(storey, allocation, knowledge, room, hub_share=share)
+    filled = fill_storey(storey, allocation, knowledge, room, hub_share=share)
+    chosen = with_public_toilets(storey, filled, allocation, knowledge, share)
     if massing.hall and stated:
         room -= share
     elif massing.hall:

@@ -8,6 +8,7 @@ from typing import Literal
 import numpy as np
 
 from mansion_knowledge import BuildingType, KnowledgeBase
+from mansion_knowledge.norms import load_norms
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.program import Downgrade, TraceEntry
 from mansion_msgs_py.wording import with_article
@@ -50,6 +51,9 @@ def vertical_method(
     if not home and levels >= 8 and decisions.area > 300:
         lifts = 2
     reason = f"{levels} storeys"
+    rule = load_norms().rules["lift"]
+    if lifts == 0 and rule.holds_for(decisions.building.family):
+        lifts = int(levels > rule.limit(decisions.building.name, decisions.building.family))
     if "no_elevator" in wishes:
         lifts, reason = 0, f'{levels} storeys, "{wishes["no_elevator"].words}"'
     elif "elevator" in wishes and lifts == 0:

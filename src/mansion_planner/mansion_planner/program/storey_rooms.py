@@ -10,6 +10,7 @@ from mansion_knowledge import KnowledgeBase, RoomEntry, RoomType
 from mansion_msgs_py.program import TraceEntry
 from mansion_planner.brief.bounds import within_bound
 from mansion_planner.brief.facts import RoomFact
+from mansion_planner.brief.sizes import size_bound
 from mansion_planner.program.decisions import Decisions, note
 from mansion_planner.program.furniture_areas import furniture_area, furniture_areas, usual_number
 from mansion_planner.program.household import household_of, is_whole, main_room, private_types
@@ -314,6 +315,8 @@ def planned_room(
     if fact is not None and fact.unit:
         return _planned_unit(kind, knowledge, fact)
     stated = fact is not None and fact.area is not None
+    if fact is not None and fact.size and not stated:
+        return _sized_room(kind, knowledge, fact)
     wish = within_bound(fact.area, fact.limit) if fact is not None and fact.area is not None else area or kind.usual
     furnished = fact is not None and wish > kind.usual
     return PlannedRoom(
@@ -328,6 +331,18 @@ def planned_room(
         notes=f"from {fact.span.words!r}" if fact is not None else "",
         base=fact.name if fact is not None else kind.name,
         label=fact.label if fact is not None else "",
+    )
+
+
+def _sized_room(kind: RoomType, knowledge: KnowledgeBase, fact: RoomFact) -> PlannedRoom:
+    """Make a room that is to be large or small for its kind; it may be more so than that."""
+    wish = within_bound(*size_bound(fact.size, kind.least, kind.usual))
+    large = fact.size == "large"
+    return msgspec.structs.replace(
+        planned_room(kind, knowledge, fact=replace(fact, size="")),
+        area=wish,
+        least=wish if large else min(kind.least, wish),
+        most=max(kind.most, wish) if large else wish,
     )
 
 

@@ -8,7 +8,9 @@ from mansion_knowledge import KnowledgeBase
 from mansion_language import singular
 from mansion_msgs_py.program import RequestedObject
 from mansion_msgs_py.wishes import Scope, Wish, WishKind, WishValue
+from mansion_planner.brief.bounds import Limit
 from mansion_planner.brief.facts import AdjacencyFact, FloorRef, ObjectFact, RoomFact, Span
+from mansion_planner.brief.sizes import size_bound
 from mansion_planner.program.decisions import Decisions
 from mansion_planner.program.furniture_areas import usual_number, usually_has
 from mansion_planner.program.household import is_whole
@@ -232,9 +234,8 @@ class _Ledger:
         if not room.known:
             reason = f"no such room is known; planned and furnished like {room.room_type.replace('_', ' ')}"
         whole = room.area is not None and is_whole(room, self.knowledge)
-        value = WishValue(
-            name=room.name, type=room.room_type, count=room.count, area=room.area, whole=whole, limit=room.limit
-        )
+        area, limit = self._area_of(room)
+        value = WishValue(name=room.name, type=room.room_type, count=room.count, area=area, whole=whole, limit=limit)
         self.add("room", room.span, value, Scope(floors=self.floors(room.floors), each=room.each), reason=reason)
         if room.unit:
             self._unit(room)
@@ -243,12 +244,9 @@ class _Ledger:
         for child in room.suite:
             many = None if owners is None else owners * (child.count or 1)
             scope = Scope(floors=self.floors(room.floors), each=room.each, room=room.name, room_type=room.room_type)
-            self.add(
-                "room",
-                child.span,
-                WishValue(name=child.name, type=child.room_type, count=many, area=child.area, limit=child.limit),
-                scope,
-            )
+            area, limit = self._area_of(child)
+            value = WishValue(name=child.name, type=child.room_type, count=many, area=area, limit=limit)
+            self.add("room", child.span, value, scope)
 
     def _unit(self, room: RoomFact) -> None:
         """Add what each unit holds."""
@@ -257,10 +255,16 @@ class _Ledger:
             reason = ""
             if not child.known:
                 reason = f"no such room is known; planned and furnished like {child.room_type.replace('_', ' ')}"
-            value = WishValue(
-                name=child.name, type=child.room_type, count=child.count, area=child.area, limit=child.limit
-            )
+            area, limit = self._area_of(child)
+            value = WishValue(name=child.name, type=child.room_type, count=child.count, area=area, limit=limit)
             self.add("room", child.span, value, scope, reason=reason)
+
+    def _area_of(self, room: RoomFact) -> tuple[float | None, Limit]:
+        """Return the area that is asked for, and what it bounds; where a word says how large, by what is usual."""
+        if room.area is None and room.size:
+            kind = self.knowledge.room(room.room_type)
+            return size_bound(room.size, kind.least, kind.usual)
+        return room.area, room.limit
 
     def _relation(self, kind: WishKind, fact: AdjacencyFact) -> None:
         value = WishValue(
@@ -269,7 +273,7 @@ class _Ledger:
             other=fact.second_name or fact.second,
             other_type=fact.second,
         )
-        self.add(kind, fact.span, value)
+        self.add(kind, fact.span, value, Scope(each=fact.each))
 
     def _object(self, wanted: ObjectFact) -> None:
         kind: WishKind = "no_object" if wanted.excluded else "object"

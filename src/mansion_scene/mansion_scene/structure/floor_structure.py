@@ -17,6 +17,7 @@ from mansion_scene.structure.boundaries import BoundarySegment, boundary_segment
 from mansion_scene.structure.cores import scene_cores
 from mansion_scene.structure.dimensions import SLAB_THICKNESS
 from mansion_scene.structure.door_swings import hang_doors
+from mansion_scene.structure.exits import place_second_exit
 from mansion_scene.structure.held_openings import HeldAccess, held_openings, with_furniture, without_held
 from mansion_scene.structure.interiors import Partition, partition_floor, usable_boundaries, walkable_parts
 from mansion_scene.structure.materials import facade_material
@@ -97,7 +98,11 @@ def build_structure(request: FurnishRequest, held: HeldAccess | None = None) -> 
     openings = [*open_passages(partition), *kept]
     if ground and entered is None:
         residential = default_knowledge().groups.is_dwelling(request.building_type)
-        openings.append(place_entrance(floor, usable, root, frontages, partition.nets, residential=residential))
+        entrance = place_entrance(floor, usable, root, frontages, partition.nets, residential=residential)
+        openings.append(entrance)
+        if not residential:
+            beside = with_doors(frontages, [entrance])
+            openings += place_second_exit(floor, usable, entrance, beside, partition.nets, request.building_type)
     frontages = with_doors(frontages, openings)
     driven = {opening.regions[0] for opening in kept if opening.kind.kind == "garage"}
     wide, blocked = place_garage_doors(floor, usable, frontages, partition.nets, driven)

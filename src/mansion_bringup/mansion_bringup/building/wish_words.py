@@ -1,13 +1,18 @@
-"""What a wish was read as, in words: what the program takes the brief's words for, and where."""
+"""Wishes in words: what each was read as, where it holds, and how many there are of each status."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Final
 
 from mansion_language.inflection import is_plural, plural
-from mansion_msgs_py.wishes import Scope, Wish, WishKind
+from mansion_msgs_py.wishes import Scope, Wish, WishKind, WishStatus
 from mansion_msgs_py.wording import counted
 
-__all__ = ["read_as"]
+__all__ = ["STATUS_WORDS", "read_as", "receipt_summary"]
+
+STATUS_WORDS: Final[Mapping[WishStatus, str]] = {
+    "met": "met", "partly": "partly", "not_met": "not met", "not_understood": "not understood", "": "open",
+}  # fmt: skip
+"""What became of a wish, as the receipt says it."""
 
 
 def read_as(wish: Wish) -> str:
@@ -24,6 +29,19 @@ def read_as(wish: Wish) -> str:
     said = _WORDS[wish.kind](wish)
     where = _where(wish.scope) if said else ""
     return f"{said}, {where}" if where else said
+
+
+def receipt_summary(wishes: Sequence[Wish]) -> str:
+    """Return one line: how many wishes there are of each status.
+
+    Examples
+    --------
+    >>> receipt_summary([])
+    'nothing was asked for'
+    """
+    counts = {status: sum(wish.status == status for wish in wishes) for status in STATUS_WORDS}
+    parts = [f"{count} {STATUS_WORDS[status]}" for status, count in counts.items() if count]
+    return f"{counted(len(wishes), 'wish', 'wishes')}: {', '.join(parts)}" if wishes else "nothing was asked for"
 
 
 def _where(scope: Scope) -> str:

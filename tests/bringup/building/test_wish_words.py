@@ -5,8 +5,8 @@ from typing import get_args
 import pytest
 from rich.console import Console
 
+from mansion_bringup.building.wish_words import read_as
 from mansion_bringup.cli.receipt_table import receipt_table
-from mansion_bringup.cli.wish_reading import read_as
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.wishes import Scope, Wish, WishKind, WishValue
 from mansion_planner.plan import plan_building

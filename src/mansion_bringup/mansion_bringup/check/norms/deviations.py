@@ -1,0 +1,47 @@
+"""All rules of building, on a finished building."""
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import msgspec
+
+from mansion_bringup.check.norms.brief_causes import cause_of
+from mansion_bringup.check.norms.escape import escape_deviations
+from mansion_bringup.check.norms.premises import Deviation, premises_of
+from mansion_bringup.check.norms.room_quality import room_deviations
+from mansion_bringup.check.norms.room_relations import relation_deviations
+from mansion_bringup.check.norms.sanitary import sanitary_deviations
+from mansion_msgs_py.building import Building
+from mansion_msgs_py.building_folder import BuildingFolder, check_building_folder
+from mansion_msgs_py.scene import FloorScene
+
+__all__ = ["check_norms", "norms_of_folder"]
+
+
+def check_norms(building: Building, scenes: Sequence[FloorScene]) -> list[Deviation]:
+    """Return the deviations of a finished building from the rules of building.
+
+    Those that the brief asks for explicitly name its words in `caused_by`.
+    """
+    premises = premises_of(building, scenes)
+    found = [
+        *sanitary_deviations(premises),
+        *escape_deviations(premises),
+        *room_deviations(premises),
+        *relation_deviations(premises),
+    ]
+    return sorted({msgspec.structs.replace(item, caused_by=cause_of(premises, item)) for item in found})
+
+
+def norms_of_folder(path: Path | str) -> list[Deviation]:
+    """Return the deviations of the building in a folder.
+
+    Raises
+    ------
+    MansionError
+        ``NOT_FOUND`` when `path` is no building folder; ``INVALID_PAYLOAD`` for a file that cannot be read.
+    """
+    folder = Path(path)
+    check_building_folder(folder)
+    read = BuildingFolder(folder)
+    return check_norms(read.building, read.scenes())

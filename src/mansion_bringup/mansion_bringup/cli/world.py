@@ -1,0 +1,142 @@
+"""``mansion world``: many buildings drawn from a mixture, as one data set."""
+
+import os
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from mansion_bringup.cli.console import EXIT_INTERRUPTED, check_output_folder, err, out
+from mansion_msgs_py.wording import counted
+from mansion_world.making import WorldProgress
+
+__all__ = ["register"]
+
+
+def register(app: typer.Typer) -> None:
+    """Add the commands to `app`."""
+    group = typer.Typer(help="Worlds of many buildings: make, describe, check.", no_args_is_help=True)
+    group.command("make", no_args_is_help=True)(make)
+    group.command("stats", no_args_is_help=True)(stats)
+    group.command("check", no_args_is_help=True)(check)
+    app.add_typer(group, name="world")
+
+
+def make(
+    output: Annotated[Path, typer.Option("--output", "-o", help="Folder of the world.")],
+    count: Annotated[int, typer.Option("--count", "-n", min=1, max=1_000_000, help="Buildings.")],
+    seed: Annotated[int, typer.Option(min=0, help="Same seed and mixture, same world.")] = 0,
+    mix: Annotated[Path | None, typer.Option(help="TOML file of kinds and shares; MansionWorld's own if none.")] = None,
+    jobs: Annotated[int, typer.Option(min=0, help="Buildings in work at once; 0: all cores.")] = 0,
+) -> None:
+    """Make a world of buildings, or go on with one.
+
+    Run again, the command goes on where it was; with a larger number it adds buildings to those that are there.
+
+    Examples:
+
+      mansion world make -o out/world -n 100 --seed 7
+
+      mansion world make -o out/flats -n 20 --mix flats.toml --jobs 2
+    """
+    from mansion_bringup.worlds import build_for_world, check_for_world, world_workers
+    from mansion_world.making import make_world
+    from mansion_world.mixture import load_mixture
+
+    mixture = load_mixture(mix)
+    check_output_folder(output)
+    workers = jobs or min(os.cpu_count() or 1, 64)
+    try:
+        made = make_world(
+            output,
+            count,
+            seed=seed,
+            mix=mixture,
+            build=build_for_world,
+            check=check_for_world,
+            workers=world_workers(workers),
+            jobs=workers,
+            report=_reporter(),
+        )
+    except KeyboardInterrupt:
+        err.print("interrupted; the same command goes on from the buildings that are done")
+        raise typer.Exit(EXIT_INTERRUPTED) from None
+    missing = f", {made.missing} places left empty" if made.missing else ""
+    out.print(f"{output}: {counted(made.done, 'building')}, {made.set_aside} set aside{missing}", highlight=False)
+    if made.missing:
+        raise typer.Exit(1)
+
+
+def _reporter() -> Callable[[WorldProgress], None]:
+    """Return what prints a line for each change: buildings done, rate, remaining time, what was set aside."""
+    started = time.monotonic()
+    last = WorldProgress(0, 0, 0, 0, 0)
+
+    def report(progress: WorldProgress) -> None:
+        nonlocal last
+        if progress == last:
+            return
+        last = progress
+        made = max(0, progress.done - progress.kept)
+        hours = (time.monotonic() - started) / 3600
+        rate = made / hours if hours else 0.0
+        left = progress.total - progress.done - progress.missing
+        pace = f", {rate:.0f} an hour, {left / rate * 60:.0f} min left" if made and left else ""
+        aside = f", {progress.set_aside} set aside" if progress.set_aside else ""
+        err.print(f"[{progress.done}/{progress.total}] buildings{pace}{aside}", markup=False, highlight=False)
+
+    return report
+
+
+def stats(
+    world: Annotated[Path, typer.Argument(help="Folder that `mansion world make` wrote.")],
+    page: Annotated[bool, typer.Option(help="Also write statistics.html into the folder.")] = True,
+) -> None:
+    """Describe a world: its mixture against the asked one, floors, areas, rooms, objects.
+
+    Examples:
+
+      mansion world stats out/world
+    """
+    from mansion_msgs_py.files import write_atomic
+    from mansion_world.statistics import world_statistics
+    from mansion_world.statistics_page import statistics_page
+    from mansion_world.world_folder import WorldFolder
+
+    folder = WorldFolder(world)
+    statistics = world_statistics(folder)
+    for title, rows in statistics.tables().items():
+        if rows:
+            typer.echo(title)
+            width = max(len(name) for name, _ in rows)
+            for name, value in rows:
+                typer.echo(f"  {name:<{width}}  {value}")
+    if page:
+        write_atomic(world / "statistics.html", statistics_page(folder, statistics).encode())
+        err.print(f"wrote {world / 'statistics.html'}", highlight=False)
+
+
+def check(world: Annotated[Path, typer.Argument(help="Folder that `mansion world make` wrote.")]) -> None:
+    """Verify a world: manifest, hashes, and each building; exit status 1 and a line for each fault.
+
+    Examples:
+
+      mansion world check out/world
+    """
+    from mansion_bringup.worlds import check_for_world
+    from mansion_world.verification import verify_world
+
+    checked = faults = 0
+
+    def count(buildings: int) -> None:
+        nonlocal checked
+        checked = buildings
+
+    for where, fault in verify_world(world, check_for_world, count):
+        faults += 1
+        typer.echo(f"{where}: {fault}")
+    err.print(f"{world}: {counted(checked, 'building')}, {counted(faults, 'fault')}", highlight=False)
+    if faults:
+        raise typer.Exit(1)

@@ -1,0 +1,80 @@
+"""Record the words of a brief that no statement was made of."""
+
+from mansion_planner.brief.phrase import FUNCTION_WORDS, PLAIN
+from mansion_planner.brief.qualifiers import is_property
+from mansion_planner.brief.reading import FLOOR_WORDS, Reading
+from mansion_planner.brief.sizes import is_size
+
+__all__ = ["leave_unread"]
+
+
+def leave_unread(reading: Reading) -> None:
+    """Record the runs of content words that nothing was read from."""
+    first = -1
+    for index in range(len(reading.tokens) + 1):
+        open_word = index < len(reading.tokens) and index not in reading.taken and _is_content(reading, index)
+        if open_word and first < 0:
+            first = index
+        elif not open_word and first >= 0:
+            reading.facts.unread.append(reading.span(first, min(index, first + 12)))
+            first = -1
+
+
+_RELATING = frozenset(
+    """
+    above below beneath underneath over under behind beside next near opposite surrounded share sharing overlooking
+    facing between identical except unless
+    """.split()
+)
+"""Words that tell where a room is, or what it shares; where no relation was read they are told of."""
+
+_WAYS = frozenset({"through", "from", "via", "by"})
+_YARDS = frozenset({"courtyard", "patio", "yard", "atrium", "cloister"})
+"""What an outline is read from where a building stands around it."""
+
+_REQUESTS = frozenset(
+    "design generate imagine think thank suppose assume kindly hereby attach attached regards".split()
+)
+"""Words that ask for a building and say nothing of it."""
+
+
+def _is_content(reading: Reading, index: int) -> bool:
+    token = reading.tokens[index]
+    if token.kind == "number":
+        return True
+    grounded = reading.word(index + 1) in ("ground", "grade") or reading.kind(index + 1) in ("number", "unit")
+    if token.kind == "ordinal" or (token.text in _RELATING and not grounded):
+        return True
+    if reading.word(index - 1) == "(" and reading.word(index + 1) == ")" and token.text in PLAIN:
+        return True  # "kitchen (open)"
+    if (
+        token.text in ("same", "different")
+        and reading.word(index + 1) in FLOOR_WORDS
+        and index + 1 not in reading.taken
+    ):
+        return True  # "on the same floor as"
+    if token.text in ("around", "round") and reading.word(index + 1) in ("a", "an", "the", "one"):
+        return not _YARDS & set(reading.words(index + 1, index + 5))
+    if token.text == "like" and reading.word(index + 1) == "the" and _names_storey(reading, index + 2):
+        return True  # "the third floor is like the second floor"
+    if token.text == "only" and (reading.word(index + 1) in _WAYS or _after_way(reading, index)):
+        return True  # "reached only through the kitchen", "from the kitchen only"
+    if token.text == "only" and reading.plural(index - 1) and reading.breaks(index + 1):
+        return True  # "on the first floor we want bedrooms only"
+    return (
+        token.kind == "word"
+        and token.text not in FUNCTION_WORDS
+        and (token.text not in PLAIN or is_property(token.text) or is_size(token.text))
+        and token.text not in FLOOR_WORDS
+        and token.text not in _REQUESTS
+        and len(token.text) > 1
+    )
+
+
+def _names_storey(reading: Reading, index: int) -> bool:
+    return not FLOOR_WORDS.isdisjoint(reading.words(index, index + 2))
+
+
+def _after_way(reading: Reading, index: int) -> bool:
+    """Whether the words right before say which way a room is reached: "from the kitchen only"."""
+    return not _WAYS.isdisjoint(reading.words(max(index - 4, 0), index)) and not reading.breaks(index)

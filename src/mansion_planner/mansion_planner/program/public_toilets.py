@@ -1,0 +1,70 @@
+"""Toilets of the entrance storey as the rules of building ask: for men, for women, and one for wheelchairs."""
+
+import math
+from collections.abc import Sequence
+
+import msgspec
+
+from mansion_knowledge import KnowledgeBase
+from mansion_knowledge.norms import load_norms
+from mansion_planner.program.model import PlannedRoom, Storey
+from mansion_planner.program.storey_rooms import Allocation, planned_room
+
+__all__ = ["with_public_toilets"]
+
+_STALL = 5.0
+"""Square metres of a restroom for one water closet or urinal, with its basin and the way to it."""
+
+_LEAST = 8.0
+"""Square metres of a restroom for one sex."""
+
+_MOST_SHARE = 0.15
+"""Of a storey's rooms, what toilets may take beyond those of its own list: a small storey keeps its rooms."""
+
+_TOILETS = ("restroom", "toilet", "accessible_toilet")
+
+
+def with_public_toilets(
+    storey: Storey, rooms: Sequence[PlannedRoom], allocation: Allocation, knowledge: KnowledgeBase, hub: float
+) -> list[PlannedRoom]:
+    """Return the rooms of a storey; on the entrance storey of a public building with the toilets of the rules.
+
+    Toilets that the brief states or refuses stay as they are.
+
+    Parameters
+    ----------
+    hub : float
+        Square metres of the storey's hub, where it is its main room.
+    """
+    kept = list(rooms)
+    own = [room for room in kept if room.kind.name in _TOILETS]
+    settled = any(room.stated for room in own) or not all(allocation.adds(name, storey.index) for name in _TOILETS)
+    if settled or storey.role not in ("single", "ground"):
+        return kept
+    wanted = _toilets(storey, kept, knowledge, hub)
+    extra = sum(room.gross for room in wanted) - sum(room.gross for room in own)
+    if not wanted or extra > _MOST_SHARE * sum(room.gross for room in kept):
+        return kept
+    place = kept.index(own[0]) if own else len(kept)
+    others = [room for room in kept if room not in own]
+    return [*others[:place], *wanted, *others[place:]]
+
+
+def _toilets(storey: Storey, rooms: Sequence[PlannedRoom], knowledge: KnowledgeBase, hub: float) -> list[PlannedRoom]:
+    """Return the toilets for a storey's occupants; none where its own are enough."""
+    norms, family, kind = load_norms(), storey.use.family, storey.use.name
+    separate = norms.rules["separate_toilets"]
+    if not separate.holds_for(family):
+        return []
+    restroom, accessible = knowledge.room("restroom"), knowledge.room("accessible_toilet")
+    people = norms.people(storey.hub.name, hub, knowledge)
+    people += sum(norms.people(room.kind.name, room.area, knowledge) for top in rooms for room in top.each())
+    if people <= separate.limit(kind, family):
+        there = any(room.kind.toilet for room in rooms)
+        return [] if there else [planned_room(accessible, knowledge, area=accessible.least)]
+    toilets = []
+    for name, rule in (("mens_restroom", "water_closets_men"), ("womens_restroom", "water_closets_women")):
+        closets = math.ceil(people / 2 / norms.rules[rule].limit(kind, family))
+        room = planned_room(restroom, knowledge, area=max(_LEAST, _STALL * closets))
+        toilets.append(msgspec.structs.replace(room, id=name, base=name))
+    return [*toilets, planned_room(accessible, knowledge)]

@@ -1,0 +1,74 @@
+"""One attempt at a building of a world, in a worker: built, checked and measured, or the reason why not."""
+
+import errno
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Final
+
+import msgspec
+
+from mansion_msgs_py.building_folder import BuildingFolder, is_building_folder
+from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.request import BuildRequest
+from mansion_world.measures import measure_building
+from mansion_world.mixture import MOST_FLOOR_AREA
+from mansion_world.records import Record, SetAside
+from mansion_world.sampling import WorldRequest
+from mansion_world.world_folder import WorldFolder
+
+__all__ = ["Build", "Check", "Outcome", "attempt_building"]
+
+Build = Callable[[BuildRequest, Path], object]
+"""Builds a request into a folder, which appears whole or not at all; raises `MansionError`."""
+
+Check = Callable[[Path], Sequence[object]]
+"""Returns the faults of a building folder."""
+
+_NO_SPACE: Final = (errno.ENOSPC, errno.EDQUOT)
+
+_NOT_OF_THE_REQUEST: Final = (ErrorCode.CONFLICT, ErrorCode.UNAVAILABLE)
+"""Errors of the place that is written to: another request would meet them too."""
+
+
+class Outcome(msgspec.Struct, frozen=True, kw_only=True):
+    """What became of an attempt: its record, or why it was set aside, or why nothing can be written."""
+
+    record: Record | None = None
+    aside: SetAside | None = None
+    full: str = ""
+
+
+def attempt_building(world: WorldFolder, seed: int, request: WorldRequest, build: Build, check: Check) -> Outcome:
+    """Build, check and measure one request of a world, in the folder for work."""
+    try:
+        return _attempt(world, seed, request, build, check)
+    except (OSError, MansionError) as error:
+        if full := _no_space(error):
+            return Outcome(full=full)
+        if isinstance(error, OSError) or error.code in _NOT_OF_THE_REQUEST:
+            raise
+        return Outcome(aside=SetAside(request=request, reason="refused", details=[str(error)]))
+
+
+def _attempt(world: WorldFolder, seed: int, request: WorldRequest, build: Build, check: Check) -> Outcome:
+    folder = world.work(request.index, request.attempt)
+    if not is_building_folder(folder):
+        folder.parent.mkdir(parents=True, exist_ok=True)
+        build(request.request, folder)
+    if faults := check(folder):
+        return Outcome(aside=SetAside(request=request, reason="faults", details=[str(fault) for fault in faults]))
+    areas = [entry.area for entry in BuildingFolder(folder).building.floors]
+    if max(areas) > MOST_FLOOR_AREA:
+        details = [f"a floor of {max(areas):.1f} m2; at most {MOST_FLOOR_AREA:.0f} m2"]
+        return Outcome(aside=SetAside(request=request, reason="floor too large", details=details))
+    record = measure_building(seed, request, folder)
+    world.save_built(record)
+    return Outcome(record=record)
+
+
+def _no_space(error: BaseException | None) -> str:
+    while error is not None:
+        if isinstance(error, OSError) and error.errno in _NO_SPACE:
+            return error.strerror or "no space left"
+        error = error.__cause__ or error.__context__
+    return ""

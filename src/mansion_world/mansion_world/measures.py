@@ -1,0 +1,130 @@
+"""What is measured of a finished building: rows of the manifest, split, difficulty and hash."""
+
+import hashlib
+from collections import Counter
+from pathlib import Path
+from typing import Final
+
+from mansion_geometry.randomness import item_seed
+from mansion_msgs_py.building_folder import BuildingFolder
+from mansion_world.likeness import graph_fingerprint, room_likeness
+from mansion_world.records import BuildingRow, Difficulty, Record, RoomRow, Split
+from mansion_world.sampling import WorldRequest
+from mansion_world.world_folder import building_path
+
+__all__ = ["difficulty_of", "folder_digest", "measure_building", "split_of"]
+
+_NOT_HASHED: Final = "report.json"
+"""The one file of a building that holds times."""
+
+_SHARES: Final[tuple[tuple[Split, float], ...]] = (("test", 0.1), ("val", 0.1), ("train", 0.8))
+
+_LEVELS: Final[tuple[tuple[Difficulty, float], ...]] = (("easy", 12.0), ("medium", 30.0), ("hard", 75.0))
+"""Difficulty below a score; `expert` from there on."""
+
+_FLOOR: Final = 4.0
+_OBJECTS: Final = 60.0
+
+
+def split_of(seed: int, request: WorldRequest) -> Split:
+    """Return the split of a request, by a hash of its sentence: requests in the same words are never apart.
+
+    It depends on nothing else, so that a larger world only adds to each split.
+    """
+    place = item_seed(seed, "split", request.request.description) / 2**64
+    for split, share in _SHARES:
+        if place < share:
+            return split
+        place -= share
+    return _SHARES[-1][0]
+
+
+def difficulty_of(floors: int, rooms: int, objects: int) -> Difficulty:
+    """Return the difficulty of a building as measured.
+
+    The score is the number of rooms, plus 4 for each floor above the first, plus 1 for each 60 objects: below 12 easy,
+    below 30 medium, below 75 hard.
+
+    Examples
+    --------
+    >>> difficulty_of(1, 5, 124), difficulty_of(8, 120, 3000)
+    ('easy', 'expert')
+    """
+    score = rooms + _FLOOR * (floors - 1) + objects / _OBJECTS
+    return next((level for level, bound in _LEVELS if score < bound), "expert")
+
+
+def folder_digest(folder: Path) -> tuple[str, int, int]:
+    """Return hash, bytes and number of the files of a building folder, ``report.json`` left out."""
+    whole = hashlib.sha256()
+    size = count = 0
+    for file in sorted(path for path in folder.rglob("*") if path.is_file()):
+        name = file.relative_to(folder).as_posix()
+        if name == _NOT_HASHED or name.startswith("state/"):
+            continue
+        data = file.read_bytes()
+        whole.update(f"{name}\0{hashlib.sha256(data).hexdigest()}\n".encode())
+        size, count = size + len(data), count + 1
+    return whole.hexdigest(), size, count
+
+
+def measure_building(seed: int, request: WorldRequest, folder: Path) -> Record:
+    """Return the record of the building in `folder`, which was built from `request` for the world of `seed`."""
+    read = BuildingFolder(folder)
+    building, scenes = read.building, read.scenes()
+    digest, size, count = folder_digest(folder)
+    objects = sum(len(scene.objects) for scene in scenes)
+    rooms = sum(len(scene.rooms) for scene in scenes)
+    split = split_of(seed, request)
+    row = BuildingRow(
+        index=request.index,
+        id=building.building_id,
+        path=building_path(request.index),
+        split=split,
+        difficulty=difficulty_of(len(scenes), rooms, objects),
+        kind=request.kind,
+        sub_kind=request.sub_kind,
+        outline=request.outline,
+        style=building.program.style,
+        description=request.request.description,
+        wording=request.wording,
+        seed=request.request.seed,
+        attempt=request.attempt,
+        floors=len(scenes),
+        rooms=rooms,
+        objects=objects,
+        area=round(sum(floor.area for floor in building.floors), 2),
+        floor_areas=[floor.area for floor in building.floors],
+        wishes=len(building.wishes),
+        wishes_met=sum(wish.status == "met" for wish in building.wishes),
+        files=count,
+        bytes=size,
+        sha256=digest,
+        versions=building.versions,
+    )
+    return Record(
+        building=row,
+        rooms=_room_rows(row, read),
+        graph=graph_fingerprint([read.topology(floor) for floor in read.floors]),
+        likeness=room_likeness(scenes),
+    )
+
+
+def _room_rows(row: BuildingRow, read: BuildingFolder) -> list[RoomRow]:
+    rows = []
+    for scene in read.scenes():
+        held = Counter(item.room for item in scene.objects)
+        rows += [
+            RoomRow(
+                index=row.index,
+                building=row.id,
+                split=row.split,
+                floor=scene.floor,
+                id=room.id,
+                type=room.room_type,
+                area=room.area,
+                objects=held[room.id],
+            )
+            for room in scene.rooms
+        ]
+    return rows

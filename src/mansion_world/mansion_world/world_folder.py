@@ -1,0 +1,197 @@
+"""The folder of a world.
+
+``world.json``              what all follows from: seed, mixture, versions
+``buildings/000/000012/``   a building folder
+``records/000/000012.json`` its record, written last: without it a building is not there
+``set_aside/``              requests that came to nothing, with the reason
+``manifest/``               ``buildings.jsonl`` and ``rooms.jsonl``, made from the records
+``work/``                   what is being built
+"""
+
+import fcntl
+import shutil
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Final
+
+from mansion_msgs_py.codec import encode_bytes
+from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.files import decode_from, read_payload, write_atomic
+from mansion_world.records import BuildingRow, Record, RoomRow, SetAside, WorldIndex
+
+__all__ = ["WorldFolder", "building_path"]
+
+_INDEX: Final = "world.json"
+_SHARD: Final = 1000
+
+
+def building_path(index: int) -> str:
+    """Return the folder of a building, relative to the world's.
+
+    Examples
+    --------
+    >>> building_path(1234)
+    'buildings/001/001234'
+    """
+    return f"buildings/{_shard(index)}"
+
+
+def _shard(index: int) -> str:
+    return f"{index // _SHARD:03d}/{index:06d}"
+
+
+class WorldFolder:
+    """The files of a world.
+
+    Parameters
+    ----------
+    path : Path or str
+    """
+
+    def __init__(self, path: Path | str) -> None:
+        self.path = Path(path)
+
+    def index(self) -> WorldIndex:
+        """Return what the world follows from; ``NOT_FOUND`` where there is no world."""
+        return read_payload(WorldIndex, self.path / _INDEX, "a folder that `mansion world make` wrote")
+
+    def adopt(self, index: WorldIndex) -> None:
+        """Begin a world, or go on with one.
+
+        Raises
+        ------
+        MansionError
+            ``CONFLICT`` for a folder that holds another world or something else.
+        """
+        if (self.path / _INDEX).exists():
+            if self.index() != index:
+                raise MansionError(
+                    ErrorCode.CONFLICT,
+                    f"{self.path} holds a world of another seed, mixture or version; name another folder",
+                )
+            return
+        if {entry.name for entry in self.path.iterdir()} - {".lock"}:
+            raise MansionError(ErrorCode.CONFLICT, f"{self.path} holds other files; name a new or empty folder")
+        write_atomic(self.path / _INDEX, encode_bytes(index, indent=1))
+
+    @contextmanager
+    def locked(self) -> Iterator[None]:
+        """Make the folder and keep others from writing to it; ``CONFLICT`` where another does."""
+        self.path.mkdir(parents=True, exist_ok=True)
+        with (self.path / ".lock").open("w") as lock:
+            try:
+                fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            except OSError:
+                raise MansionError(ErrorCode.CONFLICT, f"another command is making {self.path}") from None
+            yield
+
+    def building(self, index: int) -> Path:
+        """Return the folder of a building."""
+        return self.path / building_path(index)
+
+    def work(self, index: int, attempt: int) -> Path:
+        """Return the folder in which an attempt is built."""
+        return self.path / "work" / f"{index:06d}-{attempt}"
+
+    def record(self, index: int) -> Record | None:
+        """Return the record of a building, ``None`` where it is not finished."""
+        file = self._record_file(index)
+        return read_payload(Record, file) if file.exists() else None
+
+    def records(self) -> Iterator[Record]:
+        """Yield the records by ascending index, one in memory at a time."""
+        for file in sorted((self.path / "records").glob("*/*.json")):
+            yield read_payload(Record, file)
+
+    def built(self, index: int, attempt: int) -> Record | None:
+        """Return the record of an attempt that is built but has no place in the world yet."""
+        file = self._built_file(index, attempt)
+        return read_payload(Record, file) if file.exists() else None
+
+    def save_built(self, record: Record) -> None:
+        """Say that an attempt is built, checked and measured."""
+        row = record.building
+        write_atomic(self._built_file(row.index, row.attempt), encode_bytes(record))
+
+    def settle(self, record: Record) -> None:
+        """Give an attempt its place in the world."""
+        row = record.building
+        target = self.building(row.index)
+        shutil.rmtree(target, ignore_errors=True)
+        target.parent.mkdir(parents=True, exist_ok=True)
+        self.work(row.index, row.attempt).rename(target)
+        write_atomic(self._record_file(row.index), encode_bytes(record))
+        self._built_file(row.index, row.attempt).unlink(missing_ok=True)
+
+    def discard(self, index: int, attempt: int) -> None:
+        """Remove what is left of an attempt."""
+        self._built_file(index, attempt).unlink(missing_ok=True)
+        work = self.work(index, attempt)
+        shutil.rmtree(work, ignore_errors=True)
+        shutil.rmtree(work.with_name(f".{work.name}.partial"), ignore_errors=True)
+
+    def forget(self, index: int) -> None:
+        """Take a building out of the world, to make it anew."""
+        self._record_file(index).unlink(missing_ok=True)
+        shutil.rmtree(self.building(index), ignore_errors=True)
+
+    def set_aside(self, entry: SetAside) -> None:
+        """Keep a request that came to nothing, and remove what is left of it."""
+        request = entry.request
+        write_atomic(self._aside_file(request.index, request.attempt), encode_bytes(entry, indent=1))
+        self.discard(request.index, request.attempt)
+
+    def was_set_aside(self, index: int, attempt: int) -> bool:
+        """Whether an attempt came to nothing."""
+        return self._aside_file(index, attempt).exists()
+
+    def aside(self) -> Iterator[SetAside]:
+        """Yield what was set aside, by index and attempt."""
+        for file in sorted((self.path / "set_aside").glob("*.json")):
+            yield read_payload(SetAside, file)
+
+    def buildings(self) -> Iterator[BuildingRow]:
+        """Yield the rows of the buildings by ascending index."""
+        for record in self.records():
+            yield record.building
+
+    def write_manifest(self) -> None:
+        """Write both tables of the manifest from the records."""
+        folder = self.path / "manifest"
+        folder.mkdir(exist_ok=True)
+        fresh = [folder / f".{name}.jsonl" for name in ("buildings", "rooms")]
+        with fresh[0].open("wb") as buildings, fresh[1].open("wb") as rooms:
+            for record in self.records():
+                buildings.write(encode_bytes(record.building) + b"\n")
+                rooms.writelines(_line(room) for room in record.rooms)
+        for file in fresh:
+            file.rename(file.with_name(file.name.removeprefix(".")))
+
+    def manifest(self) -> Iterator[BuildingRow]:
+        """Yield the rows of the manifest's table of buildings, one in memory at a time.
+
+        Raises
+        ------
+        MansionError
+            ``NOT_FOUND`` where there is none.
+        """
+        file = self.path / "manifest" / "buildings.jsonl"
+        if not file.is_file():
+            raise MansionError(ErrorCode.NOT_FOUND, f"{file} is missing; `mansion world make` writes it at its end")
+        with file.open("rb") as lines:
+            for line in lines:
+                yield decode_from(BuildingRow, line, file)
+
+    def _record_file(self, index: int) -> Path:
+        return self.path / "records" / f"{_shard(index)}.json"
+
+    def _built_file(self, index: int, attempt: int) -> Path:
+        return self.path / "work" / f"{index:06d}-{attempt}.json"
+
+    def _aside_file(self, index: int, attempt: int) -> Path:
+        return self.path / "set_aside" / f"{index:06d}-{attempt}.json"
+
+
+def _line(row: RoomRow) -> bytes:
+    return encode_bytes(row) + b"\n"

@@ -1,0 +1,28 @@
+"""Build mansion_world with colcon (ament_python) or pip."""
+
+import re
+from pathlib import Path
+
+from setuptools import find_packages, setup
+
+NAME = "mansion_world"
+
+setup(
+    name=NAME,
+    version=re.findall("<version>(.+)</version>", Path("package.xml").read_text(encoding="utf-8"))[0],
+    description="Worlds of many buildings: requests drawn from a mixture, built, checked, split and described.",
+    author="Mansion maintainers",
+    maintainer="Mansion maintainers",
+    maintainer_email="maintainers@mansion.example",
+    license="Apache-2.0",
+    python_requires=">=3.11,<3.14",
+    packages=find_packages(include=[NAME, f"{NAME}.*"]),
+    package_data={"": ["py.typed", "**/data/**"]},
+    data_files=[
+        ("share/ament_index/resource_index/packages", [f"resource/{NAME}"]),
+        (f"share/{NAME}", ["package.xml"]),
+    ],
+    zip_safe=False,
+    install_requires=["mansion_geometry", "mansion_msgs_py", "msgspec>=0.19", "numpy>=1.26"],
+    extras_require={"test": ["pytest"]},
+)

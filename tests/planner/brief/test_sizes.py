@@ -1,0 +1,67 @@
+"""Rooms that are large or small in words have an area that says so."""
+
+import pytest
+
+from mansion_bringup.building.receipt import receipt_of_plan
+from mansion_knowledge import default_knowledge
+from mansion_msgs_py.request import BuildRequest
+from mansion_msgs_py.wishes import Wish
+from mansion_planner.plan import plan_building
+
+
+def _wishes(text: str) -> list[Wish]:
+    plan = plan_building(BuildRequest(description=text))
+    return list(receipt_of_plan(plan.program, plan.topologies))
+
+
+def _room(text: str, name: str) -> Wish:
+    return next(wish for wish in _wishes(text) if wish.kind == "room" and wish.value.type == name)
+
+
+@pytest.mark.parametrize(
+    ("text", "name", "limit"),
+    [
+        ("a house with a large kitchen", "kitchen", "least"),
+        ("a house with a spacious living room", "living_room", "least"),
+        ("a house with a tiny bathroom", "bathroom", "most"),
+        ("a house whose kitchen should be very large", "kitchen", "least"),
+        ("a house. The kitchen is to be large", "kitchen", "least"),
+        ("a clinic with a pantry (small)", "pantry", "most"),
+        ("a clinic with three generous consultation rooms", "consultation_room", "least"),
+        ("a co-working floor with 3 small offices", "private_office", "most"),
+    ],
+)
+def test_a_size_bounds_the_area_by_the_usual_one_of_the_kind(text: str, name: str, limit: str) -> None:
+    wish, usual = _room(text, name), default_knowledge().room(name).usual
+    assert (wish.status, wish.value.limit) == ("met", limit)
+    assert wish.value.area is not None
+    assert (wish.value.area > usual) == (limit == "least")
+
+
+def test_a_size_that_finds_no_place_is_met_in_part() -> None:
+    wish = _room("a flat of 45 m2 with a huge living room and three bedrooms", "living_room")
+    assert wish.status == "partly"
+    assert "instead of at least" in wish.reason
+
+
+def test_an_area_in_numbers_holds_before_a_size_in_words() -> None:
+    assert _room("a house with a large kitchen of 11 m2", "kitchen").value.area == 11.0
+
+
+@pytest.mark.parametrize(
+    "text", ["a compact flat", "a German flat", "a flat with a huge bed", "a house with a not too big kitchen"]
+)
+def test_a_size_of_which_nothing_is_made_is_told(text: str) -> None:
+    assert any(wish.value.unheeded for wish in _wishes(text))
+
+
+@pytest.mark.parametrize(
+    "text", ["a small clinic of 200 m2", "a house with an Italian style", "a flat with a Finnish sauna"]
+)
+def test_words_that_something_else_answers_are_heeded(text: str) -> None:
+    assert not any(wish.value.unheeded for wish in _wishes(text))
+
+
+def test_a_size_without_a_room_is_told() -> None:
+    unread = [wish.text for wish in _wishes("A house. The bedroom very small.") if wish.kind == "unread"]
+    assert any("small" in text for text in unread)
