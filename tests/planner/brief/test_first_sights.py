@@ -251,3 +251,21 @@ def test_each_room_of_a_kind_means_several() -> None:
 
 def test_a_number_that_a_hyphen_joins_is_no_count() -> None:
     assert [thing.count for thing in read("a house with a four-poster bed in the bedroom").objects] == [1]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Our flat is L-shaped: a living room, a kitchen, a bedroom and a bathroom in 87 square meters.",
+        "A flat: a kitchen, a bedroom and a bathroom within about 87 m2",
+        "a flat with a bedroom and a living room on 87 m2",
+    ],
+)
+def test_an_area_that_a_list_of_rooms_lies_in_is_the_buildings(text: str) -> None:
+    facts = read(text)
+    assert [area.value for area in facts.area] == [87.0]
+    assert [room.area for room in facts.rooms] == [None] * len(facts.rooms)
+
+
+def test_rooms_that_have_their_own_areas_keep_them() -> None:
+    assert [room.area for room in read("a house with a kitchen in 20 m2 and a living room in 30 m2").rooms] == [20, 30]

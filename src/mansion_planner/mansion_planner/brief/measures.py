@@ -32,6 +32,10 @@ _LINKS = frozenset(
     size approx
     """.split()
 )
+_ABOUT = frozenset("about around approx roughly ca circa some".split())
+_HOLDS_ALL = frozenset({"in", "within", "on", "across"})
+"""Words that put all that a sentence lists into one area: "a kitchen, a bedroom and a bathroom in 87 m2"."""
+
 _PLOT = frozenset({"plot", "site", "lot"})
 _PLATE = frozenset({"plate", "footprint"})
 
@@ -319,6 +323,8 @@ def _room_of(reading: Reading, measure: Measure, phrases: list[Phrase]) -> int |
     after = _after(reading, measure, 4)
     if not _TOTALS.isdisjoint(after[:3]) and "each" not in after:
         return None
+    if "each" not in after and _of_all_listed(reading, measure, phrases):
+        return None
     if measure.sides and not (_PLOT | {"footprint"}).isdisjoint(
         reading.words(max(measure.first - 6, 0), measure.first)
     ):
@@ -371,10 +377,7 @@ def _room_of(reading: Reading, measure: Measure, phrases: list[Phrase]) -> int |
     ]
     if not candidates:
         candidates = _described(reading, measure, phrases)
-    lead = measure.first - 1
-    while reading.word(lead) in ("about", "around", "approx", "roughly", "ca", "circa", "some"):
-        lead -= 1
-    if not candidates and reading.word(lead) in ("(", "of"):  # "the bay for three engines (180 m2)"
+    if not candidates and reading.word(_lead(reading, measure)) in ("(", "of"):  # "the bay for three engines (180 m2)"
         sentence = reading.sentence[measure.first]
         candidates = [
             n
@@ -393,6 +396,24 @@ def _room_of(reading: Reading, measure: Measure, phrases: list[Phrase]) -> int |
     if comma and phrase.last == before + 1 and not _listed(reading, measure, phrase, after):
         return None
     return number
+
+
+def _lead(reading: Reading, measure: Measure) -> int:
+    """Return the token before an area and the words that only make it approximate."""
+    lead = measure.first - 1
+    while reading.word(lead) in _ABOUT:
+        lead -= 1
+    return lead
+
+
+def _of_all_listed(reading: Reading, measure: Measure, phrases: list[Phrase]) -> bool:
+    """Whether an area is that of all rooms which the sentence lists before it."""
+    lead = _lead(reading, measure)
+    if reading.word(lead) not in _HOLDS_ALL:
+        return False
+    sentence = reading.sentence[measure.first]
+    listed = [p for p in phrases if p.head == "room" and reading.sentence[p.first] == sentence and p.first < lead]
+    return len(listed) > 1 and listed[-1].noun_end == lead and not any(p.areas for p in listed)
 
 
 def _said_of_each(reading: Reading, measure: Measure, phrases: list[Phrase]) -> tuple[int, int] | None:
