@@ -12,11 +12,12 @@ from shapely.geometry import box as shapely_box
 from mansion_assets.catalogue import Catalogue, load_catalogue
 from mansion_assets.meshes import collision_boxes
 from mansion_export.model import Mesh, Node
-from mansion_export.solids import Box, box_between
+from mansion_export.solids import Box, box_between, boxes_of
 from mansion_geometry.robot_body import FLAT
 from mansion_msgs_py.scene import FloorScene, SceneObject, StairDetails
+from mansion_msgs_py.shapes import Size3
 
-__all__ = ["collision_box", "ground_boxes", "is_loose", "loose_colliders"]
+__all__ = ["Colliders", "ground_boxes", "is_loose", "loose_colliders"]
 
 FLOOR_DEPTH = 0.2
 """Thickness of the ground below the finished floor, metres."""
@@ -78,18 +79,37 @@ def _strips(polygon: Polygon) -> list[Box]:
     return boxes
 
 
-def collision_box(node: Node, mesh: Mesh, item: SceneObject | None) -> Box | None:
-    """Return the box of an object or door leaf in its body's frame, if it stops anybody."""
-    if item is not None:
-        if item.size[2] <= FLAT and item.mount == "floor":
-            return None
-        return Box((0.0, 0.0, 0.0), item.size)
-    if node.group == "doors" and "/leaf" in node.id:
-        points = np.concatenate([surface.vertices for surface in mesh.surfaces])
-        low, high = points.min(0), points.max(0)
-        center, size = (low + high) / 2, high - low
-        return Box(tuple(center.tolist()), tuple(size.tolist()))
-    return None
+class Colliders:
+    """What stops a body at each node of a floor's model, the same in every physics format.
+
+    Parameters
+    ----------
+    scene : FloorScene
+    """
+
+    def __init__(self, scene: FloorScene) -> None:
+        self._items = {item.id: item for item in scene.objects}
+
+    def of(self, node: Node, mesh: Mesh) -> tuple[Box, ...] | None:
+        """Return the boxes that a node collides with, in the frame of its mesh, before its scale.
+
+        Returns
+        -------
+        tuple of Box or None
+            Empty where nothing stops anybody; None where the mesh itself does: walls, floors, stairs, windows.
+        """
+        item = self._items.get(node.id)
+        if item is not None:
+            if item.size[2] <= FLAT and item.mount == "floor":
+                return ()
+            return (Box((0.0, 0.0, 0.0), _unscaled(item.size, node.scale)),)
+        if node.group == "doors":
+            return tuple(box for surface in mesh.surfaces for box in boxes_of(surface))
+        return None
+
+
+def _unscaled(size: Size3, scale: Size3) -> Size3:
+    return size[0] / scale[0], size[1] / scale[1], size[2] / scale[2]
 
 
 def is_loose(item: SceneObject) -> bool:

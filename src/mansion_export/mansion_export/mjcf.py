@@ -9,11 +9,11 @@ import numpy as np
 
 from mansion_assets.catalogue import Catalogue
 from mansion_export.building_model import floor_model
-from mansion_export.collision import collision_box, ground_boxes, is_loose, loose_colliders
+from mansion_export.collision import Colliders, ground_boxes, is_loose, loose_colliders
 from mansion_export.materials import surface_material
 from mansion_export.model import Material, Mesh, Model, Node, Surface
 from mansion_export.simulator_files import SimulatorModel, mesh_file_name, number_list, write_stl
-from mansion_export.solids import Box
+from mansion_export.solids import Box, box_scaled
 from mansion_export.walls import WallBodies
 from mansion_geometry.building_models import CEILING_GROUP, COLLISION_GROUP, OBJECT_GROUP, STRUCTURE_GROUP, object_mass
 from mansion_msgs_py.building_folder import floor_directory
@@ -53,7 +53,8 @@ def floor_mjcf(
     model = floor_model(scene, catalogue=catalogue)
     writer = _Writer()
     items = {item.id: item for item in scene.objects}
-    colliders = loose_colliders(scene, catalogue) if free_pickupables else {}
+    colliders = Colliders(scene)
+    hollowed = loose_colliders(scene, catalogue) if free_pickupables else {}
     for wall, pieces in _wall_boxes(scene):
         writer.wall(wall, pieces)
     for node in model.nodes:
@@ -61,12 +62,11 @@ def floor_mjcf(
             continue
         item = items.get(node.id)
         mesh = model.meshes[node.mesh]
-        if item is not None and free_pickupables and is_loose(item):
-            whole = (Box((0.0, 0.0, 0.0), item.size),)
-            writer.body(node, mesh, colliders.get(node.id, whole), item.size)
-        else:
-            box = collision_box(node, mesh, item)
-            writer.body(node, mesh, colliders.get(node.id, (box,) if box is not None else ()))
+        loose = item is not None and free_pickupables and is_loose(item)
+        boxes = hollowed.get(node.id)
+        if boxes is None:
+            boxes = tuple(box_scaled(box, node.scale) for box in colliders.of(node, mesh) or ())
+        writer.body(node, mesh, boxes, item.size if item is not None and loose else None)
     for name, solid in ground_boxes(scene):
         writer.solid(name, solid)
     return SimulatorModel(_document(scene, model, writer, mesh_dir), writer.files)

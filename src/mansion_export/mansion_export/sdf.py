@@ -8,10 +8,10 @@ import numpy as np
 
 from mansion_assets.catalogue import Catalogue
 from mansion_export.building_model import building_models
-from mansion_export.collision import collision_box, ground_boxes
+from mansion_export.collision import Colliders, ground_boxes
 from mansion_export.model import Material, Mesh, Model, Node
 from mansion_export.simulator_files import SimulatorModel, mesh_file_name, number_list, write_stl
-from mansion_export.solids import Box
+from mansion_export.solids import Box, box_scaled
 from mansion_export.walls import WallBodies
 from mansion_msgs_py.scene import FloorScene
 
@@ -35,7 +35,7 @@ def world_sdf(
     -------
     SimulatorModel
         Each floor is a static model at its elevation, z up. Every wall, door leaf, window, stair and object is a link
-        with its id; walls, floors, steps, leaves and objects have boxes to collide with.
+        with its id; walls, floors, steps, doors and objects have shapes to collide with.
     """
     writer = _Writer(mesh_dir)
     ordered = sorted(scenes, key=lambda scene: scene.floor)
@@ -86,7 +86,7 @@ class _Writer:
     def model(self, model: Model, scene: FloorScene) -> str:
         """Return the model of a floor."""
         walls = {wall.id: wall for wall in scene.walls}
-        items = {item.id: item for item in scene.objects}
+        colliders = Colliders(scene)
         bodies = WallBodies(scene)
         links = []
         for node in model.nodes:
@@ -95,8 +95,8 @@ class _Writer:
             if node.id in walls:
                 parts += [_collision(i, box) for i, box in enumerate(bodies.boxes(walls[node.id]))]
             else:
-                box = collision_box(node, mesh, items.get(node.id))
-                parts += [_collision(0, box)] if box is not None else []
+                boxes = colliders.of(node, mesh) or ()
+                parts += [_collision(i, box_scaled(box, node.scale)) for i, box in enumerate(boxes)]
             links.append(_link(node.id, node.position, node.rotation, parts))
         ground = [_collision(i, box) for i, (_, box) in enumerate(ground_boxes(scene))]
         links.append(_link(f"F{scene.floor}/ground", (0.0, 0.0, 0.0), 0.0, ground))

@@ -10,8 +10,10 @@ import numpy as np
 
 from mansion_assets.catalogue import Catalogue
 from mansion_export.building_model import building_models
+from mansion_export.collision import Colliders
 from mansion_export.materials import linear
-from mansion_export.model import Material, Mesh, Model, Node
+from mansion_export.model import Material, Mesh, Model, Node, Surface
+from mansion_export.solids import Box
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import FloorScene
 
@@ -32,7 +34,7 @@ def building_usd(scenes: Sequence[FloorScene], catalogue: Catalogue | None = Non
     bytes
         Root prim ``/building`` > ``floor_2`` > one Xform for each element, whose ``mansion:id`` attribute is our id and
         which is an instance of a prototype where elements share a mesh. Materials are UsdPreviewSurface. Structure
-        collides as triangle meshes, objects as bounding boxes (UsdPhysics).
+        collides as triangle meshes, doors and objects as shapes of their own that are not drawn (UsdPhysics).
 
     Raises
     ------
@@ -54,8 +56,8 @@ def building_usd(scenes: Sequence[FloorScene], catalogue: Catalogue | None = Non
     if ordered:
         root.GetPrim().SetDisplayName(ordered[0].building_id)
     writer = _Writer(stage)
-    for model in building_models(ordered, catalogue=catalogue):
-        writer.floor(model)
+    for model, scene in zip(building_models(ordered, catalogue=catalogue), ordered):
+        writer.floor(model, Colliders(scene))
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "building.usdc"
         stage.GetRootLayer().Export(str(path))
@@ -72,7 +74,7 @@ class _Writer:
 
     def __init__(self, stage: Any) -> None:
         self.stage = stage
-        self.prototypes: dict[str, str] = {}
+        self.prototypes: dict[tuple[str, bool], str] = {}
         self.materials: dict[Material, Any] = {}
         from pxr import Sdf
 
@@ -80,7 +82,7 @@ class _Writer:
         self.prototype_root = str(holder.GetPath())
         self.token = Sdf.ValueTypeNames.String
 
-    def floor(self, model: Model) -> None:
+    def floor(self, model: Model, colliders: Colliders) -> None:
         from pxr import Gf, UsdGeom
 
         path = f"/building/{_identifier(model.name)}"
@@ -93,15 +95,15 @@ class _Writer:
                 name = _identifier(node.id)
                 taken[name] = taken.get(name, 0) + 1
                 suffix = f"_{taken[name]}" if taken[name] > 1 else ""
-                self.node(f"{path}/{name}{suffix}", node, mesh)
+                self.node(f"{path}/{name}{suffix}", node, mesh, colliders.of(node, mesh))
 
-    def node(self, path: str, node: Node, mesh: Mesh) -> None:
+    def node(self, path: str, node: Node, mesh: Mesh, shapes: Sequence[Box] | None) -> None:
         """Write an instance of a mesh."""
         from pxr import Gf, UsdGeom
 
         xform = UsdGeom.Xform.Define(self.stage, path)
         prim = xform.GetPrim()
-        prim.GetReferences().AddInternalReference(self.prototype(mesh, node.group))
+        prim.GetReferences().AddInternalReference(self.prototype(mesh, shapes))
         prim.SetInstanceable(True)
         prim.SetDisplayName(node.id)
         prim.CreateAttribute("mansion:id", self.token, custom=True).Set(node.id)
@@ -112,33 +114,53 @@ class _Writer:
         if node.scale != (1.0, 1.0, 1.0):
             xform.AddScaleOp().Set(Gf.Vec3f(*(float(value) for value in node.scale)))
 
-    def prototype(self, mesh: Mesh, group: str) -> str:
-        """Return the path of a mesh's prototype, writing it when it is new."""
-        from pxr import Sdf, UsdGeom, UsdPhysics, UsdShade, Vt
+    def prototype(self, mesh: Mesh, shapes: Sequence[Box] | None) -> str:
+        """Return the path of a mesh's prototype, writing it when it is new; without `shapes` the mesh collides."""
+        from pxr import UsdGeom, UsdPhysics
 
-        key = mesh.name
+        key = (mesh.name, shapes is not None and not shapes)
         if key in self.prototypes:
             return self.prototypes[key]
-        path = f"{self.prototype_root}/{_identifier(key)}_{len(self.prototypes)}"
+        path = f"{self.prototype_root}/{_identifier(mesh.name)}_{len(self.prototypes)}"
         self.prototypes[key] = path
         UsdGeom.Xform.Define(self.stage, path)
         for i, surface in enumerate(mesh.surfaces):
-            shape = UsdGeom.Mesh.Define(self.stage, f"{path}/part_{i}")
-            points = np.ascontiguousarray(surface.vertices, dtype=np.float32)
-            faces = np.ascontiguousarray(surface.faces.reshape(-1), dtype=np.int32)
-            shape.CreatePointsAttr(Vt.Vec3fArray.FromNumpy(points))
-            shape.CreateFaceVertexIndicesAttr(Vt.IntArray.FromNumpy(faces))
-            counts = np.full(len(surface.faces), 3, dtype=np.int32)
-            shape.CreateFaceVertexCountsAttr(Vt.IntArray.FromNumpy(counts))
-            shape.CreateSubdivisionSchemeAttr(UsdGeom.Tokens.none)
-            shape.CreateExtentAttr(Vt.Vec3fArray.FromNumpy(np.stack([points.min(0), points.max(0)])))
-            prim = shape.GetPrim()
-            UsdShade.MaterialBindingAPI.Apply(prim).Bind(self.material(surface.material))
-            UsdPhysics.CollisionAPI.Apply(prim)
-            exact = group in ("structure", "cores", "windows")
-            approximation = "none" if exact else "boundingCube"
-            UsdPhysics.MeshCollisionAPI.Apply(prim).CreateApproximationAttr(approximation)
-        return str(Sdf.Path(path))
+            prim = self.surface(f"{path}/part_{i}", surface)
+            if shapes is None:
+                UsdPhysics.CollisionAPI.Apply(prim)
+                UsdPhysics.MeshCollisionAPI.Apply(prim).CreateApproximationAttr(UsdPhysics.Tokens.none)
+        for i, box in enumerate(shapes or ()):
+            self.box(f"{path}/collision_{i}", box)
+        return path
+
+    def surface(self, path: str, surface: Surface) -> Any:
+        """Write triangles with their material, and return their prim."""
+        from pxr import UsdGeom, UsdShade, Vt
+
+        shape = UsdGeom.Mesh.Define(self.stage, path)
+        points = np.ascontiguousarray(surface.vertices, dtype=np.float32)
+        faces = np.ascontiguousarray(surface.faces.reshape(-1), dtype=np.int32)
+        shape.CreatePointsAttr(Vt.Vec3fArray.FromNumpy(points))
+        shape.CreateFaceVertexIndicesAttr(Vt.IntArray.FromNumpy(faces))
+        counts = np.full(len(surface.faces), 3, dtype=np.int32)
+        shape.CreateFaceVertexCountsAttr(Vt.IntArray.FromNumpy(counts))
+        shape.CreateSubdivisionSchemeAttr(UsdGeom.Tokens.none)
+        shape.CreateExtentAttr(Vt.Vec3fArray.FromNumpy(np.stack([points.min(0), points.max(0)])))
+        prim = shape.GetPrim()
+        UsdShade.MaterialBindingAPI.Apply(prim).Bind(self.material(surface.material))
+        return prim
+
+    def box(self, path: str, box: Box) -> None:
+        """Write a box that collides and is not drawn."""
+        from pxr import Gf, UsdGeom, UsdPhysics
+
+        cube = UsdGeom.Cube.Define(self.stage, path)
+        cube.CreateSizeAttr(1.0)
+        cube.CreatePurposeAttr(UsdGeom.Tokens.guide)
+        cube.AddTranslateOp().Set(Gf.Vec3d(*box.center))
+        cube.AddScaleOp().Set(Gf.Vec3f(*box.size))
+        cube.CreateExtentAttr([(-0.5, -0.5, -0.5), (0.5, 0.5, 0.5)])
+        UsdPhysics.CollisionAPI.Apply(cube.GetPrim())
 
     def material(self, material: Material) -> Any:
         """Return a material, writing it when it is new."""
