@@ -4,21 +4,25 @@ Coordinates are metres from the floor below the asset's centre.
 """
 
 import itertools
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from typing import Any, NamedTuple
 
 from mansion_assets.catalogue import Asset, Surface, Volume
+from mansion_assets.convex import (
+    Box,
+    Convex,
+    bar_bodies,
+    bounding_box,
+    extruded_bodies,
+    revolved_bodies,
+    rounded_bodies,
+)
+from mansion_assets.joints import Joint
 from mansion_assets.solids import Axis, Vec3, bar, box_solid, extruded, revolved, rounded_box
 from mansion_geometry.compiled import Floats, Ints
 
-__all__ = ["Box", "Builder", "Piece", "Rect"]
-
-
-class Box(NamedTuple):
-    """An axis-aligned box: centre and full extent, metres."""
-
-    center: Vec3
-    size: Vec3
+__all__ = ["Body", "Box", "Builder", "Chunk", "Piece", "Rect"]
 
 
 class Rect(NamedTuple):
@@ -32,24 +36,39 @@ class Rect(NamedTuple):
     top: float
 
 
+class Chunk(NamedTuple):
+    """The triangles of one primitive: of which moving part, and whether only an open one shows them."""
+
+    vertices: Floats
+    faces: Ints
+    link: str
+    hidden: bool
+
+
 class Piece:
     """The triangles of one part in one material."""
 
     def __init__(self, part: str, material: str) -> None:
         self.part, self.material = part, material
-        self.vertices: list[Floats] = []
-        self.faces: list[Ints] = []
-        self._count = 0
+        self.chunks: list[Chunk] = []
 
-    def add(self, vertices: Floats, faces: Ints) -> None:
-        """Append triangles."""
-        self.vertices.append(vertices)
-        self.faces.append(faces + self._count)
-        self._count += len(vertices)
+    def fitted(self, center: Floats, scale: Floats) -> "Piece":
+        """Return the piece moved by `-center` and then stretched along the axes."""
+        piece = Piece(self.part, self.material)
+        piece.chunks = [chunk._replace(vertices=(chunk.vertices - center) * scale) for chunk in self.chunks]
+        return piece
+
+
+class Body(NamedTuple):
+    """A convex body that collides: of which moving part, and whether only an open one needs it."""
+
+    shape: Convex
+    link: str
+    hidden: bool
 
 
 class Builder:
-    """Collects the pieces and the collision boxes of one asset.
+    """Collects the pieces, the convex bodies and the joints of one asset.
 
     Attributes
     ----------
@@ -65,6 +84,9 @@ class Builder:
         self.p: dict[str, Any] = asset.parameters
         self.pieces: dict[tuple[str, str], Piece] = {}
         self.boxes: list[Box] = []
+        self.bodies: list[Body] = []
+        self.joints: list[Joint] = []
+        self._link, self._hidden = "", False
 
     @property
     def tops(self) -> list[Rect]:
@@ -88,19 +110,46 @@ class Builder:
         """Return the material of a role of the recipe."""
         return self.asset.materials.get(role, default)
 
-    def raw(self, vertices: Floats, faces: Ints, material: str, part: str, *, solid: bool = False) -> None:
-        """Add triangles; a solid's bounding box takes part in collisions."""
+    @contextmanager
+    def moving(self, joint: Joint) -> Iterator[None]:
+        """Make what is added within a part that moves at a joint."""
+        self.joints.append(joint)
+        self._link = joint.part
+        try:
+            yield
+        finally:
+            self._link = ""
+
+    @contextmanager
+    def hidden(self) -> Iterator[None]:
+        """Make what is added within seen, and collided with, only where parts move: a drawer's tray."""
+        self._hidden = True
+        try:
+            yield
+        finally:
+            self._hidden = False
+
+    def raw(
+        self,
+        vertices: Floats,
+        faces: Ints,
+        material: str,
+        part: str,
+        *,
+        solid: bool = False,
+        bodies: Sequence[Convex] | None = None,
+    ) -> None:
+        """Add triangles, and the convex `bodies` that they are, their bounding box where there are none.
+
+        A solid's bounding box is one of the few boxes that the editor reckons with.
+        """
         key = (part, material)
-        self.pieces.setdefault(key, Piece(part, material)).add(vertices, faces)
+        piece = self.pieces.setdefault(key, Piece(part, material))
+        piece.chunks.append(Chunk(vertices, faces, self._link, self._hidden))
+        whole = bounding_box(vertices.min(axis=0), vertices.max(axis=0))
+        self.bodies += [Body(body, self._link, self._hidden) for body in bodies or [whole]]
         if solid:
-            low, high = vertices.min(axis=0), vertices.max(axis=0)
-            center, size = (low + high) / 2, high - low
-            self.boxes.append(
-                Box(
-                    (float(center[0]), float(center[1]), float(center[2])),
-                    (float(size[0]), float(size[1]), float(size[2])),
-                )
-            )
+            self.boxes.append(whole)
 
     def box(
         self,
@@ -135,7 +184,8 @@ class Builder:
         solid: bool = True,
     ) -> None:
         """Add a body of revolution about a vertical axis; `profile` lists (radius, height) from pole to pole."""
-        self.raw(*revolved(profile, at, n, stretch), material, part, solid=solid)
+        bodies = revolved_bodies(profile, at, n, stretch)
+        self.raw(*revolved(profile, at, n, stretch), material, part, solid=solid, bodies=bodies)
 
     def cyl(
         self,
@@ -157,7 +207,7 @@ class Builder:
         self, start: Vec3, end: Vec3, r: float, material: str, part: str = "frame", n: int = 8, *, solid: bool = False
     ) -> None:
         """Add a round bar between two points."""
-        self.raw(*bar(start, end, r, n), material, part, solid=solid)
+        self.raw(*bar(start, end, r, n), material, part, solid=solid, bodies=bar_bodies(start, end, r, n))
 
     def path(self, points: Sequence[Vec3], r: float, material: str, part: str = "frame") -> None:
         """Add round bars along a line of points."""
@@ -192,7 +242,8 @@ class Builder:
         solid: bool = True,
     ) -> None:
         """Add a box with rounded edges; `round_` 1 makes an ellipsoid."""
-        self.raw(*rounded_box(x, y, z, round_, n), material, part, solid=solid)
+        bodies = rounded_bodies(x, y, z, round_)
+        self.raw(*rounded_box(x, y, z, round_, n), material, part, solid=solid, bodies=bodies)
 
     def prism(
         self,
@@ -205,7 +256,8 @@ class Builder:
         solid: bool = True,
     ) -> None:
         """Add a convex outline drawn out along an axis: (y, z) along x, (x, z) along y, (x, y) along z."""
-        self.raw(*extruded(outline, span, axis), material, part, solid=solid)
+        bodies = extruded_bodies(outline, span, axis)
+        self.raw(*extruded(outline, span, axis), material, part, solid=solid, bodies=bodies)
 
     def legs(
         self, z: tuple[float, float], r: float, material: str, inset: float = 0.04, *, round_: bool = False

@@ -8,12 +8,15 @@ from xml.sax.saxutils import quoteattr
 import numpy as np
 
 from mansion_assets.catalogue import Catalogue
+from mansion_assets.convex import Hull
+from mansion_assets.physique import FRICTION
 from mansion_export.building_model import floor_model
-from mansion_export.collision import Colliders, ground_boxes, is_loose, loose_colliders
+from mansion_export.cavities import is_loose, loose_colliders
+from mansion_export.collision import Colliders, Shape, ground_boxes, physique_of, shape_scaled
 from mansion_export.materials import surface_material
 from mansion_export.model import Material, Mesh, Model, Node, Surface
 from mansion_export.simulator_files import SimulatorModel, mesh_file_name, number_list, write_stl
-from mansion_export.solids import Box, box_scaled
+from mansion_export.solids import Box
 from mansion_export.walls import WallBodies
 from mansion_geometry.building_models import CEILING_GROUP, COLLISION_GROUP, OBJECT_GROUP, STRUCTURE_GROUP, object_mass
 from mansion_msgs_py.building_folder import floor_directory
@@ -53,8 +56,8 @@ def floor_mjcf(
     model = floor_model(scene, catalogue=catalogue)
     writer = _Writer()
     items = {item.id: item for item in scene.objects}
-    colliders = Colliders(scene)
-    hollowed = loose_colliders(scene, catalogue) if free_pickupables else {}
+    colliders = Colliders(scene, catalogue)
+    hollowed = loose_colliders(scene, colliders, model) if free_pickupables else {}
     for wall, pieces in _wall_boxes(scene):
         writer.wall(wall, pieces)
     for node in model.nodes:
@@ -63,10 +66,11 @@ def floor_mjcf(
         item = items.get(node.id)
         mesh = model.meshes[node.mesh]
         loose = item is not None and free_pickupables and is_loose(item)
-        boxes = hollowed.get(node.id)
-        if boxes is None:
-            boxes = tuple(box_scaled(box, node.scale) for box in colliders.of(node, mesh) or ())
-        writer.body(node, mesh, boxes, item.size if item is not None and loose else None)
+        shapes = hollowed.get(node.id)
+        if shapes is None:
+            own = colliders.of_object(item) if item is not None and loose else colliders.of(node, mesh)
+            shapes = tuple(shape_scaled(shape, node.scale) for shape in own or ())
+        writer.body(node, mesh, shapes, item.size if item is not None and loose else None)
     for name, solid in ground_boxes(scene):
         writer.solid(name, solid)
     return SimulatorModel(_document(scene, model, writer, mesh_dir), writer.files)
@@ -86,6 +90,7 @@ class _Writer:
     assets: dict[str, str] = field(default_factory=dict)
     files: dict[str, bytes] = field(default_factory=dict)
     walls: set[str] = field(default_factory=set)
+    hulls: dict[str, str] = field(default_factory=dict)
 
     def material(self, material: Material) -> str:
         """Return the name of a material, writing it when it is new."""
@@ -117,14 +122,14 @@ class _Writer:
         self.bodies.append(f"<body name={quoteattr(wall.id)}>{''.join(geoms)}</body>")
 
     def body(
-        self, node: Node, mesh: Mesh, colliders: Sequence[Box], loose: tuple[float, float, float] | None = None
+        self, node: Node, mesh: Mesh, colliders: Sequence[Shape], loose: tuple[float, float, float] | None = None
     ) -> None:
-        """Write a node as a body of visual meshes and boxes to collide with; `loose` is the size of a free one."""
+        """Write a node as a body of visual meshes and shapes to collide with; `loose` is the size of a free one."""
         group = {"objects": OBJECT_GROUP, "ceiling": CEILING_GROUP}.get(node.group, STRUCTURE_GROUP)
         visual = 'contype="0" conaffinity="0" mass="0"'
         parts = []
         if loose is not None:
-            parts.append(f"<freejoint name={quoteattr(node.id + '/joint')}/>{_inertial(loose)}")
+            parts.append(f"<freejoint name={quoteattr(node.id + '/joint')}/>{_inertial(colliders, object_mass(loose))}")
         for i, surface in enumerate(mesh.surfaces):
             name = node.id if i == 0 else f"{node.id}/{i}"
             parts.append(
@@ -135,10 +140,7 @@ class _Writer:
             )
         for i, collision in enumerate(colliders):
             name = f"{node.id}/collision{f'_{i}' if i else ''}"
-            parts.append(
-                f"<geom name={quoteattr(name)} {_box_attributes(collision)} "
-                f'group="{COLLISION_GROUP}" rgba="0.5 0.5 0.5 0.3"/>'
-            )
+            parts.append(f'<geom name={quoteattr(name)} class="collision" {self.shape(collision)}/>')
         place = f'pos="{number_list(node.position)}"' if any(node.position) else ""
         if node.rotation % 360.0:
             place += f' quat="{_quaternion(node.rotation)}"'
@@ -158,11 +160,18 @@ class _Writer:
             self.assets[asset] = f'<mesh name={quoteattr(asset)} file={quoteattr(file)} inertia="shell"{size}/>'
         return asset
 
+    def shape(self, shape: Shape) -> str:
+        """Return the attributes of a shape to collide with, writing a hull's corners when they are new."""
+        if not isinstance(shape, Hull):
+            return _box_attributes(shape)
+        corners = number_list(shape.vertices.ravel().tolist())
+        if corners not in self.hulls:
+            self.hulls[corners] = f"hull_{len(self.hulls)}"
+        return f'type="mesh" mesh="{self.hulls[corners]}"'
+
     def solid(self, name: str, solid: Box) -> None:
         """Write a box of the world that is only collided with."""
-        self.bodies.append(
-            f'<geom name={quoteattr(name)} {_box_attributes(solid)} group="{COLLISION_GROUP}" rgba="0.5 0.5 0.5 0.3"/>'
-        )
+        self.bodies.append(f'<geom name={quoteattr(name)} class="collision" {_box_attributes(solid)}/>')
 
 
 def _wall_boxes(scene: FloorScene) -> list[tuple[Wall, list[Box]]]:
@@ -183,11 +192,20 @@ def _document(scene: FloorScene, model: Model, writer: _Writer, mesh_dir: str) -
         for material, name in writer.materials.items()
     )
     meshes = "\n".join(f"    {asset}" for asset in writer.assets.values())
+    hulls = "\n".join(
+        f'    <mesh name="{name}" vertex="{corners}" inertia="shell"/>' for corners, name in writer.hulls.items()
+    )
     bodies = "\n".join(f"    {body}" for body in writer.bodies)
     return f"""<mujoco model={quoteattr(f"{scene.building_id} {model.name}")}>
   <compiler angle="degree" meshdir={quoteattr(mesh_dir)} autolimits="true"/>
   <option timestep="0.004"/>
   <size memory="{_memory(len(writer.bodies))}M"/>
+  <default>
+    <geom friction="{FRICTION:g} 0.005 0.0001"/>
+    <default class="collision">
+      <geom group="{COLLISION_GROUP}" rgba="0.5 0.5 0.5 0.3"/>
+    </default>
+  </default>
   <statistic center="{number_list((cx, cy, 1.0))}" extent="{reach:.4g}"/>
   <visual>
     <global offwidth="1280" offheight="960" fovy="70"/>
@@ -199,6 +217,7 @@ def _document(scene: FloorScene, model: Model, writer: _Writer, mesh_dir: str) -
     <texture type="skybox" builtin="gradient" {_sky(scene)} width="128" height="128"/>
 {materials}
 {meshes}
+{hulls}
   </asset>
   <worldbody>
     <light name="sun" type="directional" dir="0.35 0.5 -0.79" diffuse="0.35 0.34 0.32" castshadow="false"/>
@@ -234,13 +253,13 @@ def _memory(bodies: int) -> int:
     return 16 + math.ceil(8 * bodies * bodies / 2**20)
 
 
-def _inertial(size: tuple[float, float, float]) -> str:
-    """Return the mass and inertia of an object of a given size: a box of one density."""
-    w, d, h = size
-    mass = object_mass(size)
-    inertia = ((d * d + h * h), (w * w + h * h), (w * w + d * d))
-    values = " ".join(f"{max(mass * value / 12, 1e-6):.4g}" for value in inertia)
-    return f'<inertial pos="0 0 0" mass="{mass:.4g}" diaginertia="{values}"/>'
+def _inertial(shapes: Sequence[Shape], mass: float) -> str:
+    """Return the mass, centre and inertia of a body of one density."""
+    body = physique_of(shapes, mass)
+    i = body.inertia
+    values = (i[0, 0], i[1, 1], i[2, 2], i[0, 1], i[0, 2], i[1, 2])
+    inertia = " ".join(f"{float(value):.6g}" for value in values)
+    return f'<inertial pos="{number_list(body.center)}" mass="{body.mass:.6g}" fullinertia="{inertia}"/>'
 
 
 def _box_attributes(solid: Box) -> str:

@@ -7,8 +7,9 @@ from xml.sax.saxutils import quoteattr
 import numpy as np
 
 from mansion_assets.catalogue import Catalogue
+from mansion_assets.convex import Hull
 from mansion_export.building_model import building_models
-from mansion_export.collision import Colliders, ground_boxes
+from mansion_export.collision import Colliders, Shape, ground_boxes
 from mansion_export.model import Material, Mesh, Model, Node
 from mansion_export.simulator_files import SimulatorModel, mesh_file_name, number_list, write_stl
 from mansion_export.solids import Box, box_scaled
@@ -37,7 +38,7 @@ def world_sdf(
         Each floor is a static model at its elevation, z up. Every wall, door leaf, window, stair and object is a link
         with its id; walls, floors, steps, doors and objects have shapes to collide with.
     """
-    writer = _Writer(mesh_dir)
+    writer = _Writer(mesh_dir, catalogue)
     ordered = sorted(scenes, key=lambda scene: scene.floor)
     models = [
         writer.model(model, scene) for model, scene in zip(building_models(ordered, catalogue=catalogue), ordered)
@@ -81,12 +82,13 @@ class _Writer:
     """Writes floors, and each mesh once."""
 
     mesh_dir: str
+    catalogue: Catalogue | None
     files: dict[str, bytes] = field(default_factory=dict)
 
     def model(self, model: Model, scene: FloorScene) -> str:
         """Return the model of a floor."""
         walls = {wall.id: wall for wall in scene.walls}
-        colliders = Colliders(scene)
+        colliders = Colliders(scene, self.catalogue)
         bodies = WallBodies(scene)
         links = []
         for node in model.nodes:
@@ -95,8 +97,8 @@ class _Writer:
             if node.id in walls:
                 parts += [_collision(i, box) for i, box in enumerate(bodies.boxes(walls[node.id]))]
             else:
-                boxes = colliders.of(node, mesh) or ()
-                parts += [_collision(i, box_scaled(box, node.scale)) for i, box in enumerate(boxes)]
+                shapes = colliders.of(node, mesh) or ()
+                parts += [self._shape(i, shape, node) for i, shape in enumerate(shapes)]
             links.append(_link(node.id, node.position, node.rotation, parts))
         ground = [_collision(i, box) for i, (_, box) in enumerate(ground_boxes(scene))]
         links.append(_link(f"F{scene.floor}/ground", (0.0, 0.0, 0.0), 0.0, ground))
@@ -116,12 +118,28 @@ class _Writer:
             file = mesh_file_name(mesh.name, i)
             if file not in self.files:
                 self.files[file] = write_stl(surface)
-            uri = f"{self.mesh_dir}/{file}" if self.mesh_dir else file
+            uri = self._uri(file)
             visuals.append(
                 f'<visual name="visual_{i}"><geometry><mesh><uri>{uri}</uri>{scale}</mesh></geometry>'
                 f"{_material(surface.material)}</visual>"
             )
         return visuals
+
+    def _shape(self, number: int, shape: Shape, node: Node) -> str:
+        """Return a collision: a box, or a hull in a file of its own, which all scales of an asset share."""
+        if not isinstance(shape, Hull):
+            return _collision(number, box_scaled(shape, node.scale))
+        file = mesh_file_name(f"{node.mesh}/hull", number)
+        if file not in self.files:
+            self.files[file] = write_stl(shape)
+        scale = f"<scale>{number_list(node.scale)}</scale>" if node.scale != (1.0, 1.0, 1.0) else ""
+        return (
+            f'<collision name="collision_{number}">'
+            f"<geometry><mesh><uri>{self._uri(file)}</uri>{scale}</mesh></geometry></collision>"
+        )
+
+    def _uri(self, file: str) -> str:
+        return f"{self.mesh_dir}/{file}" if self.mesh_dir else file
 
 
 def _link(name: str, position: tuple[float, float, float], rotation: float, parts: Sequence[str]) -> str:

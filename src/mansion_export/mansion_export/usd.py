@@ -9,8 +9,10 @@ from typing import Any
 import numpy as np
 
 from mansion_assets.catalogue import Catalogue
+from mansion_assets.convex import Hull
+from mansion_assets.physique import FRICTION
 from mansion_export.building_model import building_models
-from mansion_export.collision import Colliders
+from mansion_export.collision import Colliders, Shape
 from mansion_export.materials import linear
 from mansion_export.model import Material, Mesh, Model, Node, Surface
 from mansion_export.solids import Box
@@ -56,8 +58,9 @@ def building_usd(scenes: Sequence[FloorScene], catalogue: Catalogue | None = Non
     if ordered:
         root.GetPrim().SetDisplayName(ordered[0].building_id)
     writer = _Writer(stage)
+    writer.friction(root.GetPrim())
     for model, scene in zip(building_models(ordered, catalogue=catalogue), ordered):
-        writer.floor(model, Colliders(scene))
+        writer.floor(model, Colliders(scene, catalogue))
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "building.usdc"
         stage.GetRootLayer().Export(str(path))
@@ -82,6 +85,17 @@ class _Writer:
         self.prototype_root = str(holder.GetPath())
         self.token = Sdf.ValueTypeNames.String
 
+    def friction(self, root: Any) -> None:
+        """Bind everything below the root to one physics material."""
+        from pxr import UsdPhysics, UsdShade
+
+        made = UsdShade.Material.Define(self.stage, "/building/materials/physics")
+        physics = UsdPhysics.MaterialAPI.Apply(made.GetPrim())
+        physics.CreateStaticFrictionAttr(FRICTION)
+        physics.CreateDynamicFrictionAttr(FRICTION)
+        binding = UsdShade.MaterialBindingAPI.Apply(root)
+        binding.Bind(made, UsdShade.Tokens.weakerThanDescendants, "physics")
+
     def floor(self, model: Model, colliders: Colliders) -> None:
         from pxr import Gf, UsdGeom
 
@@ -97,7 +111,7 @@ class _Writer:
                 suffix = f"_{taken[name]}" if taken[name] > 1 else ""
                 self.node(f"{path}/{name}{suffix}", node, mesh, colliders.of(node, mesh))
 
-    def node(self, path: str, node: Node, mesh: Mesh, shapes: Sequence[Box] | None) -> None:
+    def node(self, path: str, node: Node, mesh: Mesh, shapes: Sequence[Shape] | None) -> None:
         """Write an instance of a mesh."""
         from pxr import Gf, UsdGeom
 
@@ -114,7 +128,7 @@ class _Writer:
         if node.scale != (1.0, 1.0, 1.0):
             xform.AddScaleOp().Set(Gf.Vec3f(*(float(value) for value in node.scale)))
 
-    def prototype(self, mesh: Mesh, shapes: Sequence[Box] | None) -> str:
+    def prototype(self, mesh: Mesh, shapes: Sequence[Shape] | None) -> str:
         """Return the path of a mesh's prototype, writing it when it is new; without `shapes` the mesh collides."""
         from pxr import UsdGeom, UsdPhysics
 
@@ -129,13 +143,24 @@ class _Writer:
             if shapes is None:
                 UsdPhysics.CollisionAPI.Apply(prim)
                 UsdPhysics.MeshCollisionAPI.Apply(prim).CreateApproximationAttr(UsdPhysics.Tokens.none)
-        for i, box in enumerate(shapes or ()):
-            self.box(f"{path}/collision_{i}", box)
+        for i, shape in enumerate(shapes or ()):
+            if isinstance(shape, Hull):
+                self.hull(f"{path}/collision_{i}", shape)
+            else:
+                self.box(f"{path}/collision_{i}", shape)
         return path
 
     def surface(self, path: str, surface: Surface) -> Any:
         """Write triangles with their material, and return their prim."""
-        from pxr import UsdGeom, UsdShade, Vt
+        from pxr import UsdShade
+
+        prim = self.triangles(path, surface).GetPrim()
+        UsdShade.MaterialBindingAPI.Apply(prim).Bind(self.material(surface.material))
+        return prim
+
+    def triangles(self, path: str, surface: Surface | Hull) -> Any:
+        """Write triangles as a mesh."""
+        from pxr import UsdGeom, Vt
 
         shape = UsdGeom.Mesh.Define(self.stage, path)
         points = np.ascontiguousarray(surface.vertices, dtype=np.float32)
@@ -146,9 +171,17 @@ class _Writer:
         shape.CreateFaceVertexCountsAttr(Vt.IntArray.FromNumpy(counts))
         shape.CreateSubdivisionSchemeAttr(UsdGeom.Tokens.none)
         shape.CreateExtentAttr(Vt.Vec3fArray.FromNumpy(np.stack([points.min(0), points.max(0)])))
+        return shape
+
+    def hull(self, path: str, hull: Hull) -> None:
+        """Write a convex mesh that collides and is not drawn."""
+        from pxr import UsdGeom, UsdPhysics
+
+        shape = self.triangles(path, hull)
+        shape.CreatePurposeAttr(UsdGeom.Tokens.guide)
         prim = shape.GetPrim()
-        UsdShade.MaterialBindingAPI.Apply(prim).Bind(self.material(surface.material))
-        return prim
+        UsdPhysics.CollisionAPI.Apply(prim)
+        UsdPhysics.MeshCollisionAPI.Apply(prim).CreateApproximationAttr(UsdPhysics.Tokens.convexHull)
 
     def box(self, path: str, box: Box) -> None:
         """Write a box that collides and is not drawn."""
