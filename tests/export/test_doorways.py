@@ -68,9 +68,10 @@ def _meets(collider: Collider, low: np.ndarray, high: np.ndarray) -> bool:
     return bool((points.min(0) < high).all() and (points.max(0) > low).all())
 
 
-def test_a_ball_is_pushed_through_open_doors_and_against_closed_ones_in_mujoco(floor):
+@pytest.mark.parametrize("articulated", [False, True])
+def test_a_ball_is_pushed_through_open_doors_and_against_closed_ones_in_mujoco(floor, articulated):
     mujoco = pytest.importorskip("mujoco")
-    export = floor_mjcf(floor, "")
+    export = floor_mjcf(floor, "", articulated=articulated)
     balls = []
     for door in floor.doors:
         middle, across = way_of(door)
@@ -92,16 +93,18 @@ def test_a_ball_is_pushed_through_open_doors_and_against_closed_ones_in_mujoco(f
     assert reached == {door.id: is_passable(door) for door in floor.doors}
 
 
-def test_a_ball_goes_through_open_doors_alone_among_the_colliders_of_a_usd_stage(floor, tmp_path):
+@pytest.mark.parametrize("articulated", [False, True])
+def test_a_ball_goes_through_open_doors_alone_among_the_colliders_of_a_usd_stage(floor, tmp_path, articulated):
     pytest.importorskip("pxr")
     path = tmp_path / "building.usdc"
-    path.write_bytes(building_usd([floor]))
+    path.write_bytes(building_usd([floor], articulated=articulated))
     colliders = usd_colliders(path)
     assert passable(floor.doors, colliders) == {door.id: is_passable(door) for door in floor.doors}
 
 
-def test_a_ball_goes_through_open_doors_alone_among_the_colliders_of_a_gazebo_world(floor):
-    export = world_sdf([floor], "")
+@pytest.mark.parametrize("articulated", [False, True])
+def test_a_ball_goes_through_open_doors_alone_among_the_colliders_of_a_gazebo_world(floor, articulated):
+    export = world_sdf([floor], "", articulated=articulated)
     colliders = sdf_colliders(export.xml, export.meshes)
     assert passable(floor.doors, colliders) == {door.id: is_passable(door) for door in floor.doors}
 

@@ -119,7 +119,7 @@ def sdf_colliders(xml: str, files: Mapping[str, bytes]) -> list[Collider]:
     for model in ElementTree.fromstring(xml).findall("world/model"):
         for link in model.findall("link"):
             for collision in link.findall("collision"):
-                placed = _pose(model) @ _pose(link) @ _pose(collision)
+                placed = pose_of(model) @ pose_of(link) @ pose_of(collision)
                 for triangles in _geometry(collision.find("geometry"), files):
                     owner = link.get("name") if model.findtext("static") == "true" else model.get("name")
                     found.append(Collider(str(owner), triangles @ placed[:3, :3].T + placed[:3, 3]))
@@ -145,7 +145,7 @@ def _stl(data: bytes) -> np.ndarray:
     return np.frombuffer(stream.read(), dtype=record, count=count)["corners"].astype(float)
 
 
-def _pose(element: ElementTree.Element) -> np.ndarray:
+def pose_of(element: ElementTree.Element) -> np.ndarray:
     x, y, z, roll, pitch, yaw = (float(value) for value in (element.findtext("pose") or "0 0 0 0 0 0").split())
     turn = np.eye(3)
     for angle, (i, j) in ((roll, (1, 2)), (pitch, (2, 0)), (yaw, (0, 1))):

@@ -5,8 +5,8 @@ Coordinates are metres from the floor below the asset's centre.
 
 import itertools
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
-from typing import Any, NamedTuple
+from contextlib import AbstractContextManager, contextmanager
+from typing import Any, Final, Literal, NamedTuple, TypeAlias
 
 from mansion_assets.catalogue import Asset, Surface, Volume
 from mansion_assets.convex import (
@@ -18,11 +18,18 @@ from mansion_assets.convex import (
     revolved_bodies,
     rounded_bodies,
 )
-from mansion_assets.joints import Joint
+from mansion_assets.joints import DOOR_OPENS, DRAWER_OPENS, Joint
 from mansion_assets.solids import Axis, Vec3, bar, box_solid, extruded, revolved, rounded_box
 from mansion_geometry.compiled import Floats, Ints
 
-__all__ = ["Body", "Box", "Builder", "Chunk", "Piece", "Rect"]
+__all__ = ["TRAY", "Body", "Box", "Builder", "Chunk", "Hinge", "Piece", "Rect"]
+
+
+Hinge: TypeAlias = Literal["left", "right", "bottom", "top", "back"]
+"""Where a door hangs, seen from the front; ``back`` is a lid's."""
+
+TRAY: Final = 0.008
+"""Thickness of a drawer's bottom, metres; its sides have half of it."""
 
 
 class Rect(NamedTuple):
@@ -120,6 +127,45 @@ class Builder:
         finally:
             self._link = ""
 
+    def door(
+        self, x: tuple[float, float], y: tuple[float, float], z: tuple[float, float], hinge: Hinge = "left"
+    ) -> AbstractContextManager[None]:
+        """Make what is added within a door that turns at one edge of its front face, or a lid at its back edge."""
+        axis, origin = {
+            "left": ((0.0, 0.0, 1.0), (x[0], y[1], z[0])),
+            "right": ((0.0, 0.0, -1.0), (x[1], y[1], z[0])),
+            "bottom": ((-1.0, 0.0, 0.0), (x[0], y[1], z[0])),
+            "top": ((1.0, 0.0, 0.0), (x[0], y[1], z[1])),
+            "back": ((1.0, 0.0, 0.0), (x[0], y[0], z[1])),
+        }[hinge]
+        name = self._unused("lid" if hinge == "back" else "door")
+        return self.moving(Joint(name, "hinge", axis, origin, DOOR_OPENS))
+
+    @contextmanager
+    def drawer(
+        self, x: tuple[float, float], y: tuple[float, float], z: tuple[float, float], material: str
+    ) -> Iterator[None]:
+        """Make what is added within the front of a drawer that slides forward, and give it a tray.
+
+        Parameters
+        ----------
+        x, y, z : (float, float)
+            The tray from outside; its front is open, where the drawer's own front stands.
+        """
+        joint = Joint(
+            self._unused("drawer"), "slide", (0.0, 1.0, 0.0), (x[0], y[1], z[0]), DRAWER_OPENS * (y[1] - y[0])
+        )
+        with self.moving(joint):
+            yield
+            with self.hidden():
+                self.box(x, y, (z[0], z[0] + TRAY), material, "tray", solid=False)
+                for side in ((x[0], x[0] + TRAY / 2), (x[1] - TRAY / 2, x[1])):
+                    self.box(side, y, z, material, "tray", solid=False)
+                self.box(x, (y[0], y[0] + TRAY / 2), z, material, "tray", solid=False)
+
+    def _unused(self, name: str) -> str:
+        return f"{name}_{1 + sum(joint.part.startswith(name) for joint in self.joints)}"
+
     @contextmanager
     def hidden(self) -> Iterator[None]:
         """Make what is added within seen, and collided with, only where parts move: a drawer's tray."""
@@ -165,6 +211,22 @@ class Builder:
         if not solid:
             x, y, z = (self._lifted(x, self.w / 2), self._lifted(y, self.d / 2), self._lifted(z, self.h))
         self.raw(*box_solid(x, y, z), material, part, solid=solid)
+
+    def hollow(
+        self,
+        x: tuple[float, float],
+        y: tuple[float, float],
+        z: tuple[float, float],
+        t: float,
+        material: str,
+        part: str = "case",
+    ) -> None:
+        """Add a box of walls `t` thick, open towards the front, for a case with something inside."""
+        self.box((x[0], x[0] + t), y, z, material, part)
+        self.box((x[1] - t, x[1]), y, z, material, part)
+        self.box(x, (y[0], y[0] + t), z, material, part)
+        self.box(x, y, (z[0], z[0] + t), material, part)
+        self.box(x, y, (z[1] - t, z[1]), material, part)
 
     @staticmethod
     def _lifted(span: tuple[float, float], limit: float) -> tuple[float, float]:

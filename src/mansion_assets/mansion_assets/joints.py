@@ -7,10 +7,13 @@ import numpy as np
 from mansion_assets.solids import Vec3
 from mansion_geometry.compiled import Floats
 
-__all__ = ["DOOR_OPENS", "Joint"]
+__all__ = ["DOOR_OPENS", "DRAWER_OPENS", "Joint"]
 
 DOOR_OPENS: Final = 84.0
 """Degrees by which a door of furniture opens: its handle stays clear of the neighbour's."""
+
+DRAWER_OPENS: Final = 0.6
+"""Share of its depth by which a drawer opens."""
 
 
 class Joint(NamedTuple):

@@ -20,7 +20,7 @@ from mansion_msgs_py.errors import ErrorCode, MansionError
 if TYPE_CHECKING:
     from trimesh import Trimesh
 
-__all__ = ["MeshPart", "collision_boxes", "collision_pieces", "free_room", "mesh"]
+__all__ = ["Link", "MeshPart", "collision_boxes", "collision_pieces", "free_room", "links", "mesh"]
 
 _MOST_BOXES = 24
 """Most collision boxes of one asset."""
@@ -99,6 +99,37 @@ def _closed_pieces(look: _Look) -> tuple[Convex, ...]:
     asset = look.asset
     bodies = [body.shape for body in _built(look).bodies if not body.hidden]
     return tuple(simplified(bodies, asset.size, free_room(asset)))
+
+
+class Link(NamedTuple):
+    """A rigid part of an asset: its triangles, what of it collides, and how it moves; the body has no joint."""
+
+    name: str
+    parts: tuple[MeshPart, ...]
+    pieces: tuple[Convex, ...]
+    joint: Joint | None
+
+
+def links(asset: Asset) -> tuple[Link, ...]:
+    """Return the rigid parts of an asset, closed, its body first; one part where nothing moves."""
+    if asset.glb is not None or not asset.recipe:
+        return (Link("", tuple(mesh(asset)), collision_pieces(asset), None),)
+    return _linked(_look(asset))
+
+
+@lru_cache(maxsize=1024)
+def _linked(look: _Look) -> tuple[Link, ...]:
+    asset, built = look.asset, _built(look)
+    if not built.joints:
+        return (Link("", tuple(mesh(asset)), _closed_pieces(look), None),)
+    room = free_room(asset)
+    found = []
+    for joint in (None, *built.joints):
+        name = "" if joint is None else joint.part
+        parts = _parts([(piece, [c for c in piece.chunks if c.link == name]) for piece in built.pieces])
+        bodies = [body.shape for body in built.bodies if body.link == name]
+        found.append(Link(name, tuple(parts), tuple(simplified(bodies, asset.size, room)), joint))
+    return tuple(found)
 
 
 def free_room(asset: Asset) -> list[Box]:

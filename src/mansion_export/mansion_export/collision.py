@@ -19,7 +19,7 @@ from mansion_geometry.robot_body import FLAT
 from mansion_msgs_py.scene import FloorScene, SceneObject, StairDetails
 from mansion_msgs_py.shapes import Point3, Size3
 
-__all__ = ["Colliders", "Shape", "bounds_of", "ground_boxes", "physique_of", "shape_scaled"]
+__all__ = ["Colliders", "Shape", "bounds_of", "ground_boxes", "lies_flat", "physique_of", "piece_shape", "shape_scaled"]
 
 FLOOR_DEPTH = 0.2
 """Thickness of the ground below the finished floor, metres."""
@@ -93,7 +93,7 @@ class Colliders:
         """
         item = self._items.get(node.id)
         if item is not None:
-            if item.size[2] <= FLAT and item.mount == "floor":
+            if lies_flat(item):
                 return ()
             return self.of_object(item)
         if node.group == "doors":
@@ -105,10 +105,16 @@ class Colliders:
         asset = self._assets.get(item.asset)
         if asset is None:
             return (Box((0.0, 0.0, 0.0), (1.0, 1.0, 1.0)),)
-        return tuple(_shape(piece) for piece in collision_pieces(asset))
+        return tuple(piece_shape(piece) for piece in collision_pieces(asset))
 
 
-def _shape(piece: Convex) -> Shape:
+def lies_flat(item: SceneObject) -> bool:
+    """Whether an object is a covering of the floor that stops nobody."""
+    return item.size[2] <= FLAT and item.mount == "floor"
+
+
+def piece_shape(piece: Convex) -> Shape:
+    """Return a collision piece of an asset as a shape."""
     return piece if isinstance(piece, Hull) else Box(piece.center, piece.size)
 
 

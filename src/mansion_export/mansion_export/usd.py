@@ -2,7 +2,7 @@
 
 import re
 import tempfile
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -11,18 +11,22 @@ import numpy as np
 from mansion_assets.catalogue import Catalogue
 from mansion_assets.convex import Hull
 from mansion_assets.physique import FRICTION
+from mansion_export.articulation import Assembly, Moving, assemblies, pose_at
 from mansion_export.building_model import building_models
-from mansion_export.collision import Colliders, Shape
+from mansion_export.collision import Colliders, Shape, physique_of, shape_scaled
 from mansion_export.materials import linear
 from mansion_export.model import Material, Mesh, Model, Node, Surface
 from mansion_export.solids import Box
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import FloorScene
+from mansion_msgs_py.shapes import Size3
 
 __all__ = ["building_usd", "usd_files"]
 
 
-def building_usd(scenes: Sequence[FloorScene], catalogue: Catalogue | None = None) -> bytes:
+def building_usd(
+    scenes: Sequence[FloorScene], catalogue: Catalogue | None = None, *, articulated: bool = False
+) -> bytes:
     """Make a USD stage of all floors, in the binary crate format (``.usdc``), z up, metres.
 
     Parameters
@@ -30,6 +34,8 @@ def building_usd(scenes: Sequence[FloorScene], catalogue: Catalogue | None = Non
     scenes : sequence of FloorScene
     catalogue : Catalogue, optional
         Where the assets are, when they are not all in the shipped one.
+    articulated : bool
+        Make doors, drawers and lids rigid bodies with joints (UsdPhysics), which stand as the scenes have them.
 
     Returns
     -------
@@ -44,7 +50,7 @@ def building_usd(scenes: Sequence[FloorScene], catalogue: Catalogue | None = Non
         ``UNAVAILABLE`` where usd-core is not installed.
     """
     try:
-        from pxr import Usd, UsdGeom
+        from pxr import Gf, Usd, UsdGeom, UsdPhysics
     except ImportError as error:
         raise MansionError(
             ErrorCode.UNAVAILABLE, "the USD export needs the package usd-core: pip install 'mansion_scene[usd]'"
@@ -59,17 +65,20 @@ def building_usd(scenes: Sequence[FloorScene], catalogue: Catalogue | None = Non
         root.GetPrim().SetDisplayName(ordered[0].building_id)
     writer = _Writer(stage)
     writer.friction(root.GetPrim())
+    if articulated:
+        UsdPhysics.Scene.Define(stage, "/building/physics").CreateGravityDirectionAttr(Gf.Vec3f(0.0, 0.0, -1.0))
     for model, scene in zip(building_models(ordered, catalogue=catalogue), ordered):
-        writer.floor(model, Colliders(scene, catalogue))
+        moving = assemblies(scene, {node.id: node for node in model.nodes}, catalogue) if articulated else {}
+        writer.floor(model, Colliders(scene, catalogue), moving)
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "building.usdc"
         stage.GetRootLayer().Export(str(path))
         return path.read_bytes()
 
 
-def usd_files(scenes: Sequence[FloorScene]) -> dict[str, bytes]:
+def usd_files(scenes: Sequence[FloorScene], *, articulated: bool = False) -> dict[str, bytes]:
     """Return ``building.usdc`` by its path in the building's folder."""
-    return {"building.usdc": building_usd(scenes)}
+    return {"building.usdc": building_usd(scenes, articulated=articulated)}
 
 
 class _Writer:
@@ -96,7 +105,7 @@ class _Writer:
         binding = UsdShade.MaterialBindingAPI.Apply(root)
         binding.Bind(made, UsdShade.Tokens.weakerThanDescendants, "physics")
 
-    def floor(self, model: Model, colliders: Colliders) -> None:
+    def floor(self, model: Model, colliders: Colliders, moving: Mapping[str, Assembly]) -> None:
         from pxr import Gf, UsdGeom
 
         path = f"/building/{_identifier(model.name)}"
@@ -109,24 +118,101 @@ class _Writer:
                 name = _identifier(node.id)
                 taken[name] = taken.get(name, 0) + 1
                 suffix = f"_{taken[name]}" if taken[name] > 1 else ""
-                self.node(f"{path}/{name}{suffix}", node, mesh, colliders.of(node, mesh))
+                if node.id in moving:
+                    self.assembly(f"{path}/{name}{suffix}", moving[node.id])
+                else:
+                    self.node(f"{path}/{name}{suffix}", node, mesh, colliders.of(node, mesh))
 
     def node(self, path: str, node: Node, mesh: Mesh, shapes: Sequence[Shape] | None) -> None:
         """Write an instance of a mesh."""
+        self.instance(self.place(path, node), mesh, shapes, node.scale)
+
+    def place(self, path: str, node: Node) -> Any:
+        """Write the frame of an element, named after it."""
         from pxr import Gf, UsdGeom
 
         xform = UsdGeom.Xform.Define(self.stage, path)
-        prim = xform.GetPrim()
-        prim.GetReferences().AddInternalReference(self.prototype(mesh, shapes))
-        prim.SetInstanceable(True)
-        prim.SetDisplayName(node.id)
-        prim.CreateAttribute("mansion:id", self.token, custom=True).Set(node.id)
+        xform.GetPrim().SetDisplayName(node.id)
+        self.identify(xform, node.id)
         if any(node.position):
             xform.AddTranslateOp().Set(Gf.Vec3d(*(float(value) for value in node.position)))
         if node.rotation % 360.0:
             xform.AddRotateZOp().Set(float(node.rotation))
-        if node.scale != (1.0, 1.0, 1.0):
-            xform.AddScaleOp().Set(Gf.Vec3f(*(float(value) for value in node.scale)))
+        return xform
+
+    def identify(self, xform: Any, name: str) -> None:
+        """Write our id on a prim."""
+        xform.GetPrim().CreateAttribute("mansion:id", self.token, custom=True).Set(name)
+
+    def instance(self, xform: Any, mesh: Mesh, shapes: Sequence[Shape] | None, scale: Size3) -> None:
+        """Make a prim an instance of a mesh's prototype."""
+        from pxr import Gf
+
+        prim = xform.GetPrim()
+        prim.GetReferences().AddInternalReference(self.prototype(mesh, shapes))
+        prim.SetInstanceable(True)
+        if scale != (1.0, 1.0, 1.0):
+            xform.AddScaleOp().Set(Gf.Vec3f(*(float(value) for value in scale)))
+
+    def assembly(self, path: str, assembly: Assembly) -> None:
+        """Write an element with parts on joints."""
+        from pxr import UsdGeom
+
+        node = assembly.node
+        frame = self.place(path, node)
+        if assembly.mesh is not None:
+            still = UsdGeom.Xform.Define(self.stage, f"{path}/body")
+            self.instance(still, assembly.mesh, assembly.shapes, node.scale)
+        for part in assembly.moving:
+            self.moving(path, part, node.scale)
+            self.joint(path, frame, part)
+
+    def moving(self, path: str, part: Moving, scale: Size3) -> None:
+        """Write a part that moves as a rigid body, where the scene has it."""
+        from pxr import Gf, UsdGeom, UsdPhysics
+
+        shift, turn = pose_at(part.joint, part.position)
+        xform = UsdGeom.Xform.Define(self.stage, f"{path}/{part.joint.part}")
+        self.identify(xform, part.id)
+        xform.AddTranslateOp().Set(Gf.Vec3d(*shift))
+        xform.AddRotateXYZOp().Set(Gf.Vec3f(*turn))
+        geometry = UsdGeom.Xform.Define(self.stage, f"{path}/{part.joint.part}/geometry")
+        self.instance(geometry, part.mesh, part.shapes, scale)
+        UsdPhysics.RigidBodyAPI.Apply(xform.GetPrim())
+        body = physique_of([shape_scaled(shape, scale) for shape in part.shapes], part.mass)
+        moments, axes = np.linalg.eigh(body.inertia)
+        if np.linalg.det(axes) < 0.0:
+            axes[:, 0] = -axes[:, 0]
+        turned = Gf.Matrix3d(*axes.T.ravel().tolist()).ExtractRotation().GetQuat()
+        mass = UsdPhysics.MassAPI.Apply(xform.GetPrim())
+        mass.CreateMassAttr(body.mass)
+        mass.CreateCenterOfMassAttr(Gf.Vec3f(*body.center))
+        mass.CreateDiagonalInertiaAttr(Gf.Vec3f(*moments.tolist()))
+        mass.CreatePrincipalAxesAttr(Gf.Quatf(turned))
+
+    def joint(self, path: str, frame: Any, part: Moving) -> None:
+        """Write the joint of a part against its element's frame, with limits and a damper."""
+        from pxr import Gf, UsdPhysics
+
+        joint = part.joint
+        turns = joint.kind == "hinge"
+        kind = UsdPhysics.RevoluteJoint if turns else UsdPhysics.PrismaticJoint
+        made = kind.Define(self.stage, f"{path}/{joint.part}_joint")
+        along = max(range(3), key=lambda k: abs(joint.axis[k]))
+        made.CreateAxisAttr("XYZ"[along])
+        forward = joint.axis[along] > 0.0
+        made.CreateLowerLimitAttr(0.0 if forward else -joint.travel)
+        made.CreateUpperLimitAttr(joint.travel if forward else 0.0)
+        made.CreateBody0Rel().SetTargets([frame.GetPath()])
+        made.CreateBody1Rel().SetTargets([f"{path}/{joint.part}"])
+        for attribute in (made.CreateLocalPos0Attr, made.CreateLocalPos1Attr):
+            attribute(Gf.Vec3f(*joint.origin))
+        for attribute in (made.CreateLocalRot0Attr, made.CreateLocalRot1Attr):
+            attribute(Gf.Quatf(1.0))
+        drive = UsdPhysics.DriveAPI.Apply(made.GetPrim(), "angular" if turns else "linear")
+        drive.CreateTypeAttr("force")
+        # UsdPhysics counts angles in degrees.
+        drive.CreateDampingAttr(part.damping * (np.pi / 180.0 if turns else 1.0))
 
     def prototype(self, mesh: Mesh, shapes: Sequence[Shape] | None) -> str:
         """Return the path of a mesh's prototype, writing it when it is new; without `shapes` the mesh collides."""
