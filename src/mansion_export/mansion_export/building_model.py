@@ -7,6 +7,7 @@ from shapely.geometry import Polygon
 
 from mansion_assets.catalogue import Catalogue, load_catalogue
 from mansion_assets.catalogue.palette import PbrMaterial
+from mansion_assets.meshes import MeshPart, mesh
 from mansion_export.core_meshes import core_parts
 from mansion_export.exterior import entrance_parts, plot_parts, roof_parts
 from mansion_export.materials import hex_color, named, surface_material
@@ -19,7 +20,7 @@ from mansion_export.walls import WallBodies, wall_surfaces
 from mansion_msgs_py.scene import FloorScene, SceneObject, StairDetails
 from mansion_msgs_py.shapes import Ring
 
-__all__ = ["asset_surfaces", "building_models", "floor_model", "object_parts"]
+__all__ = ["asset_surfaces", "building_models", "floor_model", "object_parts", "part_surfaces"]
 
 FINISH = 0.02
 """Thickness of the floor finish on the slab, metres."""
@@ -205,14 +206,15 @@ def _object_node(item: SceneObject, mesh: str, size: tuple[float, float, float])
 @lru_cache(maxsize=4096)
 def asset_surfaces(key: str, catalogue: Catalogue, color: str) -> tuple[Surface, ...]:
     """Return the surfaces of an asset's mesh, the main material in another colour where `color` is not empty."""
-    from mansion_assets.meshes import mesh
-
     asset = catalogue.asset(key)
+    return part_surfaces(mesh(asset), asset.material, color)
+
+
+def part_surfaces(parts: Sequence[MeshPart], main: str, color: str) -> tuple[Surface, ...]:
+    """Return the surfaces of parts of a mesh, the material called `main` in another colour where that is not empty."""
     return tuple(
-        Surface(
-            _material(part.material, color if part.material.name == asset.material else ""), part.vertices, part.faces
-        )
-        for part in mesh(asset)
+        Surface(_material(part.material, color if part.material.name == main else ""), part.vertices, part.faces)
+        for part in parts
     )
 
 
