@@ -8,6 +8,7 @@ from pkgutil import resolve_name
 
 import pytest
 
+from mansion_bringup.exporting import write_export
 from mansion_export import formats
 from mansion_export.formats import Format, Output, export_formats, formats_of_build, outputs_of_build, register
 from mansion_msgs_py.building_folder import BuildingFolder, floor_directory

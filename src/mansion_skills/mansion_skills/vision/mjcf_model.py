@@ -11,7 +11,6 @@ from xml.etree.ElementTree import Element
 import numpy as np
 import numpy.typing as npt
 
-from mansion_geometry.building_models import COLLISION_GROUP
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import FloorScene, SceneCore, SceneObject, StairDetails
 from mansion_skills.vision.articulation import Triangles, hinges_of, part_of, read_stl
@@ -173,7 +172,7 @@ class ModelFile:
     Attributes
     ----------
     bodies : dict
-        Name to element, without what is only collided with.
+        Name to element, without what is only collided with, which has no material.
     materials, meshes : dict
         Name to attributes.
     sky : dict
@@ -226,7 +225,7 @@ class ModelFile:
         bodies = {}
         for body in root.iterfind("worldbody/body"):
             for geom in body.findall("geom"):
-                if geom.get("group") == str(COLLISION_GROUP):
+                if not geom.get("material"):
                     body.remove(geom)
             bodies[body.get("name", "")] = body
         texture = root.find("asset/texture")
