@@ -6,10 +6,11 @@ from typing import TYPE_CHECKING, NamedTuple
 import msgspec
 import numpy as np
 
-from mansion_assets.builder import Box, Builder
+from mansion_assets.builder import Box, Builder, Piece
 from mansion_assets.catalogue import Asset
 from mansion_assets.catalogue.palette import PbrMaterial, material
 from mansion_assets.registry import recipe_named
+from mansion_assets.texture_coordinates import box_coordinates
 from mansion_geometry.compiled import Floats, Ints
 from mansion_msgs_py.errors import ErrorCode, MansionError
 
@@ -23,12 +24,16 @@ _MOST_BOXES = 24
 
 
 class MeshPart(NamedTuple):
-    """One part of an asset in one material: (n, 3) vertices in metres and (m, 3) faces."""
+    """One part of an asset in one material: (n, 3) vertices in metres and (m, 3) faces.
+
+    `coordinates`, (m, 3, 2), are those of each face's corners on the material's textures, metres.
+    """
 
     name: str
     vertices: Floats
     faces: Ints
     material: PbrMaterial
+    coordinates: Floats
 
     @property
     def mesh(self) -> "Trimesh":
@@ -55,7 +60,10 @@ def mesh(asset: Asset) -> list[MeshPart]:
     if asset.glb is not None:
         return _from_glb(asset)
     pieces, _ = _built(_look(asset))
-    return [MeshPart(part, vertices.copy(), faces.copy(), material(name)) for part, name, vertices, faces in pieces]
+    return [
+        MeshPart(part, vertices.copy(), faces.copy(), material(name), coordinates.copy())
+        for part, name, vertices, faces, coordinates in pieces
+    ]
 
 
 def collision_boxes(asset: Asset) -> list[Box]:
@@ -72,7 +80,7 @@ def _look(asset: Asset) -> _Look:
     return _Look(msgspec.msgpack.encode(plain))
 
 
-Pieces = list[tuple[str, str, Floats, Ints]]
+Pieces = list[tuple[str, str, Floats, Ints, Floats]]
 
 
 @lru_cache(maxsize=1024)
@@ -84,18 +92,28 @@ def _built(look: _Look) -> tuple[Pieces, list[Box]]:
     builder = Builder(asset)
     make(builder)
     pieces = [
-        (p.part, p.material, np.concatenate(p.vertices), np.concatenate(p.faces)) for p in builder.pieces.values()
+        (p.part, p.material, np.concatenate(p.vertices), np.concatenate(p.faces), _first_faces(p))
+        for p in builder.pieces.values()
     ]
-    low = np.min([v.min(axis=0) for _, _, v, _ in pieces], axis=0)
-    high = np.max([v.max(axis=0) for _, _, v, _ in pieces], axis=0)
+    low = np.min([v.min(axis=0) for _, _, v, _, _ in pieces], axis=0)
+    high = np.max([v.max(axis=0) for _, _, v, _, _ in pieces], axis=0)
     size = np.array(asset.size)
     scale = size / np.maximum(high - low, 1e-6)
     center = (low + high) / 2
-    fitted = [(part, name, (v - center) * scale, f) for part, name, v, f in pieces]
+    fitted = [_placed(part, name, (v - center) * scale, f, bodies) for part, name, v, f, bodies in pieces]
     boxes = [
         Box(_vec((np.array(b.center) - center) * scale), _vec(np.array(b.size) * scale)) for b in _fewer(builder.boxes)
     ]
     return fitted, boxes or [Box((0.0, 0.0, 0.0), asset.size)]
+
+
+def _first_faces(piece: Piece) -> Ints:
+    """Return the number of the first face of each body of a piece."""
+    return np.cumsum([0, *(len(faces) for faces in piece.faces[:-1])])
+
+
+def _placed(part: str, name: str, vertices: Floats, faces: Ints, bodies: Ints) -> tuple[str, str, Floats, Ints, Floats]:
+    return part, name, vertices, faces, box_coordinates(vertices, faces, bodies, turned=True)
 
 
 def _vec(values: Floats) -> tuple[float, float, float]:
@@ -128,7 +146,8 @@ def _from_glb(asset: Asset) -> list[MeshPart]:
     for number, (geometry, p) in enumerate(zip(geometries, points, strict=True)):
         fitted = (p - (low + high) / 2) * scale
         faces = np.asarray(geometry.faces, dtype=np.int64)
-        out.append(MeshPart(f"part_{number + 1}", fitted, faces, _glb_material(geometry, asset)))
+        coordinates = box_coordinates(fitted, faces, np.zeros(1, dtype=np.int64), turned=False)
+        out.append(MeshPart(f"part_{number + 1}", fitted, faces, _glb_material(geometry, asset), coordinates))
     return out
 
 

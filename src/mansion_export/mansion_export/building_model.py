@@ -7,6 +7,7 @@ from shapely.geometry import Polygon
 
 from mansion_assets.catalogue import Catalogue, load_catalogue
 from mansion_assets.catalogue.palette import PbrMaterial
+from mansion_assets.materials import set_of
 from mansion_export.core_meshes import core_parts
 from mansion_export.materials import hex_color, named, surface_material
 from mansion_export.model import Material, Model, Node, Part, Surface, assemble
@@ -209,7 +210,10 @@ def asset_surfaces(key: str, catalogue: Catalogue, color: str) -> tuple[Surface,
     asset = catalogue.asset(key)
     return tuple(
         Surface(
-            _material(part.material, color if part.material.name == asset.material else ""), part.vertices, part.faces
+            _material(part.material, color if part.material.name == asset.material else ""),
+            part.vertices,
+            part.faces,
+            part.coordinates,
         )
         for part in mesh(asset)
     )
@@ -223,6 +227,7 @@ def _material(entry: PbrMaterial, color: str) -> Material:
         entry.roughness,
         entry.metallic,
         entry.emissive,
+        set_of(entry.name),
     )
 
 

@@ -15,9 +15,9 @@ function parseGlb(buffer) {
   const read = (index) => {
     const accessor = gltf.accessors[index];
     const bytes = gltf.bufferViews[accessor.bufferView];
-    const size = { SCALAR: 1, VEC3: 3 }[accessor.type];
+    const size = { SCALAR: 1, VEC2: 2, VEC3: 3 }[accessor.type];
     const Type = { 5126: Float32Array, 5123: Uint16Array, 5125: Uint32Array }[accessor.componentType];
-    return new Type(buffer, start + (bytes.byteOffset || 0), accessor.count * size);
+    return new Type(buffer, start + (bytes.byteOffset || 0) + (accessor.byteOffset || 0), accessor.count * size);
   };
   return { gltf, read };
 }
