@@ -44,9 +44,10 @@ def tones(value: Floats, warmth: float = 0.0) -> Floats:
 
 
 def mixed(a: Floats, b: Floats, share: Floats) -> Floats:
-    """Return `a` where `share` is 0 and `b` where it is 1."""
-    weight = share[..., None] if share.ndim == 2 and max(a.ndim, b.ndim) != 2 else share
-    return a * (1.0 - weight) + b * weight
+    """Return `a` where `share`, one number a texel, is 0, and `b` where it is 1."""
+    weight: Floats = share[..., None] if a.ndim == 3 else share
+    blend: Floats = a * (1.0 - weight) + b * weight
+    return blend
 
 
 def smooth_step(value: Floats, low: float, high: float) -> Floats:
