@@ -23,9 +23,9 @@ def bricks(canvas: Canvas, brick: str, mortar: str, variety: float = 0.22) -> La
     return Layers(mixed(face, joint, gap), height, 1.0 + 0.05 * grit, own_colours=True)
 
 
-def concrete(canvas: Canvas, stains: float = 0.05, pores: float = 1.0) -> Layers:
+def concrete(canvas: Canvas, stains: float = 0.035, pores: float = 1.0) -> Layers:
     """Cast concrete: stains of the formwork, and pores."""
-    cloud = canvas.clouds("cloud", 0.5, 5)
+    cloud = canvas.clouds("cloud", 0.22, 5)
     grain = canvas.noise("grain", (0.004, 0.004))
     holes = cells(canvas, "pores", 0.045)
     reach = 0.004 * canvas.chances("reach", holes.number) - 0.0015

@@ -9,7 +9,7 @@ from mansion_assets.materials.layers import Layers, smooth_step, tones
 __all__ = ["carpet", "leather", "towelling", "weave"]
 
 
-def weave(canvas: Canvas, thread: float, over: int = 1, slub: float = 0.06) -> Layers:
+def weave(canvas: Canvas, thread: float, over: int = 1, slub: float = 0.1) -> Layers:
     """Woven cloth: plain where a thread goes over one thread, twill over two.
 
     Parameters
@@ -31,7 +31,8 @@ def weave(canvas: Canvas, thread: float, over: int = 1, slub: float = 0.06) -> L
     sunk = 1.0 - 0.35 * (2 * np.where(upright, b, a)) ** 2
     warp, weft = canvas.chances("warp", i), canvas.chances("weft", j)
     dyed = np.where(upright, warp, weft) - 0.5 + 0.25 * canvas.noise("fibre", (0.003, 0.003))
-    value = 0.72 + 0.3 * round_ * sunk + slub * dyed
+    melange = canvas.noise("melange", (0.03, 0.008)) + canvas.noise("melange across", (0.008, 0.03))
+    value = 0.72 + 0.3 * round_ * sunk + slub * dyed + 0.022 * melange
     return Layers(tones(value), 0.35 * thread * round_ * sunk, np.ones(canvas.shape))
 
 
@@ -61,6 +62,6 @@ def leather(canvas: Canvas) -> Layers:
     """Grained leather: small pebbles parted by creases."""
     pieces = cells(canvas, "pebbles", 0.0045)
     crease = 1.0 - smooth_step(pieces.edge, 0.0, 0.0011)
-    broad = canvas.clouds("broad", 0.08, 3)
+    broad = canvas.clouds("broad", 0.05, 3)
     value = 1.0 - 0.2 * crease + 0.03 * broad + 0.04 * (canvas.chances("tone", pieces.number) - 0.5)
     return Layers(tones(value, 0.2), 0.0004 * (1.0 - crease), 1.0 + 0.25 * crease)

@@ -21,7 +21,7 @@ def _grain(canvas: Canvas, ring: float) -> tuple[Floats, Floats]:
     return rings, np.clip(fibres / 2.0, -1.0, 1.0)
 
 
-def veneer(canvas: Canvas, ring: float = 0.022, contrast: float = 0.16) -> Layers:
+def veneer(canvas: Canvas, ring: float = 0.03, contrast: float = 0.13) -> Layers:
     """Sawn or veneered wood, its grain along x."""
     rings, fibres = _grain(canvas, ring)
     value = 1.0 - contrast * (0.5 * rings + 0.55 * fibres) + 0.03 * canvas.noise("broad", (0.6, 0.1))
