@@ -17,12 +17,12 @@ from mansion_export.renderer import View, bounds, flatten, project, render
 TILE = 180
 COLUMNS = 8
 SUPERSAMPLING = 2
-VIEW = View(azimuth=55.0, elevation=28.0)
+VIEW = View(azimuth=-125.0, elevation=28.0)
 
 
 def draw(asset: Asset, catalogue: Catalogue, size: int) -> Image.Image:
     """Draw an asset as large as fits a tile."""
-    part = Node("asset", "asset", "objects"), asset_surfaces(asset.key, catalogue, "")
+    part = Node("asset", "asset", "objects", rotation=180.0), asset_surfaces(asset.key, catalogue, "")
     triangles = flatten(assemble(asset.key, 1, 0.0, [part]))
     low, high = bounds(project(triangles.corners, VIEW.axes()))
     scale = SUPERSAMPLING * (size - 16) / max(float((high - low)[:2].max()), 1e-9)

@@ -42,7 +42,7 @@ def test_a_tile_goes_on_over_its_borders_as_within(name: str) -> None:
 @pytest.mark.parametrize("name", set_names())
 def test_a_set_has_its_size_in_texels_and_keeps_the_colour_that_it_is_given(name: str) -> None:
     chosen, made = material_set(name), texture_set(name)
-    base = np.asarray(Image.open(io.BytesIO(made.base)))
+    base = np.asarray(Image.open(io.BytesIO(made.base)).convert("RGB"))
     assert base.shape == (chosen.pixels[1], chosen.pixels[0], 3)
     assert all(64 <= density <= 2100 for density in chosen.density)
     if not made.own_colours:

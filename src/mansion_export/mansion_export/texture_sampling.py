@@ -78,7 +78,7 @@ def _over_mean(name: str) -> Floats:
     from PIL import Image
 
     made = texture_set(name)
-    pixels = np.asarray(Image.open(io.BytesIO(made.base)), dtype=np.float64) / 255.0
+    pixels = np.asarray(Image.open(io.BytesIO(made.base)).convert("RGB"), dtype=np.float64) / 255.0
     over: Floats = pixels / np.array(made.level)
     return over
 

@@ -158,7 +158,8 @@ def _bytes(values: Floats) -> Pixels:
 def _jpeg(pixels: Pixels, shrink: int = 1) -> bytes:
     from PIL import Image
 
-    image = Image.fromarray(pixels)
+    grey = bool((pixels == pixels[..., :1]).all())
+    image = Image.fromarray(pixels[..., 0] if grey else pixels)
     buffer = io.BytesIO()
     (image.reduce(shrink) if shrink > 1 else image).save(buffer, format="JPEG", quality=QUALITY, subsampling=2)
     return buffer.getvalue()

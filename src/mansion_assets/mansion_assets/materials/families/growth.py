@@ -35,4 +35,4 @@ def soil(canvas: Canvas) -> Layers:
 def skin(canvas: Canvas) -> Layers:
     """Fruit, bread and other food: mottled."""
     spots = canvas.clouds("spots", 0.02, 3)
-    return Layers(tones(1.0 + 0.06 * spots, 0.3), 0.0002 * spots, 1.0 + 0.1 * spots)
+    return Layers(tones(1.0 + 0.03 * spots, 0.3), 0.0002 * spots, 1.0 + 0.1 * spots)

@@ -34,11 +34,11 @@ def concrete(canvas: Canvas, stains: float = 0.035, pores: float = 1.0) -> Layer
     return Layers(tones(value, 0.1), 0.0001 * grain - 0.0015 * pore, 1.0 + 0.08 * cloud)
 
 
-def plaster(canvas: Canvas, grain: float = 0.004, depth: float = 0.0002, contrast: float = 0.012) -> Layers:
+def plaster(canvas: Canvas, grain: float = 0.008, depth: float = 0.00012, contrast: float = 0.007) -> Layers:
     """Plaster, rolled paint or render: grains of `grain` metres, `depth` metres high."""
     bumps = canvas.noise("bumps", (grain, grain)) + 0.4 * canvas.noise("fine", (grain / 2.5, grain / 2.5))
-    broad = canvas.clouds("broad", 0.3, 3)
-    return Layers(tones(1.0 + contrast * (0.8 * bumps + 0.5 * broad)), depth * bumps, 1.0 + 0.02 * bumps)
+    broad = canvas.clouds("broad", 0.06, 2)
+    return Layers(tones(1.0 + contrast * (0.8 * bumps + 0.35 * broad)), depth * bumps, 1.0 + 0.02 * bumps)
 
 
 def wallpaper(canvas: Canvas, stripe: float = 0.06, contrast: float = 0.07) -> Layers:

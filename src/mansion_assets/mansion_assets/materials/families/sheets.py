@@ -27,7 +27,7 @@ def flakes(canvas: Canvas, size: float = 0.006, contrast: float = 0.1, width: fl
     lot = canvas.chances("flake", pieces.number)
     seen = 1.0 - smooth_step(pieces.along, 0.25 * size, 0.45 * size)
     value = 1.0 + contrast * seen * np.where(lot > 0.7, -1.0, np.where(lot < 0.25, 0.6, 0.0))
-    value += 0.01 * canvas.clouds("broad", 0.3, 3)
+    value += 0.008 * canvas.clouds("broad", 0.1, 3)
     height = np.zeros(canvas.shape)
     if width:
         seam = 1.0 - smooth_step(courses(canvas, canvas.size[0], width).across, 0.001, 0.004)

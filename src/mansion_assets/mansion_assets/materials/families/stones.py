@@ -24,12 +24,12 @@ def marble(canvas: Canvas, length: float = 0.0, veins: float = 0.2) -> Layers:
     return Layers(tones(value, -0.08), height, rough)
 
 
-def granite(canvas: Canvas, contrast: float = 0.2) -> Layers:
+def granite(canvas: Canvas, contrast: float = 0.15) -> Layers:
     """Granite: light and dark crystals of a few millimetres."""
-    pieces = cells(canvas, "crystals", 0.005)
+    pieces = cells(canvas, "crystals", 0.0035)
     crystal = canvas.chances("crystal", pieces.number)
     dark = (canvas.chances("mica", pieces.number) > 0.86) * 1.0
-    value = 1.0 + contrast * (crystal - 0.5) - 1.6 * contrast * dark + 0.04 * canvas.clouds("broad", 0.15, 3)
+    value = 1.0 + contrast * (crystal - 0.5) - 1.6 * contrast * dark + 0.04 * canvas.clouds("broad", 0.04, 2)
     return Layers(tones(value), np.zeros(canvas.shape), 1.0 + 0.2 * (crystal - 0.5))
 
 
@@ -76,5 +76,5 @@ def gravel(canvas: Canvas) -> Layers:
     pieces = cells(canvas, "pebbles", 0.024)
     round_ = smooth_step(pieces.edge, 0.0, 0.007)
     tone = 0.5 * (canvas.chances("tone", pieces.number) - 0.5)
-    value = (1.0 + tone) * (0.62 + 0.38 * round_) + 0.05 * canvas.clouds("broad", 0.4, 3)
+    value = (1.0 + tone) * (0.62 + 0.38 * round_) + 0.05 * canvas.clouds("broad", 0.1, 2)
     return Layers(tones(value, 0.15), 0.006 * round_, np.ones(canvas.shape))

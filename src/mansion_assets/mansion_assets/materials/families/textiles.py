@@ -49,7 +49,7 @@ def carpet(canvas: Canvas, tuft: float = 0.006, contrast: float = 0.16, tile: fl
     pieces = cells(canvas, "tufts", tuft)
     loop = 1.0 - smooth_step(pieces.along, 0.0, 0.75 * tuft)
     dyed = canvas.chances("dye", pieces.number) - 0.5
-    value = 1.0 - contrast * (0.75 - loop) + contrast * 1.1 * dyed + 0.03 * canvas.clouds("trodden", 0.3, 3)
+    value = 1.0 - contrast * (0.75 - loop) + contrast * 1.1 * dyed + 0.02 * canvas.clouds("trodden", 0.12, 3)
     if tile:
         x, y = canvas.places
         turned = (np.floor(x / tile).astype(np.int64) + np.floor(y / tile).astype(np.int64)) % 2

@@ -35,7 +35,7 @@ def square(
     """Rectangular tiles in rows, every other row moved by `shift` of a length."""
     pieces = courses(canvas, length, width, (0.0, shift) if shift else (0.0,))
     tone = 1.0 + variety * (canvas.chances("tone", pieces.number) - 0.5)
-    return _grouted(canvas, pieces, tones(tone, 0.2), grout, grey, cloud)
+    return _grouted(canvas, pieces, tones(tone), grout, grey, cloud)
 
 
 def checkerboard(canvas: Canvas, length: float, light: float = 1.28, dark: float = 0.3) -> Layers:
