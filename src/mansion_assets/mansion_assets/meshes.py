@@ -9,8 +9,9 @@ import numpy as np
 from mansion_assets.builder import Box, Builder, Piece
 from mansion_assets.catalogue import Asset
 from mansion_assets.catalogue.palette import PbrMaterial, material
+from mansion_assets.materials.sets import material_set, set_of
 from mansion_assets.registry import recipe_named
-from mansion_assets.texture_coordinates import box_coordinates
+from mansion_assets.texture_coordinates import box_coordinates, fitted_coordinates
 from mansion_geometry.compiled import Floats, Ints
 from mansion_msgs_py.errors import ErrorCode, MansionError
 
@@ -113,6 +114,9 @@ def _first_faces(piece: Piece) -> Ints:
 
 
 def _placed(part: str, name: str, vertices: Floats, faces: Ints, bodies: Ints) -> tuple[str, str, Floats, Ints, Floats]:
+    texture = set_of(name)
+    if texture and material_set(texture).fitted:
+        return part, name, vertices, faces, fitted_coordinates(vertices, faces, bodies)
     return part, name, vertices, faces, box_coordinates(vertices, faces, bodies, turned=True)
 
 

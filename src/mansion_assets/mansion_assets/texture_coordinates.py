@@ -4,7 +4,7 @@ import numpy as np
 
 from mansion_geometry.compiled import Floats, Ints, kernel
 
-__all__ = ["box_coordinates"]
+__all__ = ["box_coordinates", "fitted_coordinates"]
 
 
 @kernel
@@ -43,6 +43,32 @@ def box_coordinates(vertices: Floats, faces: Ints, bodies: Ints, turned: bool) -
                     u, v = v, -u
                 found[f, corner, 0] = u + u0
                 found[f, corner, 1] = v + v0
+    return found
+
+
+@kernel
+def fitted_coordinates(vertices: Floats, faces: Ints, bodies: Ints) -> Floats:
+    """Return coordinates from 0 to 1 over each side of each body, so that it is filled by one picture.
+
+    Parameters and result are those of `box_coordinates`.
+    """
+    found = box_coordinates(vertices, faces, bodies, False)
+    for body in range(len(bodies)):
+        first = bodies[body]
+        last = bodies[body + 1] if body + 1 < len(bodies) else len(faces)
+        low, high = np.full((6, 2), np.inf), np.full((6, 2), -np.inf)
+        sides = np.empty(last - first, dtype=np.int64)
+        for f in range(first, last):
+            axis, sign = _facing(vertices, faces, f)
+            side = 2 * axis + (1 if sign > 0.0 else 0)
+            sides[f - first] = side
+            for k in range(2):
+                low[side, k] = min(low[side, k], found[f, :, k].min())
+                high[side, k] = max(high[side, k], found[f, :, k].max())
+        for f in range(first, last):
+            side = sides[f - first]
+            for k in range(2):
+                found[f, :, k] = (found[f, :, k] - low[side, k]) / max(high[side, k] - low[side, k], 1e-9)
     return found
 
 

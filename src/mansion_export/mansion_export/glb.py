@@ -176,12 +176,12 @@ class _Writer:
                 "roughnessFactor": material.roughness,
             }
             content: Json = {"name": material.name, "pbrMetallicRoughness": pbr}
-            if material.texture:
-                content = self.textures.dressed(material, content)
             if material.alpha < 1.0:
                 content |= {"alphaMode": "BLEND", "doubleSided": True}
             if material.emission > 0.0:
                 content["emissiveFactor"] = [round(material.emission * c, 6) for c in linear(material.color)]
+            if material.texture:
+                content = self.textures.dressed(material, content)
             self.materials.append(content)
             self._material_index[material] = len(self.materials) - 1
         return self._material_index[material]

@@ -41,6 +41,8 @@ class Textures:
             "roughnessFactor": round(min(1.0, material.roughness / made.roughness), 4),
         }
         content = {**plain, "pbrMetallicRoughness": pbr, "occlusionTexture": surface}
+        if material.emission > 0.0:
+            content |= {"emissiveTexture": color, "emissiveFactor": [round(material.emission, 6)] * 3}
         if made.normal:
             content["normalTexture"] = {"index": self._texture(f"{material.texture}_normal", made.normal)}
         return content

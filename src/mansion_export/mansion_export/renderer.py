@@ -13,7 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from mansion_export.model import Mesh, Model, Node
-from mansion_export.texture_sampling import sampled, texture_number, tiles_at
+from mansion_export.texture_sampling import base_color, sampled, texture_number, tiles_at
 from mansion_geometry.compiled import Bools, Floats, Ints, kernel
 
 __all__ = ["Triangles", "View", "bounds", "flatten", "project", "render"]
@@ -112,7 +112,7 @@ def _triangles(mesh: Mesh) -> Triangles:
         return Triangles.join([])
     return Triangles(
         np.concatenate([surface.vertices[surface.faces] for surface in mesh.surfaces]),
-        np.repeat([surface.material.color for surface in mesh.surfaces], counts, axis=0),
+        np.repeat([base_color(surface.material) for surface in mesh.surfaces], counts, axis=0),
         np.repeat([surface.material.alpha for surface in mesh.surfaces], counts),
         np.repeat([texture_number(surface.material.texture) for surface in mesh.surfaces], counts),
         np.concatenate([surface.coordinates for surface in mesh.surfaces]),

@@ -7,9 +7,10 @@ from functools import cache
 import numpy as np
 
 from mansion_assets.materials import material_set, set_names, texture_set
+from mansion_export.model import Material
 from mansion_geometry.compiled import Floats, Ints, kernel
 
-__all__ = ["Tiles", "sampled", "texture_number", "tiles_at"]
+__all__ = ["Tiles", "base_color", "sampled", "texture_number", "tiles_at"]
 
 
 @cache
@@ -18,9 +19,15 @@ def texture_number(name: str) -> int:
     return set_names().index(name) if name else -1
 
 
+def base_color(material: Material) -> tuple[float, float, float]:
+    """Return what to multiply texels with: the material's colour, white where the texture has colours of its own."""
+    own = material.texture and texture_set(material.texture).own_colours
+    return (1.0, 1.0, 1.0) if own else material.color
+
+
 @dataclass(frozen=True, slots=True)
 class Tiles:
-    """Base colours of several sets over their mean, so that a material's own colour times a texel is what is seen.
+    """Base colours of several sets, which `base_color` times a texel is what is seen of a material.
 
     Attributes
     ----------
@@ -64,8 +71,8 @@ def tiles_at(numbers: Ints, scale: float) -> Tiles:
 
 @cache
 def _shrunk(name: str, halved_across: int, halved_down: int) -> Floats:
-    """Return a set's base colour over its mean, (rows, columns, 3), halved some times each way."""
-    tile = _over_mean(name)
+    """Return a set's texels, (rows, columns, 3), halved some times each way."""
+    tile = _texels(name)
     rows, columns = tile.shape[:2]
     down, across = min(2**halved_down, rows), min(2**halved_across, columns)
     whole = tile[: rows // down * down, : columns // across * across]
@@ -74,13 +81,14 @@ def _shrunk(name: str, halved_across: int, halved_down: int) -> Floats:
 
 
 @cache
-def _over_mean(name: str) -> Floats:
+def _texels(name: str) -> Floats:
+    """Return a set's base colour, over its mean unless the colours are its own."""
     from PIL import Image
 
     made = texture_set(name)
     pixels = np.asarray(Image.open(io.BytesIO(made.base)).convert("RGB"), dtype=np.float64) / 255.0
-    over: Floats = pixels / np.array(made.level)
-    return over
+    texels: Floats = pixels if made.own_colours else pixels / np.array(made.level)
+    return texels
 
 
 @kernel

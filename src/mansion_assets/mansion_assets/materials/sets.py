@@ -24,12 +24,15 @@ class MaterialSet(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     pixels : (columns, rows)
     parameters : dict
         Of the procedure.
+    fitted : bool
+        Whether one tile fills each body that shows it, as a painting its canvas; its size is then 1 by 1.
     """
 
     procedure: str
     size: tuple[float, float]
     pixels: tuple[int, int] = (256, 256)
     parameters: dict[str, Any] = {}
+    fitted: bool = False
 
     @property
     def density(self) -> tuple[float, float]:

@@ -40,8 +40,8 @@ def towelling(canvas: Canvas) -> Layers:
     """Soft pile: towels, bedding and plush."""
     loops = canvas.noise("loops", (0.0022, 0.0022))
     folds = canvas.clouds("folds", 0.12, 3)
-    value = 1.0 + 0.05 * loops + 0.025 * folds
-    return Layers(tones(value), 0.0005 * loops + 0.002 * folds, np.ones(canvas.shape))
+    value = 1.0 + 0.04 * loops + 0.01 * folds
+    return Layers(tones(value), 0.0004 * loops + 0.0006 * folds, np.ones(canvas.shape))
 
 
 def carpet(canvas: Canvas, tuft: float = 0.006, contrast: float = 0.16, tile: float = 0.0) -> Layers:

@@ -63,7 +63,7 @@ void main() {
   float sky = 0.5 + 0.5 * n.y;
   float front = max(dot(n, eye), 0.0);
   vec3 light = vec3(0.44, 0.46, 0.5) + 0.16 * sky + 0.30 * sun * vec3(1.0, 0.97, 0.92) + 0.16 * front;
-  vec3 lit = base * light + emission;
+  vec3 lit = base * light + (textured.x > 0.5 ? emission * base : emission);
   if (!gl_FrontFacing && cut < 4.9) lit *= 0.45;
   if (abs(number - chosen) < 0.5) lit = mix(lit, vec3(1.0, 0.55, 0.1), 0.6);
   shown = vec4(pow(lit, vec3(1.0 / 2.2)), color.a);
