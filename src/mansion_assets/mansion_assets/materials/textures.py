@@ -21,6 +21,9 @@ from mansion_msgs_py.files import write_atomic
 
 __all__ = ["TextureSet", "draw", "texture_set"]
 
+STEEP = 0.9995
+"""Upward part of the normal of a slope of 1 in 30; flatter reliefs are few steps of a byte, and left out."""
+
 Pixels = npt.NDArray[np.uint8]
 
 QUALITY = 85
@@ -113,6 +116,7 @@ def _encoded(chosen: MaterialSet, layers: Layers) -> TextureSet:
     # The brightest places of a shade become white, so that a tint never needs to be above 1 for the colours in use.
     shade = layers.shade if layers.own_colours else layers.shade / max(float(np.quantile(layers.shade, 0.998)), 1e-6)
     base = _bytes(shade)
+    relief = normals(layers.height, chosen)
     occlusion = _occlusion(layers.height, chosen)
     rough = np.clip(0.8 * layers.roughness, 0.0, 1.0)
     packed = _bytes(np.stack([occlusion, rough, np.ones_like(rough)], axis=-1))
@@ -121,7 +125,7 @@ def _encoded(chosen: MaterialSet, layers: Layers) -> TextureSet:
         level=_mean(base),
         own_colours=layers.own_colours,
         base=_jpeg(base),
-        normal=_jpeg(_bytes(0.5 + 0.5 * normals(layers.height, chosen))) if np.ptp(layers.height) > 1e-6 else b"",
+        normal=_jpeg(_bytes(0.5 + 0.5 * relief)) if (relief[..., 2] < STEEP).any() else b"",
         surface=_jpeg(packed, shrink=2),
         roughness=round(float(packed[..., 1].mean()) / 255.0, 6),
     )

@@ -15,7 +15,7 @@ def brushed(canvas: Canvas, contrast: float = 0.05) -> Layers:
     return Layers(tones(1.0 + contrast * lines), 0.00001 * lines, 1.0 + 0.18 * lines)
 
 
-def grained(canvas: Canvas, grain: float = 0.0015, depth: float = 0.00006, contrast: float = 0.012) -> Layers:
+def grained(canvas: Canvas, grain: float = 0.0015, depth: float = 0.00004, contrast: float = 0.012) -> Layers:
     """Moulded plastic, powder coat, lacquer or glaze: bumps of `grain` metres."""
     bumps = canvas.noise("bumps", (grain, grain))
     return Layers(tones(1.0 + contrast * bumps), depth * bumps, 1.0 + 0.06 * bumps)
