@@ -104,3 +104,10 @@ def test_a_build_with_faults_does_not_end_with_success(tmp_path: Path, monkeypat
     result = CliRunner().invoke(app, ["build", "a small flat", "-o", str(tmp_path / "flat"), "--jobs", "1"])
     assert result.exit_code == 1
     assert "does not pass `mansion check`" in result.stderr
+
+
+def test_storeys_that_are_alike_pass_the_check_of_the_build(tmp_path: Path) -> None:
+    request = BuildRequest(description="a hostel of three storeys, 150 m2 each; floors 2 and 3 are identical")
+    built = build_building(request, tmp_path / "hostel")
+    assert [floor.copy for floor in built.building.program.floors] == [None, None, 2]
+    assert built.report.faults == []

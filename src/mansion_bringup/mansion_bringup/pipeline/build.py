@@ -185,7 +185,10 @@ def _solve(job: _Job, workspace: Workspace, executors: BuildExecutors, plan: Pla
             workspace.write({f"{floor_directory(floor)}/layout.json": data})
             job.timed("solve_floor", seconds)
         job.step("solve_floor", f"floor {floor} laid out", floor, done=1)
-    return [layouts[source_floor(plan, index)] for index in range(len(plan.program.floors))]
+    return [
+        msgspec.structs.replace(layouts[source_floor(plan, index)], floor=floor.index)
+        for index, floor in enumerate(plan.program.floors)
+    ]
 
 
 def _solve_task(stages: Stages | None, plan: PlanReply, index: int) -> tuple[bytes, float]:
@@ -220,7 +223,6 @@ def _furnish_task(
     stages: Stages | None, exporter: Executor | None, plan: PlanReply, layout: FloorLayout, index: int
 ) -> tuple[dict[str, bytes], float, float]:
     started = time.perf_counter()
-    layout = msgspec.structs.replace(layout, floor=plan.program.floors[index].index)
     scene = furnish(stages or LocalStages(), plan, layout, index)
     furnished = time.perf_counter()
     files = at_stage(
