@@ -13,8 +13,8 @@ from shapely.geometry import Point, Polygon, box
 from shapely.ops import unary_union
 
 from mansion_assets.catalogue import load_catalogue
-from mansion_assets.materials import material_set, set_of, texture_set
-from mansion_export.building_model import asset_surfaces, floor_model
+from mansion_assets.materials import art, material_set, set_of, texture_set
+from mansion_export.building_model import asset_surfaces, floor_model, object_parts
 from mansion_export.glb import building_glb, floor_glb
 from mansion_export.html import view_page
 from mansion_export.mjcf import floor_mjcf
@@ -270,6 +270,19 @@ def _read(document, binary, index):
     start = document["bufferViews"][accessor["bufferView"]]["byteOffset"] + accessor["byteOffset"]
     width = {"VEC2": 2, "VEC3": 3}[accessor["type"]]
     return np.frombuffer(binary, np.float32, accessor["count"] * width, start).reshape(-1, width)
+
+
+def test_paintings_of_one_asset_show_several_pictures_each_the_same_every_time(ground):
+    key = next(a.key for a in load_catalogue().by_category("painting"))
+    wall = [msgspec.structs.replace(ground.objects[0], id=f"F1/hub/painting_{k}", asset=key) for k in range(12)]
+    parts = [list(object_parts(msgspec.structs.replace(ground, objects=wall))) for _ in range(2)]
+    shown = [{s.material.texture for s in surfaces} & _pictures() for _, surfaces in parts[0]]
+    assert all(len(each) == 1 for each in shown) and len(set.union(*shown)) >= 4
+    assert [node.mesh for node, _ in parts[0]] == [node.mesh for node, _ in parts[1]]
+
+
+def _pictures():
+    return {set_of(name) for name in art()}
 
 
 def test_an_object_painted_red_keeps_its_grain_and_turns_red(ground):

@@ -258,11 +258,13 @@ def _lowered(triangles: Triangles) -> Triangles:
     """Bring corners above `CUT` down to it, and their places on textures with them."""
     corners, coordinates = triangles.corners.copy(), triangles.coordinates.copy()
     fall = np.minimum(CUT - corners[..., 2], 0.0)
-    some = (fall < 0.0).any(axis=1)
+    some = (fall < 0.0).any(axis=1) & (triangles.textures >= 0)
     sides, laid = (values[some][:, 1:] - values[some][:, :1] for values in (corners, coordinates))
-    # How far a place moves on its texture with each metre up, from the sides of the triangle and their gram matrix.
-    gram = sides @ sides.transpose(0, 2, 1) + 1e-12 * np.eye(2)
-    rise = np.einsum("ki,kij,kjl->kl", sides[:, :, 2], np.linalg.inv(gram), laid)
+    # How far a place moves on its texture with each metre up: least squares over the two sides of the triangle.
+    (aa, ab), (_, bb) = np.einsum("kix,kjx->ijk", sides, sides)
+    a, b = sides[:, 0, 2], sides[:, 1, 2]
+    weights = np.stack([bb * a - ab * b, aa * b - ab * a], axis=1) / np.maximum(aa * bb - ab * ab, 1e-12)[:, None]
+    rise = np.einsum("ki,kil->kl", weights, laid)
     coordinates[some] += fall[some][..., None] * rise[:, None]
     corners[..., 2] += fall
     return replace(triangles, corners=corners, coordinates=coordinates)

@@ -409,7 +409,7 @@ def _shade_pixels(
             dark += _HOLLOW * _occlusion(depth, y, x, reach, 4.0)
             shade *= 1.0 - 0.5 * dark
             texel = (1.0, 1.0, 1.0)
-            if textures[k] >= 0:
+            if textures[k] >= 0 and frames[textures[k], 1] > 0:
                 s, t = _place_on_tile(corners[k], coordinates[k], x + 0.5, y + 0.5)
                 texel = sampled(texels, frames[textures[k]], sizes[textures[k]], s, t)
             for channel in range(3):

@@ -13,6 +13,10 @@ from mansion_geometry.compiled import Floats, Ints, kernel
 __all__ = ["Tiles", "base_color", "sampled", "texture_number", "tiles_at"]
 
 
+SEEN = 0.02
+"""How far a texel is from the mean at least, to be seen."""
+
+
 @cache
 def texture_number(name: str) -> int:
     """Return the number of a set of textures, -1 for none."""
@@ -34,7 +38,7 @@ class Tiles:
     texels : (n, 3) array
         Row by row, one tile after the other.
     frames : (sets, 3) array of int
-        For each set by its number: its first texel, columns and rows.
+        For each set by its number: its first texel, columns and rows; no columns where nothing of it is seen.
     sizes : (sets, 2) array
         Width and height of each tile, metres.
     """
@@ -62,6 +66,8 @@ def tiles_at(numbers: Ints, scale: float) -> Tiles:
         chosen = material_set(names[number])
         steps = [max(0, int(np.log2(max(density / scale, 1.0)))) for density in chosen.density]
         tile = _shrunk(names[number], *steps)
+        if np.abs(tile - 1.0).max() < SEEN:
+            continue
         frames[number] = (first, tile.shape[1], tile.shape[0])
         sizes[number] = chosen.size
         parts.append(tile.reshape(-1, 3))

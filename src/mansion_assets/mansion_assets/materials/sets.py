@@ -7,7 +7,7 @@ from typing import Any, Final
 
 import msgspec
 
-__all__ = ["MaterialSet", "material_set", "set_names", "set_of"]
+__all__ = ["MaterialSet", "art", "material_set", "set_names", "set_of"]
 
 _DATA: Final = files("mansion_assets.materials").joinpath("data/sets.toml")
 
@@ -41,8 +41,9 @@ class MaterialSet(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class _Registry(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """The data file: sets by name, and the set of each material, or of each family ``family_colour``."""
+    """The data file: sets by name, and the set of each material, or of each family ``family_colour``; see `art`."""
 
+    art: tuple[str, ...]
     sets: dict[str, MaterialSet]
     materials: dict[str, str]
     families: dict[str, str]
@@ -56,6 +57,11 @@ def _registry() -> _Registry:
 def set_names() -> list[str]:
     """Return the names of all sets, in the order of the data."""
     return list(_registry().sets)
+
+
+def art() -> tuple[str, ...]:
+    """Return the materials of paintings and prints, of which each painting shows one."""
+    return _registry().art
 
 
 def material_set(name: str) -> MaterialSet:

@@ -3,13 +3,10 @@
 import zlib
 
 from mansion_assets.builder import Builder
+from mansion_assets.materials.sets import art
 from mansion_assets.registry import recipe
 
 __all__: list[str] = []
-
-
-_ART = ("meadow", "circles", "fields", "botanical", "sea", "city", "blocks", "dusk", "night")
-_PRINTS = ("chart", "city", "botanical", "circles", "dusk", "night")
 
 
 def _shown(b: Builder, face: str) -> str:
@@ -18,9 +15,8 @@ def _shown(b: Builder, face: str) -> str:
         return "picture_map"
     if face != "art":
         return face
-    choice = _PRINTS if b.d <= 0.012 else _ART
     look = f"{b.mat()} {b.w:.3f} {b.h:.3f}"
-    return f"picture_{choice[zlib.crc32(look.encode()) % len(choice)]}"
+    return art()[zlib.crc32(look.encode()) % len(art())]
 
 
 def _face(b: Builder, face: str, x: tuple[float, float], z: tuple[float, float], y: float) -> None:
