@@ -107,3 +107,9 @@ def test_every_format_can_be_imported_and_stands_on_the_page(entry):
     assert row[1] == entry.title
     assert re.findall(r"`([^`]+)`", row[3]) == paths
     assert re.findall(r"`([^`]+)`", row[4]) == built
+
+
+def test_joints_are_made_where_a_format_has_them_and_refused_elsewhere(tmp_path):
+    assert [name for name, entry in export_formats().items() if entry.jointed] == ["mjcf", "sdf", "usd"]
+    with pytest.raises(MansionError, match="plan has no joints; use one of mjcf, sdf, usd"):
+        write_export(tmp_path, export_formats()["plan"], articulated=True)

@@ -4,7 +4,7 @@ import numpy as np
 
 from mansion_geometry.compiled import Floats, Ints, kernel
 
-__all__ = ["box_coordinates", "fitted_coordinates"]
+__all__ = ["box_coordinates", "fitted_coordinates", "slope_coordinates"]
 
 
 @kernel
@@ -69,6 +69,19 @@ def fitted_coordinates(vertices: Floats, faces: Ints, bodies: Ints) -> Floats:
             side = sides[f - first]
             for k in range(2):
                 found[f, :, k] = (found[f, :, k] - low[side, k]) / max(high[side, k] - low[side, k], 1e-9)
+    return found
+
+
+def slope_coordinates(vertices: Floats, faces: Ints) -> Floats:
+    """Return coordinates as of `box_coordinates` in true size on any slope: along its level lines, and up it."""
+    corners = vertices[faces]
+    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    level = np.stack([-normals[:, 1], normals[:, 0], np.zeros(len(faces))], axis=1)
+    level[np.linalg.norm(level, axis=1) < 1e-9] = (1.0, 0.0, 0.0)
+    level /= np.linalg.norm(level, axis=1, keepdims=True)
+    up = np.cross(normals, level)
+    up /= np.maximum(np.linalg.norm(up, axis=1, keepdims=True), 1e-12)
+    found: Floats = np.stack([np.einsum("fkx,fx->fk", corners, axis) for axis in (level, up)], axis=-1)
     return found
 
 

@@ -30,7 +30,7 @@ def format_named(name: str) -> Format:
     return formats[name]
 
 
-def write_export(building: Path, to: Format, output: Path | None = None) -> list[Path]:
+def write_export(building: Path, to: Format, output: Path | None = None, *, articulated: bool = False) -> list[Path]:
     """Write a building in a format, and return the files, those of the whole building first.
 
     Parameters
@@ -39,13 +39,23 @@ def write_export(building: Path, to: Format, output: Path | None = None) -> list
         The building's folder.
     output : Path, optional
         Folder to write; the building's own when absent.
+    articulated : bool
+        With joints for doors, drawers and lids.
+
+    Raises
+    ------
+    MansionError
+        ``UNAVAILABLE`` where the format has no joints.
     """
+    if articulated and not to.jointed:
+        known = ", ".join(name for name, each in export_formats().items() if each.jointed)
+        raise MansionError(ErrorCode.UNAVAILABLE, f"{to.name} has no joints; use one of {known}", path="$.to")
     read, target = BuildingFolder(building), output or building
     if to.extra:
         ensure_extra(to.extra)
     scenes = read.scenes()
     require_sound_shapes(scenes)
-    files = to.make(scenes)
+    files = to.make(scenes, articulated=articulated)
     for name, data in files.items():
         write_atomic(file_in(target, name), data)
     return [target / name for name in files]

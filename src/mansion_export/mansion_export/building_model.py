@@ -10,7 +10,9 @@ from mansion_assets.catalogue import Asset, Catalogue, load_catalogue
 from mansion_assets.catalogue.palette import PbrMaterial
 from mansion_assets.catalogue.palette import material as pbr_material
 from mansion_assets.materials import art, set_of
+from mansion_assets.meshes import MeshPart, mesh
 from mansion_export.core_meshes import core_parts
+from mansion_export.exterior import entrance_parts, plot_parts, roof_parts
 from mansion_export.materials import hex_color, named, surface_material
 from mansion_export.model import Material, Model, Node, Part, Surface, assemble
 from mansion_export.opening_meshes import door_parts, window_parts
@@ -19,9 +21,8 @@ from mansion_export.solids import Box, boxes_surface, polygon_surface
 from mansion_export.walls import WallBodies, wall_surfaces
 from mansion_msgs_py.scene import FloorScene, SceneObject, StairDetails
 from mansion_msgs_py.shapes import Ring
-from mansion_scene.structure.materials import facade_of
 
-__all__ = ["asset_surfaces", "building_models", "floor_model", "object_parts"]
+__all__ = ["asset_surfaces", "building_models", "floor_model", "object_parts", "part_surfaces"]
 
 FINISH = 0.02
 """Thickness of the floor finish on the slab, metres."""
@@ -32,7 +33,7 @@ def floor_model(
     *,
     ceilings: bool = True,
     cabins: frozenset[str] | None = None,
-    roof: bool = False,
+    outside: Sequence[Part] = (),
     catalogue: Catalogue | None = None,
 ) -> Model:
     """Make the model of a floor: structure, openings, cores and objects.
@@ -44,8 +45,8 @@ def floor_model(
         Leave them out, and what hangs from them, for a view from above.
     cabins : frozenset of str, optional
         Ids of the lifts whose cabin stands here; all when it is left out.
-    roof : bool
-        Put a flat roof on the floor.
+    outside : sequence of Part
+        What the floor shows to the street besides.
     catalogue : Catalogue, optional
         Where the assets are, when they are not all in the shipped one.
     """
@@ -58,22 +59,36 @@ def floor_model(
         *window_parts(scene),
         *core_parts(scene, cabins),
         *object_parts(scene, catalogue, ceilings=ceilings),
-        *(_roof(scene) if roof else ()),
+        *outside,
     ]
     return assemble(f"floor_{scene.floor}", scene.floor, scene.elevation, parts, floor_name(scene).capitalize())
 
 
 def building_models(
-    scenes: Sequence[FloorScene], *, ceilings: bool = True, catalogue: Catalogue | None = None
+    scenes: Sequence[FloorScene], *, ceilings: bool = True, site: bool = True, catalogue: Catalogue | None = None
 ) -> list[Model]:
-    """Make the models of all floors, lowest first; lifts wait on the lowest floor that is above ground."""
+    """Make the models of all floors, lowest first; lifts wait on the lowest floor that is above ground.
+
+    Parameters
+    ----------
+    ceilings : bool
+        Leave them out, and the roofs, for a view from above.
+    site : bool
+        With the plot around the building, and what stands before its doors.
+    """
     ordered = sorted(scenes, key=lambda scene: scene.floor)
     ground = next((s.floor for s in ordered if s.floor >= 1), ordered[-1].floor if ordered else 1)
     models = []
-    for scene in ordered:
+    for number, scene in enumerate(ordered):
         here = frozenset(core.id for core in scene.cores) if scene.floor == ground else frozenset()
-        top = ceilings and scene is ordered[-1]
-        models.append(floor_model(scene, ceilings=ceilings, cabins=here, roof=top, catalogue=catalogue))
+        outside: list[Part] = []
+        if ceilings:
+            above = ordered[number + 1] if number + 1 < len(ordered) else None
+            covered = None if above is None else _slab_polygon(above, above=False, openings=False)
+            outside += roof_parts(scene, _slab_polygon(scene, above=True, openings=above is not None), covered)
+        if site and scene.floor == 1:
+            outside += [*plot_parts(scene, _slab_polygon(scene, above=False, openings=False)), *entrance_parts(scene)]
+        models.append(floor_model(scene, ceilings=ceilings, cabins=here, outside=outside, catalogue=catalogue))
     return models
 
 
@@ -109,12 +124,12 @@ def _slab(scene: FloorScene) -> Iterator[Part]:
             yield node, [polygon_surface(Polygon(landing), -FINISH, 0.0, concrete)]
 
 
-def _slab_polygon(scene: FloorScene, *, above: bool) -> Polygon:
-    """Return the slab below or above a floor: the outer face of its walls less the holes of its cores."""
+def _slab_polygon(scene: FloorScene, *, above: bool, openings: bool = True) -> Polygon:
+    """Return the slab below or above a floor: the outer face of its walls, less the openings of its cores."""
     outer = max((wall.thickness for wall in scene.walls if wall.exterior), default=0.0)
     outline = Polygon(scene.outline, scene.holes)
     slab = outline.buffer(outer, join_style="mitre", mitre_limit=2.5)
-    for core in scene.cores:
+    for core in scene.cores if openings else ():
         opening: Ring = []
         if core.details is not None:
             opening = core.details.ceiling_opening if above else core.details.floor_opening
@@ -153,21 +168,6 @@ def _ceilings(scene: FloorScene) -> Iterator[Part]:
             surface_material(room.ceiling_material, "ceiling"),
         )
         yield Node(name, name, "ceiling", room=room.id), [board]
-
-
-def _roof(scene: FloorScene) -> Iterator[Part]:
-    """Yield the flat roof above a floor, with a low parapet."""
-    top = max((wall.height for wall in scene.walls), default=2.8)
-    slab = _slab_polygon(scene, above=True)
-    ring = slab.difference(slab.buffer(-0.2, join_style="mitre"))
-    name = f"F{scene.floor}/roof"
-    yield (
-        Node(name, name, "ceiling"),
-        [
-            *_prisms(slab, top, top + 0.25, named("polished_concrete")),
-            *_prisms(ring, top + 0.25, top + 0.6, surface_material(facade_of(scene), "wall")),
-        ],
-    )
 
 
 def object_parts(scene: FloorScene, catalogue: Catalogue | None = None, *, ceilings: bool = True) -> Iterator[Part]:
@@ -225,13 +225,16 @@ def asset_surfaces(key: str, catalogue: Catalogue, color: str = "", picture: str
     picture : str
         Material of the painting that the asset carries; that of the mesh where it is empty.
     """
-    from mansion_assets.meshes import mesh
-
     asset = catalogue.asset(key)
+    return part_surfaces(mesh(asset), asset.material, color, picture)
+
+
+def part_surfaces(parts: Sequence[MeshPart], main: str, color: str, picture: str = "") -> tuple[Surface, ...]:
+    """Return the surfaces of parts of a mesh whose main material is `main`; see `asset_surfaces`."""
     surfaces = []
-    for part in mesh(asset):
+    for part in parts:
         entry = pbr_material(picture) if picture and part.material.name in art() else part.material
-        look = _material(entry, color if entry.name == asset.material else "")
+        look = _material(entry, color if entry.name == main else "")
         surfaces.append(Surface(look, part.vertices, part.faces, part.coordinates))
     return tuple(surfaces)
 

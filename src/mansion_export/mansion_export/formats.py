@@ -29,21 +29,26 @@ class Output:
         Their names in the folder of the floor, or of the building; meshes are left out.
     keys : tuple of str
         Their keys in ``building.json``; empty where ``mansion build`` does not write them.
+    jointed : bool
+        Whether the function takes ``articulated=True``, for parts that move.
     """
 
     function: str
     files: tuple[str, ...]
     keys: tuple[str, ...] = ()
+    jointed: bool = False
 
     @property
     def module(self) -> str:
         """Name of the module that defines the function."""
         return self.function.partition(":")[0]
 
-    def make(self, scenes: FloorScene | Sequence[FloorScene]) -> dict[str, bytes]:
-        """Return the files by path in the building's folder."""
+    def make(self, scenes: FloorScene | Sequence[FloorScene], *, articulated: bool = False) -> dict[str, bytes]:
+        """Return the files by path in the building's folder, with joints where they are asked for and can be had."""
         function: Any = resolve_name(self.function)
-        files: dict[str, bytes] = function(scenes)
+        files: dict[str, bytes] = (
+            function(scenes, articulated=True) if articulated and self.jointed else function(scenes)
+        )
         return files
 
 
@@ -69,10 +74,15 @@ class Format:
     floor: Output | None = None
     extra: str = ""
 
-    def make(self, scenes: Sequence[FloorScene]) -> dict[str, bytes]:
+    @property
+    def jointed(self) -> bool:
+        """Whether the format has joints for parts that move."""
+        return any(output is not None and output.jointed for output in (self.building, self.floor))
+
+    def make(self, scenes: Sequence[FloorScene], *, articulated: bool = False) -> dict[str, bytes]:
         """Return all files of the format, those of the whole building first, by path in the building's folder."""
-        made = [self.building.make(scenes)] if self.building else []
-        made += [self.floor.make(scene) for scene in scenes] if self.floor else []
+        made = [self.building.make(scenes, articulated=articulated)] if self.building else []
+        made += [self.floor.make(scene, articulated=articulated) for scene in scenes] if self.floor else []
         return {path: data for files in made for path, data in files.items()}
 
 
@@ -131,7 +141,11 @@ register(
         floor=Output("mansion_export.nav2:map_files", ("map.yaml", "map.pgm"), ("map", "map_image")),
     )
 )
-register(Format("mjcf", "MuJoCo model", floor=Output("mansion_export.mjcf:mjcf_files", ("model.xml",), ("model",))))
+register(
+    Format(
+        "mjcf", "MuJoCo model", floor=Output("mansion_export.mjcf:mjcf_files", ("model.xml",), ("model",), jointed=True)
+    )
+)
 register(
     Format(
         "glb",
@@ -148,9 +162,16 @@ register(
     )
 )
 register(Format("html", "page with a 3D view", building=Output("mansion_export.html:page_files", ("view.html",))))
-register(Format("sdf", "Gazebo world", building=Output("mansion_export.sdf:sdf_files", ("building.sdf",))))
 register(
-    Format("usd", "OpenUSD stage", building=Output("mansion_export.usd:usd_files", ("building.usdc",)), extra="usd")
+    Format("sdf", "Gazebo world", building=Output("mansion_export.sdf:sdf_files", ("building.sdf",), jointed=True))
+)
+register(
+    Format(
+        "usd",
+        "OpenUSD stage",
+        building=Output("mansion_export.usd:usd_files", ("building.usdc",), jointed=True),
+        extra="usd",
+    )
 )
 register(
     Format(

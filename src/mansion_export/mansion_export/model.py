@@ -73,7 +73,7 @@ class Node:
     id : str
         Id of the scene's element.
     group : str
-        ``structure``, ``ceiling``, ``doors``, ``windows``, ``cores`` or ``objects``.
+        ``structure``, ``ceiling``, ``doors``, ``windows``, ``cores``, ``objects`` or ``site``.
     position : (x, y, z)
         In the floor's frame.
     rotation : float

@@ -190,7 +190,7 @@ def _rgb(color: tuple[float, float, float]) -> tuple[int, int, int]:
 
 def _cut_open(model: Model, scene: FloorScene, turns: int = 0) -> Triangles:
     """Return a floor without ceilings, its walls cut at `CUT`."""
-    solid = flatten(model, lambda node: node.group not in ("objects", "ceiling"))
+    solid = flatten(model, lambda node: node.group not in ("objects", "ceiling", "site"))
     movable = flatten(model, lambda node: node.group == "objects" and _low(node))
     shafts = [_ground(core.polygon) for core in scene.cores]
     return _turned(Triangles.join([_cut(solid), movable, *shafts]), turns)
@@ -212,7 +212,7 @@ def _shell(models: Sequence[Model], scenes: Sequence[FloorScene], turns: int = 0
 
 
 def _outside(node: Node, inner: set[str]) -> bool:
-    if node.group in ("structure", "windows", "doors"):
+    if node.group in ("structure", "windows", "doors", "site"):
         return node.id not in inner and node.id.removesuffix("/leaf") not in inner
     return node.group == "ceiling" and node.id.endswith("/roof")
 

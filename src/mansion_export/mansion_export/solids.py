@@ -13,7 +13,16 @@ from mansion_export.model import Material, Surface
 from mansion_geometry.compiled import Floats
 from mansion_msgs_py.shapes import Point, Segment
 
-__all__ = ["Box", "box_between", "boxes_surface", "polygon_surface", "segment_box", "triangulate"]
+__all__ = [
+    "Box",
+    "box_between",
+    "boxes_of",
+    "boxes_surface",
+    "box_scaled",
+    "polygon_surface",
+    "segment_box",
+    "triangulate",
+]
 
 CORNERS = np.array([(x, y, z) for z in (-0.5, 0.5) for y in (-0.5, 0.5) for x in (-0.5, 0.5)], dtype=float)
 
@@ -67,6 +76,19 @@ def boxes_surface(boxes: Sequence[Box], material: Material) -> Surface:
     bodies = len(SIDES) * np.arange(len(boxes))
     coordinates = box_coordinates(local.reshape(-1, 3), faces, bodies, turned=True)
     return Surface(material, vertices.reshape(-1, 3), faces, coordinates)
+
+
+def boxes_of(surface: Surface) -> list[Box]:
+    """Return the boxes that `boxes_surface` made a surface of, where none of them is turned."""
+    corners = surface.vertices.reshape(-1, len(CORNERS), 3)
+    low, high = corners.min(1), corners.max(1)
+    return [box_between(tuple(a), tuple(b)) for a, b in zip(low.tolist(), high.tolist())]
+
+
+def box_scaled(box: Box, scale: tuple[float, float, float]) -> Box:
+    """Return a box that is not turned in a frame that is stretched along its axes."""
+    (x, y, z), (w, d, h), (kx, ky, kz) = box.center, box.size, scale
+    return Box((x * kx, y * ky, z * kz), (w * kx, d * ky, h * kz))
 
 
 def polygon_surface(polygon: Polygon, bottom: float, top: float, material: Material, *, sides: bool = True) -> Surface:

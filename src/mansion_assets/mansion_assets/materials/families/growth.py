@@ -6,7 +6,7 @@ from mansion_assets.materials.bonds import cells, courses
 from mansion_assets.materials.canvas import Canvas
 from mansion_assets.materials.layers import Layers, smooth_step, tones
 
-__all__ = ["leaves", "skin", "soil"]
+__all__ = ["grass", "leaves", "skin", "soil"]
 
 
 def leaves(canvas: Canvas) -> Layers:
@@ -22,6 +22,15 @@ def leaves(canvas: Canvas) -> Layers:
     tone = 0.22 * (canvas.chances("tone", pieces.number) - 0.5)
     value = (1.0 + tone + 0.12 * np.maximum(rib, vein)) * (1.0 - 0.45 * shadow)
     return Layers(tones(value, 0.05), 0.001 * (1.0 - shadow) - 0.0003 * rib, 1.0 + 0.2 * shadow)
+
+
+def grass(canvas: Canvas) -> Layers:
+    """Mown lawn: blades in tufts, lighter and darker."""
+    pieces = cells(canvas, "tufts", 0.03)
+    blades = canvas.noise("blades", (0.003, 0.012)) + canvas.noise("slanted", (0.009, 0.004))
+    tone = 0.2 * (canvas.chances("tone", pieces.number) - 0.5)
+    value = 1.0 + tone + 0.09 * blades + 0.05 * canvas.clouds("patches", 0.2, 3)
+    return Layers(tones(value, 0.12), 0.004 * blades, np.ones(canvas.shape))
 
 
 def soil(canvas: Canvas) -> Layers:

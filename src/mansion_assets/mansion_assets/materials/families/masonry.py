@@ -6,7 +6,7 @@ from mansion_assets.materials.bonds import cells, courses
 from mansion_assets.materials.canvas import Canvas
 from mansion_assets.materials.layers import Layers, colour, mixed, smooth_step, tones
 
-__all__ = ["acoustic", "bricks", "concrete", "panels", "plaster", "wallpaper"]
+__all__ = ["acoustic", "bricks", "concrete", "panels", "plaster", "roof_tiles", "wallpaper"]
 
 
 def bricks(canvas: Canvas, brick: str, mortar: str, variety: float = 0.22) -> Layers:
@@ -64,6 +64,18 @@ def panels(canvas: Canvas, length: float, width: float, joint: float = 0.01, shi
     cloud = canvas.clouds("cloud", 0.4, 3)
     value = (1.0 + tone + 0.012 * cloud) * (1.0 - 0.55 * gap)
     return Layers(tones(value), -0.004 * gap, 1.0 + 0.1 * shine * cloud)
+
+
+def roof_tiles(canvas: Canvas, length: float, width: float, bulge: float = 0.02) -> Layers:
+    """Roof tiles or slates in courses that overlap; `bulge` is how far each rises at its middle, metres."""
+    pieces = courses(canvas, width, length, (0.0, 0.5))
+    grit = canvas.noise("grit", (0.004, 0.004))
+    tone = 0.22 * (canvas.chances("tone", pieces.number) - 0.5)
+    arch = np.sin(np.pi * np.clip(pieces.along / width, 0.0, 1.0))
+    overlap = smooth_step(pieces.across, 0.0, 0.05 * length)
+    seam = 1.0 - smooth_step(np.minimum(pieces.along, width - pieces.along), 0.001, 0.006)
+    value = (1.0 + tone + 0.03 * grit) * (0.55 + 0.45 * overlap) * (1.0 - 0.35 * seam) * (0.86 + 0.14 * arch)
+    return Layers(tones(value, 0.15), bulge * arch + 0.01 * pieces.across / length, 1.0 + 0.03 * grit)
 
 
 def acoustic(canvas: Canvas, length: float = 0.6) -> Layers:
