@@ -78,7 +78,7 @@ def test_glb_loads_with_our_ids_and_named_materials(building):
 
 def test_glb_is_y_up_with_floors_at_their_elevations(building, tmp_path):
     path = tmp_path / "building.glb"
-    path.write_bytes(building_glb(building))
+    path.write_bytes(building_glb(building, site=False))
     loaded = trimesh.load(path)
     low, high = loaded.bounds
     assert high[1] == pytest.approx(3.4 + 3.2 + 0.6, abs=0.01)

@@ -28,6 +28,7 @@ def building_glb(
     scenes: Sequence[FloorScene],
     *,
     ceilings: bool = True,
+    site: bool = True,
     catalogue: Catalogue | None = None,
     models: Sequence[Model] | None = None,
 ) -> bytes:
@@ -39,6 +40,8 @@ def building_glb(
         In any order.
     ceilings : bool
         With ceilings and roof, as a robot sees it; without them, for a look from above.
+    site : bool
+        With the plot around the building.
     catalogue : Catalogue, optional
         Where the assets are, when they are not all in the shipped one.
     models : sequence of Model, optional
@@ -52,7 +55,7 @@ def building_glb(
     """
     name = scenes[0].building_id if scenes else "building"
     if models is None:
-        models = building_models(scenes, ceilings=ceilings, catalogue=catalogue)
+        models = building_models(scenes, ceilings=ceilings, site=site, catalogue=catalogue)
     return write_glb(models, name, building_title(scenes), quarter_turns(scenes))
 
 
