@@ -8,9 +8,11 @@ from pkgutil import resolve_name
 
 import pytest
 
+from mansion_bringup.exporting import write_export
 from mansion_export import formats
 from mansion_export.formats import Format, Output, export_formats, register
 from mansion_msgs_py.building_folder import BuildingFolder, floor_directory
+from mansion_msgs_py.errors import MansionError
 from sample_building import write_building
 
 PAGE = (Path(__file__).parents[2] / "docs" / "exports.md").read_text()
