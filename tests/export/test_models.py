@@ -90,8 +90,9 @@ def test_glb_is_y_up_with_floors_at_their_elevations(building, tmp_path):
 
 def test_surfaces_face_outwards(ground):
     model = floor_model(ground)
+    shown = {node.id: node.mesh for node in model.nodes}
     for name in ("F1/wall_1", "F1/slab"):
-        surfaces = model.meshes[name].surfaces
+        surfaces = model.meshes[shown[name]].surfaces
         volume = 0.0
         for surface in surfaces:
             a, b, c = (surface.vertices[surface.faces[:, i]] for i in range(3))

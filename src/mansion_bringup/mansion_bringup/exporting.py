@@ -1,5 +1,6 @@
 """A finished building in another program's format, and as a page for people."""
 
+from collections.abc import Sequence
 from pathlib import Path
 
 from mansion_bringup.extras import ensure_extra
@@ -9,7 +10,7 @@ from mansion_msgs_py.building_folder import BuildingFolder, file_in
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import write_atomic
 
-__all__ = ["PAGE", "format_named", "write_export", "write_page"]
+__all__ = ["PAGE", "format_named", "format_names", "write_export", "write_page"]
 
 PAGE = "view.html"
 """Name of the page in a building's folder."""
@@ -28,6 +29,18 @@ def format_named(name: str) -> Format:
         known = ", ".join(formats)
         raise MansionError(ErrorCode.NOT_FOUND, f"no format {name!r}; use one of {known}", path="$.to")
     return formats[name]
+
+
+def format_names(listed: str | Sequence[str]) -> list[str]:
+    """Return names of formats that are given one by one, or in one text with commas between them.
+
+    Examples
+    --------
+    >>> format_names("glb, nav2"), format_names(["all"]), format_names("")
+    (['glb', 'nav2'], ['all'], [])
+    """
+    given = listed.split(",") if isinstance(listed, str) else listed
+    return [name.strip() for name in given if name.strip()]
 
 
 def write_export(building: Path, to: Format, output: Path | None = None, *, articulated: bool = False) -> list[Path]:

@@ -17,6 +17,7 @@ from mansion_export.materials import hex_color, named, surface_material
 from mansion_export.model import Material, Model, Node, Part, Surface, assemble
 from mansion_export.opening_meshes import door_parts, window_parts
 from mansion_export.presentation import floor_name, room_title
+from mansion_export.shared_meshes import named_by_content
 from mansion_export.solids import Box, boxes_surface, polygon_surface
 from mansion_export.walls import WallBodies, wall_surfaces
 from mansion_msgs_py.scene import FloorScene, SceneObject, StairDetails
@@ -61,7 +62,8 @@ def floor_model(
         *object_parts(scene, catalogue, ceilings=ceilings),
         *outside,
     ]
-    return assemble(f"floor_{scene.floor}", scene.floor, scene.elevation, parts, floor_name(scene).capitalize())
+    title = floor_name(scene).capitalize()
+    return named_by_content(assemble(f"floor_{scene.floor}", scene.floor, scene.elevation, parts, title))
 
 
 def building_models(
