@@ -102,7 +102,7 @@ class NamedStoreys:
             return ground, index + 1
         if word == "below" and (
             (reading.starts(index) and following in (":", "is", "are", "there", ",", "the", "we", "i", "you", "a"))
-            or (following in CLOSERS and self._is_storeyed_adverb(index))
+            or (following in CLOSERS | {"with"} and self._is_storeyed_adverb(index))
         ):
             return ground, index + 1
         if (

@@ -371,7 +371,7 @@ _NO_ROOMS = frozenset(
     access room place part one none whole wood oak brick stone glass steel concrete marble gold silver white black
     green blue red furniture gross net total rectangle footprint square thing stuff number largest biggest smallest
     other larger smaller bigger star escape dust water power heating cooling air sun daylight privacy quiet peace m
-    metre meter roof
+    metre meter roof region order vicinity neighbourhood neighborhood altogether totality
     """.split()
 )
 

@@ -140,7 +140,9 @@ class _Walk:
                 for target in self._claimed(place, left, opened=opened):
                     self._give(target, place, trailing=True)
                 left = []
-                if not opened:
+                if self._goes_on(place):
+                    scope = place
+                elif not opened:
                     scope = self.heading
             else:
                 scope, opened, left = place, True, []
@@ -238,6 +240,11 @@ class _Walk:
             return False
         return not (gap and gap[-1] == "," and not self._closes(place))
 
+    def _goes_on(self, place: Place) -> bool:
+        """Whether what follows a place shares it: "on the first floor together with the foyer", "below with ..."."""
+        following = self.reading.words(place.last, place.last + 2)
+        return following in (("together", "with"), ("along", "with")) or (following[0] == "with" and not place.led)
+
     def _closes(self, place: Place) -> bool:
         """Whether a reference after a comma ends its clause, so that it can only belong to what stands before it."""
         following = self.reading.word(place.last)
@@ -289,7 +296,9 @@ class _Walk:
         several = several and not (place.refs[0].kind == "middle" and not self._plural_upper(place))
         phrase = self.phrases[number]
         near = self.reading.words(max(phrase.first - 4, 0), place.first if trailing else phrase.first)
-        rest = self.reading.words(phrase.last, phrase.last + 3)
+        rest = tuple(
+            itertools.takewhile(lambda word: word != ".", self.reading.words(phrase.last, phrase.last + 3))
+        )
         shared = (
             ("shared", "between") in itertools.pairwise(rest)
             or not _SHARED_OUT.isdisjoint(near)

@@ -6,6 +6,7 @@ top"), as a set ("every floor", "all but the last") or from the storey named bef
 
 from dataclasses import replace
 
+from mansion_planner.brief.elliptic_storeys import EllipticStoreys
 from mansion_planner.brief.facts import FloorRef, Quantity
 from mansion_planner.brief.named_storeys import COPULAS, TOPS, NamedStoreys
 from mansion_planner.brief.numbered_storeys import NumberedStoreys
@@ -81,6 +82,7 @@ class _Scanner:
         self.has_floors = not FLOOR_WORDS.isdisjoint(texts) or "ground" in texts or "upstairs" in texts
         self.numbered = NumberedStoreys(reading, self.places, has_floors=self.has_floors)
         self.named = NamedStoreys(reading, has_floors=self.has_floors, british=self.numbered.british)
+        self.elliptic = EllipticStoreys(reading, has_floors=self.has_floors)
 
     def scan(self) -> None:
         """Find all counts and references."""
@@ -135,6 +137,7 @@ class _Scanner:
             self._rest,
             self._counted_set,
             self._in_sequence,
+            self.elliptic.read,
             self.named.ground,
             self.named.top,
             self.named.upper,
@@ -278,10 +281,11 @@ class _Scanner:
             return [FloorRef("odd" if word == "odd" else "even")], last + 1 + (reading.word(last) == "numbered")
         if (
             word in ("both", "each", "all")
-            and reading.word(last) in CLOSERS
+            and (reading.word(last) in CLOSERS or reading.words(last, last + 2) == ("of", "them"))
             and reading.word(index - 1) == "on"
             and self.has_floors
         ):
+            last += 2 * (reading.word(last) == "of")
             named = [p for p in self.places if reading.sentence[p.first] == reading.sentence[index]]
             several = named and (len(named[-1].refs) > 1 or named[-1].refs[0].kind == "range")
             return (list(named[-1].refs) if several else [FloorRef("every")]), last
