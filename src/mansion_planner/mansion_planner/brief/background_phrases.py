@@ -9,6 +9,7 @@ __all__ = ["without_bystanders"]
 
 _STANDS = frozenset("stand sit lie located situated".split())
 _SITES = frozenset("it building site house plot".split())
+_LEADS = frozenset("around beside behind near opposite in on at next along off above below between".split())
 _BESIDE = frozenset("between beside opposite near behind facing to from on at".split())
 
 
@@ -57,8 +58,8 @@ def _site_tokens(reading: Reading) -> set[int]:
         while start > 0 and reading.sentence[start - 1] == reading.sentence[index]:
             start -= 1
         before = reading.words(start, index)
-        if index - start > 5 or _SITES.isdisjoint(before[:3]):
-            continue
+        if index - start > 5 or _SITES.isdisjoint(before[:3]) or before[0] in _LEADS:
+            continue  # "around it sit six offices" is about rooms
         at = index + 1
         while at < len(reading.tokens) and not reading.breaks(at) and reading.word(at) not in ("should", "with", "has"):
             at += 1

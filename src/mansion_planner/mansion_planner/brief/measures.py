@@ -143,7 +143,7 @@ def give_measures(reading: Reading, measures: list[Measure], phrases: list[Phras
             plots.append(fact)
         elif _of_storey(reading, measure):
             reading.facts.floor_area.append(fact)
-        elif _of_something_else(reading, measure, result):
+        elif _of_something_else(reading, measure, result) or _of_unread_noun(reading, measure):
             reading.taken.difference_update(range(measure.first, measure.last))
         elif not _of_part(reading, measure):
             reading.facts.area.append(fact)
@@ -310,6 +310,31 @@ def _of_something_else(reading: Reading, measure: Measure, phrases: list[Phrase]
     return said and counted and _TOTALS.isdisjoint(_after(reading, measure, 3))
 
 
+def _of_unread_noun(reading: Reading, measure: Measure) -> bool:
+    """Whether an area is said of something that the brief names and that nothing is read of: "Nave Two (90 m2)"."""
+    if reading.sentence[measure.first] == 0 and not reading.facts.area:
+        return False
+    if not _TOTALS.isdisjoint(_after(reading, measure, 3)):
+        return False
+    each = _after(reading, measure, 1) in (["each"], ["apiece"])
+    index, comma = measure.first - 1, False
+    while index >= 0 and (reading.word(index) in _FILLERS or (reading.word(index) == "," and each and not comma)):
+        if not _TOTALS.isdisjoint({reading.word(index)}):
+            return False
+        comma = comma or reading.word(index) == ","
+        index -= 1
+    named = reading.kind(index) == "word" or (reading.kind(index) == "number" and index == measure.first - 1)
+    unread = index >= 0 and index not in reading.taken and reading.sentence[index] == reading.sentence[measure.first]
+    return each or (unread and named and reading.word(index) not in _BUILDINGS)
+
+
+_BUILDINGS = frozenset(
+    """
+    building house home size area surface space footprint plot site lot it everything place we i you they need want
+    budget available use property premise unit object project and or so but while because
+    """.split()
+)
+"""Words before an area that is the building's own."""
 _OTHERS = frozenset("largest biggest smallest other others rest remaining larger smaller bigger".split())
 
 

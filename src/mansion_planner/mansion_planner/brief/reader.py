@@ -37,6 +37,7 @@ from mansion_planner.brief.qualifiers import unheeded_words
 from mansion_planner.brief.reading import Place, Reading, start_reading
 from mansion_planner.brief.relations import Relation, read_relations
 from mansion_planner.brief.room_facts import RoomStatements, identifier
+from mansion_planner.brief.shared_sizes import with_shared_sizes
 from mansion_planner.brief.similarity import HEAD_TYPES, similar_room_type
 from mansion_planner.brief.sizes import sized
 from mansion_planner.brief.stacked_uses import read_stacking
@@ -112,6 +113,7 @@ class _Reader:
         stacked = read_stacking(reading, phrases)
         phrases = [phrase for number, phrase in enumerate(phrases) if number not in stacked]
         self.building = self._name_building(phrases)
+        phrases = with_shared_sizes(reading, measures, phrases)
         self.phrases = [self._plain_rooms(phrase) for phrase in give_measures(reading, measures, phrases)]
         self.phrases = sized(reading, with_bare_areas(reading, self.phrases), self.building)
         reading.go_on()
