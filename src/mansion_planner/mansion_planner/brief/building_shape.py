@@ -187,7 +187,10 @@ def _read_again(reading: Reading, places: list[Place], index: int) -> bool:
     end = index
     while not reading.breaks(end) and end - index < 9:
         end += 1
-    said = {*reading.words(place.last, index), *reading.words(index + 1, end)}
+    storeys = [(ref.kind, ref.first, ref.last) for ref in before.refs]
+    again = [p for p in places if [(ref.kind, ref.first, ref.last) for ref in p.refs] == storeys]
+    named = {at for p in again for at in range(p.first, p.last)}
+    said = {reading.word(at) for at in range(place.last, end) if at not in named}
     if not said <= _SAID_AGAIN | _AGAIN or before.refs[-1].kind not in ("number", "range"):
         return False
     base, first = before.refs[-1].last, place.refs[0]

@@ -55,7 +55,8 @@ def coreferences(
 def _group(phrases: Sequence[Phrase], number: int, rooms: Sequence[int]) -> list[int]:
     """Return the rooms that "the two dormitories" speaks of, where so many of the name stand before."""
     phrase = phrases[number]
-    if not phrase.plural or phrase.determiner not in ("the", "these", "both", "all"):
+    one_of = phrase.determiner in ("either", "neither", "any") and not phrase.counted
+    if not one_of and (not phrase.plural or phrase.determiner not in ("the", "these", "both", "all")):
         return []
     before = [n for n in rooms if n < number and _same_name(phrase, phrases[n]) and phrases[n].count == 1]
     wanted = phrase.count if phrase.counted and phrase.count else len(before)

@@ -18,7 +18,7 @@ _FILLERS = frozenset(
     each : having = a must will exactly occupying minimum than more floor something like the region in circa ca
     approx some apiece over for maybe nearly almost are being up to each one - – every max maximum no less not under
     total below every measure have has some shall larger bigger smaller greater exceed exceeding within limited
-    capped min pass surpass
+    capped min pass surpass all alike identical equal same
     """.split()
 )
 _TOTALS = frozenset(
@@ -494,7 +494,9 @@ def _listed(reading: Reading, measure: Measure, phrase: Phrase, after: list[str]
     """Whether a comma joins an area to the room before it: "rooms, 15 m2 each", "hall, 320 m2 |", an item of a list."""
     if after[:1] and after[0] in ("each", "apiece"):
         return True
-    if len(measure.values) > 1:
+    gap = reading.words(phrase.last, measure.first)
+    alike = not {"alike", "same", "equal", "identical"}.isdisjoint(gap)
+    if len(measure.values) > 1 or alike or not {("all", "of"), ("all", "at")}.isdisjoint(itertools.pairwise(gap)):
         return True
     alone = reading.word(measure.last) in ("|", "\n", "", ")", ";")
     if reading.sentence[measure.first] > 0 and reading.word(phrase.last) == ",":

@@ -21,6 +21,7 @@ from mansion_planner.brief.phrase import (
     name_of,
 )
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
+from mansion_planner.brief.repeated_names import further_ones
 from mansion_planner.brief.room_names import (
     by_own_name,
     coordinated,
@@ -67,6 +68,7 @@ def noun_phrases(reading: Reading) -> list[Phrase]:
     phrases = _with_own_names(reading, phrases)
     phrases += _with_own_names(reading, listed_unknowns(reading, chunks, phrases))
     phrases += _named_again(reading, chunks, phrases)
+    phrases += further_ones(reading, phrases)
     names = Counter(phrase.name for phrase in phrases)
     phrases = [part for phrase in phrases for part in with_users(reading, phrase, names)]
     return sorted(by_own_name(reading, with_sizes(reading, phrases)), key=lambda phrase: phrase.first)

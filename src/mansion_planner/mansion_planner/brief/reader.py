@@ -21,6 +21,7 @@ from mansion_planner.brief.distant_counts import (
     read_counts_by_group,
     read_counts_by_person,
     read_counts_by_storey,
+    read_halves,
     read_late_counts,
 )
 from mansion_planner.brief.exclusions import negated_phrases, read_completeness
@@ -131,6 +132,7 @@ class _Reader:
         for number, phrase in enumerate(self.phrases):
             if phrase.first in shared and number in self.attached:
                 self.attached[number] = Attachment(self.attached[number].refs)
+        read_halves(reading, self.phrases, self.places, self.attached)
         self._other_names_of_building()
         reading.go_on()
         self.same, self.groups = coreferences(reading, self.phrases, self._wanted_rooms(), self.relations)
@@ -263,7 +265,8 @@ class _Reader:
             category, _ = furniture_of(reading.words(phrase.begin, phrase.noun_end))
             before = self.phrases[number - 1] if number else None
             listed = fitted.get(reading.sentence[phrase.first], phrase.first) < phrase.first
-            if category and (listed or (before is not None and self._is_fixture(before, phrase))):
+            locker = phrase.name == "locker" and before is not None and self._is_locker(before, phrase)
+            if category and (listed or locker or (before is not None and self._is_fixture(before, phrase))):
                 self.phrases[number] = replace(phrase, head="object", category=category, room_type="")
 
     def _is_fixture(self, room: Phrase, phrase: Phrase) -> bool:
@@ -272,6 +275,11 @@ class _Reader:
         if room.head != "room" or between not in (("with",), ("with", "a"), ("with", "the")):
             return False
         return phrase.name == "locker" or (room.room_type in _BATHROOMS and phrase.name in _FIXTURES)
+
+    def _is_locker(self, before: Phrase, phrase: Phrase) -> bool:
+        """Whether "eight lockers" and "a bed and a locker" are furniture: those counted, or named with furniture."""
+        between = set(self.reading.words(before.last, phrase.begin))
+        return (phrase.counted and phrase.plural) or (before.head == "object" and between <= {"and", "+", "a", ",", "one"})
 
     # Phrases that stand for others ----------------------------------------------------------------------------------
 

@@ -223,8 +223,8 @@ def _relation_at(reading: Reading, phrases: list[Phrase], rooms: list[int], inde
         return _belonging(reading, phrases, rooms, index)
     apart = next((p for p in _APART if reading.words(index, index + len(p)) == p), None)
     beside = apart or max((p for p in _BESIDE if reading.words(index, index + len(p)) == p), key=len, default=None)
-    if reading.word(index) == "besides" and reading.word(index - 1) in ("nothing", "anything", "everything"):
-        return None
+    if reading.word(index) == "besides" and reading.word(index - 1) in ("nothing", "anything", "everything", ","):
+        return None  # "in addition to"
     if beside is None or (index in reading.taken and reading.word(index) not in ("direct", "open")):
         return None
     return _directed(reading, phrases, rooms, index, index + len(beside), apart=apart is not None)
