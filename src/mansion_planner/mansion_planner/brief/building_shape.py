@@ -168,6 +168,7 @@ def _read_unchanging(reading: Reading, places: list[Place], index: int) -> bool:
 
 _PLANS = frozenset({"plan", "layout", "arrangement", "scheme", "floorplan", "programme", "program"})
 _AGAIN = frozenset({"same", "ditto", "idem", "repeat", "repeated", "likewise", "identical", "copy", "as"})
+_BACK = frozenset({"as", "again", "ditto", "idem", "repeat", "likewise", "below", "before"})
 _SAID_AGAIN = frozenset(
     """
     the a an exactly just is are of it that again as before below above one storey floor level story under beneath
@@ -178,7 +179,7 @@ _SAID_AGAIN = frozenset(
 
 def _read_again(reading: Reading, places: list[Place], index: int) -> bool:
     """Read "3rd storey: the same again" and "Level 4: ditto" as the storey named before once more."""
-    if reading.word(index) not in _AGAIN:
+    if reading.word(index) not in _AGAIN or index in reading.taken:
         return False
     here = [n for n, p in enumerate(places) if 0 <= index - p.last <= 4 and p.refs[0].kind in ("number", "range", "top")]
     if not here or here[-1] == 0:
@@ -191,6 +192,9 @@ def _read_again(reading: Reading, places: list[Place], index: int) -> bool:
     again = [p for p in places if [(ref.kind, ref.first, ref.last) for ref in p.refs] == storeys]
     named = {at for p in again for at in range(p.first, p.last)}
     said = {reading.word(at) for at in range(place.last, end) if at not in named}
+    several = len(place.refs) > 1 or place.refs[0].kind == "range"
+    if several and said.isdisjoint(_BACK):
+        return False  # "floors 2, 3 and 4 are the same" as one another
     if not said <= _SAID_AGAIN | _AGAIN or before.refs[-1].kind not in ("number", "range"):
         return False
     base, first = before.refs[-1].last, place.refs[0]

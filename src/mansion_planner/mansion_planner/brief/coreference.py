@@ -9,6 +9,8 @@ from mansion_planner.brief.relations import Relation
 __all__ = ["coreferences"]
 
 _DEFINITE = frozenset("per the this that each every both either any these those its all".split())
+_GENERIC = frozenset("is has measure come get need hold contain receive comprise must should shall include".split())
+"""Verbs after "a bedroom" where it stands for each of the bedrooms that are named before."""
 _VERBS = frozenset({"should", "must", "is", "are", "shall", "has", "need"})
 
 
@@ -30,8 +32,18 @@ def coreferences(
     lefts = {n for relation in relations for n in relation.lefts}
     for number in rooms:
         phrase = phrases[number]
+        if number in operands and phrase.count == 1 and phrase.counted:
+            several = [n for n in rooms if n < number and phrases[n].name == phrase.name and (phrases[n].count or 2) > 1]
+            if several:
+                same[number] = several[-1]  # "beside one treatment room", of the five
+                continue
         if phrase.counted and phrase.determiner not in ("the", "both", "these", "those", "all"):
             continue
+        if phrase.determiner in ("a", "an") and reading.word(phrase.last) in _GENERIC and _opens(reading, phrase):
+            several = [n for n in rooms if n < number and phrases[n].name == phrase.name and phrases[n].plural]
+            if several:
+                same[number] = several[-1]
+                continue
         group = _group(phrases, number, rooms)
         if group:
             groups[number], same[number] = group, group[-1]
@@ -50,6 +62,12 @@ def coreferences(
         elif later and number in operands and phrase.determiner not in ("a", "an"):
             same[number] = _best(phrases, phrase, later)
     return same, groups
+
+
+def _opens(reading: Reading, phrase: Phrase) -> bool:
+    """Whether a phrase is the subject of its clause."""
+    before = min(phrase.first, phrase.begin - 1) - 1
+    return reading.breaks(before) or reading.word(before) in (",", ":", "and")
 
 
 def _group(phrases: Sequence[Phrase], number: int, rooms: Sequence[int]) -> list[int]:
@@ -73,7 +91,8 @@ def _same_name(phrase: Phrase, other: Phrase) -> bool:
         return False
     if phrase.name == other.name or other.name.endswith("_" + phrase.name):
         return True
-    if phrase.determiner == "the" and (other.count or 2) > 1 and phrase.name.endswith("_" + other.name):
+    of_several = phrase.determiner == "the" and (other.count or 2) > 1
+    if of_several and phrase.name.endswith("_" + other.name) and not {"'", "’"} & set(phrase.label):
         return True
     bare = (phrase.name == phrase.room_type or phrase.known) and "_" not in phrase.name
     return bare and phrase.room_type == other.room_type and phrase.determiner in ("the", "each", "every", "both")

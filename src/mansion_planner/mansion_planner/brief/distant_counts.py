@@ -187,7 +187,7 @@ def read_counts_by_group(reading: Reading, phrases: list[Phrase], households: Ho
         subject = reading.word(index + 1)
         if subject in _HAVING and reading.word(index - 1) == "," and reading.kind(index - 3) == "number":
             subject = reading.word(index - 2)  # "60 children in 3 groups, each with a toilet"
-            if any(p.begin <= index - 2 < p.noun_end and p.head in ("room", "building") for p in phrases):
+            if any(p.begin <= index - 2 < p.noun_end and p.head in ("room", "building", "object") for p in phrases):
                 continue
         if subject not in counts or any(p.begin <= index + 1 < p.noun_end and p.head == "room" for p in phrases):
             continue

@@ -52,6 +52,9 @@ class EllipticStoreys:
             return None
         one = reading.word(index + 1) == "one"
         last = index + 1 + one
+        if reading.words(index + 1, index + 3) == ("of", "the") and reading.value(index + 3) in (2.0, 3.0):
+            if reading.word(index + 4) in FLOOR_WORDS and reading.word(index - 1) == "the":
+                return [ref], index + 5  # "on the lower of the two floors"
         if reading.starts(index) and (reading.word(last) in (":", "=") or (reading.word(last) == "-" and not one)):
             return [ref], last
         if one and reading.word(last) == ":" and reading.word(index - 1) == ",":

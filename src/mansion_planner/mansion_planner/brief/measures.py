@@ -316,6 +316,11 @@ def _of_unread_noun(reading: Reading, measure: Measure) -> bool:
         return False
     if not _TOTALS.isdisjoint(_after(reading, measure, 3)):
         return False
+    clause = itertools.takewhile(
+        lambda at: not reading.breaks(at) and reading.word(at) not in (",", ":", "("), range(measure.first - 1, -1, -1)
+    )
+    if not _TOTALS.isdisjoint(map(reading.word, clause)):
+        return False
     each = _after(reading, measure, 1) in (["each"], ["apiece"])
     index, comma = measure.first - 1, False
     while index >= 0 and (reading.word(index) in _FILLERS or (reading.word(index) == "," and each and not comma)):

@@ -103,12 +103,13 @@ def _by_its_modifier(reading: Reading, phrases: list[Phrase], begin: int, end: i
     """Return the one room of an earlier sentence that some words are short for: "the preparation", "sterilisation"."""
     sentence = reading.sentence[begin]
     words = reading.words(begin, end)
+    elided = reading.word(begin - 1) == "the" and reading.word(end) in ("and", "or") and reading.word(end + 1) == "the"
     named = [
         phrase
         for phrase in phrases
         if phrase.head == "room"
         and phrase.count == 1
-        and reading.sentence[phrase.first] < sentence
+        and (reading.sentence[phrase.first] < sentence or (elided and phrase.last <= begin))
         and set(words) < set(phrase.name.split("_"))
         and words[-1] not in HEAD_TYPES
     ]
@@ -279,6 +280,8 @@ def _headed(reading: Reading, begin: int, end: int, *, whole: bool) -> Phrase | 
         return finished_phrase(reading, "object", begin, end, category=category)
     if last == "counter" and mention is not None and reading.word(count_before(reading, begin, end)[0] - 1) == "with":
         return finished_phrase(reading, "object", begin, end, category=category)
+    if mention is not None and mention.building and not whole and _are_people(reading, end):
+        return None  # "wind farm technicians"
     if mention is not None and (mention.room or mention.building):
         room = mention.room or room_of_building(mention.building, reading.knowledge)
         if (
@@ -305,7 +308,8 @@ def _headed(reading: Reading, begin: int, end: int, *, whole: bool) -> Phrase | 
     if last in ("room", "corner") and end - begin == 1 and _has_purpose(reading, end) and not reading.plural(end - 1):
         return finished_phrase(reading, "room", begin, end, room="study_room", known=False)
     _, _, counted, determiner = count_before(reading, begin, end)
-    alone = last in _STANDS_ALONE and (reading.plural(end - 1) or counted or determiner == "the")
+    listed = determiner in ("a", "an") and reading.word(begin - 2) in ("and", ",", "plus", "&", ":")
+    alone = last in _STANDS_ALONE and (reading.plural(end - 1) or counted or determiner == "the" or listed)
     if alone and end - begin == 1:
         return finished_phrase(reading, "room", begin, end, room=HEAD_TYPES[last], known=False)
     if last in HEAD_TYPES and end - begin > 1 and not (last in _NO_HEADS and reading.word(end - 2) in PLAIN):
@@ -318,6 +322,12 @@ def _headed(reading: Reading, begin: int, end: int, *, whole: bool) -> Phrase | 
     if category:
         return finished_phrase(reading, "object", begin, end, category=category)
     return None
+
+
+def _are_people(reading: Reading, index: int) -> bool:
+    """Whether a noun in the plural that follows another is of those who work or live there."""
+    word = reading.word(index)
+    return reading.plural(index) and (word in PEOPLE or word.endswith(("ician", "ist", "eer", "owner", "worker")))
 
 
 def _has_purpose(reading: Reading, end: int) -> bool:

@@ -214,6 +214,8 @@ class _Reader:
 
     def _plain_rooms(self, phrase: Phrase) -> Phrase:
         """Read "40 rooms" in a hotel, hospital or dormitory as the rooms that it is for; elsewhere they stay unread."""
+        if phrase.name == "cabin" and phrase.plural and phrase.counted and phrase.building:
+            return replace(phrase, head="room", building="", room_type=HEAD_TYPES["cabin"], known=False)
         if phrase.head == "building" and not phrase.room_type:
             return replace(phrase, room_type=similar_room_type(phrase.name, self.reading.knowledge), known=False)
         if phrase.head == "building" and phrase.counted and phrase.plural and is_compound(self.reading, phrase):
@@ -298,6 +300,8 @@ class _Reader:
         buildings = self.reading.knowledge.buildings
         for number, phrase in enumerate(self.phrases):
             again = named is not None and phrase.count == 1 and self._holds_all(phrase, named)
+            turned = {"turned", "converted", "cum"} & set(self.reading.words(phrase.begin, phrase.noun_end))
+            again = again or (named is not None and bool(turned))  # "a riad in Marrakech turned guest house"
             if again and number != self.building:
                 self.phrases[number] = replace(phrase, head="unknown")  # "two levels inside one flat"
                 continue
@@ -329,7 +333,9 @@ class _Reader:
         buildings = reading.knowledge.buildings
         if not phrase.building or phrase.first < named.first:
             return False
-        if before in ("in", "inside", "within", "into") and "old" in reading.words(phrase.first, phrase.noun_end):
+        old = {"old", "former", "rented", "existing", "disused"} & set(reading.words(phrase.first, phrase.noun_end))
+        first = phrase.first - (reading.word(phrase.first - 1) in ("a", "an"))
+        if old and reading.word(first - 1) in ("in", "inside", "within", "into"):
             return reading.sentence[phrase.first] == reading.sentence[named.first]
         alike = buildings[phrase.building].family == buildings[named.building].family
         return before in ("inside", "within") and alike
@@ -341,6 +347,15 @@ class _Reader:
             phrase, room = self.phrases[number], self.phrases[named]
             if phrase.areas and not room.areas and phrase.name == room.name:
                 self.phrases[named] = replace(room, areas=phrase.areas)
+                if phrase.determiner in ("a", "an", "each", "every"):
+                    self._give_to_all(number, phrase)
+
+    def _give_to_all(self, number: int, phrase: Phrase) -> None:
+        """Give the area of "a bedroom is 22 m2" to all bedrooms that are named before."""
+        for other in self._wanted_rooms():
+            room = self.phrases[other]
+            if other < number and room.name == phrase.name and not room.areas:
+                self.phrases[other] = replace(room, areas=phrase.areas, limit=phrase.limit)
 
     def _said_of_all(self) -> None:
         """Read "four classrooms ... six classrooms. Classrooms around 50 m2" as of all that are named before."""
@@ -445,7 +460,10 @@ class _Reader:
                     (f"no_{phrase.head}", self.reading.span(min(first, phrase.first), max(last, phrase.last)))
                 )
                 continue
-            if self.reading.word(phrase.last) == "only" or self.reading.word(phrase.first - 1) == "only":
+            enough = self.reading.word(phrase.last + (self.reading.word(phrase.last) in _COPULAS)) in _ENOUGH
+            if enough:
+                self.reading.take(phrase.last, phrase.last + 1 + (self.reading.word(phrase.last) in _COPULAS))
+            if enough or self.reading.word(phrase.last) == "only" or self.reading.word(phrase.first - 1) == "only":
                 self.facts.vertical.append(("no_elevator" if phrase.head == "stair" else "no_stair", span))
             self.facts.vertical.append((phrase.head, span))
             if phrase.counted and phrase.count is not None and phrase.determiner not in ("the", "both"):
@@ -495,6 +513,9 @@ class _Reader:
         if relation.lefts == relation.rights == (whole,) and whole in self.groups:
             group = self.groups[whole]
             return [(a, b) for n, a in enumerate(group) for b in group[n + 1 :]]
+        lefts, rights = ([m for n in side for m in self.groups.get(n, [n])] for side in (relation.lefts, relation.rights))
+        if relation.apart:
+            return [(left, right) for left in lefts for right in rights if left != right]
         if len(relation.lefts) == len(relation.rights) and len(relation.lefts) > 1:
             return list(zip(relation.lefts, relation.rights))
         return [(left, right) for left in relation.lefts for right in relation.rights]
@@ -502,6 +523,10 @@ class _Reader:
 
 _FURTHER = frozenset("second third another further additional extra".split())
 """Words for one more of a room that is named before."""
+
+_COPULAS = frozenset({"is", "are", "be", "will"})
+_ENOUGH = frozenset({"suffice", "sufficient", "enough", "do"})
+"""What is said of stairs where no lift is wanted: "stairs suffice", "stairs will do"."""
 
 _HOMES = frozenset({"house", "home", "building", "villa", "cottage", "cabin", "bungalow"})
 """Nouns that with "the" mean the whole building."""

@@ -51,7 +51,6 @@ _BESIDE = [
     ("accessible", "from"),
     ("entered", "from"),
     ("visible", "from"),
-    ("in", "between"),
     *[
         (word, to)
         for word in ("contiguous", "connection", "passage", "neighbour", "neighbor", "beside", "contact", "bordering")
@@ -126,6 +125,16 @@ _MUTUAL = [
     ("together",),
     ("touch",),
     ("opening", "to", "each", "other"),
+    *[
+        (verb, *other)
+        for verb in ("adjoin", "touch", "border", "abut", "adjoining", "touching", "neighbouring", "facing", "connect")
+        for other in (("each", "other"), ("one", "another"), ("to", "each", "other"))
+    ],
+    ("next", "door"),
+    ("at", "its", "side"),
+    ("at", "the", "side"),
+    ("common", "wall"),
+    ("touching",),
     ("share", "a", "wall"),
     ("share", "wall"),
     ("share", "one", "wall"),
@@ -212,7 +221,7 @@ def _relation_at(reading: Reading, phrases: list[Phrase], rooms: list[int], inde
         pairs = list(itertools.pairwise(before))
         if pairs:
             return Relation(tuple(a for a, _ in pairs), tuple(b for _, b in pairs), False, index, index + 5), index + 5
-    mutual = next((p for p in _MUTUAL if reading.words(index, index + len(p)) == p), None)
+    mutual = max((p for p in _MUTUAL if reading.words(index, index + len(p)) == p), key=len, default=None)
     if mutual is not None and _closes(reading, index + len(mutual), phrases, rooms):
         found = _mutual(reading, phrases, rooms, index, index + len(mutual)) or _postposed(
             reading, phrases, rooms, index, index + len(mutual)
@@ -303,6 +312,8 @@ def _directed(
         if following and phrases[following[0]].first - phrases[rights[-1]].last <= 6:
             return Relation((following[0],), tuple(rights), negated, index, last), phrases[following[0]].last
         return None
+    if not rights and _is_relative(reading, phrases, before, last):
+        return Relation((before[-1],), (before[-2],), negated, index, last), last
     if not rights:
         pronoun = next((i for i in range(last - 1, last + 2) if reading.word(i) in _PRONOUNS), None)
         if pronoun is None:
@@ -340,6 +351,13 @@ def _directed(
     return (Relation(tuple(lefts), tuple(rights), negated, index, last), last) if lefts else None
 
 
+def _is_relative(reading: Reading, phrases: list[Phrase], before: list[int], last: int) -> bool:
+    """Whether a clause says of the room before it where another lies: "a kitchen that the lounge opens onto"."""
+    if len(before) < 2 or not (reading.breaks(last) or reading.word(last) in (",", ")", "and")):
+        return False
+    return reading.words(phrases[before[-2]].last, phrases[before[-1]].begin)[:1] in (("that",), ("which",))
+
+
 def _referent(reading: Reading, phrases: list[Phrase], others: list[int], lefts: list[int]) -> int:
     """Return which room "it" is: the one that has the room on the left ("a hall with a shoe room in front of it")."""
     sentence = reading.sentence[phrases[lefts[0]].first]
@@ -371,6 +389,8 @@ def _lefts(reading: Reading, phrases: list[Phrase], before: list[int], index: in
         return []
     lefts = [before[-1]]
     both = reading.word(index - 1) == "both"
+    if len(before) > 1 and _is_plural_subject(reading, phrases[before[-2]], phrases[before[-1]]):
+        return before[-2:]
     for number in reversed(before[:-1]):
         between = reading.words(phrases[number].last, phrases[lefts[-1]].first)
         if (
@@ -382,6 +402,17 @@ def _lefts(reading: Reading, phrases: list[Phrase], before: list[int], index: in
             continue
         break
     return lefts[::-1]
+
+
+def _is_plural_subject(reading: Reading, one: Phrase, other: Phrase) -> bool:
+    """Whether two rooms are what a clause in the plural is about: "A and B have no wall in common with C"."""
+    if set(reading.words(one.last, other.begin)) - {"the", "a"} != {"and"} or reading.word(other.last) not in _PLURALS:
+        return False
+    return reading.starts(min(one.first, one.begin - (one.determiner == "the"))) or one.determiner == "both"
+
+
+_PLURALS = frozenset({"have", "are", "adjoin", "share", "do", "touch", "lie", "stand", "border", "must", "should"})
+"""Verbs of a subject in the plural; "must" and "should" where two rooms open the sentence."""
 
 
 def _right(reading: Reading, phrases: list[Phrase], rooms: list[int], last: int) -> list[int]:
@@ -437,11 +468,20 @@ def _between_them(phrases: list[Phrase], before: list[int], index: int, last: in
 def _postposed(reading: Reading, phrases: list[Phrase], rooms: list[int], index: int, last: int) -> Relation | None:
     """Read "live room, control room adjacent": the room before is meant."""
     before = _in_sentence(reading, phrases, rooms, index, before=True)
-    if len(before) < 2 or reading.word(index) not in ("adjacent", "adjoining", "attached", "beside", "alongside"):
+    side = reading.word(index) in ("adjacent", "adjoining", "attached", "beside", "alongside", "next", "at")
+    if len(before) < 2 or not side:
         return None
     if phrases[before[-1]].last != index:
         return None
     return Relation((before[-1],), (before[-2],), False, index, last)
+
+
+def _of_the_two(reading: Reading, first: int, last: int) -> bool:
+    """Whether "these two", "the two rooms" or "they" stand between rooms and what is said of them both."""
+    words = reading.words(first, last)
+    return "they" in words or any(
+        pair in (("these", "two"), ("the", "two"), ("those", "two")) for pair in itertools.pairwise(words)
+    )
 
 
 def _mutual(reading: Reading, phrases: list[Phrase], rooms: list[int], index: int, last: int) -> Relation | None:
@@ -459,7 +499,10 @@ def _mutual(reading: Reading, phrases: list[Phrase], rooms: list[int], index: in
         and phrases[pair[-1]].determiner in ("the", "both", "these")
     ):
         pair = [pair[-1]] * 2
-    elif not set(reading.words(phrases[pair[0]].last, phrases[pair[1]].first)) & {"and", "with", "or", "plus", "&"}:
+    elif not (
+        set(reading.words(phrases[pair[0]].last, phrases[pair[1]].first)) & {"and", "with", "or", "plus", "&"}
+        or _of_the_two(reading, phrases[pair[1]].last, index)
+    ):
         return None
     negated = _negated(reading, phrases, rooms, index)
     return Relation((pair[0],), (pair[1],), negated, index, last)

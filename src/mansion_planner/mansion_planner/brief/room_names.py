@@ -298,6 +298,7 @@ def listed_unknowns(reading: Reading, chunks: list[tuple[int, int]], phrases: li
     found: list[Phrase] = []
     ends = {phrase.last - 1 for phrase in phrases if phrase.head == "room"}
     things = {phrase.last for phrase in phrases if phrase.head == "object"}
+    rooms = {phrase.begin for phrase in phrases if phrase.head == "room"}
     for begin, end in chunks:
         if not reading.free(begin, end) or end - begin > 3:
             continue
@@ -337,9 +338,12 @@ def listed_unknowns(reading: Reading, chunks: list[tuple[int, int]], phrases: li
         if any(word in PLAIN or word.endswith(("ly", "ed")) or word in _NO_ROOMS for word in words[-1:]):
             continue
         bare = before in (",", "and", "&", "|") and not counted
+        between = before == "," and begin - 1 in things and headed and reading.word(end) == ","
+        between = between and not reading.plural(end - 1) and (end + 1 in rooms or reading.word(end + 2) == ",")
         if (
             bare
             and not measured
+            and not between
             and begin - 2 not in ends
             and (begin - 3 not in ends or reading.word(begin - 2) != ",")
         ):

@@ -1,6 +1,7 @@
 """Read how many storeys and basements a brief asks for: "four storeys", "G+3", "all on one level"."""
 
 from mansion_planner.brief.facts import FloorRef, Quantity
+from mansion_planner.brief.furniture_words import furniture_of
 from mansion_planner.brief.phrase import PLAIN
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
 
@@ -194,6 +195,8 @@ class StoreyCounts:
             reading.word(index - 1) == "all" and value > 1 and not self.places
         ):
             return index
+        if not reading.plural(last) and reading.plural(last + 1) and furniture_of(reading.words(last, last + 2))[1] > 1:
+            return index  # "three floor lamps"
         last += 1
         if value == 1 and self._measures_one(last):
             return index

@@ -69,6 +69,10 @@ def _with_edges(reading: Reading, place: Place) -> Place:
     return replace(place, first=first, last=last, led=led or each, heading=heading)
 
 
+_UPSTAIRS = frozenset("upper other guest remaining sleeping bedroom residential".split())
+"""What storeys above the ground floor are called together: "on each sleeping level"."""
+
+
 class _Scanner:
     """Goes over the tokens once; knows the storey named last, which others are told from."""
 
@@ -320,7 +324,7 @@ class _Scanner:
         if counted and reading.value(last) > 1 and not reading.facts.floors:
             reading.facts.floors.append(Quantity(reading.value(last), reading.span(last, last + 2)))
         last += reading.kind(last) == "number"
-        upper = reading.word(last) in ("upper", "other", "guest", "remaining")
+        upper = reading.word(last) in _UPSTAIRS
         last += upper or reading.word(last) in ("residential", "office", "typical")
         if reading.word(last) not in FLOOR_WORDS:
             return None
