@@ -45,7 +45,8 @@ def _is_bystander(reading: Reading, phrase: Phrase, sites: set[int]) -> bool:
         and reading.plural(phrase.begin)
         and reading.word(phrase.last) in ("the", "a", "an", "our", "all")
     )
-    return writer or left or outgrown or verb or (phrase.first in sites and phrase.determiner in ("the", ""))
+    fled = not {"leaving", "fleeing", "escaping"}.isdisjoint(reading.words(max(phrase.begin - 2, 0), phrase.noun_end))
+    return fled or writer or left or outgrown or verb or (phrase.first in sites and phrase.determiner in ("the", ""))
 
 
 def _site_tokens(reading: Reading) -> set[int]:

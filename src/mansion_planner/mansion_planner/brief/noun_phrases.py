@@ -95,7 +95,8 @@ def _named_again(reading: Reading, chunks: list[tuple[int, int]], phrases: list[
         if first is not None and reading.free(begin, end):
             phrase = finished_phrase(reading, "room", begin, end, room=first.room_type, known=first.known)
             reading.take(phrase.first, phrase.last)
-            found.append(replace(phrase, name=first.name, determiner="the"))
+            one_of = phrase.determiner in ("each", "every", "all", "both", "either")
+            found.append(replace(phrase, name=first.name, determiner=phrase.determiner if one_of else "the"))
     return found
 
 
@@ -270,7 +271,8 @@ def _headed(reading: Reading, begin: int, end: int, *, whole: bool) -> Phrase | 
         return None
     if not whole and reading.word(end) in ("style", "styled"):
         return None  # "chalet style" is how the building looks
-    if reading.word(end) == "one" and reading.word(begin - 1) in ("a", "an"):
+    one = reading.word(end) == "one" and reading.word(end + 1) not in FLOOR_WORDS | {"flight"}
+    if one and reading.word(begin - 1) in ("a", "an"):
         return None  # "two kitchens, a meat one and a dairy one"
     category, size = furniture_of(reading.words(begin, end))
     if last in _STAIRS | _LIFTS and size < 2:
@@ -338,7 +340,7 @@ def _has_purpose(reading: Reading, end: int) -> bool:
     return reading.word(end) == "of" and reading.kind(after) == "word" and reading.word(after) not in FUNCTION_WORDS
 
 
-_STANDS_ALONE = frozenset({"surgery", "booth", "cabin", "cell", "ward", "salon", "loft", "kiosk", "chapel", "atelier"})
+_STANDS_ALONE = frozenset({"surgery", "booth", "cabin", "cell", "chamber", "ward", "salon", "loft", "kiosk", "chapel", "atelier"})
 """Nouns that name a room without a word before them, where they are counted or stand in the plural."""
 
 

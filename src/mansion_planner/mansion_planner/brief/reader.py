@@ -139,6 +139,7 @@ class _Reader:
         self._tell_rooms_within()
         self._said_with_area()
         self._placed_later()
+        self._placed_again()
         read_counts_by_group(reading, self.phrases, self.households)
         rooms = [
             n
@@ -411,6 +412,15 @@ class _Reader:
             if earlier is not None:
                 self.attached[earlier] = Attachment(self.attached[number].refs)
                 self.same[number] = earlier
+
+    def _placed_again(self) -> None:
+        """Read "a brewery with a taproom ... the floor above is the taproom with a bar" as where the taproom is."""
+        operands = {n for relation in self.relations for n in (*relation.lefts, *relation.rights)}
+        for number, named in self.same.items():
+            phrase, room = self.phrases[number], self.phrases[named]
+            if number in self.attached and named not in self.attached and number not in operands:
+                if phrase.name == room.name and room.count == 1 and not phrase.counted and named < number:
+                    self.attached[named] = Attachment(self.attached[number].refs)
 
     def _wanted_rooms(self) -> list[int]:
         """Return the phrases that name rooms of the building."""

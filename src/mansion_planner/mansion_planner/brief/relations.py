@@ -103,6 +103,10 @@ _APART = [
     ("separated", "from"),
     ("remote", "from"),
     ("distance", "from"),
+    ("clear", "of"),
+    ("well", "clear", "of"),
+    ("well", "away", "from"),
+    ("out", "of", "reach", "of"),
     ("isolated", "from"),
     ("separate", "from"),
     ("distant", "from"),
@@ -146,7 +150,7 @@ _MUTUAL = [
 ]
 _LEADS = frozenset({"between", "each", "to", "of", *(words[0] for words in (*_BESIDE, *_APART, *_MUTUAL))})
 """Words that a relation can begin with."""
-_NEGATIONS = frozenset({"not", "no", "never", "neither", "nor", "without", "nowhere", "avoid"})
+_NEGATIONS = frozenset({"none", "not", "no", "never", "neither", "nor", "without", "nowhere", "avoid"})
 _PRONOUNS = frozenset({"it", "them", "this", "that", "which", "these"})
 
 
@@ -222,7 +226,9 @@ def _relation_at(reading: Reading, phrases: list[Phrase], rooms: list[int], inde
         if pairs:
             return Relation(tuple(a for a, _ in pairs), tuple(b for _, b in pairs), False, index, index + 5), index + 5
     mutual = max((p for p in _MUTUAL if reading.words(index, index + len(p)) == p), key=len, default=None)
-    if mutual is not None and _closes(reading, index + len(mutual), phrases, rooms):
+    longer = max((p for p in _BESIDE if reading.words(index, index + len(p)) == p), key=len, default=())
+    directed = mutual is not None and len(longer) > len(mutual) and _right(reading, phrases, rooms, index + len(longer))
+    if mutual is not None and not directed and _closes(reading, index + len(mutual), phrases, rooms):
         found = _mutual(reading, phrases, rooms, index, index + len(mutual)) or _postposed(
             reading, phrases, rooms, index, index + len(mutual)
         )
@@ -258,7 +264,10 @@ _OWNED = frozenset({"ensuite_bathroom", "walk_in_closet", "dressing_room"})
 
 def _closes(reading: Reading, last: int, phrases: list[Phrase], rooms: list[int]) -> bool:
     """Whether nothing that could be the second room follows before the clause ends."""
-    return reading.breaks(last) or reading.word(last) in (",", ")", "and", "on", "in", "at", ":", "if", "to")
+    return reading.breaks(last) or reading.word(last) in (
+        *(",", ")", "and", "on", "in", "at", ":", "if", "to"),
+        *("go", "is", "are", "but", "plus", "which", "take", "occupy"),
+    )
 
 
 def _in_sentence(reading: Reading, phrases: list[Phrase], rooms: list[int], index: int, *, before: bool) -> list[int]:

@@ -43,22 +43,43 @@ def with_own_names(reading: Reading, phrase: Phrase) -> list[Phrase]:
             return [replace(_named(phrase, reading.span(begin, end).words), last=end + 1)]
     if not called:
         return [phrase]
-    names, index = [], last + 1
-    while reading.kind(index) == "word" and reading.tokens[index].capital:
-        names.append(index)
-        index += 1
+    names = _capitals(reading, last + 1)
+    if not names:
+        return [phrase]
+    end = names[-1][1]
+    reading.take(last, end)
+    areas = _areas_between(reading, phrase.last, last) or _areas_of_all(reading, end, len(names))
+    phrase = replace(phrase, areas=areas)
+    named = [_named(phrase, reading.span(*name).words) for name in names]
+    if len(names) == 1:
+        return [replace(named[0], count=1, plural=False, last=end)]
+    return [_one_of(room, *name) for name, room in zip(names, named)]
+
+
+def _capitals(reading: Reading, index: int) -> list[tuple[int, int]]:
+    """Return a list of names in capitals as pairs of tokens: "Pharaoh's Tomb, Submarine and Moon Base"."""
+    names: list[tuple[int, int]] = []
+    while reading.kind(index) in ("word", "number", "ordinal") and reading.tokens[index].capital:
+        begin = index
+        while index < len(reading.tokens) and reading.tokens[index].capital and index - begin < 4:
+            index += 1
+        names.append((begin, index))
         step = 2 if reading.words(index, index + 2) == (",", "and") else 1 if reading.word(index) in (",", "and") else 0
         if not step:
             break
         index += step
-    if not names:
-        return [phrase]
-    reading.take(last, names[-1] + 1)
-    phrase = replace(phrase, areas=_areas_between(reading, phrase.last, last))
-    named = [_named(phrase, reading.span(n, n + 1).words) for n in names]
-    if len(names) == 1:
-        return [replace(named[0], count=1, plural=False, last=names[0] + 1)]
-    return [_one_of(room, n, n + 1) for n, room in zip(names, named)]
+    return names
+
+
+def _areas_of_all(reading: Reading, index: int, many: int) -> tuple[float, ...]:
+    """Return the area that follows the names of several rooms: "Alder and Birch, each 30 m2", "A and B (20 m2 each)"."""
+    at = index
+    while reading.word(at) in (",", "(", "of", "with", "at", "about", "each", "all", "both", "measuring", "-"):
+        at += 1
+    said = {*reading.words(index, at), *reading.words(at + 2, at + 3)}
+    if many < 2 or at - index > 4 or said.isdisjoint({"each", "all", "both", "apiece", "of"}):
+        return ()
+    return _areas_between(reading, at, at + 1)
 
 
 def _calling(reading: Reading, last: int) -> int:
@@ -84,7 +105,7 @@ def _areas_between(reading: Reading, first: int, last: int) -> tuple[float, ...]
 def by_own_name(reading: Reading, phrases: list[Phrase]) -> list[Phrase]:
     """Return the phrases, with "classroom Oslo" read as the room that is called so."""
     own = {p.name: p for p in phrases if p.label.endswith(")")}
-    found = []
+    found = _spoken_of(reading, [p for p in own.values() if p.begin < p.noun_end])
     for phrase in phrases:
         named = own.get(reading.word(phrase.last)) if phrase.head in ("room", "building") else None
         if named is not None and named.room_type == phrase.room_type and reading.free(phrase.last, phrase.last + 1):
@@ -93,6 +114,21 @@ def by_own_name(reading: Reading, phrases: list[Phrase]) -> list[Phrase]:
                 phrase, name=named.name, label=named.label, determiner="the", head="room", last=phrase.last + 1
             )
         found.append(phrase)
+    return found
+
+
+def _spoken_of(reading: Reading, named: list[Phrase]) -> list[Phrase]:
+    """Return later mentions of rooms by their own names alone: "keep the workshop away from Submarine"."""
+    found = []
+    for phrase in named:
+        words = reading.words(phrase.begin, phrase.noun_end)
+        for index in range(phrase.last, len(reading.tokens) - len(words) + 1):
+            end = index + len(words)
+            if reading.words(index, end) != words or not reading.tokens[index].capital or not reading.free(index, end):
+                continue
+            reading.take(index, end)
+            again = replace(phrase, first=index, begin=index, noun_end=end, last=end, determiner="the", areas=())
+            found.append(replace(again, counted=False))
     return found
 
 
@@ -183,7 +219,33 @@ def designated_nouns(reading: Reading) -> frozenset[str]:
             found.setdefault(noun.text, set()).add("".join(reading.words(index, index + length)))
             if _next_designator(reading, index + length) or _lettered(reading, index, length):
                 found[noun.text].add("more")
+    found |= _named_apart(reading)
     return frozenset(noun for noun, names in found.items() if len(names) > 1)
+
+
+def _named_apart(reading: Reading) -> dict[str, set[str]]:
+    """Return room nouns with the proper names after them, where a brief tells several so: "Courtroom Alder"."""
+    names: dict[str, set[str]] = {}
+    for index in range(1, len(reading.tokens)):
+        noun = reading.tokens[index - 1]
+        if _proper(reading, index) and noun.kind == "word" and not noun.plural:
+            if noun.text in HEAD_TYPES or reading.mention_at.get(index - 1, Mention(0, 0)).room:
+                names.setdefault(noun.text, set()).add(reading.word(index))
+    return {noun: found for noun, found in names.items() if len(found) > 1}
+
+
+def _proper(reading: Reading, index: int) -> int:
+    """Return how many tokens a proper name has that begins at a token, or 0."""
+    token = reading.tokens[index] if index < len(reading.tokens) else None
+    if token is None or index in reading.taken or index in reading.mention_at or not token.capital:
+        return 0
+    written = reading.text[token.start : token.end]
+    spelt = token.kind == "number" and token.text.isalpha()
+    if (token.kind != "word" and not spelt) or len(written) < 3 or written.isupper():
+        return 0
+    if token.text in FUNCTION_WORDS | FLOOR_WORDS | PLAIN | HEAD_TYPES.keys() or reading.starts(index):
+        return 0
+    return 1
 
 
 def _lettered(reading: Reading, index: int, length: int) -> bool:
@@ -203,6 +265,12 @@ def _range_end(reading: Reading, index: int) -> int:
     first, last = reading.value(index), reading.value(index + 2)
     numbers = reading.kind(index) == reading.kind(index + 2) == "number" and 0 < first < last <= first + 40
     return int(last) if numbers and last == int(last) and _ends(reading, index + 2) else 0
+
+
+def _range_to(reading: Reading, index: int) -> bool:
+    """Whether "1 to 4" stands at a token."""
+    first, last = reading.value(index), reading.value(index + 2)
+    return reading.word(index + 1) in ("to", "–", "through", "-") and 0 < first < last <= first + 60
 
 
 def _designator(reading: Reading, index: int) -> int:
@@ -237,6 +305,12 @@ def with_designators(
 ) -> list[Phrase]:
     """Read "Bedroom 1" and "class 1A and 1B" as rooms of these names, or as one of those that are `counted` before."""
     noun = reading.word(phrase.noun_end - 1)
+    number = phrase.noun_end + 1
+    if phrase.head == "room" and reading.word(number - 1) == "numbered" and _range_to(reading, number):
+        last = number + 3
+        reading.take(number - 1, last)
+        count = int(reading.value(last - 1) - reading.value(number)) + 1
+        return [replace(phrase, count=count, counted=True, last=last)]
     if phrase.head not in ("room", "building") or phrase.counted or noun not in nouns:
         return [phrase]
     if phrase.building and noun in HEAD_TYPES:
@@ -252,7 +326,7 @@ def with_designators(
         reading.take(index, index + 3)
         return [replace(phrase, count=final - int(reading.value(index)) + 1, counted=True, last=index + 3)]
     while index:
-        length = _designator(reading, index)
+        length = _designator(reading, index) or _proper(reading, index)
         if not length:
             break
         end = index + length
@@ -348,6 +422,8 @@ def listed_unknowns(reading: Reading, chunks: list[tuple[int, int]], phrases: li
             and (begin - 3 not in ends or reading.word(begin - 2) != ",")
         ):
             continue
+        if any(m.style and (m.first, m.last) == (begin, end) for m in reading.mentions):
+            continue  # "a penthouse of 210 m2, art deco"
         name = name_of(reading, begin, end)
         phrase = finished_phrase(
             reading, "room", begin, end, room=similar_room_type(name, reading.knowledge), known=False

@@ -23,6 +23,8 @@ _GLUE = frozenset(
     on in at to entirely mostly alone as well too also each one apiece most much of occupy therefore be well
     """.split()
 )
+_BESIDE = frozenset({"its", "side", "next", "door", "adjacent", "adjoining", "beside"})
+"""Words of a relation that may stand between a room and its storey: "with a scullery at its side on the lower floor"."""
 _OPENERS = frozenset(
     """
     , and while but : ( where then - – | with plus whereas also finally
@@ -232,6 +234,7 @@ class _Walk:
             return False
         measures = all(
             word in _GLUE
+            or (word in _BESIDE and phrase.last + k in self.reading.taken)
             or self.reading.kind(phrase.last + k) in ("number", "unit")
             or word in ("(", ")", "of", "about", "x", "people")
             for k, word in enumerate(gap)

@@ -198,6 +198,8 @@ class StoreyCounts:
         if not reading.plural(last) and reading.plural(last + 1) and furniture_of(reading.words(last, last + 2))[1] > 1:
             return index  # "three floor lamps"
         last += 1
+        if reading.word(last) in ("up", "down", "higher", "lower", "upward", "downward") and not adjectives:
+            return index  # "one floor up" tells a storey
         if value == 1 and self._measures_one(last):
             return index
         last += reading.word(last) in ("high", "height", "tall")
