@@ -38,11 +38,11 @@ class EllipticStoreys:
         self.reading, self.has_floors = reading, has_floors
         self.basement = not {"basement", "cellar"}.isdisjoint(token.text for token in reading.tokens)
 
-    def read(self, index: int) -> tuple[list[FloorRef], int] | None:
-        """Read a storey at a token."""
+    def read(self, index: int, previous: FloorRef | None) -> tuple[list[FloorRef], int] | None:
+        """Read a storey at a token; `previous` is the one named last."""
         if not self.has_floors:
             return None
-        return self._edge(index) or self._ordinal(index) or self._entered(index) or self._between(index)
+        return self._from_top(index, previous) or self._first_of(index, previous) or self._edge(index) or self._ordinal(index) or self._entered(index) or self._between(index)
 
     def _edge(self, index: int) -> tuple[list[FloorRef], int] | None:
         """Read "Lower: ...", "the last one has ...", "on the uppermost a dome", "take the upper one"."""
@@ -85,6 +85,41 @@ class EllipticStoreys:
         if taken and reading.word(index + 1) in CLOSERS and self._after_storey(index):
             return [FloorRef("number", int(value), int(value))], index + 1
         return None
+
+    def _first_of(self, index: int, previous: FloorRef | None) -> tuple[list[FloorRef], int] | None:
+        """Read "the two floors on top hold, first, ..., then, at the very top, ...": the lower of them."""
+        reading = self.reading
+        ranged = previous is not None and previous.kind == "range" and previous.last > previous.first
+        alone = reading.word(index + 1) == "," and reading.word(index - 1) in (",", ":")
+        if previous is None or not ranged or reading.word(index) != "first" or not alone:
+            return None
+        return [FloorRef("number", previous.first, previous.first)], index + 1
+
+    def _from_top(self, index: int, previous: FloorRef | None) -> tuple[list[FloorRef], int] | None:
+        """Read "counting from the top: ... on the first, ... on the next, ... on the one after that"."""
+        reading = self.reading
+        if not self._counts_down(index) or reading.word(index - 1) != "the" or reading.word(index - 2) != "on":
+            return None
+        value = reading.value(index)
+        if reading.kind(index) == "ordinal" and 1 <= value <= 40:
+            last = index + 1 + (reading.word(index + 1) in FLOOR_WORDS | {"one"})
+            return [FloorRef("top") if value == 1 else FloorRef("below_top", int(value) - 1)], last
+        further = previous is not None and previous.kind in ("top", "below_top")
+        following = reading.word(index) == "next" or reading.words(index, index + 2) == ("one", "after")
+        if previous is None or not (further and following):
+            return None
+        last = index + 1 + (reading.word(index + 1) in FLOOR_WORDS | {"one", "after"})
+        last += reading.word(last) in ("that", "it")
+        return [FloorRef("below_top", (0 if previous.kind == "top" else previous.first) + 1)], last
+
+    def _counts_down(self, index: int) -> bool:
+        """Whether the sentence of a token counts storeys from the top."""
+        reading, at = self.reading, index
+        while at > 2 and reading.sentence[at] == reading.sentence[index] and index - at < 60:
+            if reading.words(at - 2, at + 1) == ("from", "the", "top"):
+                return reading.word(at - 3) in ("counting", "counted", "numbered", "numbering", "down", "starting")
+            at -= 1
+        return False
 
     def _after_storey(self, index: int) -> bool:
         """Whether a storey with a noun stands before a token in its sentence or in the one before."""

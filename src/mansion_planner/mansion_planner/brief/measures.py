@@ -120,7 +120,8 @@ def give_measures(reading: Reading, measures: list[Measure], phrases: list[Phras
             result[number] = replace(result[number], head="unknown")
         if target is not None:
             areas = result[target].areas + measure.values
-            result[target] = replace(result[target], areas=areas, limit=measure.limit)
+            for number in (target, *_joined_alike(reading, measure, result, target)):
+                result[number] = replace(result[number], areas=areas, limit=measure.limit)
             continue
         if len(measure.values) > 1:
             several = [
@@ -152,6 +153,29 @@ def give_measures(reading: Reading, measures: list[Measure], phrases: list[Phras
         reading.facts.floor_area += plots  # all that is said of the size
     _settle(reading)
     return result
+
+
+def _is_of_each(reading: Reading, measure: Measure) -> bool:
+    """Whether an area is said of each of several: "each 30 m2", "30 m2 each"."""
+    return "each" in reading.words(_lead(reading, measure), measure.first) or _after(reading, measure, 1) in (
+        ["each"],
+        ["apiece"],
+    )
+
+
+def _joined_alike(reading: Reading, measure: Measure, phrases: list[Phrase], target: int) -> list[int]:
+    """Return the rooms of a kind that share an area with the last of them: "Lab A and Lab B, 40 m2 each"."""
+    found: list[int] = []
+    while target > 0 and _is_of_each(reading, measure):
+        one, other = phrases[target - 1], phrases[target]
+        joints = set(reading.words(one.last, other.begin))
+        alike = one.room_type == other.room_type and joints <= {"and", ",", "the"}
+        joined = one.head == "room" and one.name != other.name and (alike or joints <= {"and", "a", "an"})
+        if not (joined and joints) or one.areas or one.count != 1 or other.count != 1:
+            break
+        target -= 1
+        found.append(target)
+    return found
 
 
 def _of_one_storey(reading: Reading, measure: Measure) -> bool:
@@ -312,6 +336,8 @@ def _of_something_else(reading: Reading, measure: Measure, phrases: list[Phrase]
 
 def _of_unread_noun(reading: Reading, measure: Measure) -> bool:
     """Whether an area is said of something that the brief names and that nothing is read of: "Nave Two (90 m2)"."""
+    if _is_of_each(reading, measure):
+        return True
     if reading.sentence[measure.first] == 0 and not reading.facts.area:
         return False
     if not _TOTALS.isdisjoint(_after(reading, measure, 3)):
@@ -321,16 +347,12 @@ def _of_unread_noun(reading: Reading, measure: Measure) -> bool:
     )
     if not _TOTALS.isdisjoint(map(reading.word, clause)):
         return False
-    each = _after(reading, measure, 1) in (["each"], ["apiece"])
-    index, comma = measure.first - 1, False
-    while index >= 0 and (reading.word(index) in _FILLERS or (reading.word(index) == "," and each and not comma)):
-        if not _TOTALS.isdisjoint({reading.word(index)}):
-            return False
-        comma = comma or reading.word(index) == ","
+    index = measure.first - 1
+    while index >= 0 and reading.word(index) in _FILLERS:
         index -= 1
     named = reading.kind(index) == "word" or (reading.kind(index) == "number" and index == measure.first - 1)
     unread = index >= 0 and index not in reading.taken and reading.sentence[index] == reading.sentence[measure.first]
-    return each or (unread and named and reading.word(index) not in _BUILDINGS)
+    return unread and named and reading.word(index) not in _BUILDINGS
 
 
 _BUILDINGS = frozenset(
@@ -497,7 +519,7 @@ def _is_building(reading: Reading, phrase: Phrase) -> bool:
 
 def _listed(reading: Reading, measure: Measure, phrase: Phrase, after: list[str]) -> bool:
     """Whether a comma joins an area to the room before it: "rooms, 15 m2 each", "hall, 320 m2 |", an item of a list."""
-    if after[:1] and after[0] in ("each", "apiece"):
+    if _is_of_each(reading, measure):
         return True
     gap = reading.words(phrase.last, measure.first)
     alike = not {"alike", "same", "equal", "identical"}.isdisjoint(gap)

@@ -275,6 +275,8 @@ def _headed(reading: Reading, begin: int, end: int, *, whole: bool) -> Phrase | 
     if one and reading.word(begin - 1) in ("a", "an"):
         return None  # "two kitchens, a meat one and a dairy one"
     category, size = furniture_of(reading.words(begin, end))
+    if last == "screen" and all(word in PLAIN for word in reading.words(begin, end - 1)) and _in_cinema(reading):
+        return finished_phrase(reading, "room", begin, end, room="cinema_hall", known=False)
     if last in _STAIRS | _LIFTS and size < 2:
         return finished_phrase(reading, "stair" if last in _STAIRS else "elevator", begin, end)
     mention = _mention_ending(reading, begin, end)
@@ -330,6 +332,11 @@ def _are_people(reading: Reading, index: int) -> bool:
     """Whether a noun in the plural that follows another is of those who work or live there."""
     word = reading.word(index)
     return reading.plural(index) and (word in PEOPLE or word.endswith(("ician", "ist", "eer", "owner", "worker")))
+
+
+def _in_cinema(reading: Reading) -> bool:
+    """Whether the brief is about a cinema, whose halls are called screens."""
+    return any(mention.building == "cinema" for mention in reading.mentions)
 
 
 def _has_purpose(reading: Reading, end: int) -> bool:

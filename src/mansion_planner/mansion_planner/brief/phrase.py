@@ -44,7 +44,7 @@ FUNCTION_WORDS = frozenset(
     named known planned needed wanted required preferred desired expected apiece respectively etc ie eg namely such
     measure measuring occupy occupying span spanning
     well however therefore moreover nevertheless obviously yes ok pls hello hi dear thanks thank upstairs downstairs
-    upstair downstair throughout everywhere anywhere elsewhere neither either incl leaving fleeing escaping ditto idem likewise half
+    upstair downstair throughout everywhere anywhere elsewhere neither either incl leaving fleeing escaping standing ditto idem likewise half
     """.split()
 )
 """Words that no noun phrase of a room goes across."""

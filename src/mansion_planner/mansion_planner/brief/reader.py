@@ -221,7 +221,7 @@ class _Reader:
             return replace(phrase, room_type=similar_room_type(phrase.name, self.reading.knowledge), known=False)
         if phrase.head == "building" and phrase.counted and phrase.plural and is_compound(self.reading, phrase):
             return replace(phrase, known=False)
-        if phrase.name == "hall" and phrase.room_type == "hallway" and sum(phrase.areas[:1]) >= 40.0:
+        if phrase.name.split("_")[0] == "hall" and phrase.room_type == "hallway" and sum(phrase.areas[:1]) >= 40.0:
             return replace(phrase, room_type="assembly_hall")
         kind = self.facts.building[0][0] if self.facts.building else ""
         record = self.reading.knowledge.buildings.get(kind)

@@ -229,7 +229,7 @@ def _named_apart(reading: Reading) -> dict[str, set[str]]:
     for index in range(1, len(reading.tokens)):
         noun = reading.tokens[index - 1]
         if _proper(reading, index) and noun.kind == "word" and not noun.plural:
-            if noun.text in HEAD_TYPES or reading.mention_at.get(index - 1, Mention(0, 0)).room:
+            if noun.text in HEAD_TYPES or noun.text == "screen" or reading.mention_at.get(index - 1, Mention(0, 0)).room:
                 names.setdefault(noun.text, set()).add(reading.word(index))
     return {noun: found for noun, found in names.items() if len(found) > 1}
 

@@ -209,6 +209,11 @@ class StoreyCounts:
             ("the", "ground"),
             ("ground", "level"),
         )
+        basement = self._included_basement(last) if value > 1 else 0
+        if basement:
+            self._state(value - 1, index, basement)
+            self._state(1, last, basement, below=True)
+            return basement
         if ground or (reading.word(last) == "above" and reading.word(last + 1) in ("ground", "grade")):
             self._state(value, index, last)
             return last
@@ -248,6 +253,22 @@ class StoreyCounts:
             return index
         self._state(value, index, last)
         return last
+
+    def _included_basement(self, last: int) -> int:
+        """Return where "4 levels if you count the basement", "3 floors incl. cellar" end, or 0."""
+        words: list[str] = []
+        for at in range(last, last + 8):
+            if self.reading.breaks(at):
+                return 0
+            words.append(self.reading.word(at))
+            if words[-1] in ("basement", "cellar"):
+                counted = {"including", "incl", "count", "counting", "counted", "included", "inclusive", "include"}
+                end = at + 1 + (self.reading.word(at + 1) in {"is", "being"})
+                end += self.reading.word(end) in counted
+                said = {*words, *self.reading.words(at + 1, end)}
+                refused = not {"not", "without", "excluding", "no"}.isdisjoint(said)
+                return 0 if refused or counted.isdisjoint(said) else end
+        return 0
 
     def _measures_one(self, last: int) -> bool:
         """Whether "one floor is 330 m2" says how large each of several storeys is."""

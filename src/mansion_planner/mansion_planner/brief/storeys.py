@@ -141,7 +141,7 @@ class _Scanner:
             self._rest,
             self._counted_set,
             self._in_sequence,
-            self.elliptic.read,
+            self._elliptic,
             self.named.ground,
             self.named.top,
             self.named.upper,
@@ -159,6 +159,9 @@ class _Scanner:
 
     def _in_sequence(self, index: int) -> tuple[list[FloorRef], int] | None:
         return self.sequence.read(index, self.previous)
+
+    def _elliptic(self, index: int) -> tuple[list[FloorRef], int] | None:
+        return self.elliptic.read(index, self.previous)
 
     def _rest(self, index: int) -> tuple[list[FloorRef], int] | None:
         """Read "the rest", "all the others", "the remaining floors": the storeys that the brief does not name."""
