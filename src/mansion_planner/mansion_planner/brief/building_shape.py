@@ -181,7 +181,9 @@ def _read_again(reading: Reading, places: list[Place], index: int) -> bool:
     """Read "3rd storey: the same again" and "Level 4: ditto" as the storey named before once more."""
     if reading.word(index) not in _AGAIN or index in reading.taken:
         return False
-    here = [n for n, p in enumerate(places) if 0 <= index - p.last <= 4 and p.refs[0].kind in ("number", "range", "top")]
+    here = [
+        n for n, p in enumerate(places) if 0 <= index - p.last <= 4 and p.refs[0].kind in ("number", "range", "top")
+    ]
     if not here or here[-1] == 0:
         return False
     place, before = places[here[-1]], places[here[-1] - 1]

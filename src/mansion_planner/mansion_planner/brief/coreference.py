@@ -33,7 +33,9 @@ def coreferences(
     for number in rooms:
         phrase = phrases[number]
         if number in operands and phrase.count == 1 and phrase.counted:
-            several = [n for n in rooms if n < number and phrases[n].name == phrase.name and (phrases[n].count or 2) > 1]
+            several = [
+                n for n in rooms if n < number and phrases[n].name == phrase.name and (phrases[n].count or 2) > 1
+            ]
             if several:
                 same[number] = several[-1]  # "beside one treatment room", of the five
                 continue

@@ -147,7 +147,7 @@ def read_halves(
         rooms = [
             n
             for n, p in enumerate(phrases)
-            if p.last <= index and p.head == "room" and p.counted and reading.sentence[p.first] == sentence
+            if p.last <= index and p.room_type and p.counted and reading.sentence[p.first] == sentence
         ]
         named = [p for p in places if index < p.first and reading.sentence[p.first] == sentence][:2]
         count = phrases[rooms[-1]].count or 0 if rooms else 0

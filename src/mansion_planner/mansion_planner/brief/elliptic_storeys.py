@@ -42,7 +42,14 @@ class EllipticStoreys:
         """Read a storey at a token; `previous` is the one named last."""
         if not self.has_floors:
             return None
-        return self._from_top(index, previous) or self._first_of(index, previous) or self._edge(index) or self._ordinal(index) or self._entered(index) or self._between(index)
+        return (
+            self._from_top(index, previous)
+            or self._first_of(index, previous)
+            or self._edge(index)
+            or self._ordinal(index)
+            or self._entered(index)
+            or self._between(index)
+        )
 
     def _edge(self, index: int) -> tuple[list[FloorRef], int] | None:
         """Read "Lower: ...", "the last one has ...", "on the uppermost a dome", "take the upper one"."""
@@ -52,9 +59,9 @@ class EllipticStoreys:
             return None
         one = reading.word(index + 1) == "one"
         last = index + 1 + one
-        if reading.words(index + 1, index + 3) == ("of", "the") and reading.value(index + 3) in (2.0, 3.0):
-            if reading.word(index + 4) in FLOOR_WORDS and reading.word(index - 1) == "the":
-                return [ref], index + 5  # "on the lower of the two floors"
+        of_them = reading.words(index + 1, index + 3) == ("of", "the") and reading.value(index + 3) in (2.0, 3.0)
+        if of_them and reading.word(index + 4) in FLOOR_WORDS and reading.word(index - 1) == "the":
+            return [ref], index + 5  # "on the lower of the two floors"
         if reading.starts(index) and (reading.word(last) in (":", "=") or (reading.word(last) == "-" and not one)):
             return [ref], last
         if one and reading.word(last) == ":" and reading.word(index - 1) == ",":
@@ -161,7 +168,7 @@ class EllipticStoreys:
             at = index + 1 + (reading.word(index + 1) == "in")
             if reading.word(at) == "between" and reading.word(at + 1) in CLOSERS | _VERBS | {"with", "them", "these"}:
                 return [FloorRef("middle")], at + 1 + (reading.word(at + 1) in ("them", "these"))
-        if reading.word(index) == "in" and reading.word(index + 1) == "between" and reading.starts(index):
-            if reading.word(index + 2) in (":", ",", "="):
-                return [FloorRef("middle")], index + 2
+        opens = reading.words(index, index + 2) == ("in", "between") and reading.starts(index)
+        if opens and reading.word(index + 2) in (":", ",", "="):
+            return [FloorRef("middle")], index + 2
         return None

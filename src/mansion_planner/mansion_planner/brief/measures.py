@@ -258,6 +258,12 @@ def _of_storey(reading: Reading, measure: Measure) -> bool:
     if _for_each_storey(reading, measure):
         return True
     counted = bool(reading.facts.floors) and reading.facts.floors[0].value > 1
+    if (
+        after[:1]
+        and after[0] in ("below", "above", "downstair", "upstair", "downstairs", "upstairs")
+        and "same" in after
+    ):
+        return True  # "150 m2 below and the same above"
     if counted and tuple(after[:2]) in (("the", "floor"), ("the", "storey"), ("the", "level")):
         return True
     if not _TOTALS.isdisjoint(after[:4]) or not _TOTALS.isdisjoint(own):
@@ -350,7 +356,7 @@ def _of_unread_noun(reading: Reading, measure: Measure) -> bool:
     index = measure.first - 1
     while index >= 0 and reading.word(index) in _FILLERS:
         index -= 1
-    named = reading.kind(index) == "word" or (reading.kind(index) == "number" and index == measure.first - 1)
+    named = reading.kind(index) in ("word", "number")
     unread = index >= 0 and index not in reading.taken and reading.sentence[index] == reading.sentence[measure.first]
     return unread and named and reading.word(index) not in _BUILDINGS
 

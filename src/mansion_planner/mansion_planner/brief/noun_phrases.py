@@ -9,6 +9,7 @@ from dataclasses import replace
 
 from mansion_planner.brief.furniture_words import furniture_of
 from mansion_planner.brief.lexicon import Mention, lexicon_of
+from mansion_planner.brief.own_names import by_own_name, with_own_names
 from mansion_planner.brief.phrase import (
     FUNCTION_WORDS,
     PEOPLE,
@@ -23,12 +24,10 @@ from mansion_planner.brief.phrase import (
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
 from mansion_planner.brief.repeated_names import further_ones
 from mansion_planner.brief.room_names import (
-    by_own_name,
     coordinated,
     designated_nouns,
     listed_unknowns,
     with_designators,
-    with_own_names,
     with_purpose,
     with_sizes,
     with_users,
@@ -347,7 +346,9 @@ def _has_purpose(reading: Reading, end: int) -> bool:
     return reading.word(end) == "of" and reading.kind(after) == "word" and reading.word(after) not in FUNCTION_WORDS
 
 
-_STANDS_ALONE = frozenset({"surgery", "booth", "cabin", "cell", "chamber", "ward", "salon", "loft", "kiosk", "chapel", "atelier"})
+_STANDS_ALONE = frozenset(
+    {"surgery", "booth", "cabin", "cell", "chamber", "ward", "salon", "loft", "kiosk", "chapel", "atelier"}
+)
 """Nouns that name a room without a word before them, where they are counted or stand in the plural."""
 
 

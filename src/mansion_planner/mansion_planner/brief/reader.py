@@ -282,7 +282,9 @@ class _Reader:
     def _is_locker(self, before: Phrase, phrase: Phrase) -> bool:
         """Whether "eight lockers" and "a bed and a locker" are furniture: those counted, or named with furniture."""
         between = set(self.reading.words(before.last, phrase.begin))
-        return (phrase.counted and phrase.plural) or (before.head == "object" and between <= {"and", "+", "a", ",", "one"})
+        return (phrase.counted and phrase.plural) or (
+            before.head == "object" and between <= {"and", "+", "a", ",", "one"}
+        )
 
     # Phrases that stand for others ----------------------------------------------------------------------------------
 
@@ -418,9 +420,10 @@ class _Reader:
         operands = {n for relation in self.relations for n in (*relation.lefts, *relation.rights)}
         for number, named in self.same.items():
             phrase, room = self.phrases[number], self.phrases[named]
-            if number in self.attached and named not in self.attached and number not in operands:
-                if phrase.name == room.name and room.count == 1 and not phrase.counted and named < number:
-                    self.attached[named] = Attachment(self.attached[number].refs)
+            placed = number in self.attached and named not in self.attached and number not in operands
+            again = phrase.name == room.name and room.count == 1 and not phrase.counted and named < number
+            if placed and again:
+                self.attached[named] = Attachment(self.attached[number].refs)
 
     def _wanted_rooms(self) -> list[int]:
         """Return the phrases that name rooms of the building."""
@@ -523,7 +526,9 @@ class _Reader:
         if relation.lefts == relation.rights == (whole,) and whole in self.groups:
             group = self.groups[whole]
             return [(a, b) for n, a in enumerate(group) for b in group[n + 1 :]]
-        lefts, rights = ([m for n in side for m in self.groups.get(n, [n])] for side in (relation.lefts, relation.rights))
+        lefts, rights = (
+            [m for n in side for m in self.groups.get(n, [n])] for side in (relation.lefts, relation.rights)
+        )
         if relation.apart:
             return [(left, right) for left in lefts for right in rights if left != right]
         if len(relation.lefts) == len(relation.rights) and len(relation.lefts) > 1:

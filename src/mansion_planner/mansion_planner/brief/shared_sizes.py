@@ -48,7 +48,7 @@ def _shares(reading: Reading, measures: list[Measure], phrase: Phrase) -> tuple[
     ]
     for start in starts:
         entries, end = _entries(reading, measures, start + 1)
-        if len(entries) > 1 and sum(many for many, _ in entries) in (0, count) or _fills(entries, count):
+        if (len(entries) > 1 and sum(many for many, _ in entries) in (0, count)) or _fills(entries, count):
             return _settled(reading, entries, count, start, end)
     return ()
 
@@ -59,9 +59,7 @@ def _fills(entries: list[tuple[int, int]], count: int) -> bool:
     return len(entries) > 1 and open_ended == 1 and sum(many for many, _ in entries) < count
 
 
-def _settled(
-    reading: Reading, entries: list[tuple[int, int]], count: int, start: int, end: int
-) -> tuple[float, ...]:
+def _settled(reading: Reading, entries: list[tuple[int, int]], count: int, start: int, end: int) -> tuple[float, ...]:
     left = count - sum(many for many, _ in entries)
     areas: list[float] = []
     for many, at in entries:

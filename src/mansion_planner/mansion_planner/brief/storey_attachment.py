@@ -24,7 +24,7 @@ _GLUE = frozenset(
     """.split()
 )
 _BESIDE = frozenset({"its", "side", "next", "door", "adjacent", "adjoining", "beside"})
-"""Words of a relation that may stand between a room and its storey: "with a scullery at its side on the lower floor"."""
+"""Words of a relation between a room and its storey: "with a scullery at its side on the lower floor"."""
 _OPENERS = frozenset(
     """
     , and while but : ( where then - – | with plus whereas also finally
@@ -217,7 +217,7 @@ class _Walk:
         )
 
     def _trails(self, place: Place, left: list[int]) -> bool:
-        if not left or place.heading:
+        if not left or place.heading or "where" in self.reading.words(place.last, place.last + 2):
             return False
         phrase = self.phrases[left[-1]]
         gap = self.reading.words(phrase.last, place.first)
@@ -299,9 +299,7 @@ class _Walk:
         several = several and not (place.refs[0].kind == "middle" and not self._plural_upper(place))
         phrase = self.phrases[number]
         near = self.reading.words(max(phrase.first - 4, 0), place.first if trailing else phrase.first)
-        rest = tuple(
-            itertools.takewhile(lambda word: word != ".", self.reading.words(phrase.last, phrase.last + 3))
-        )
+        rest = tuple(itertools.takewhile(lambda word: word != ".", self.reading.words(phrase.last, phrase.last + 3)))
         shared = (
             ("shared", "between") in itertools.pairwise(rest)
             or not _SHARED_OUT.isdisjoint(near)
@@ -320,6 +318,8 @@ class _Walk:
         return storeys > 1 and count >= _MANY * storeys and count % storeys == 0
 
     def _plural_upper(self, place: Place) -> bool:
+        if not {"each", "every"}.isdisjoint(self.reading.words(place.first, place.last)):
+            return True  # "on each sleeping level"
         return any(
             self.reading.plural(i) and self.reading.word(i) in ("floor", "storey", "level", "story", "deck")
             for i in range(place.first, place.last)

@@ -90,9 +90,7 @@ def read_suites(
         distributed = phrases[owner].determiner in ("each", "every", "both", "all")
         generic = phrases[owner].determiner in ("a", "an", "each", "every")
         if generic and owner in same:
-            twins_of[number] = [
-                n for n in rooms[:position] if phrases[n].name == phrases[owner].name and n not in same
-            ]
+            twins_of[number] = [n for n in rooms[:position] if phrases[n].name == phrases[owner].name and n not in same]
         distributed = distributed or (generic and owner in same)
         owner = same.get(owner, owner)
         several = (phrases[owner].count or 2) > 1 or distributed
