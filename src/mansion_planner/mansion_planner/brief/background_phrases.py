@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+from mansion_planner.brief.building import MADE_INTO
 from mansion_planner.brief.phrase import Phrase
 from mansion_planner.brief.reading import Reading
 
@@ -46,7 +47,8 @@ def _is_bystander(reading: Reading, phrase: Phrase, sites: set[int]) -> bool:
         and reading.word(phrase.last) in ("the", "a", "an", "our", "all")
     )
     fled = not {"leaving", "fleeing", "escaping"}.isdisjoint(reading.words(max(phrase.begin - 2, 0), phrase.noun_end))
-    return fled or writer or left or outgrown or verb or (phrase.first in sites and phrase.determiner in ("the", ""))
+    made = reading.word(phrase.last) in MADE_INTO and reading.word(phrase.last + 1) in ("into", "to")
+    return made or fled or writer or left or outgrown or verb or (phrase.first in sites and phrase.determiner in ("the", ""))
 
 
 def _site_tokens(reading: Reading) -> set[int]:

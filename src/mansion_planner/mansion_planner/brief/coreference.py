@@ -30,6 +30,7 @@ def coreferences(
     groups: dict[int, list[int]] = {}
     operands = {n for relation in relations for n in relation.rights}
     lefts = {n for relation in relations for n in relation.lefts}
+    apart = {n for relation in relations if relation.apart for n in relation.lefts}
     for number in rooms:
         phrase = phrases[number]
         if number in operands and phrase.count == 1 and phrase.counted:
@@ -52,6 +53,7 @@ def coreferences(
             continue
         topical = reading.word(phrase.last) in _VERBS and not phrase.counted
         known = (number in lefts or topical) and phrase.determiner not in ("a", "an")
+        known = known or (number in apart and phrase.determiner in ("a", "an"))  # "nothing such as a cafe may be near"
         if not (phrase.determiner in _DEFINITE or number in operands or known):
             continue
         others = [n for n in rooms if n != number and n not in same and _same_name(phrase, phrases[n])]

@@ -144,7 +144,9 @@ def give_measures(reading: Reading, measures: list[Measure], phrases: list[Phras
             plots.append(fact)
         elif _of_storey(reading, measure):
             reading.facts.floor_area.append(fact)
-        elif _of_something_else(reading, measure, result) or _of_unread_noun(reading, measure):
+        elif _of_something_else(reading, measure, result) or _of_unread_noun(
+            reading, measure, result
+        ):
             reading.taken.difference_update(range(measure.first, measure.last))
         elif not _of_part(reading, measure):
             reading.facts.area.append(fact)
@@ -340,11 +342,13 @@ def _of_something_else(reading: Reading, measure: Measure, phrases: list[Phrase]
     return said and counted and _TOTALS.isdisjoint(_after(reading, measure, 3))
 
 
-def _of_unread_noun(reading: Reading, measure: Measure) -> bool:
+def _of_unread_noun(reading: Reading, measure: Measure, phrases: list[Phrase]) -> bool:
     """Whether an area is said of something that the brief names and that nothing is read of: "Nave Two (90 m2)"."""
     if _is_of_each(reading, measure):
         return True
-    if reading.sentence[measure.first] == 0 and not reading.facts.area:
+    sentence = reading.sentence[measure.first]
+    rooms = any(p.head == "room" and reading.sentence[p.first] == sentence and p.last < measure.first for p in phrases)
+    if sentence == 0 and not rooms and not reading.facts.area:
         return False
     if not _TOTALS.isdisjoint(_after(reading, measure, 3)):
         return False

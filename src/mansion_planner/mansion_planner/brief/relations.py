@@ -7,8 +7,8 @@ import itertools
 from bisect import bisect_left
 from dataclasses import dataclass, replace
 
-from mansion_planner.brief.phrase import Phrase
-from mansion_planner.brief.reading import Reading
+from mansion_planner.brief.phrase import FUNCTION_WORDS, PLAIN, Phrase
+from mansion_planner.brief.reading import FLOOR_WORDS, Reading
 
 __all__ = ["Relation", "read_relations"]
 
@@ -111,6 +111,8 @@ _APART = [
     ("separate", "from"),
     ("distant", "from"),
     ("as", "far", "as", "you", "can", "from"),
+    ("as", "far", "as", "possible", "from"),
+    ("far", "as", "possible", "from"),
 ]
 _MUTUAL = [
     ("next", "to", "each", "other"),
@@ -150,7 +152,7 @@ _MUTUAL = [
 ]
 _LEADS = frozenset({"between", "each", "to", "of", *(words[0] for words in (*_BESIDE, *_APART, *_MUTUAL))})
 """Words that a relation can begin with."""
-_NEGATIONS = frozenset({"none", "not", "no", "never", "neither", "nor", "without", "nowhere", "avoid"})
+_NEGATIONS = frozenset({"none", "nothing", "not", "no", "never", "neither", "nor", "without", "nowhere", "avoid"})
 _PRONOUNS = frozenset({"it", "them", "this", "that", "which", "these"})
 
 
@@ -212,7 +214,7 @@ def _of_subject(reading: Reading, phrases: list[Phrase], relation: Relation, bef
 
 
 def _relation_at(reading: Reading, phrases: list[Phrase], rooms: list[int], index: int) -> tuple[Relation, int] | None:
-    if reading.word(index) not in _LEADS:
+    if reading.word(index) not in _LEADS or _follows_unknown(reading, index):
         return None
     if reading.word(index) == "between" and index not in reading.taken:
         return _between(reading, phrases, rooms, index)
@@ -243,6 +245,19 @@ def _relation_at(reading: Reading, phrases: list[Phrase], rooms: list[int], inde
     if beside is None or (index in reading.taken and reading.word(index) not in ("direct", "open")):
         return None
     return _directed(reading, phrases, rooms, index, index + len(beside), apart=apart is not None)
+
+
+def _follows_unknown(reading: Reading, index: int) -> bool:
+    """Whether a relation is said of a noun that nothing is read of: "sterilizers between two of the surgeries"."""
+    token = reading.tokens[index - 1] if index else None
+    if token is None or token.kind != "word" or index - 1 in reading.taken or index in reading.taken:
+        return False
+    described = token.text.endswith(("ly", "ed", "ing")) or token.text in FUNCTION_WORDS | PLAIN | FLOOR_WORDS
+    return not described and token.text not in _ADVERBS
+
+
+_ADVERBS = frozenset("right well far side door distance wall contact access there stay stays kept lie close".split())
+"""Words right before a relation that are part of it."""
 
 
 def _belonging(reading: Reading, phrases: list[Phrase], rooms: list[int], index: int) -> tuple[Relation, int] | None:

@@ -15,9 +15,12 @@ def further_ones(reading: Reading, phrases: list[Phrase]) -> list[Phrase]:
     """Return a room for each "a second one", "another one for cats" that follows a room in its sentence."""
     found: list[Phrase] = []
     for index in range(len(reading.tokens)):
-        if reading.word(index) != "one" or index in reading.taken or reading.word(index - 1) not in _FURTHER:
+        elided = reading.word(index + 1) == "for" and reading.word(index) in ("another", "second", "further")
+        one = reading.word(index) == "one" and reading.word(index - 1) in _FURTHER
+        if not (elided or one) or index in reading.taken:
             continue
-        begin = index - 1 - (reading.word(index - 2) in ("a", "an"))
+        begin = index - one
+        begin -= reading.word(begin - 1) in ("a", "an")
         if reading.word(begin - 1) not in _JOINTS or reading.word(index + 1) in FLOOR_WORDS:
             continue
         before = _before(reading, phrases, begin)

@@ -14,7 +14,7 @@ _ONE = frozenset(
     other another second third fourth last first larger smaller largest smallest bigger biggest big small large one next
     """.split()
 )
-_LINKS = frozenset({"of", "with", "at", "is", "are", "has", "have", "about", "around", ":", "measure", "be", "should"})
+_LINKS = frozenset({"them", "these", "those", "of", "with", "at", "is", "are", "has", "have", "about", "around", ":", "measure", "be", "should"})
 _JOINTS = frozenset({",", "and", "&", ";", "plus"})
 _LEADS = frozenset({",", "(", ":", "-", "–", "with"})
 
@@ -40,6 +40,10 @@ def _shares(reading: Reading, measures: list[Measure], phrase: Phrase) -> tuple[
     count = phrase.count or 0
     if not phrase.counted or not 2 <= count <= 40 or phrase.areas:
         return ()
+    listed = _listed_areas(reading, measures, phrase)
+    if len(listed) == count:
+        reading.named_areas.update(listed)
+        return tuple(_area(reading, at) for at in listed)
     sentence = reading.sentence[phrase.first]
     starts = [
         index
@@ -51,6 +55,21 @@ def _shares(reading: Reading, measures: list[Measure], phrase: Phrase) -> tuple[
         if (len(entries) > 1 and sum(many for many, _ in entries) in (0, count)) or _fills(entries, count):
             return _settled(reading, entries, count, start, end)
     return ()
+
+
+def _listed_areas(reading: Reading, measures: list[Measure], phrase: Phrase) -> list[int]:
+    """Return the tokens of areas that follow rooms one after the other: "two halls, of 120 m2 and 80 m2"."""
+    begins = {measure.first for measure in measures if len(measure.values) == 1}
+    found: list[int] = []
+    index = phrase.last
+    while index < len(reading.tokens) and len(found) < 40:
+        while reading.word(index) in _LINKS | _JOINTS | {"(", "one"} - {";"}:
+            index += 1
+        if index not in begins:
+            break
+        found.append(index)
+        index += 2
+    return found
 
 
 def _fills(entries: list[tuple[int, int]], count: int) -> bool:
@@ -106,6 +125,9 @@ def _how_many(reading: Reading, index: int) -> tuple[int, int]:
         return int(value), index + 1
     at = index + (reading.word(index) == "the")
     word = reading.word(at)
+    left = reading.value(at + 1) if word in ("other", "remaining", "last") else 0.0
+    if left and left == int(left) and reading.kind(at + 2) != "unit":
+        return int(left), at + 2
     if word in ("other", "others", "rest", "remaining") and (reading.plural(at) or word != "other"):
         return 0, at + 1
     if reading.kind(at) == "ordinal" or word in _ONE:

@@ -23,7 +23,7 @@ _GLUE = frozenset(
     on in at to entirely mostly alone as well too also each one apiece most much of occupy therefore be well
     """.split()
 )
-_BESIDE = frozenset({"its", "side", "next", "door", "adjacent", "adjoining", "beside"})
+_BESIDE = frozenset("its side next door adjacent adjoining beside by each other one another to it".split())
 """Words of a relation between a room and its storey: "with a scullery at its side on the lower floor"."""
 _OPENERS = frozenset(
     """
@@ -116,7 +116,8 @@ class _Walk:
                 continue
             place = self._within(self.places[number], scope)
             rest = [n for k, n, _ in items[position + 1 :] if k == "phrase"]
-            if scope is not None and place.last - place.first < 5 and self.reading.word(place.last - 1) == "roof":
+            roof = self.reading.word(place.last - 1) == "roof" and place.last - place.first < 5
+            if scope is not None and roof and not self.reading.starts(place.first):
                 continue  # "second floor: a bedroom under the roof"
             if place.refs[0].kind == "basement" and self.reading.word(place.last) == "with" and rest:
                 for target in self._joined(rest):
@@ -230,11 +231,15 @@ class _Walk:
             return False  # "the family upstairs with three bedrooms"
         if gap[:1] == ("(",) and ")" in gap:
             gap = gap[gap.index(")") + 1 :]  # "two toilets (m/f) on each level"
-        if len(gap) > 6:
+        after = phrase.last + len(self.reading.words(phrase.last, place.first)) - len(gap)
+        sized = {k for k in range(len(gap)) if self.reading.kind(after + k) in ("number", "unit")}
+        joints = {k for k in range(len(gap)) if gap[k] in ("and", ",") and {k - 1, k + 1} & sized}
+        if len(gap) - len(sized | joints) > 6:
             return False
         measures = all(
             word in _GLUE
-            or (word in _BESIDE and phrase.last + k in self.reading.taken)
+            or k in joints
+            or (word in _BESIDE and (phrase.last + k in self.reading.taken or word == "it"))
             or self.reading.kind(phrase.last + k) in ("number", "unit")
             or word in ("(", ")", "of", "about", "x", "people")
             for k, word in enumerate(gap)
