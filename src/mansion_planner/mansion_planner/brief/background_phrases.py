@@ -48,7 +48,15 @@ def _is_bystander(reading: Reading, phrase: Phrase, sites: set[int]) -> bool:
     )
     fled = not {"leaving", "fleeing", "escaping"}.isdisjoint(reading.words(max(phrase.begin - 2, 0), phrase.noun_end))
     made = reading.word(phrase.last) in MADE_INTO and reading.word(phrase.last + 1) in ("into", "to")
-    return made or fled or writer or left or outgrown or verb or (phrase.first in sites and phrase.determiner in ("the", ""))
+    return (
+        made
+        or fled
+        or writer
+        or left
+        or outgrown
+        or verb
+        or (phrase.first in sites and phrase.determiner in ("the", ""))
+    )
 
 
 def _site_tokens(reading: Reading) -> set[int]:

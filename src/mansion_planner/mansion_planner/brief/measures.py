@@ -144,9 +144,7 @@ def give_measures(reading: Reading, measures: list[Measure], phrases: list[Phras
             plots.append(fact)
         elif _of_storey(reading, measure):
             reading.facts.floor_area.append(fact)
-        elif _of_something_else(reading, measure, result) or _of_unread_noun(
-            reading, measure, result
-        ):
+        elif _of_something_else(reading, measure, result) or _of_unread_noun(reading, measure, result):
             reading.taken.difference_update(range(measure.first, measure.last))
         elif not _of_part(reading, measure):
             reading.facts.area.append(fact)

@@ -162,7 +162,9 @@ class NamedStoreys:
         over = reading.words(index - 1, index + 2) == ("on", "top", "of")
         if over and reading.word(index + 2) in ("it", "that", "them", "this", "these"):
             return [FloorRef("top")], index + 3
-        edge = reading.words(index - 2, index) == ("at", "the") and (following in ("a", "an") or self._counts(index + 1))
+        edge = reading.words(index - 2, index) == ("at", "the") and (
+            following in ("a", "an") or self._counts(index + 1)
+        )
         if word == "top" and edge and self.has_floors:
             return [FloorRef("top")], index + 1
         if word in ("attic", "loft") and following == ":":
@@ -237,7 +239,10 @@ class NamedStoreys:
         if (
             word == "middle"
             and reading.words(index - 2, index) == ("in", "the")
-            and (following in CLOSERS | {"with", "there", "are", "is", "come", "we", "a", "an"} or self._counts(index + 1))
+            and (
+                following in CLOSERS | {"with", "there", "are", "is", "come", "we", "a", "an"}
+                or self._counts(index + 1)
+            )
             and self.has_floors
         ):
             return [FloorRef("middle")], index + 1

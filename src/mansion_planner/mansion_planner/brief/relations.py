@@ -252,11 +252,15 @@ def _follows_unknown(reading: Reading, index: int) -> bool:
     token = reading.tokens[index - 1] if index else None
     if token is None or token.kind != "word" or index - 1 in reading.taken or index in reading.taken:
         return False
+    if reading.word(index - 2) not in (",", "and", ":", ";", "a", "an", "the", "with", "plus", ""):
+        return False
     described = token.text.endswith(("ly", "ed", "ing")) or token.text in FUNCTION_WORDS | PLAIN | FLOOR_WORDS
     return not described and token.text not in _ADVERBS
 
 
-_ADVERBS = frozenset("right well far side door distance wall contact access there stay stays kept lie close".split())
+_ADVERBS = frozenset(
+    "direct right well far side door distance wall contact access there stay stays kept lie close".split()
+)
 """Words right before a relation that are part of it."""
 
 

@@ -44,7 +44,9 @@ def _before(reading: Reading, phrases: list[Phrase], index: int) -> Phrase | Non
         p for p in phrases if p.last <= index and reading.sentence[p.first] == reading.sentence[index] and p.room_type
     ]
     last = max(near, key=lambda phrase: phrase.first, default=None)
-    return last if last is not None and index - last.last <= 8 and last.head == "room" else None
+    if last is None or reading.word(last.last) == "for":
+        return None  # "an ablution room for men and another for women" is read with who uses it
+    return last if index - last.last <= 8 and last.head == "room" else None
 
 
 def _kind(phrase: Phrase) -> str:

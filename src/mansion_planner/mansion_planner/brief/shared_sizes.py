@@ -14,7 +14,26 @@ _ONE = frozenset(
     other another second third fourth last first larger smaller largest smallest bigger biggest big small large one next
     """.split()
 )
-_LINKS = frozenset({"them", "these", "those", "of", "with", "at", "is", "are", "has", "have", "about", "around", ":", "measure", "be", "should"})
+_LINKS = frozenset(
+    {
+        "them",
+        "these",
+        "those",
+        "of",
+        "with",
+        "at",
+        "is",
+        "are",
+        "has",
+        "have",
+        "about",
+        "around",
+        ":",
+        "measure",
+        "be",
+        "should",
+    }
+)
 _JOINTS = frozenset({",", "and", "&", ";", "plus"})
 _LEADS = frozenset({",", "(", ":", "-", "–", "with"})
 
