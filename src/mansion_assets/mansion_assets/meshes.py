@@ -12,8 +12,10 @@ from mansion_assets.catalogue import Asset
 from mansion_assets.catalogue.palette import PbrMaterial, material
 from mansion_assets.convex import Box, Convex, fitted
 from mansion_assets.joints import Joint
+from mansion_assets.materials.sets import material_set, set_of
 from mansion_assets.piece_budget import simplified
 from mansion_assets.registry import recipe_named
+from mansion_assets.texture_coordinates import box_coordinates, fitted_coordinates
 from mansion_geometry.compiled import Floats, Ints
 from mansion_msgs_py.errors import ErrorCode, MansionError
 
@@ -27,12 +29,16 @@ _MOST_BOXES = 24
 
 
 class MeshPart(NamedTuple):
-    """One part of an asset in one material: (n, 3) vertices in metres and (m, 3) faces."""
+    """One part of an asset in one material: (n, 3) vertices in metres and (m, 3) faces.
+
+    `coordinates`, (m, 3, 2), are those of each face's corners on the material's textures, metres.
+    """
 
     name: str
     vertices: Floats
     faces: Ints
     material: PbrMaterial
+    coordinates: Floats
 
     @property
     def mesh(self) -> "Trimesh":
@@ -73,8 +79,18 @@ def _parts(pieces: Sequence[tuple[Piece, Sequence[Chunk]]]) -> list[MeshPart]:
             starts = np.cumsum([0] + [len(chunk.vertices) for chunk in chunks[:-1]])
             vertices = np.concatenate([chunk.vertices for chunk in chunks])
             faces = np.concatenate([chunk.faces + start for chunk, start in zip(chunks, starts)])
-            found.append(MeshPart(piece.part, vertices, faces, material(piece.material)))
+            bodies = np.cumsum([0] + [len(chunk.faces) for chunk in chunks[:-1]])
+            coordinates = _coordinates(piece.material, vertices, faces, bodies)
+            found.append(MeshPart(piece.part, vertices, faces, material(piece.material), coordinates))
     return found
+
+
+def _coordinates(name: str, vertices: Floats, faces: Ints, bodies: Ints) -> Floats:
+    """Return where faces lie on the textures of a material; `bodies` are the first faces of boards, legs, cushions."""
+    texture = set_of(name)
+    if texture and material_set(texture).fitted:
+        return fitted_coordinates(vertices, faces, bodies)
+    return box_coordinates(vertices, faces, bodies, turned=True)
 
 
 def collision_boxes(asset: Asset) -> list[Box]:
@@ -209,7 +225,8 @@ def _from_glb(asset: Asset) -> list[MeshPart]:
     for number, (geometry, p) in enumerate(zip(geometries, points, strict=True)):
         fitted = (p - (low + high) / 2) * scale
         faces = np.asarray(geometry.faces, dtype=np.int64)
-        out.append(MeshPart(f"part_{number + 1}", fitted, faces, _glb_material(geometry, asset)))
+        coordinates = box_coordinates(fitted, faces, np.zeros(1, dtype=np.int64), turned=False)
+        out.append(MeshPart(f"part_{number + 1}", fitted, faces, _glb_material(geometry, asset), coordinates))
     return out
 
 

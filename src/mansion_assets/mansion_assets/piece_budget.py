@@ -7,7 +7,7 @@ from typing import Final
 import numpy as np
 
 from mansion_assets.convex import Box, Convex, Hull, bounding_box, volume_of
-from mansion_geometry.compiled import Bools, Floats
+from mansion_geometry.compiled import Bools, Floats, Ints
 from mansion_msgs_py.shapes import Size3
 
 __all__ = ["BUDGETS", "budget_of", "simplified"]
@@ -75,16 +75,13 @@ def _without_inner(bodies: list[Convex], skin: float) -> list[Convex]:
     """Leave out what lies within a larger box, but for `skin` metres."""
     bounds = _bounds(bodies)
     volumes = np.array([volume_of(body) for body in bodies])
-    order = np.argsort(-volumes, kind="stable").tolist()
-    kept: list[int] = []
-    boxes: list[int] = []
-    for i in order:
-        low, high = bounds[boxes, :3] - skin, bounds[boxes, 3:] + skin
-        if not bool(((bounds[i, :3] >= low) & (bounds[i, 3:] <= high)).all(axis=1).any()):
-            kept.append(i)
-            if isinstance(bodies[i], Box):
-                boxes.append(i)
-    return [bodies[i] for i in sorted(kept)]
+    boxes = np.array([isinstance(body, Box) for body in bodies])
+    inside = (bounds[:, None, :3] >= bounds[None, :, :3] - skin).all(axis=2)
+    inside &= (bounds[:, None, 3:] <= bounds[None, :, 3:] + skin).all(axis=2)
+    kept = np.zeros(len(bodies), dtype=bool)
+    for i in np.argsort(-volumes, kind="stable").tolist():
+        kept[i] = not bool((inside[i] & kept & boxes).any())
+    return [body for body, stays in zip(bodies, kept.tolist()) if stays]
 
 
 class _Joining:
@@ -98,28 +95,23 @@ class _Joining:
         self.taken = self._intrusion(self.bounds)
         count = len(pieces)
         self.gone = np.zeros(count, dtype=bool)
-        self.costs = np.full((count, count), np.inf)
-        self.shares = np.full((count, count), np.inf)
-        for i in range(count):
-            self._weigh(i)
+        self.costs, self.shares = self._weighed(np.arange(count))
 
-    def _weigh(self, i: int) -> None:
-        """Enter the costs of joining piece `i` with each other one."""
-        low = np.minimum(self.bounds[i, :3], self.bounds[:, :3])
-        high = np.maximum(self.bounds[i, 3:], self.bounds[:, 3:])
-        shared = np.minimum(self.bounds[i, 3:], self.bounds[:, 3:]) - np.maximum(self.bounds[i, :3], self.bounds[:, :3])
-        common = np.clip(shared, 0.0, None).prod(axis=1)
-        whole = (high - low).prod(axis=1)
-        cost = np.maximum(whole - self.volumes[i] - self.volumes + common, 0.0)
-        gone = self.gone.copy()
+    def _weighed(self, rows: Ints) -> tuple[Floats, Floats]:
+        """Return the air that pieces would take in if they were joined with each other one, and its share; (k, n)."""
+        mine = self.bounds[rows][:, None]
+        low, high = np.minimum(mine[..., :3], self.bounds[:, :3]), np.maximum(mine[..., 3:], self.bounds[:, 3:])
+        shared = np.minimum(mine[..., 3:], self.bounds[:, 3:]) - np.maximum(mine[..., :3], self.bounds[:, :3])
+        common = np.clip(shared, 0.0, None).prod(axis=2)
+        whole = (high - low).prod(axis=2)
+        cost = np.maximum(whole - self.volumes[rows][:, None] - self.volumes + common, 0.0)
+        barred = np.broadcast_to(self.gone, cost.shape) | (rows[:, None] == np.arange(len(self.pieces)))
         if len(self.free):
-            before = self.taken[i] | self.taken
-            gone |= (self._intrusion(np.concatenate([low, high], axis=1)) & ~before).any(axis=1)
-        cost[gone] = np.inf
-        cost[i] = np.inf
-        share = cost / np.maximum(whole, 1e-12)
-        self.costs[i], self.costs[:, i] = cost, cost
-        self.shares[i], self.shares[:, i] = share, share
+            before = self.taken[rows][:, None] | self.taken
+            joined = np.concatenate([low, high], axis=2).reshape(-1, 6)
+            barred |= (self._intrusion(joined).reshape(before.shape) & ~before).any(axis=2)
+        cost[barred] = np.inf
+        return cost, cost / np.maximum(whole, 1e-12)
 
     def _intrusion(self, bounds: Floats) -> Bools:
         """Tell which boxes reach into which room that is to stay free, (n, m)."""
@@ -156,7 +148,9 @@ class _Joining:
         self.volumes[i] = volume_of(joined)
         self.taken[i] |= self.taken[j]
         self._drop(j)
-        self._weigh(i)
+        cost, share = self._weighed(np.array([i]))
+        self.costs[i], self.costs[:, i] = cost[0], cost[0]
+        self.shares[i], self.shares[:, i] = share[0], share[0]
 
     def _drop(self, i: int) -> None:
         self.pieces[i], self.gone[i] = None, True

@@ -1,12 +1,15 @@
 """A floor and a building as models: slabs, walls, ceilings, roof, openings, cores and objects."""
 
+import zlib
 from collections.abc import Iterator, Sequence
 from functools import lru_cache
 
 from shapely.geometry import Polygon
 
-from mansion_assets.catalogue import Catalogue, load_catalogue
+from mansion_assets.catalogue import Asset, Catalogue, load_catalogue
 from mansion_assets.catalogue.palette import PbrMaterial
+from mansion_assets.catalogue.palette import material as pbr_material
+from mansion_assets.materials import art, set_of
 from mansion_assets.meshes import MeshPart, mesh
 from mansion_export.core_meshes import core_parts
 from mansion_export.exterior import entrance_parts, plot_parts, roof_parts
@@ -191,9 +194,17 @@ def object_parts(scene: FloorScene, catalogue: Catalogue | None = None, *, ceili
         if asset is None:
             yield _object_node(item, f"box:{item.color}", (1.0, 1.0, 1.0)), _unit_box(item.color)
         else:
-            own = item.color in ("", asset.color)
-            name = f"asset:{asset.key}" if own else f"asset:{asset.key}:{item.color}"
-            yield _object_node(item, name, asset.size), asset_surfaces(asset.key, known, "" if own else item.color)
+            color = "" if item.color in ("", asset.color) else item.color
+            picture = _picture_of(item, asset)
+            name = ":".join(filter(None, ("asset", asset.key, color, picture)))
+            yield _object_node(item, name, asset.size), asset_surfaces(asset.key, known, color, picture)
+
+
+def _picture_of(item: SceneObject, asset: Asset) -> str:
+    """Return the material of what a painting shows, one of its own for each; empty for other objects."""
+    if asset.parameters.get("face") != "art":
+        return ""
+    return art()[zlib.crc32(item.id.encode()) % len(art())]
 
 
 def _object_node(item: SceneObject, mesh: str, size: tuple[float, float, float]) -> Node:
@@ -204,18 +215,30 @@ def _object_node(item: SceneObject, mesh: str, size: tuple[float, float, float])
 
 
 @lru_cache(maxsize=4096)
-def asset_surfaces(key: str, catalogue: Catalogue, color: str) -> tuple[Surface, ...]:
-    """Return the surfaces of an asset's mesh, the main material in another colour where `color` is not empty."""
+def asset_surfaces(key: str, catalogue: Catalogue, color: str = "", picture: str = "") -> tuple[Surface, ...]:
+    """Return the surfaces of an asset's mesh.
+
+    Parameters
+    ----------
+    key : str
+    catalogue : Catalogue
+    color : str
+        Of the main material; its own where it is empty.
+    picture : str
+        Material of the painting that the asset carries; that of the mesh where it is empty.
+    """
     asset = catalogue.asset(key)
-    return part_surfaces(mesh(asset), asset.material, color)
+    return part_surfaces(mesh(asset), asset.material, color, picture)
 
 
-def part_surfaces(parts: Sequence[MeshPart], main: str, color: str) -> tuple[Surface, ...]:
-    """Return the surfaces of parts of a mesh, the material called `main` in another colour where that is not empty."""
-    return tuple(
-        Surface(_material(part.material, color if part.material.name == main else ""), part.vertices, part.faces)
-        for part in parts
-    )
+def part_surfaces(parts: Sequence[MeshPart], main: str, color: str, picture: str = "") -> tuple[Surface, ...]:
+    """Return the surfaces of parts of a mesh whose main material is `main`; see `asset_surfaces`."""
+    surfaces = []
+    for part in parts:
+        entry = pbr_material(picture) if picture and part.material.name in art() else part.material
+        look = _material(entry, color if entry.name == main else "")
+        surfaces.append(Surface(look, part.vertices, part.faces, part.coordinates))
+    return tuple(surfaces)
 
 
 def _material(entry: PbrMaterial, color: str) -> Material:
@@ -226,6 +249,7 @@ def _material(entry: PbrMaterial, color: str) -> Material:
         entry.roughness,
         entry.metallic,
         entry.emissive,
+        set_of(entry.name),
     )
 
 

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from typing import NamedTuple
 from xml.sax.saxutils import quoteattr
 
 import numpy as np
@@ -22,8 +23,11 @@ from mansion_export.walls import WallBodies
 from mansion_geometry.building_models import CEILING_GROUP, COLLISION_GROUP, OBJECT_GROUP, STRUCTURE_GROUP, object_mass
 from mansion_msgs_py.building_folder import floor_directory
 from mansion_msgs_py.scene import FloorScene, Wall
+from mansion_msgs_py.shapes import Size3
 
 __all__ = ["floor_mjcf", "mjcf_files"]
+
+UNSCALED = (1.0, 1.0, 1.0)
 
 EYE = 1.3
 """Height of the spawn camera, metres."""
@@ -73,14 +77,13 @@ def floor_mjcf(
         if node.id in moving:
             writer.assembly(moving[node.id], free=loose)
             continue
-        shapes = hollowed.get(node.id)
-        if shapes is None:
-            own = (
-                colliders.of_object(item) if item is not None and loose else colliders.of(node, model.meshes[node.mesh])
-            )
-            shapes = tuple(shape_scaled(shape, node.scale) for shape in own or ())
+        mesh = model.meshes[node.mesh]
         mass = object_mass(item.size) if item is not None and loose else None
-        writer.body(node, model.meshes[node.mesh], shapes, mass)
+        if node.id in hollowed:
+            writer.body(node, mesh, _Solid(f"{node.id}/hollowed", hollowed[node.id], UNSCALED), mass)
+        else:
+            own = colliders.of_object(item) if item is not None and loose else colliders.of(node, mesh)
+            writer.body(node, mesh, _Solid(node.mesh, own or (), node.scale), mass)
     for door in scene.doors if articulated else ():
         writer.excluded += [
             (name, other)
@@ -101,6 +104,18 @@ def mjcf_files(scene: FloorScene, *, articulated: bool = False) -> dict[str, byt
     return {f"{floor_directory(scene.floor)}/model.xml": model.xml.encode(), **meshes}
 
 
+class _Solid(NamedTuple):
+    """What of a mesh collides, before its scale; meshes of one name have the same shapes."""
+
+    name: str
+    shapes: Sequence[Shape]
+    scale: Size3
+
+    def scaled(self) -> list[Shape]:
+        """Return the shapes in the body's frame."""
+        return [shape_scaled(shape, self.scale) for shape in self.shapes]
+
+
 @dataclass(slots=True)
 class _Writer:
     bodies: list[str] = field(default_factory=list)
@@ -109,6 +124,7 @@ class _Writer:
     files: dict[str, bytes] = field(default_factory=dict)
     walls: set[str] = field(default_factory=set)
     hulls: dict[str, str] = field(default_factory=dict)
+    solids: dict[tuple[str, int, Size3], list[str]] = field(default_factory=dict)
     excluded: list[tuple[str, str]] = field(default_factory=list)
 
     def material(self, material: Material) -> str:
@@ -140,10 +156,9 @@ class _Writer:
                 )
         self.bodies.append(f"<body name={quoteattr(wall.id)}>{''.join(geoms)}</body>")
 
-    def body(self, node: Node, mesh: Mesh, colliders: Sequence[Shape], mass: float | None = None) -> None:
+    def body(self, node: Node, mesh: Mesh, solid: _Solid, mass: float | None = None) -> None:
         """Write a node as a body of visual meshes and shapes to collide with; `mass` is that of a free one."""
-        parts = self._freedom(node.id, colliders, mass)
-        parts += self._geoms(node.id, node, mesh, colliders)
+        parts = [*_freedom(node.id, solid, mass), *self._geoms(node.id, node, mesh, solid)]
         self.bodies.append(f"<body name={quoteattr(node.id)} {_place(node)}>{''.join(parts)}</body>")
 
     def assembly(self, assembly: Assembly, *, free: bool) -> None:
@@ -153,9 +168,9 @@ class _Writer:
         if assembly.mesh is None:
             self.bodies.append(f"<frame {_place(node)}>{''.join(inner)}</frame>")
             return
-        shapes = [shape_scaled(shape, node.scale) for shape in assembly.shapes]
-        parts = self._freedom(node.id, shapes, assembly.mass if free else None)
-        parts += self._geoms(node.id, node, assembly.mesh, shapes)
+        solid = _Solid(assembly.mesh.name, assembly.shapes, node.scale)
+        parts = _freedom(node.id, solid, assembly.mass if free else None)
+        parts += self._geoms(node.id, node, assembly.mesh, solid)
         self.bodies.append(f"<body name={quoteattr(node.id)} {_place(node)}>{''.join([*parts, *inner])}</body>")
         self.excluded += [(part.id, node.id) for part in assembly.moving]
 
@@ -163,26 +178,19 @@ class _Writer:
         """Return a part as a body with its joint, where the scene has it."""
         joint = part.joint
         shift, turn = pose_at(joint, part.position)
-        shapes = [shape_scaled(shape, node.scale) for shape in part.shapes]
+        solid = _Solid(part.mesh.name, part.shapes, node.scale)
         anchor = f' pos="{number_list(joint.origin)}"' if joint.kind == "hinge" else ""
         content = [
             f'<joint name={quoteattr(part.id)} type="{joint.kind}" axis="{number_list(joint.axis)}"{anchor} '
             f'range="0 {joint.travel:.6g}" ref="{part.position:.6g}" '
             f'frictionloss="{part.resistance:.4g}" damping="{part.damping:.4g}"/>',
-            _inertial(shapes, part.mass),
-            *self._geoms(part.id, node, part.mesh, shapes),
+            _inertial(solid.scaled(), part.mass),
+            *self._geoms(part.id, node, part.mesh, solid),
         ]
         place = f'pos="{number_list(shift)}" euler="{number_list(turn)}"'
         return f"<body name={quoteattr(part.id)} {place}>{''.join(content)}</body>"
 
-    @staticmethod
-    def _freedom(name: str, shapes: Sequence[Shape], mass: float | None) -> list[str]:
-        """Return the free joint and the inertia of a body that is not fixed to the world."""
-        if mass is None:
-            return []
-        return [f"<freejoint name={quoteattr(name + '/joint')}/>{_inertial(shapes, mass)}"]
-
-    def _geoms(self, name: str, node: Node, mesh: Mesh, shapes: Sequence[Shape]) -> list[str]:
+    def _geoms(self, name: str, node: Node, mesh: Mesh, solid: _Solid) -> list[str]:
         """Return what of a body is seen and what of it collides."""
         group = {"objects": OBJECT_GROUP, "ceiling": CEILING_GROUP}.get(node.group, STRUCTURE_GROUP)
         parts = []
@@ -193,10 +201,17 @@ class _Writer:
                 f'group="{group}" contype="0" conaffinity="0" mass="0" '
                 f"material={quoteattr(self.material(surface.material))}/>"
             )
-        for i, shape in enumerate(shapes):
+        for i, shape in enumerate(self._shapes(solid)):
             called = f"{name}/collision{f'_{i}' if i else ''}"
-            parts.append(f'<geom name={quoteattr(called)} class="collision" {self.shape(shape)}/>')
+            parts.append(f'<geom name={quoteattr(called)} class="collision" {shape}/>')
         return parts
+
+    def _shapes(self, solid: _Solid) -> list[str]:
+        """Return the attributes of shapes; bodies that are alike have them from the first."""
+        key = (solid.name, len(solid.shapes), solid.scale)
+        if key not in self.solids:
+            self.solids[key] = [self.shape(shape) for shape in solid.scaled()]
+        return self.solids[key]
 
     def mesh(self, name: str, part: int, surface: Surface, scale: tuple[float, float, float]) -> str:
         """Return the name of a mesh asset at a scale, writing the asset and its file when they are new."""
@@ -317,6 +332,13 @@ def _robot_camera(scene: FloorScene) -> str:
 def _memory(bodies: int) -> int:
     """Return the megabytes that the search for pairs of bodies needs; MuJoCo's default is too small for that."""
     return 16 + math.ceil(8 * bodies * bodies / 2**20)
+
+
+def _freedom(name: str, solid: _Solid, mass: float | None) -> list[str]:
+    """Return the free joint and the inertia of a body that is not fixed to the world."""
+    if mass is None:
+        return []
+    return [f"<freejoint name={quoteattr(name + '/joint')}/>{_inertial(solid.scaled(), mass)}"]
 
 
 def _inertial(shapes: Sequence[Shape], mass: float) -> str:

@@ -10,6 +10,7 @@ import numpy as np
 from shapely.geometry import Polygon, box
 from shapely.geometry.base import BaseGeometry
 
+from mansion_assets.texture_coordinates import slope_coordinates
 from mansion_export.materials import named, surface_material
 from mansion_export.model import Material, Node, Part, Surface
 from mansion_export.solids import polygon_surface
@@ -147,7 +148,8 @@ def _pitched(rectangle: Bounds, base: float, form: str, covering: Material, wall
     faces = [*slopes, *((a + 6, c + 6, b + 6) for a, b, c in slopes)]
     for a, b in closing:
         faces += [(a + 6, b + 6, b), (a + 6, b, a)]
-    surfaces.append(Surface(covering, np.concatenate([upper, under]), np.array(faces, dtype=np.int64)))
+    vertices, triangles = np.concatenate([upper, under]), np.array(faces, dtype=np.int64)
+    surfaces.append(Surface(covering, vertices, triangles, slope_coordinates(vertices, triangles)))
     return surfaces
 
 
