@@ -13,7 +13,7 @@ from mansion_editing.instructions.doing.answering import holds
 from mansion_editing.instructions.doing.carrying_out import carry
 from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.descriptions import things_of
-from mansion_editing.instructions.statements import Ask, History, Instruction, Keep, Mention, When
+from mansion_editing.instructions.statements import Ask, History, Instruction, Keep, Mention, Things, When
 from mansion_editing.runs.policies import Policy, Unmet, Verdict
 from mansion_editing.runs.run import run_policy
 from mansion_editing.state import SceneState
@@ -179,8 +179,14 @@ def statement_policy(editor: SceneEditor, instruction: Instruction, *, partly: b
 
 def _kept(instruction: Instruction, state: SceneState) -> frozenset[str]:
     """Return the ids of what shall stay as it is, wherever in the instruction that is said."""
-    keeps = [s for s in instruction.statements if isinstance(s, Keep) and not s.things.refers]
+    keeps = [s for s in instruction.statements if isinstance(s, Keep) and not _refers(s.things)]
     return frozenset(item.id for keep in keeps for item in things_of(state, keep.things, Context()))
+
+
+def _refers(things: Things) -> bool:
+    """Whether words for what stays mean what was mentioned before, or what is in it."""
+    anchor = None if things.place is None else things.place.anchor
+    return bool(things.refers) or (anchor is not None and bool(anchor.refers))
 
 
 def _refused(error: Unmet | MansionError, quote: str) -> Verdict:

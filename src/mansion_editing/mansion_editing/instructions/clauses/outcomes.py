@@ -21,7 +21,7 @@ from mansion_editing.instructions.statements import (
     Things,
 )
 
-__all__ = ["Outcomes", "named_as"]
+__all__ = ["Outcomes", "everything_at", "named_as"]
 
 
 class Outcomes(Sentence):
@@ -182,6 +182,10 @@ class Outcomes(Sentence):
         where, _ = joined_places(list(item.places))
         return Place(relation="on", anchor=item.phrase.things(), rooms=where.rooms)
 
+    def _kept(self, item: Item) -> Things:
+        """Return what stays: the things of an item, all that is in a room."""
+        return everything_at(Place(rooms=item.rooms())) if item.is_room else self._all(item.things())
+
     def _gone_from(self, where: Item, gone: Sequence[Item], quote: str) -> list[Statement]:
         out: list[Statement] = []
         place = self._emptied(where)
@@ -205,6 +209,11 @@ class Outcomes(Sentence):
             return place
         self.frame, _ = joined_places(following)
         return end
+
+
+def everything_at(place: Place) -> Things:
+    """Return all that is at a place."""
+    return Things(amount=Amount(kind="all", number=0), definite=True, plural=True, place=place)
 
 
 def named_as(spared: Things, noun: str) -> Things:

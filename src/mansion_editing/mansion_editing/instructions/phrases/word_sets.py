@@ -42,6 +42,7 @@ __all__ = [
     "BEGIN_CLAUSES",
     "BEING_SOMEWHERE",
     "BETWEEN_CLAUSES",
+    "CHANGED",
     "DIRECTIONS",
     "DISTURBING",
     "EARLIER_STEPS",
@@ -51,12 +52,14 @@ __all__ = [
     "GOING",
     "GOING_OR_WAYS",
     "GOING_SOMEWHERE",
+    "GOOD_AS_IT_IS",
     "HAVING",
     "HEADINGS",
     "JOINING",
     "KEPT_AS_IT_IS",
     "LEFT_ALONE",
     "LEFT_AS_IT_IS",
+    "LYING",
     "NEAR_SPOTS",
     "NO_FRONTED_PLACES",
     "OPEN_QUESTIONS",
@@ -119,6 +122,9 @@ KEPT_AS_IT_IS: Final = frozenset(
     "alone as where it they is are untouched in place be there unchanged exactly like that stand the way was".split()
 )
 STAYING_AS_IT_IS: Final = frozenset("put there here as it is where they are untouched alone in on place".split())
+CHANGED: Final = frozenset("change changed moved touched altered disturbed replaced modified rearranged".split())
+GOOD_AS_IT_IS: Final = frozenset("fine good ok okay alright perfect great".split())
+LYING: Final = frozenset("lying standing sitting hanging lie stand sit hang".split())
 BACK_IN_PLACE: Final = frozenset("where it they was were to its place there again".split())
 AWAY: Final = frozenset("away out off completely altogether entirely too".split())
 EARLIER_STEPS: Final = frozenset(

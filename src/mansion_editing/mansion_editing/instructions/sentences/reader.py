@@ -156,7 +156,11 @@ class _Reader(Telling, Repeating):
         if self._reads_scope(reader, at) or self._tells_of_person(reader, at):
             return
         conditional = begins_condition(words, at) and not marked
-        if not conditional and self._reads_question(reader, words, at, marked=marked):
+        if (
+            not conditional
+            and (marked or not reader.tells_what_stays(at))
+            and self._reads_question(reader, words, at, marked=marked)
+        ):
             return
         at = self._read_heading(reader, words, at)
         at = self._read_exception(reader, at)
@@ -390,6 +394,11 @@ class _Reader(Telling, Repeating):
             if self.spared and isinstance(statement, Clear):
                 statement = msgspec.structs.replace(statement, spare=(*statement.spare, *self.spared))
                 self.spared = ()
+            if isinstance(statement, Keep):
+                statement = self._of_the_kind(statement)
+            if isinstance(statement, Keep) and _is_everything(statement.things):
+                self.statements.append(statement)
+                continue
             if isinstance(statement, Keep) and isinstance(last, Clear) and not statement.things.place:
                 self.statements[-1] = msgspec.structs.replace(last, spare=(*last.spare, statement.things))
                 continue
@@ -405,6 +414,16 @@ class _Reader(Telling, Repeating):
                 self.statements[-1] = msgspec.structs.replace(exactly(last), quote=self._from_to(last, statement))
                 continue
             self.statements.append(statement)
+
+    def _of_the_kind(self, keep: Keep) -> Keep:
+        """Return ``those in the corridor`` as things of the kind that was mentioned before."""
+        things = keep.things
+        before = next((getattr(s, "things", None) for s in reversed(self.statements) if hasattr(s, "things")), None)
+        bare = things.noun == "one" or (things.refers == "last" and not things.noun)
+        if not bare or things.place is None or not isinstance(before, Things) or not before.noun:
+            return keep
+        named = msgspec.structs.replace(things, noun=before.noun, refers="", definite=True, plural=True)
+        return msgspec.structs.replace(keep, things=named)
 
     def _from_to(self, first: Statement, last: Statement) -> str:
         """Return the words from one statement's to another's."""
@@ -558,6 +577,11 @@ class _Reader(Telling, Repeating):
             place = read.place if place == Place() else merged(place, read.place)
         reader.frame = place
         return after if not comma else end + 1
+
+
+def _is_everything(things: Things) -> bool:
+    """Whether words mean all that is at a place, of whatever kind."""
+    return not things.noun and not things.refers and things.place is not None
 
 
 def _is_it(statement: Move) -> bool:
