@@ -56,6 +56,8 @@ def end_of_run(words: Sequence[Word], at: int, lexicon: Lexicon) -> int:
         text = word.text
         if word.kind in ("mark", "unit") or (word.kind == "level"):
             break
+        if end > at and word.kind == "number" and _ends_before_verb(words, end, at, lexicon):
+            return end + 1
         if word.kind == "number" and is_compound(words, end):
             end += 2
             continue
@@ -128,6 +130,14 @@ def _starts_noun(words: Sequence[Word], end: int, at: int, lexicon: Lexicon) -> 
 def _is_last_of_run(words: Sequence[Word], end: int, at: int, lexicon: Lexicon) -> bool:
     """Whether ``one`` stands for a noun ("the red one"), and does not begin the next phrase ("the sofa one more")."""
     return not _is_named(words, at, end, lexicon) and not _starts_noun(words, end + 1, end + 1, lexicon)
+
+
+def _ends_before_verb(words: Sequence[Word], end: int, at: int, lexicon: Lexicon) -> bool:
+    """Whether the number of a room is followed by a verb with its object: ``in bedroom 1 switch on both lamps``."""
+    before = tuple(w.text for w in words[at:end])
+    room = words[end].raw.isdecimal() and any(lexicon.is_room(before[k:]) for k in range(len(before)))
+    following = text_at(words, end + 2)
+    return room and (text_at(words, end + 1),) in BY_WORDS and following in (DETERMINERS | PREPOSITIONS)
 
 
 def _names_number(words: Sequence[Word], end: int, lexicon: Lexicon, at: int) -> bool:
