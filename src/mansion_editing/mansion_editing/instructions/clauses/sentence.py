@@ -151,6 +151,9 @@ class Sentence(ABC):
         nearer = read is not None and read.place.anchor is not None and place.anchor is None and place.rooms is not None
         if read is not None and nearer and (read.end >= len(self.words) or self.text(read.end) in (",", ".", "please")):
             return read
+        apart = read is not None and (read.place.facing is not None or read.place.within > 0)
+        if read is not None and apart and (read.end >= len(self.words) or self.text(read.end) in (",", ".", "please")):
+            return read
         if read is None or read.place.rooms is None or read.place.anchor is not None:
             return None
         unnamed = place.rooms is not None and not place.rooms.words and not place.rooms.same

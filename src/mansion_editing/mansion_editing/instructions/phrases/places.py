@@ -163,6 +163,9 @@ def _unbracketed(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Seque
     if text_at(words, at) == "inside" and text_at(words, at + 1) in _ENDS:
         last = Things(refers="last", definite=True, amount=Amount(number=0))
         return ReadPlace(Place(relation="in", anchor=last), at, at + 1)
+    near = _no_further(words, at, lexicon, floors)
+    if near is not None:
+        return near
     for phrase, relation in _PREPOSITIONS:
         if tuple(w.text for w in words[at : at + len(phrase)]) != phrase:
             continue
@@ -248,6 +251,7 @@ def _within(words: Sequence[Word], start: int, at: int, lexicon: Lexicon, floors
     if factor is None:
         return None
     place += 1
+    place += text_at(words, place) == "away"
     if text_at(words, place) in ("of", "from"):
         place += 1
     target = noun_phrase(words, place, lexicon, floors)
@@ -255,6 +259,15 @@ def _within(words: Sequence[Word], start: int, at: int, lexicon: Lexicon, floors
         return None
     near = Place(relation="near", anchor=target.things(), within=round(value * factor, 3))
     return ReadPlace(near, start, target.end)
+
+
+def _no_further(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Sequence[int]) -> ReadPlace | None:
+    """Read ``not further than 1 metre from the lectern``, ``no more than 50 cm away from the bed``."""
+    more = text_at(words, at) in ("not", "no") and text_at(words, at + 1) in ("further", "farther", "more")
+    if not more or text_at(words, at + 2) not in ("than", "away"):
+        return None
+    at_number = at + 3 + (text_at(words, at + 2) == "away")
+    return _within(words, at, at_number, lexicon, floors)
 
 
 _BUILDINGS: Final = frozenset("building house office school hotel hospital museum home flat apartment clinic".split())

@@ -110,7 +110,10 @@ def _is_left_out(said: Sequence[Word], at: int, group: Sequence[Statement], told
     if word.kind in ("number", "ordinal"):
         return text != "one" and word.value not in told.numbers and not _is_part(said, at)
     if text in _NEGATIONS:
-        return not (told.kinds & _LIMITING or "outside" in told.flags or any(isinstance(s, _DENYING) for s in group))
+        further = text_at(said, at + 1) in ("further", "farther", "more") and "within" in told.flags
+        return not (
+            further or told.kinds & _LIMITING or "outside" in told.flags or any(isinstance(s, _DENYING) for s in group)
+        )
     if text in _ALTERNATIVES:
         return not all(isinstance(s, _OF_ANY_OF_THEM) or _is_none(s) for s in group)
     if text == "half":
@@ -165,6 +168,7 @@ def _told(group: Sequence[Statement]) -> _Told:
             flags.update([value] if name == "refers" else [])
         elif isinstance(value, int | float):
             numbers.update([float(value), abs(float(value))])
+            flags.update([name] if name == "within" and value else [])
         elif isinstance(value, dict):
             flags.update([name] if value else [])
         elif isinstance(value, tuple | list):

@@ -66,6 +66,8 @@ def with_storeys(statements: Sequence[Statement]) -> list[Statement]:
 
 def with_noun_at(value: Any, noun: str, place: Place) -> Any:
     """Return a statement in which things or rooms of a noun are at a place."""
+    if isinstance(value, Things) and value.noun == noun and value.place == place:
+        return value
     if isinstance(value, Things):
         changed = _replaced(value, noun, place)
         if changed.noun == noun and (changed.place is None or changed.place.rooms is None):
