@@ -73,6 +73,8 @@ class ClauseReader(Keeping, Changing, Taking, PastSteps):
         found = self._state_after(items[-1], end, at) if len(items) == 1 else None
         if found is not None:
             return found
+        if self.text(end) == "as" and self.text(end + 1) in ("it", "they"):
+            return self._leave(at, at)
         if any(item.is_room for item in items):
             raise NotUnderstood(at, self.boundary(at))
         if items[0].phrase.definite and not self.follows and self.text(end) not in ("out", "away", "gone"):

@@ -196,6 +196,8 @@ class Sentence(ABC):
             new = placed is not None and placed[0] == "add" and not item.phrase.definite
             if found and (self.predicate_follows(item.end) or self._is_way(item.phrase) or new):
                 return found
+            if found and self.text(item.end) == "as" and self.text(item.end + 1) in ("it", "they"):
+                return found  # "switch on the lamp, the others as they are"
             found.append(self._beside_it(self._as_before(self._named(item, found), found), found))
             after = self.conjunction(item.end)
             if not after or self.starts_clause(after) or self.text(after) in ("only", "just"):

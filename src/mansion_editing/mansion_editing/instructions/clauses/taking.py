@@ -1,10 +1,11 @@
 """Things that are taken or looked for, for what comes next."""
 
 from mansion_editing.instructions.clauses.adding import Adding
-from mansion_editing.instructions.clauses.items import NotUnderstood
+from mansion_editing.instructions.clauses.items import Item, NotUnderstood, joined_places
 from mansion_editing.instructions.clauses.removing import Removing
-from mansion_editing.instructions.phrases.places import read_place
-from mansion_editing.instructions.statements import History, Mention, Place, Statement, Things
+from mansion_editing.instructions.phrases.places import read_place, with_place
+from mansion_editing.instructions.phrases.verbs import verb_at
+from mansion_editing.instructions.statements import History, Mention, Move, Place, Statement, Things
 
 __all__ = ["Taking"]
 
@@ -28,6 +29,8 @@ class Taking(Adding, Removing):
             return self._move(at, place)
         away = self.text(end) in ("away", "out", "off")
         if self._goes_on_with_it(end + away):
+            if len(items) > 1:
+                return self._taken_and_put(at, items, end + away)
             self.topic = items[0].things()
             return [Mention(quote=self.quote(at, end + away))], end + away
         if away or (any(p.source for p in places) and self.text(at) == "take"):
@@ -35,6 +38,28 @@ class Taking(Adding, Removing):
         if self.text(at) in ("grab", "pick") and not items[0].phrase.definite:
             return self._add(at, place)
         raise NotUnderstood(at, self.boundary(at))
+
+    def _taken_and_put(self, at: int, items: list[Item], after: int) -> tuple[list[Statement], int]:
+        """Read ``take the cup and the glass out of the cabinet and set them on the table``: each of them moves."""
+        verb = verb_at(self.words, self.conjunction(after) or self.skip(after), self.lexicon)
+        if (
+            verb is None
+            or verb[0] not in ("add", "bring", "move", "set")
+            or self.text(verb[1]) not in ("it", "them", "those")
+        ):
+            raise NotUnderstood(at, self.boundary(after + 1))
+        places, end = self.places(verb[1] + 1)
+        goal, _ = self._framed(joined_places(list(places)))
+        if goal == Place() or any(item.is_room for item in items):
+            raise NotUnderstood(at, self.boundary(after + 1))
+        shared = () if any(item.places for item in items[:-1]) else items[-1].places
+        quote = self.quote(at, end)
+        out: list[Statement] = []
+        for item in items:
+            source = joined_places(list(item.places or shared))[0]
+            things = item.phrase.things() if source == Place() else with_place(item.phrase.things(), source)
+            out.append(Move(things=self._all_if_plural(things), place=goal, quote=quote))
+        return out, end
 
     def _goes_on_with_it(self, at: int) -> bool:
         """Whether the next clause does something with what the one before took."""

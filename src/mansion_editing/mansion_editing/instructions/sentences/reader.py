@@ -6,6 +6,7 @@ from typing import Any, Final, Literal
 
 import msgspec
 
+from mansion_assets.catalogue.descriptions import hypernyms_of
 from mansion_editing.instructions.clauses.items import NotUnderstood
 from mansion_editing.instructions.clauses.reader import ClauseReader
 from mansion_editing.instructions.phrases.lexicon import HYPERNYMS
@@ -80,11 +81,10 @@ class _Reader(Telling, Repeating):
         for number, (sentence, marked) in enumerate(sentences):
             self.is_last = number + 1 == len(sentences)
             self._read_sentence(self._owners_named(sentence), marked=marked)
-        if any(isinstance(s, Add | Ensure) and s.things.noun not in HYPERNYMS for s in self.statements):
-            self.statements = [
-                Mention(quote=s.quote) if isinstance(s, Add | Ensure) and s.things.noun in HYPERNYMS else s
-                for s in self.statements
-            ]
+        self.statements = [
+            Mention(quote=s.quote) if self._introduces(s, self.statements[number + 1 :]) else s
+            for number, s in enumerate(self.statements)
+        ]
         self.statements = [s for one in self.statements for s in [self._told_later(one)]]
         self.unknown += [s.quote for s in self.statements if '"noun":"one"' in msgspec.json.encode(s).decode()]
         if not self.unknown:
@@ -95,6 +95,17 @@ class _Reader(Telling, Repeating):
         plain = [word for word in self.words if word.text in UNRECORDED]
         ignored = list(dict.fromkeys(w.raw for w in plain if not re.search(rf'"noun":"[^"]*\b{w.text}\b', told)))
         return Instruction(statements=with_storeys(self.statements), not_understood=self.unknown, ignored=ignored)
+
+    def _introduces(self, statement: Statement, later: Sequence[Statement]) -> bool:
+        """Whether things of a general name are told one by one later: ``something to eat with: two forks``."""
+        if not isinstance(statement, Add | Ensure) or statement.things.noun not in HYPERNYMS:
+            return False
+        return any(
+            isinstance(other, Add | Ensure)
+            and other.things.noun not in HYPERNYMS
+            and statement.things.noun in hypernyms_of(other.things.noun.replace(" ", "_"))
+            for other in later
+        )
 
     def _asks_in_vain(self) -> list[str]:
         """Return the last clause with a verb where it was only taken to begin what no other clause goes on with."""
