@@ -269,3 +269,18 @@ def test_an_area_that_a_list_of_rooms_lies_in_is_the_buildings(text: str) -> Non
 
 def test_rooms_that_have_their_own_areas_keep_them() -> None:
     assert [room.area for room in read("a house with a kitchen in 20 m2 and a living room in 30 m2").rooms] == [20, 30]
+
+
+@pytest.mark.parametrize(
+    ("text", "refs"),
+    [
+        ("A hotel of four storeys. On each of the two storeys in the middle, ten guest rooms.", [("middle", 0, 0)]),
+        ("A hotel of four storeys. Each of levels 2 to 3 has ten guest rooms.", [("range", 2, 3)]),
+        ("A hotel of four storeys. On each of floors 2 and 3, ten guest rooms.", [("number", 2, 2), ("number", 3, 3)]),
+        ("A hotel of five storeys. Each of floors 2, 3 and 4 has ten guest rooms.",
+         [("number", 2, 2), ("number", 3, 3), ("number", 4, 4)]),
+    ],
+)  # fmt: skip
+def test_each_of_some_storeys_means_these_storeys(text: str, refs: list[tuple[str, int, int]]) -> None:
+    (room,) = read(text).rooms
+    assert (room.count, room.each, where(room.floors)) == (10, True, refs)

@@ -103,14 +103,15 @@ class NumberedStoreys:
             return [FloorRef("range", min(first, second), max(first, second))], again + 1
         if reading.kind(last) == "word" and not reading.plural(index) and reading.plural(last):
             return None  # "level 2 bedrooms" has no plural room of one level: the number counts the rooms
-        numbers = [first]
-        while reading.word(last) in (",", "and", "&"):
+        numbers, ended = [first], False
+        while reading.word(last) in (",", "and", "&") and not ended:
             step = 2 if reading.word(last) == "," and reading.word(last + 1) == "and" else 1
             more = self._number(last + step, "number")
             if more is None or not reading.plural(index) or more <= numbers[-1]:
                 break
             if reading.kind(last + step + 1) == "unit" or reading.plural(last + step + 1):
                 break
+            ended = reading.word(last + step - 1) != ","  # "floors 2 and 3, ten guest rooms": what follows counts rooms
             numbers.append(more)
             last += step + 1
         return [FloorRef("number", number, number) for number in numbers], last

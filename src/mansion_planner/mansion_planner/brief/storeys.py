@@ -308,6 +308,9 @@ class _Scanner:
             return [FloorRef("even")], last + 2  # "every second floor"
         if reading.word(last) == "of":
             last += 1 + (reading.word(last + 1) in ("the", "its", "our", "these", "those"))
+            numbered = self.numbered.numbered(last) if reading.word(last) in FLOOR_WORDS else None
+            if numbered is not None:
+                return numbered  # "each of floors 2 and 3"
         last += reading.word(last) in ("the", "our", "single", "one")
         counted = reading.kind(last) == "number" and reading.word(last + 1) in FLOOR_WORDS
         if counted and reading.value(last) > 1 and not reading.facts.floors:
@@ -318,6 +321,8 @@ class _Scanner:
         if reading.word(last) not in FLOOR_WORDS:
             return None
         last += 1
+        if reading.words(last, last + 3) == ("in", "the", "middle"):
+            return [FloorRef("middle")], last + 3
         if reading.word(last) in ("except", "without", "but", "save") or reading.words(last, last + 2) == (
             "other",
             "than",
