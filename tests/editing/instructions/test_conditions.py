@@ -54,3 +54,25 @@ def test_the_answer_to_a_question_decides(editor: SceneEditor) -> None:
 def test_to_check_whether_is_a_question(editor: SceneEditor) -> None:
     report = instruct(editor, "Check if the fridge is open")
     assert report.question and not report.edits and report.message.startswith("No")
+
+
+@pytest.mark.parametrize("answer", ["If so,", "If it is,", "If yes,", "If that is the case,"])
+def test_a_question_affirmed_is_a_condition(editor: SceneEditor, answer: str) -> None:
+    report = instruct(editor, f"Is the fridge closed? {answer} open it.")
+    assert report.done and report.object_ids == ["F1/kitchen/fridge_1"]
+
+
+@pytest.mark.parametrize("answer", ["If not,", "If it isn't,", "If no,"])
+def test_a_question_denied_is_a_condition(editor: SceneEditor, answer: str) -> None:
+    report = instruct(editor, f"Is the fridge closed? {answer} close it.")
+    assert report.done and report.object_ids == []
+
+
+def test_what_is_missing_is_brought(editor: SceneEditor) -> None:
+    report = instruct(editor, "Is there a plant in the kitchen? If there is none, put one there.")
+    assert report.done and len(report.object_ids) == 1 and "plant" in report.object_ids[0]
+
+
+def test_what_is_there_is_not_brought_again(editor: SceneEditor) -> None:
+    report = instruct(editor, "Is there a fridge in the kitchen? If not, put one there.")
+    assert report.done and report.object_ids == []

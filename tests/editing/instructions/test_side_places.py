@@ -46,3 +46,52 @@ def test_the_place_of_it_is_told_once(furnished_state: SceneState) -> None:
 def test_it_is_found_where_it_was_told_to_be(editor: SceneEditor) -> None:
     report = instruct(editor, "The plate is on the dining table. Remove it and open the fridge.")
     assert report.done and report.object_ids == ["F1/kitchen/plate_1", "F1/kitchen/fridge_1"]
+
+
+@pytest.mark.parametrize("joint", [" ", ", "])
+@pytest.mark.parametrize("room", ["", " in the kitchen"])
+def test_beside_something_on_a_surface_is_on_that_surface(state: SceneState, joint: str, room: str) -> None:
+    instruction = read_instruction(f"put a mug on the dining table{room}{joint}next to the plate", state)
+    assert instruction.not_understood == []
+    (statement,) = instruction.statements
+    assert isinstance(statement, Add)
+    place = statement.place
+    assert place.relation == "beside" and place.anchor is not None and place.anchor.noun == "plate"
+    holder = place.anchor.place
+    assert holder is not None and holder.anchor is not None and holder.anchor.noun == "dining table"
+
+
+def test_one_thing_said_to_be_at_two_places_is_brought_once(editor: SceneEditor) -> None:
+    report = instruct(editor, "Put a mug on the dining table in the kitchen, next to the plate.")
+    assert report.done and report.object_ids == ["F1/kitchen/mug_2"]
+
+
+def test_things_are_brought_over_from_where_they_are(editor: SceneEditor) -> None:
+    report = instruct(editor, "bring two chairs over from the hall to the kitchen")
+    assert report.done and report.object_ids == ["F1/hall/chair_2", "F1/hall/chair_3"]
+    assert sum(item.room == "F1/kitchen" and item.category == "chair" for _, item in editor.state.objects()) == 2
+
+
+@pytest.mark.parametrize("words", ["in one of the corners of the kitchen", "in the kitchen, in a corner"])
+def test_any_corner_may_be_meant(state: SceneState, words: str) -> None:
+    instruction = read_instruction(f"put a plant {words}", state)
+    (statement,) = instruction.statements
+    assert isinstance(statement, Add) and statement.place.spot == "corner" and statement.place.rooms is not None
+    assert instruction.not_understood == []
+
+
+@pytest.mark.parametrize(
+    "words", ["a chair for the kitchen please, by the window", "a chair for the kitchen, please, by the window"]
+)
+def test_a_courtesy_parts_no_place_from_its_thing(state: SceneState, words: str) -> None:
+    instruction = read_instruction(words, state)
+    (statement,) = instruction.statements
+    assert isinstance(statement, Add | Ensure) and statement.place.spot == "window"
+    assert instruction.not_understood == []
+
+
+def test_what_each_shall_have_on_it_is_on_each(state: SceneState) -> None:
+    (statement,) = read_instruction("Every dining table should have a mug on it.", state).statements
+    assert isinstance(statement, Ensure) and statement.each
+    assert statement.place.relation == "on" and statement.place.anchor is not None
+    assert statement.place.anchor.noun == "dining table"

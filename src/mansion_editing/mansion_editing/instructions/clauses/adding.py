@@ -94,6 +94,7 @@ class Adding(States, Colours):
     def _joined_places(self, at: int) -> tuple[list[Place], int]:
         """Read ``and in the bathroom`` after a place: the same there."""
         out: list[Place] = []
+        start, listed = at, False
         while True:
             after = self.conjunction(at)
             read = read_place(self.words, after, self.lexicon, self.floors) if after else None
@@ -103,13 +104,15 @@ class Adding(States, Colours):
                 or self.text(after - 1) not in ("and", ",", "&")
                 or self.starts_clause(after)
             ):
-                return out, at
+                break
             places, end = self.places(after)
             place = joined_places(list(places))[0]
             if self.phrase(end) is not None or (place.anchor is None and place.rooms is None):
-                return out, at
+                break
+            listed = listed or self.text(after - 1) != ","
             out.append(place)
             at = end
+        return (out, at) if listed else ([], start)
 
     def _places_after_places(self, items: list[Item]) -> tuple[list[Item], list[Item]]:
         """Tell further places from things: in ``a mug on the table and the desk`` the desk is a place."""

@@ -21,7 +21,7 @@ from mansion_editing.instructions.statements import (
     Things,
 )
 
-__all__ = ["Outcomes", "everything_at", "named_as"]
+__all__ = ["Outcomes", "at_receiver", "everything_at", "named_as"]
 
 
 class Outcomes(Sentence):
@@ -147,7 +147,7 @@ class Outcomes(Sentence):
 
     def _given(self, item: Item, goal: Place, quote: str, *, each: bool) -> Statement:
         own = item.goal()[0]
-        place = goal if own == Place() else merged(own, goal)
+        place = at_receiver(own, goal)
         if place.relation == "on" and place.anchor is not None and self.lexicon.stands(item.phrase.noun.words):
             place = msgspec.structs.replace(place, relation="around" if item.phrase.plural else "beside")
         if item.phrase.amount.kind in ("exactly", "at_least", "at_most"):
@@ -209,6 +209,16 @@ class Outcomes(Sentence):
             return place
         self.frame, _ = joined_places(following)
         return end
+
+
+def at_receiver(own: Place, receiver: Place) -> Place:
+    """Return the place of what a subject has or is given: ``on it``, ``next to it`` mean the subject."""
+    it = own.anchor is not None and own.anchor.refers == "last" and not own.anchor.noun
+    if it and receiver.anchor is not None:
+        return msgspec.structs.replace(receiver, relation=own.relation)
+    if own == Place() or (it and own.relation == "in"):
+        return receiver
+    return merged(own, receiver)
 
 
 def everything_at(place: Place) -> Things:

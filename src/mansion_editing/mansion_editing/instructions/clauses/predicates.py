@@ -4,9 +4,10 @@ import msgspec
 
 from mansion_editing.instructions.clauses.colours import Colours
 from mansion_editing.instructions.clauses.items import Item
+from mansion_editing.instructions.clauses.outcomes import at_receiver
 from mansion_editing.instructions.clauses.states import States
 from mansion_editing.instructions.clauses.ways import Ways
-from mansion_editing.instructions.phrases.places import merged, with_place
+from mansion_editing.instructions.phrases.places import with_place
 from mansion_editing.instructions.phrases.word_sets import (
     ANY_LONGER,
     BEFORE_PREDICATES,
@@ -193,7 +194,7 @@ class Predicates(States, Colours, Ways):
         out: list[Statement] = []
         for thing in new:
             own = thing.goal()[0]
-            where = goal if own == Place() else merged(own, goal)
+            where = at_receiver(own, goal)
             if thing.phrase.amount.kind == "none":
                 out += self._gone_from(item, [thing], quote)
             elif thing.phrase.definite and own != Place() and not thing.phrase.plural:

@@ -11,7 +11,7 @@ from mansion_editing.instructions.clauses.items import Item, NotUnderstood, join
 from mansion_editing.instructions.phrases.lexicon import Lexicon
 from mansion_editing.instructions.phrases.noun_phrases import NounPhrase, noun_phrase
 from mansion_editing.instructions.phrases.nouns import Noun
-from mansion_editing.instructions.phrases.places import ReadPlace, merged, read_place
+from mansion_editing.instructions.phrases.places import ReadPlace, merged, read_place, with_place
 from mansion_editing.instructions.phrases.verb_words import PARTICIPLES, Deed
 from mansion_editing.instructions.phrases.verbs import verb_at
 from mansion_editing.instructions.phrases.word_sets import (
@@ -30,7 +30,7 @@ from mansion_editing.instructions.phrases.words import (
     Word,
     text_at,
 )
-from mansion_editing.instructions.statements import Amount, Place, Statement, Things
+from mansion_editing.instructions.statements import Amount, Place, Rooms, Statement, Things
 
 __all__ = ["Sentence"]
 
@@ -40,6 +40,9 @@ _LYING: Final = frozenset("lying standing sitting hanging resting leaning".split
 
 _RESTS: Final = frozenset("is are lie lies stand stands sit sits hang hangs rest rests".split())
 """Verbs of a relative clause that say where something is."""
+
+_BESIDE: Final = frozenset("beside near left right behind front".split())
+"""Relations of small things to others on the same surface."""
 
 _THOSE: Final = frozenset("the these those my our your them".split())
 
@@ -136,8 +139,31 @@ class Sentence(ABC):
             if read is None:
                 return tuple(found), start
             owned = not found and self.text(read.start) == "of" and read.place.rooms is not None
-            found.append(replace(read, relative=True) if relative or owned else read)
+            if relative and found and read.place == Place(rooms=Rooms(same=True)):
+                at = read.end  # "next to the one that is already there"
+                continue
+            beside = self._beside_what_it_carries(found, read)
+            if beside is not None:
+                found = [*(p for p in found if p.source), beside]
+            else:
+                found.append(replace(read, relative=True) if relative or owned else read)
             at = read.end
+
+    def _beside_what_it_carries(self, found: Sequence[ReadPlace], near: ReadPlace) -> ReadPlace | None:
+        """Read ``on the desk next to the laptop`` as a place beside the laptop, which is on the desk."""
+        there = [p for p in found if not p.source]
+        if not there or near.source or any(p.relative or p.each for p in there):
+            return None
+        surface, _ = joined_places(there)
+        mark, holder = near.place.anchor, surface.anchor
+        if mark is None or holder is None or mark.place is not None or holder.refers:
+            return None
+        carried = surface.relation in ("on", "in") and near.place.relation in _BESIDE
+        small = not self.lexicon.stands(tuple(mark.noun.split())) and not mark.refers
+        if not carried or not small or not self.lexicon.stands(tuple(holder.noun.split())):
+            return None
+        inner = msgspec.structs.replace(near.place, anchor=with_place(mark, surface))
+        return replace(there[0], place=inner, end=near.end)
 
     def _place_after_comma(self, at: int, found: list[ReadPlace]) -> ReadPlace | None:
         """Read ``, ground floor`` and ``, in the kitchen`` where the place before lacks just that."""
@@ -149,9 +175,13 @@ class Sentence(ABC):
         if room is not None and own and bare and self.text(room.end) in ("", ",", ".", "please", ":", "-"):
             return ReadPlace(Place(rooms=room.rooms()), at + 1, room.end)
         nearer = read is not None and read.place.anchor is not None and place.anchor is None and place.rooms is not None
-        if read is not None and nearer and (read.end >= len(self.words) or self.text(read.end) in (",", ".", "please")):
+        nearer = nearer or (read is not None and self._beside_what_it_carries(found, read) is not None)
+        after = "" if read is None else self.text(read.end)
+        if read is not None and nearer and after in ("", ",", ".", "please", "that", "which"):
             return read
-        apart = read is not None and (read.place.facing is not None or read.place.within > 0)
+        apart = read is not None and (
+            read.place.facing is not None or read.place.within > 0 or (bool(read.place.spot) and not place.spot)
+        )
         if read is not None and apart and (read.end >= len(self.words) or self.text(read.end) in (",", ".", "please")):
             return read
         if read is None or read.place.rooms is None or read.place.anchor is not None:
@@ -170,6 +200,8 @@ class Sentence(ABC):
         if not places:
             return Item(found, (), found.end)
         following, end = self.places(found.end)
+        if not following and self.text(end) == "there" and found.definite and found.noun.kind == "object":
+            following, end = (ReadPlace(Place(rooms=Rooms(same=True)), end, end + 1),), end + 1
         following = self._with_ones(following, found)
         counted = self.text(found.end - 1) in ("them", "those") and self.text(found.end) == ","
         if counted and not following:

@@ -101,7 +101,7 @@ class Lexicon:
         """Mends words to names of the building and the catalogue, and to the words of instructions."""
         own = {word for name in self._room_names | self._object_names for word in name}
         return Speller(
-            own | _catalogue_words(self._state.catalogue), FUNCTION_WORDS | VAGUE | VERB_WORDS | _STOREY_WORDS
+            own | _catalogue_words(self._state.catalogue), FUNCTION_WORDS | VAGUE | VERB_WORDS | _STOREY_WORDS, own
         )
 
     @cached_property

@@ -63,6 +63,7 @@ _PREPOSITIONS: Final[tuple[tuple[tuple[str, ...], Relation], ...]] = (
     (("from", "inside"), "in"), (("from", "off"), "on"), (("away", "from"), ""), (("from", "in"), "in"),
     (("from", "behind"), "behind"), (("from", "the", "top", "of"), "on"), (("in", "the", "middle", "of"), "in"),
     (("back", "to"), ""), (("back", "in"), "in"), (("back", "on"), "on"), (("back", "into"), "in"),
+    (("over", "from"), ""), (("up", "from"), ""), (("down", "from"), ""), (("back", "from"), ""),
     (("over", "to"), ""), (("over", "in"), "in"), (("up", "to"), ""), (("down", "to"), ""), (("down", "in"), "in"),
     (("up", "in"), "in"), (("across", "from"), "front"), (("around",), "around"), (("round",), "around"),
     (("on",), "on"), (("onto",), "on"), (("atop",), "on"), (("in",), "in"), (("into",), "in"), (("inside",), "in"),
@@ -152,6 +153,9 @@ def _unbracketed(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Seque
         return _storey(words, at, at, floors)
     if text_at(words, at) in ("floor", "level"):
         return _storey(words, at, at, floors)
+    if text_at(words, at) == "same" and text_at(words, at + 1) in ("floor", "room"):
+        same = Rooms(same=True) if text_at(words, at + 1) == "room" else Rooms(floors=(SAME_FLOOR,))
+        return ReadPlace(Place(rooms=same), at, at + 2)
     if text_at(words, at) == "facing":
         target = noun_phrase(words, at + 1, lexicon, floors)
         if target is None:
@@ -192,7 +196,7 @@ def _after_preposition(
     lexicon: Lexicon,
     floors: Sequence[int],
 ) -> ReadPlace | None:
-    goal, source = phrase[0] in _GOALS, phrase[0] in _SOURCES
+    goal, source = _direction(phrase)
     if phrase == ("within",):
         near = _within(words, start, at, lexicon, floors)
         if near is not None:
@@ -225,6 +229,12 @@ def _after_preposition(
     if relation == "between":
         return _between(words, start, target, lexicon, floors)
     return _at_noun(words, start, phrase, relation, target, lexicon, floors, goal=goal, source=source)
+
+
+def _direction(phrase: tuple[str, ...]) -> tuple[bool, bool]:
+    """Return whether a preposition tells where something goes, and whether it tells where it comes from."""
+    source = phrase[0] in _SOURCES or (phrase[0] in _GOALS and phrase[-1] == "from")
+    return phrase[0] in _GOALS and not source, source
 
 
 def _goes_on(words: Sequence[Word], at: int, lexicon: Lexicon) -> bool:
@@ -311,7 +321,7 @@ def _spot(
     floors: Sequence[int],
 ) -> ReadPlace | None:
     """Read ``in the corner``, ``against the wall``, ``by the window``, ``in the middle of the room``."""
-    goal, source = phrase[0] in _GOALS, phrase[0] in _SOURCES
+    goal, source = _direction(phrase)
     if phrase == ("in", "the", "middle", "of"):
         inner = _after_preposition(words, start, at, ("in",), "in", lexicon, floors)
         if inner is None or inner.place.anchor is not None:
@@ -321,7 +331,13 @@ def _spot(
     while text_at(words, place) in BEFORE_SPOTS:
         place += 1
     word = text_at(words, place)
+    if text_at(words, place - 1) == "one" and word == "of":
+        place += 1 + (text_at(words, place + 1) == "the")
+        word = text_at(words, place)
     if word not in _SPOTS or (place == at and word not in ("middle",)):
+        return None
+    named = (word, text_at(words, place + 1))
+    if lexicon.is_room(named) or lexicon.is_object(named):
         return None
     spot = _SPOTS[word]
     ceiling_or_wall = phrase[0] in _ON and spot == "wall"

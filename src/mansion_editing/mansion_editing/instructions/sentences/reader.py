@@ -14,10 +14,17 @@ from mansion_editing.instructions.phrases.places import merged, read_place, with
 from mansion_editing.instructions.phrases.storeys import read_storeys
 from mansion_editing.instructions.phrases.verbs import verb_at
 from mansion_editing.instructions.phrases.word_sets import AFTER_CLAUSES, HEADINGS, JOINING
-from mansion_editing.instructions.phrases.words import COURTESIES, FUNCTION_WORDS, STATE_WORDS, UNRECORDED, Word
+from mansion_editing.instructions.phrases.words import COURTESIES, STATE_WORDS, UNRECORDED, Word
 from mansion_editing.instructions.sentences.accounting import unaccounted
 from mansion_editing.instructions.sentences.background import end_of_background, is_background, split_sentences
-from mansion_editing.instructions.sentences.conditions import Condition, begins_condition, on_condition, read_condition
+from mansion_editing.instructions.sentences.conditions import (
+    Condition,
+    begins_condition,
+    on_condition,
+    read_answer,
+    read_condition,
+)
+from mansion_editing.instructions.sentences.owners import owners_named
 from mansion_editing.instructions.sentences.questions import read_question
 from mansion_editing.instructions.sentences.refinement import exactly, in_place_of, so_many, with_noun_at, with_storeys
 from mansion_editing.instructions.sentences.repeating import Repeating
@@ -80,7 +87,7 @@ class _Reader(Telling, Repeating):
         sentences = list(split_sentences(self.words))
         for number, (sentence, marked) in enumerate(sentences):
             self.is_last = number + 1 == len(sentences)
-            self._read_sentence(self._owners_named(sentence), marked=marked)
+            self._read_sentence(owners_named(sentence, self.lexicon), marked=marked)
         self.statements = [
             Mention(quote=s.quote) if self._introduces(s, self.statements[number + 1 :]) else s
             for number, s in enumerate(self.statements)
@@ -125,29 +132,6 @@ class _Reader(Telling, Repeating):
         for noun, place in self.told:
             statement = with_noun_at(statement, noun, place)
         return statement
-
-    def _owners_named(self, words: Sequence[Word]) -> list[Word]:
-        """Put the owner for a pronoun: the mayor's for ``his office``, the umbrella's for ``its stand``."""
-        out: list[Word] = []
-        for at, word in enumerate(words):
-            following = words[at + 1].text if at + 1 < len(words) else ""
-            if word.text in ("his", "her", "their", "its") and following:
-                owner = next((w for w in reversed(out) if self._owns(w, following)), None)
-                if owner is None and word.text == "its":
-                    word = Word("the", word.raw, "word", word.start, word.end)
-                if owner is not None:
-                    out.append(Word("the", "the", "word", word.start, word.start))
-                    word = Word(owner.text, owner.raw, "word", word.start, word.end)
-            out.append(word)
-        return out
-
-    def _owns(self, owner: Word, noun: str) -> bool:
-        """Whether two words make the name of a room of the building, or of an object that no room owns."""
-        if owner.kind != "word" or owner.text in FUNCTION_WORDS:
-            return False
-        pair = (owner.text, noun)
-        thing = self.lexicon.is_object(pair) and not self.lexicon.is_own_room((owner.text,))
-        return thing or self.lexicon.is_own_room(pair)
 
     def _read_sentence(self, words: Sequence[Word], *, marked: bool) -> None:
         reader = ClauseReader(words, self.lexicon, self.floors, lambda a, b: self._quote(words, a, b))
@@ -201,11 +185,13 @@ class _Reader(Telling, Repeating):
         """Read ``if the lamp is off,`` before a clause; of a question before it, ``if not,``."""
         asked = self.statements[-1] if self.statements else None
         start = at - 1 if at and words[at - 1].text in ("only", "but", "so") else at
-        if isinstance(asked, Ask) and tuple(w.text for w in words[at : at + 2]) in (("if", "not"), ("if", "so")):
-            end = at + 2 + (reader.text(at + 2) == ",")
+        answer = read_answer(words, at) if isinstance(asked, Ask) and asked.about in ("exists", "state") else None
+        if isinstance(asked, Ask) and answer is not None:
             self.statements[-1] = Mention(quote=asked.quote)
-            self.topic = self._asked_for(asked)
-            return end, Condition(asked, reader.text(at + 1) == "so")
+            topic = self._asked_for(asked)
+            missing = asked.about == "exists" and not answer[0]
+            self.topic = msgspec.structs.replace(topic, definite=False) if topic is not None and missing else topic
+            return answer[1], Condition(asked, answer[0])
         found = read_condition(reader, start, None)
         if found is None or found[0].ask is None or found[1] >= len(words):
             return at, None
