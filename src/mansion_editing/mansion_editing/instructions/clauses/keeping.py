@@ -18,7 +18,7 @@ class Keeping(Staying, Wishes, Adding, Removing):
     def _staying(self, at: int) -> tuple[list[Statement], int] | None:
         """Read ``only the candles may stay on it``, an exception to what was cleared before."""
         staying = self._only_stays(at)
-        if staying is None:
+        if staying is None or self.places(staying[1])[0]:
             return None
         return [Keep(things=things, quote=self.quote(at, staying[1])) for things in staying[0]], staying[1]
 

@@ -1,6 +1,7 @@
 """What items with their places amount to: things that are there, new, given, gone or elsewhere."""
 
 from collections.abc import Sequence
+from typing import Final
 
 import msgspec
 
@@ -22,6 +23,9 @@ from mansion_editing.instructions.statements import (
 )
 
 __all__ = ["Outcomes", "at_receiver", "everything_at", "named_as"]
+
+_RUBBISH: Final = frozenset("rubbish trash garbage dump skip tip landfill".split())
+"""Where things go that leave the building."""
 
 
 class Outcomes(Sentence):
@@ -90,6 +94,8 @@ class Outcomes(Sentence):
         """Return the statement of ``put X at Y``: a move of what is there, else something new."""
         goal, each = self._framed(self._shared_goal(items, item))
         phrase = item.phrase
+        if goal.relation == "above" and self.lexicon.is_loose(phrase.noun.words):
+            goal = msgspec.structs.replace(goal, relation="on")  # "a blanket over the armchair"
         shared = item.places or not any(other.places for other in items)
         source = joined_places([p for p in item.places if p.source])[0] if shared else Place()
         whence = phrase.definite or phrase.refers or source != Place()
@@ -165,7 +171,7 @@ class Outcomes(Sentence):
         if number and things.amount.kind == "all":
             things = msgspec.structs.replace(things, amount=Amount(kind="all_but", number=number))
             besides = ()
-        told = next((b.place for b in besides if b.place is not None), None)
+        told = next((b.place for b in besides if b.place is not None and b.noun != things.noun), None)
         if place == Place() and told is not None:
             place = told
         if things.noun == "" and not things.refers:
@@ -197,6 +203,13 @@ class Outcomes(Sentence):
                 whole = msgspec.structs.replace(things, amount=Amount(kind="all", number=0))
                 out.append(Remove(things=with_place(whole, place), quote=quote))
         return out
+
+    def _rubbish(self, at: int) -> int:
+        """Return the end of ``in the rubbish`` at a place, 0 where there is none."""
+        place = at + (self.text(at) in ("in", "into", "to", "on", "onto"))
+        place += place > at and self.text(place) in ("the", "a")
+        whole = self.text(place) in _RUBBISH and self.text(place + 1) not in ("bin", "can", "bag")
+        return place + 1 if place > at and whole else 0
 
     def _fronted(self, place: int) -> int:
         """Read a place before the object ("put on the desk two mugs") into the frame."""

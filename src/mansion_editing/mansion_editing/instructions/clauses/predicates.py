@@ -20,6 +20,7 @@ from mansion_editing.instructions.phrases.word_sets import (
 from mansion_editing.instructions.phrases.words import BE, HAVE, MODALS
 from mansion_editing.instructions.statements import (
     Amount,
+    AmountKind,
     Clear,
     Ensure,
     Furnish,
@@ -50,8 +51,8 @@ class Predicates(States, Colours, Ways):
         while self._is_before_predicate(place, end):
             place += 1
         negated = denied or any(word.text in ("not", "never", "no") for word in self.words[end:place])
-        for reader in (self._said_become, self._said_state, self._said_participle, self._said_having, self._said_gone,
-                       self._said_where, self._said_colour, self._said_good):  # fmt: skip
+        for reader in (self._said_become, self._said_state, self._said_participle, self._said_having, self._said_enough,
+                       self._said_gone, self._said_where, self._said_colour, self._said_good):  # fmt: skip
             found = reader(item, place, at, negated)
             if found is not None:
                 return found
@@ -161,6 +162,7 @@ class Predicates(States, Colours, Ways):
         word = self.text(place)
         if word == "do" and self.text(place + 1) == "with":
             return self._said_having(item, place + 1, at, negated)
+        used = word == "use" and self.text(place - 1) in ("could", "can")
         if word in ("has", "have") and self.text(place + 1) == "no" and self.text(place + 2) in ("business", "place"):
             places, end = self.places(place + 3 + (self.text(place + 3) == "being"))
             gone = Item(item.phrase, (*item.places, *places), end).things()
@@ -169,6 +171,7 @@ class Predicates(States, Colours, Ways):
             word not in HAVE
             and word not in ("carry", "bear", "store")
             and not (word == "with" and self.text(place - 1) == "do")
+            and not used
             and word not in WANTING
         ):
             return None
@@ -199,7 +202,15 @@ class Predicates(States, Colours, Ways):
                 out += self._gone_from(item, [thing], quote)
             elif thing.phrase.definite and own != Place() and not thing.phrase.plural:
                 out.append(Move(things=thing.phrase.things(), place=where, or_new=True, quote=quote))
-            elif thing.phrase.amount.kind == "more" or word in ("need", "require", "get", "lack", "deserve", "miss"):
+            elif thing.phrase.amount.kind == "more" or word in (
+                "need",
+                "require",
+                "get",
+                "lack",
+                "deserve",
+                "miss",
+                "use",
+            ):
                 out.append(self._given(thing, goal, quote, each=each))
             else:
                 out.append(Ensure(things=thing.phrase.things(), place=where, each=each, quote=quote))
@@ -210,6 +221,8 @@ class Predicates(States, Colours, Ways):
         word = self.text(place)
         if word in ("stay", "remain") or (word == "be" and self.text(place + 1) == "left"):
             end = place + 1
+            if item.phrase.amount.number and not item.phrase.definite and not negated:
+                return self._remaining(item, place + 1 + (word == "be"), at)
             places, after = self.places(end)
             end = after if places and not any(p.goal for p in places) else end
             while self.text(end) in STAYING_AS_IT_IS:
@@ -227,16 +240,51 @@ class Predicates(States, Colours, Ways):
                 whole = Item(item.phrase, (*item.places, *places), end)
                 return self._there(whole, whole.goal(), self.quote(at, end)), end
         if word in ("go", "disappear", "vanish", "leave") and not negated:
+            rubbish = self._rubbish(place + 1) if word == "go" else 0
+            if rubbish:
+                return [Remove(things=self._all_if_plural(item.things()), quote=self.quote(at, rubbish))], rubbish
+            left = self.item(place + 1) if word == "leave" else None
+            if left is not None and left.is_room:
+                gone = with_place(item.things(), Place(rooms=left.rooms()))
+                return [Remove(things=self._all_if_plural(gone), quote=self.quote(at, left.end))], left.end
             places, end = self.places(place + 1)
-            if not places:
+            if not places or all(p.source and not p.goal for p in places):
                 end += self.text(end) in ("away",)
-                return [Remove(things=self._all_if_plural(item.things()), quote=self.quote(at, end))], end
+                gone = Item(item.phrase, (*item.places, *places), end).things()
+                return [Remove(things=self._all_if_plural(gone), quote=self.quote(at, end))], end
             return [self._brought(item, places, self.quote(at, end))], end
         if word in BEING_SOMEWHERE and not negated:
             places, end = self.places(place + 1)
             if places:
                 return [self._brought(item, places, self.quote(at, end))], end
         return None
+
+    def _remaining(self, item: Item, after: int, at: int) -> tuple[list[Statement], int]:
+        """Read ``only two chairs should remain in the hall``: what is more than that goes."""
+        places, end = self.places(after)
+        whole = Item(item.phrase, (*item.places, *places), end)
+        kind: AmountKind = "at_most" if item.phrase.amount.kind == "exactly" else item.phrase.amount.kind
+        things = msgspec.structs.replace(
+            item.phrase.things(), amount=Amount(kind=kind, number=item.phrase.amount.number)
+        )
+        place, each = self._framed(whole.goal())
+        return [Ensure(things=things, place=place, each=each, quote=self.quote(at, end))], end
+
+    def _said_enough(self, item: Item, place: int, at: int, negated: bool) -> tuple[list[Statement], int] | None:
+        """Read ``two chairs are enough in the hall``, ``one lamp will do``: what is more than that goes."""
+        number = item.phrase.amount.number
+        place -= self.text(place - 1) == "do" and place > item.end + 1
+        enough = self.text(place) in ("enough", "sufficient", "plenty", "suffice") or self.text(place - 1) == "suffice"
+        does = self.text(place) == "do" and self.text(place - 1) in ("will", "would")
+        if negated or not number or item.phrase.definite or item.phrase.refers or not (enough or does):
+            return None
+        places, end = self.places(place + 1)
+        whole = Item(item.phrase, (*item.places, *places), end)
+        things = msgspec.structs.replace(item.phrase.things(), amount=Amount(kind="at_most", number=number))
+        goal, each = self._framed(whole.goal())
+        if goal == Place():
+            return None
+        return [Ensure(things=things, place=goal, each=each, quote=self.quote(at, end))], end
 
     def _said_where(self, item: Item, place: int, at: int, negated: bool) -> tuple[list[Statement], int] | None:
         """Read ``should be on the desk``, ``should be reachable from the lobby``."""

@@ -20,6 +20,7 @@ class Removing(Moving):
             place = self._fronted(place)
         items = self.items(place)
         end = items[-1].end
+        end = self._rubbish(end) or end
         wholly = self.text(end) in ("completely", "totally", "entirely")
         if self.text(at) == "clear" and self.text(at + 1) == "out" and wholly and all(i.is_room for i in items):
             return self._cleared_out(at, items, end + 1)
@@ -85,8 +86,10 @@ class Removing(Moving):
         if self.text(end) not in ("stay", "remain", "left", "kept", "stand", "lie"):
             return None
         end += 1
-        while self.text(end) in STAYING_AS_IT_IS:
+        while self.text(end) in STAYING_AS_IT_IS and not self.places(end)[0]:
             end += 1
+        if all(item.phrase.definite for item in items):
+            _, end = self.places(end)
         return tuple(self._all(item.phrase.things()) for item in items), end
 
     def _tidy(self, at: int, place: int) -> tuple[list[Statement], int]:

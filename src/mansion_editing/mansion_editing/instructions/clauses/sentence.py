@@ -346,6 +346,8 @@ class Sentence(ABC):
             if self.text(at) in ("thank", "thanks"):
                 while self.text(at + 1) in AFTER_THANKS:
                     at += 1
+            if self.words[at].raw in ("there's", "theres"):
+                break
             if self.text(at) == "there" and (self.text(at + 1) in BE or self.text(at + 1) in MODALS
                                              or self.text(at + 1) in ("need", "has", "have", "not")):  # fmt: skip
                 break

@@ -96,6 +96,17 @@ class Lexicon:
         kinds = vocabulary_of(self._state.catalogue).nouns(" ".join(words))
         return bool(kinds) and self._state.catalogue.by_category(kinds[0])[0].mount == "floor"
 
+    def is_loose(self, words: tuple[str, ...]) -> bool:
+        """Whether words name what lies on or in furniture."""
+        kinds = vocabulary_of(self._state.catalogue).nouns(" ".join(words))
+        return bool(kinds) and self._state.catalogue.by_category(kinds[0])[0].pickupable
+
+    def carries(self, words: tuple[str, ...]) -> bool:
+        """Whether words name what things lie on or in."""
+        kinds = vocabulary_of(self._state.catalogue).nouns(" ".join(words))
+        asset = self._state.catalogue.by_category(kinds[0])[0] if kinds else None
+        return asset is not None and bool(asset.volumes or asset.surfaces)
+
     @cached_property
     def speller(self) -> Speller:
         """Mends words to names of the building and the catalogue, and to the words of instructions."""

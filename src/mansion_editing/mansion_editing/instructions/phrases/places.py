@@ -139,7 +139,7 @@ def _unbracketed(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Seque
     relative = _relative(words, at, lexicon, floors)
     if relative is not None:
         return relative
-    if text_at(words, at) in ("up", "over", "down", "in", "right") and text_at(words, at + 1) == "there":
+    if text_at(words, at) in ("up", "over", "down", "right") and text_at(words, at + 1) == "there":
         at += 1
     if text_at(words, at) in ("there", "here"):
         if text_at(words, at + 1) in _EXISTENCE or words[at].raw in ("there's", "theres"):
@@ -202,7 +202,8 @@ def _after_preposition(
         if near is not None:
             return near
     if text_at(words, at) in ("there", "here"):
-        return ReadPlace(Place(rooms=Rooms(same=True)), start, at + 1, goal, source)
+        held: Relation = relation if relation in ("on", "in") else ""
+        return ReadPlace(Place(relation=held, rooms=Rooms(same=True)), start, at + 1, goal, source)
     storeys = read_storeys(words, at, floors)
     if storeys is not None and not _goes_on(words, storeys[2], lexicon):
         numbers, every, end = storeys
@@ -224,7 +225,7 @@ def _after_preposition(
     if same:
         return ReadPlace(Place(rooms=Rooms(same=True)), start, same, goal, source)
     target = noun_phrase(words, at, lexicon, floors)
-    if target is None or target.noun.unknown:
+    if target is None or target.noun.unknown or target.amount.kind == "half":
         return None
     if relation == "between":
         return _between(words, start, target, lexicon, floors)

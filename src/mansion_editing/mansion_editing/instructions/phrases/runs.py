@@ -38,7 +38,8 @@ ENDS_RUN: Final = (
         "somewhere anywhere here now also as if so that facing exactly which upstairs downstairs each both all every "
         "ajar deleted reachable accessible where belong sit lie apart rather wherever whose whatever died broke fell "
         "short away does did look seem anew afresh want visible go disappear vanish put exceed trade untouched alone "
-        "starting next either if unless half closer nearer further farther forward forwards backward backwards".split()
+        "starting next either if unless half closer nearer further farther forward forwards backward backwards "
+        "today tonight tomorrow yesterday anyway though asap yet".split()
     )
 )  # fmt: skip
 

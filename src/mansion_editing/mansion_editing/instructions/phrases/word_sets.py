@@ -65,6 +65,7 @@ __all__ = [
     "OPEN_QUESTIONS",
     "OPINIONS",
     "PAST_VERBS",
+    "PEOPLE",
     "PRAISE",
     "PREDICATE_VERBS",
     "PROPERTIES",
@@ -90,9 +91,14 @@ BEFORE_REQUESTS: Final = frozenset("please maybe just also perhaps kindly possib
 AFTER_MODALS: Final = frozenset("be go get have stand move come face".split())
 ANY_LONGER: Final = frozenset("any more anymore at all there longer".split())
 AFTER_CHECKS: Final = frozenset("that whether if for to , :".split())
-EXISTENCE: Final = frozenset("be is are to need has have not also always ought supposed no longer".split())
+EXISTENCE: Final = frozenset("be is are was were to need has have not also always ought supposed no longer".split())
 TOLD_EXISTENCE: Final = frozenset("there is are no not currently still".split())
 PRAISE: Final = frozenset("nice good great lovely fine helpful appreciated perfect ideal welcome".split())
+PEOPLE: Final = frozenset(
+    "guest visitor client customer patient person staff user child nurse employee teacher student pupil colleague "
+    "manager boss director chef cook waiter tenant neighbour neighbor cleaner receptionist officer family grandma "
+    "grandpa mother father mum dad son daughter doctor".split()
+)
 SOMEBODY: Final = frozenset("robot agent i we one guest visitor people everyone whoever someone subject".split())
 
 # Clauses and subjects

@@ -2,7 +2,7 @@
 
 import re
 from collections.abc import Iterable, Sequence
-from typing import Any, Final, Literal
+from typing import Final, Literal
 
 import msgspec
 
@@ -16,7 +16,7 @@ from mansion_editing.instructions.phrases.verbs import verb_at
 from mansion_editing.instructions.phrases.word_sets import AFTER_CLAUSES, HEADINGS, JOINING
 from mansion_editing.instructions.phrases.words import COURTESIES, STATE_WORDS, UNRECORDED, Word
 from mansion_editing.instructions.sentences.accounting import unaccounted
-from mansion_editing.instructions.sentences.background import end_of_background, is_background, split_sentences
+from mansion_editing.instructions.sentences.background import end_of_background, is_background, is_told, split_sentences
 from mansion_editing.instructions.sentences.conditions import (
     Condition,
     begins_condition,
@@ -26,7 +26,8 @@ from mansion_editing.instructions.sentences.conditions import (
 )
 from mansion_editing.instructions.sentences.owners import owners_named
 from mansion_editing.instructions.sentences.questions import read_question
-from mansion_editing.instructions.sentences.refinement import exactly, in_place_of, so_many, with_noun_at, with_storeys
+from mansion_editing.instructions.sentences.referring import Referring
+from mansion_editing.instructions.sentences.refinement import exactly, in_place_of, with_noun_at, with_storeys
 from mansion_editing.instructions.sentences.repeating import Repeating
 from mansion_editing.instructions.sentences.telling import Telling
 from mansion_editing.instructions.statements import (
@@ -79,7 +80,7 @@ def read_instruction(text: str, state: SceneState, brief: str = "") -> Instructi
     return _Reader(text, state, brief).read()
 
 
-class _Reader(Telling, Repeating):
+class _Reader(Telling, Repeating, Referring):
     """Reads one instruction."""
 
     def read(self) -> Instruction:
@@ -267,7 +268,8 @@ class _Reader(Telling, Repeating):
             more = self._more_of_the_same(reader, words, at)
             if more is not None:
                 return more
-            if is_background(words[at:stop]) or self._is_label(words, at, stop):
+            only_told = verb_at(words, at, self.lexicon) is None and is_told(words[at:stop], self._is_named)
+            if only_told or is_background(words[at:stop]) or self._is_label(words, at, stop):
                 self.statements.append(Mention(quote=self._quote(words, at, stop)))
             else:
                 start = min(fault.start, at) if fault.start < len(words) else at
@@ -276,7 +278,7 @@ class _Reader(Telling, Repeating):
         if tuple(w.text for w in words[end : end + 2]) == ("instead", "of"):
             found, end = in_place_of(reader, found, end)
         topic, reader.topic = reader.topic, None
-        found = [self._about_topic(statement) for statement in found]
+        found = [self._referred(statement) for statement in found]
         if topic is not None or any(not isinstance(statement, Mention) for statement in found):
             self.topic = topic
         self.clause = found
@@ -284,6 +286,11 @@ class _Reader(Telling, Repeating):
         found = self.clause
         self._take([exactly(statement) for statement in found] if exact else found)
         return end
+
+    def _is_named(self, word: Word) -> bool:
+        """Whether a word names things, rooms or storeys."""
+        text = (word.text,)
+        return self.lexicon.is_object(text) or self.lexicon.is_room(text) or word.text in ("floor", *STATE_WORDS)
 
     def _same_of_others(self, reader: ClauseReader, words: Sequence[Word], at: int) -> int | None:
         """Read things without a verb after a state, a removal or the like: ``turn the TV on and the beer tap too``."""
@@ -338,42 +345,6 @@ class _Reader(Telling, Repeating):
         quote = self._quote(words, at, item.end)
         self.statements.append(msgspec.structs.replace(last, things=item.phrase.things(), quote=quote))
         return item.end
-
-    def _about_topic(self, statement: Statement) -> Statement:
-        """Put what the clause before was about for ``it``."""
-        if self.topic is None:
-            return statement
-        topic = self.topic
-        rooms = topic.place.rooms if topic.place is not None else None
-        numbered = (
-            isinstance(statement, Add | Ensure) and statement.things.refers == "last" and not statement.things.noun
-        )
-        if isinstance(statement, Add | Ensure) and numbered and statement.things.amount.number:
-            return so_many(statement, topic)
-        moved = isinstance(statement, Move) and statement.place == Place() and statement.things.refers == "last"
-        if isinstance(statement, Move) and moved and statement.things.amount.number > 1:
-            return so_many(Ensure(things=statement.things, place=Place(), quote=statement.quote), topic)
-
-        def named(value: Any) -> Any:
-            there = isinstance(value, Add | Ensure | Move) and value.place == Place(rooms=Rooms(same=True))
-            if there and topic.place is not None:
-                value = msgspec.structs.replace(value, place=topic.place)
-            if isinstance(value, Move) and value.things.refers == "last" and not topic.definite:
-                where = named(value.place)
-                return msgspec.structs.replace(value, things=topic, place=where, or_new=True)
-            if isinstance(value, Rooms) and value.same and not value.words and rooms:
-                return rooms
-            if isinstance(value, Things) and value.refers == "last" and not value.noun:
-                if value.amount.number and value.amount.kind == "some" and topic.amount.kind != "all":
-                    several = value.amount.number > 1
-                    return msgspec.structs.replace(topic, amount=value.amount, plural=several, definite=False)
-                return topic
-            if not isinstance(value, msgspec.Struct):
-                return tuple(named(part) for part in value) if isinstance(value, tuple) else value
-            return msgspec.structs.replace(value, **{f: named(getattr(value, f)) for f in value.__struct_fields__})
-
-        changed: Statement = named(statement)
-        return changed
 
     def _is_label(self, words: Sequence[Word], at: int, stop: int) -> bool:
         """Whether words before a colon are a heading: ``Initial state:``."""
@@ -567,7 +538,8 @@ class _Reader(Telling, Repeating):
             end = more.end
         comma = reader.text(end) in (",", ":", "-")
         after = reader.skip(end)
-        if not (comma or reader.starts_clause(after) or reader.phrase(after) is not None) or after >= len(reader.words):
+        begins = reader.starts_clause(after) or reader.text(after) == "there" or reader.phrase(after) is not None
+        if not (comma or begins) or after >= len(reader.words):
             return at
         place = Place()
         for read in places:
