@@ -5,7 +5,7 @@ import pytest
 from mansion_editing.editor import SceneEditor
 from mansion_editing.instructions.instruct import instruct
 from mansion_editing.instructions.sentences.reader import read_instruction
-from mansion_editing.instructions.statements import Move, Remove
+from mansion_editing.instructions.statements import Move, Remove, SetState
 from mansion_editing.state import SceneState
 
 
@@ -62,3 +62,61 @@ def test_things_taken_out_go_and_things_carried_over_move(state: SceneState) -> 
 def test_what_stays_is_the_thing_itself(editor: SceneEditor) -> None:
     report = instruct(editor, "Empty the fridge. Leave the fridge itself.")
     assert report.done and editor.state.find("F1/kitchen/fridge_1") is not None
+
+
+@pytest.mark.parametrize(
+    ("text", "number"),
+    [
+        ("There should be no more than two chairs in the hall.", 2),
+        ("There should not be more than two chairs in the hall.", 2),
+        ("There must not be fewer than four chairs in the hall.", 4),
+        ("There should be no fewer than four chairs in the hall.", 4),
+        ("There should be no chair in the hall.", 0),
+        ("There are too many chairs in the hall. Two would be enough.", 2),
+        ("In the hall there are three chairs. Remove one of them.", 2),
+        ("A chair is missing in the hall, add one.", 4),
+        ("The hall has no plant. Put one there.", 3),
+    ],
+)
+def test_limits_and_what_is_told_of_numbers(editor: SceneEditor, text: str, number: int) -> None:
+    report = instruct(editor, text)
+    assert report.done and _left(editor, "chair", "F1/hall") == number
+
+
+def test_what_a_room_lacks_is_not_asked_for_by_that_alone(state: SceneState) -> None:
+    assert read_instruction("The hall has no plant.", state).not_understood
+    assert read_instruction("A chair is missing in the hall.", state).not_understood
+
+
+def test_one_elsewhere_is_another_one(editor: SceneEditor) -> None:
+    report = instruct(editor, "Put a plant in the hall and one in the kitchen.")
+    assert report.done and {name.rsplit("/", 1)[0] for name in report.object_ids} == {"F1/hall", "F1/kitchen"}
+
+
+def test_two_go_to_one_room_and_one_to_another(editor: SceneEditor) -> None:
+    report = instruct(editor, "Bring two chairs from the hall to the kitchen and one to the private office.")
+    rooms = [item.room for _, item in editor.state.objects() if item.category == "chair"]
+    assert report.done and rooms.count("F1/kitchen") == 2 and rooms.count("F2/private_office_1") >= 1
+    assert _left(editor, "chair", "F1/hall") == 0
+
+
+def test_what_is_not_there_is_not_taken_from_elsewhere(editor: SceneEditor) -> None:
+    report = instruct(editor, "Move a mug from the hall to the private office.")
+    assert not report.done
+
+
+@pytest.mark.parametrize(("words", "number"), [("for four", 4), ("for four more people", 5)])
+def test_a_table_is_set_for_so_many(editor: SceneEditor, words: str, number: int) -> None:
+    report = instruct(editor, f"Set the dining table in the kitchen {words}: four plates and four forks.")
+    assert report.done and _left(editor, "plate", "F1/kitchen") == number
+
+
+def test_what_comes_in_the_place_of_another_stands_there(editor: SceneEditor) -> None:
+    report = instruct(editor, "Remove the fridge and put a plant in its place.")
+    before = "F1/kitchen/fridge_1"
+    assert report.done and before in report.object_ids and editor.state.find(before) is None
+
+
+def test_one_that_stays_off_is_off(state: SceneState) -> None:
+    statements = read_instruction("Switch on the lamp in the hall, the one in the kitchen stays off.", state).statements
+    assert [(s.state, s.value) for s in statements if isinstance(s, SetState)] == [("on", True), ("on", False)]

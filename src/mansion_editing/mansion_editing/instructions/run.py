@@ -54,7 +54,11 @@ def carry_out(editor: SceneEditor, instruction: Instruction, text: str, *, partl
             return _undone_or_redone(editor, "Redo", first.times)
         if first.what == "amend":
             return _amended(editor, first, text)
-        if is_taken_back(first, editor):
+        try:
+            taken_back = is_taken_back(first, editor)
+        except MansionError as error:
+            return run_policy(editor, _refused_policy(error), text)
+        if taken_back:
             return _undone_or_redone(editor, "Undo", first.times)
     policy = statement_policy(editor, instruction, partly=partly)
     return run_policy(editor, policy, text, most_steps=MOST_STEPS, most_edits=MOST_EDITS)

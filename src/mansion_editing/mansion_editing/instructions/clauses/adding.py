@@ -32,6 +32,10 @@ class Adding(States, Colours):
         laid = self._laid(at, place)
         if laid is not None:
             return laid
+        if self.text(at) in ("lay", "prepare", "arrange") and place == at + 1:
+            table = self.holder_at(place)
+            if table is not None and table.phrase.definite and self.text(table.end) in (":", "for"):
+                return self._equip(at, place)
         door = self._door_between(at, place)
         if door is not None:
             return door
@@ -186,7 +190,7 @@ class Adding(States, Colours):
 
     def _set(self, at: int, place: int) -> tuple[list[Statement], int]:
         """Read ``set the table with eight plates``; otherwise as ``put``."""
-        where = self.item(place)
+        where = self.holder_at(place)
         if where is not None and self.text(where.end) in ("with", ":", "for"):
             return self._equip(at, place)
         return self._add(at, place)

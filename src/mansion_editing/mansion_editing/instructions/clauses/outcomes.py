@@ -81,8 +81,8 @@ class Outcomes(Sentence):
         if amount.kind == "fewer":
             fewer = msgspec.structs.replace(things, amount=Amount(number=amount.number), plural=False)
             return [Remove(things=with_place(fewer, goal) if goal != Place() else fewer, quote=quote)]
-        if negated and amount.kind == "at_most":
-            negated = False
+        if negated and amount.kind in ("at_most", "at_least"):
+            negated, things = False, _counted_otherwise(things)
         if amount.kind == "none" or negated:
             gone = with_place(things, goal) if goal != Place() else things
             return [Remove(things=msgspec.structs.replace(gone, amount=Amount(kind="all", number=0)), quote=quote)]
@@ -222,6 +222,14 @@ class Outcomes(Sentence):
             return place
         self.frame, _ = joined_places(following)
         return end
+
+
+def _counted_otherwise(things: Things) -> Things:
+    """Return things with their limit denied: ``not more than two`` are at most two, ``not fewer`` at least."""
+    number = things.amount.number
+    more = things.amount.kind == "at_least"
+    denied = Amount(kind="at_most", number=number - 1) if more else Amount(kind="at_least", number=number + 1)
+    return msgspec.structs.replace(things, amount=denied)
 
 
 def at_receiver(own: Place, receiver: Place) -> Place:

@@ -3,7 +3,7 @@
 import msgspec
 
 from mansion_editing.instructions.clauses.colours import Colours
-from mansion_editing.instructions.clauses.items import Item
+from mansion_editing.instructions.clauses.items import Item, joined_places
 from mansion_editing.instructions.clauses.outcomes import at_receiver
 from mansion_editing.instructions.clauses.states import States
 from mansion_editing.instructions.clauses.ways import Ways
@@ -17,7 +17,7 @@ from mansion_editing.instructions.phrases.word_sets import (
     STAYING_AS_IT_IS,
     WANTING,
 )
-from mansion_editing.instructions.phrases.words import BE, HAVE, MODALS
+from mansion_editing.instructions.phrases.words import BE, HAVE, MODALS, STATE_WORDS
 from mansion_editing.instructions.statements import (
     Amount,
     AmountKind,
@@ -51,8 +51,9 @@ class Predicates(States, Colours, Ways):
         while self._is_before_predicate(place, end):
             place += 1
         negated = denied or any(word.text in ("not", "never", "no") for word in self.words[end:place])
-        for reader in (self._said_become, self._said_state, self._said_participle, self._said_having, self._said_enough,
-                       self._said_gone, self._said_where, self._said_colour, self._said_good):  # fmt: skip
+        for reader in (self._said_become, self._said_missing, self._said_state, self._said_participle,
+                       self._said_having, self._said_enough, self._said_gone, self._said_where, self._said_colour,
+                       self._said_good):  # fmt: skip
             found = reader(item, place, at, negated)
             if found is not None:
                 return found
@@ -194,6 +195,10 @@ class Predicates(States, Colours, Ways):
         if negated:
             return self._gone_from(item, new, quote), end
         each = item.phrase.each or item.phrase.amount.kind == "all" or (item.phrase.plural and item.phrase.definite)
+        if place == item.end and word in ("has", "have") and [n.phrase.amount.kind for n in new] == ["none"]:
+            lacking = msgspec.structs.replace(new[0].phrase.things(), amount=Amount(kind="more"), place=goal)
+            self.topic = lacking
+            return [Mention(quote=quote)], end
         out: list[Statement] = []
         for thing in new:
             own = thing.goal()[0]
@@ -221,6 +226,8 @@ class Predicates(States, Colours, Ways):
         word = self.text(place)
         if word in ("stay", "remain") or (word == "be" and self.text(place + 1) == "left"):
             end = place + 1
+            if self.text(end) in STATE_WORDS and word in ("stay", "remain") and self.phrase(end + 1) is None:
+                return self._said_state(item, end, at, negated)
             if item.phrase.amount.number and not item.phrase.definite and not negated:
                 return self._remaining(item, place + 1 + (word == "be"), at)
             places, after = self.places(end)
@@ -276,15 +283,27 @@ class Predicates(States, Colours, Ways):
         place -= self.text(place - 1) == "do" and place > item.end + 1
         enough = self.text(place) in ("enough", "sufficient", "plenty", "suffice") or self.text(place - 1) == "suffice"
         does = self.text(place) == "do" and self.text(place - 1) in ("will", "would")
-        if negated or not number or item.phrase.definite or item.phrase.refers or not (enough or does):
+        if negated or not number or item.phrase.definite or not (enough or does):
             return None
         places, end = self.places(place + 1)
         whole = Item(item.phrase, (*item.places, *places), end)
         things = msgspec.structs.replace(item.phrase.things(), amount=Amount(kind="at_most", number=number))
         goal, each = self._framed(whole.goal())
-        if goal == Place():
+        if goal == Place() and not item.phrase.refers:
             return None
         return [Ensure(things=things, place=goal, each=each, quote=self.quote(at, end))], end
+
+    def _said_missing(self, item: Item, place: int, at: int, negated: bool) -> tuple[list[Statement], int] | None:
+        """Read ``a glass is missing on the table``, which tells what the next clause is about."""
+        told = not any(w.text in MODALS for w in self.words[item.end : place]) and not item.phrase.definite
+        if self.text(place) != "missing" or negated or not told:
+            return None
+        places, end = self.places(place + 1)
+        goal, _ = self._framed(joined_places([*item.places, *places]))
+        number = max(1, item.phrase.amount.number)
+        missing = msgspec.structs.replace(item.phrase.things(), amount=Amount(kind="more", number=number))
+        self.topic = msgspec.structs.replace(missing, place=goal if goal != Place() else None)
+        return [Mention(quote=self.quote(at, end))], end
 
     def _said_where(self, item: Item, place: int, at: int, negated: bool) -> tuple[list[Statement], int] | None:
         """Read ``should be on the desk``, ``should be reachable from the lobby``."""

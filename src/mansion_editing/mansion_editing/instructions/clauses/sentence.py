@@ -264,6 +264,8 @@ class Sentence(ABC):
 
     def _named(self, item: Item, before: Sequence[Item]) -> Item:
         """Put the noun that came before for ``one``: two red mugs and a blue one."""
+        if before and self._is_bare_number(item.phrase):
+            return self._of_the_same_kind(item, before[-1])
         last = next((i.phrase.noun for i in reversed(before) if i.phrase.noun.kind != "anything"), self.last_noun)
         if item.phrase.noun.words[-1:] != ("one",) or last is None:
             if item.phrase.noun.kind == "object":
@@ -275,6 +277,19 @@ class Sentence(ABC):
             raise NotUnderstood(item.phrase.start, item.end)
         noun = replace(item.phrase.noun, words=words, kind=last.kind)
         return Item(replace(item.phrase, noun=noun), item.places, item.end)
+
+    def _is_bare_number(self, phrase: NounPhrase) -> bool:
+        """Whether a phrase is only a number of what was named before: ``one``, ``two more``; not ``two of them``."""
+        counted = phrase.amount.number > 0 and phrase.amount.kind in ("some", "more")
+        pronoun = self.text(phrase.end - 1) in ("it", "them", "they", "those", "these", "both")
+        return phrase.refers == "last" and not phrase.noun.words and counted and not pronoun
+
+    def _of_the_same_kind(self, item: Item, before: Item) -> Item:
+        """Return so many others of a kind, from where those before come: ``two chairs from the hall ... and one``."""
+        noun = replace(before.phrase.noun, plural=item.phrase.amount.number > 1, ordinal=0, size="", number="")
+        phrase = replace(item.phrase, noun=noun, refers="", definite=False)
+        whence = () if any(p.source for p in item.places) else tuple(p for p in before.places if p.source)
+        return Item(phrase, (*whence, *item.places), item.end)
 
     def conjunction(self, at: int) -> int:
         """Return the place after a comma or a conjunction between noun phrases, 0 where there is none."""

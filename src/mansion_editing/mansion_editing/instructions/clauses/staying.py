@@ -7,7 +7,7 @@ from mansion_editing.instructions.phrases.places import with_place
 from mansion_editing.instructions.phrases.storeys import read_storeys
 from mansion_editing.instructions.phrases.word_sets import CHANGED, GOOD_AS_IT_IS, JOINING, KEPT_AS_IT_IS, LYING
 from mansion_editing.instructions.phrases.words import BE, MODALS
-from mansion_editing.instructions.statements import Amount, Keep, Place, Rooms, Statement, Things
+from mansion_editing.instructions.statements import Amount, Keep, Mention, Place, Rooms, Statement, Things
 
 __all__ = ["Staying"]
 
@@ -21,7 +21,13 @@ class Staying(Subjects):
 
     def _stays_so(self, at: int) -> tuple[list[Statement], int] | None:
         """Read a clause that says of things, of a room or of a storey that they stay as they are."""
-        return self._nothing_changes(at) or self._keeps_its_own(at) or self._subject_stays(at)
+        return self._all_else(at) or self._nothing_changes(at) or self._keeps_its_own(at) or self._subject_stays(at)
+
+    def _all_else(self, at: int) -> tuple[list[Statement], int] | None:
+        """Read ``everything else stays the same``, which is checked of every instruction."""
+        said = self.text(at) in ("everything", "all", "anything") and self.text(at + 1) == "else"
+        stop = self._as_it_is(at + 2) if said else 0
+        return ([Mention(quote=self.quote(at, stop))], stop) if stop else None
 
     def _nothing_changes(self, at: int) -> tuple[list[Statement], int] | None:
         """Read ``nothing in the kitchen may be moved`` and ``nothing may change on the third floor``."""
@@ -116,7 +122,7 @@ class Staying(Subjects):
             return 0
         end += good or left
         start = end
-        while self.text(end) in KEPT_AS_IT_IS or self.text(end) in ("put", "here", "inside", "so"):
+        while self.text(end) in KEPT_AS_IT_IS or self.text(end) in ("put", "here", "inside", "so", "the", "same"):
             end += 1
         if left and end == start:
             return 0

@@ -1,8 +1,9 @@
 """What somebody wants, and what there should be."""
 
-from mansion_editing.instructions.clauses.items import NotUnderstood, joined_places
+from mansion_editing.instructions.clauses.items import Item, NotUnderstood, joined_places
 from mansion_editing.instructions.clauses.negations import Negations
 from mansion_editing.instructions.clauses.subjects import Subjects
+from mansion_editing.instructions.phrases.places import with_place
 from mansion_editing.instructions.phrases.verbs import verb_at
 from mansion_editing.instructions.phrases.word_sets import (
     AFTER_CHECKS,
@@ -20,7 +21,7 @@ from mansion_editing.instructions.phrases.word_sets import (
     WISHES,
 )
 from mansion_editing.instructions.phrases.words import BE, MODALS
-from mansion_editing.instructions.statements import Mention, Place, Statement
+from mansion_editing.instructions.statements import Mention, Place, Statement, Things
 
 __all__ = ["Wishes"]
 
@@ -41,6 +42,8 @@ class Wishes(Subjects, Negations):
         place = at + 1
         contracted = self.words[at].raw in ("there's", "theres")
         while self.text(place) in MODALS or self.text(place) in EXISTENCE:
+            if self.text(place) in ("no", "not") and self.text(place + 1) in ("more", "fewer", "less"):
+                break
             place += 1
         if place == at + 1 and not contracted:
             return None
@@ -48,6 +51,10 @@ class Wishes(Subjects, Negations):
         negated = "not" in between or "no" in between
         past = bool(between & {"was", "were"}) and not asked
         told = not asked and between <= TOLD_EXISTENCE and (negated or self.text(place) == "no")
+        if self.text(place) == "too" and self.text(place + 1) in ("many", "much") and not asked:
+            much = self.items(place + 2)[-1]
+            self.topic = self._framed_things(much)
+            return [Mention(quote=self.quote(at, much.end))], much.end
         items = self.items(place)
         if self._is_way(items[0].phrase):
             return self._way(at, items[0].phrase.end)
@@ -60,17 +67,22 @@ class Wishes(Subjects, Negations):
         only = {"there", "is", "are", "already", "still", "currently"}
         affirmed = not asked and not negated and len(items) == 1 and (between or {"is"}) <= only
         if affirmed and items[0].phrase.amount.kind == "some":
-            self.affirmed = items[0].things()
+            self.affirmed = self._framed_things(items[0])
         if told or (not asked and items[0].phrase.amount.kind == "none" and between <= {"there", "is", "are"}):
             goal, _ = self._shared_goal(items, items[0])
             self.frame = Place(rooms=goal.rooms) if goal.rooms is not None else self.frame
             return [Mention(quote=self.quote(at, end))], end
         if len(items) == 1 and between <= only:
-            self.topic = items[0].things()
+            self.topic = self._framed_things(items[0])
         out: list[Statement] = []
         for item in items:
             out += self._there(item, self._shared_goal(items, item), self.quote(at, end), negated=negated)
         return out, end
+
+    def _framed_things(self, item: Item) -> Things:
+        """Return things with their place and that which the sentence began with."""
+        place, _ = self._framed(joined_places(list(item.places)))
+        return item.phrase.things() if place == Place() else with_place(item.phrase.things(), place)
 
     def _desired(self, at: int) -> tuple[list[Statement], int] | None:
         """Read ``I want``, ``can you``, ``is it possible to``, ``let us`` and what follows."""

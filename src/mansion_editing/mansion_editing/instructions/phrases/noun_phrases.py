@@ -183,10 +183,12 @@ def _whatever(words: Sequence[Word], at: int) -> NounPhrase | None:
     place = at + 1
     if text_at(words, at) not in ("whatever", "everything", "anything", "all"):
         return None
-    place += text_at(words, place) in ("that", "which")
-    if text_at(words, place) not in ("is", "are", "stand", "remain", "stay"):
+    relative = text_at(words, place) in ("that", "which")
+    contracted = relative and words[place].raw in ("that's", "which's")
+    place += relative
+    if text_at(words, place) not in ("is", "are", "stand", "remain", "stay") and not contracted:
         return None
-    place += 1
+    place += not contracted
     place += text_at(words, place) in ("still", "switched", "turned", "left", "currently")
     if text_at(words, place) not in STATE_WORDS:
         return None

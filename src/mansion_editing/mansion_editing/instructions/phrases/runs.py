@@ -84,6 +84,8 @@ def end_of_run(words: Sequence[Word], at: int, lexicon: Lexicon) -> int:
             break
         if end > at and text in ("more", "less", "fewer", "itself", "themselves"):
             break
+        if end > at and text == "back" and text_at(words, end + 1) in PREPOSITIONS | {""}:
+            break
         if end > at and text.endswith("ly") and _is_named(words, at, end, lexicon):
             break
         if end > at and text in ("turn", "switch") and text_at(words, end + 1) in ("on", "off"):

@@ -44,6 +44,7 @@ from mansion_editing.instructions.statements import (
     Paint,
     Place,
     Remove,
+    Replace,
     Rooms,
     SetState,
     Statement,
@@ -425,7 +426,7 @@ class _Reader(Telling, Repeating, Referring):
             depends = self._depends_on(reader, end + (text == ","))
             if depends:
                 end = depends
-            elif tuple(w.text for w in words[end : end + 3]) == ("from", "now", "on"):
+            elif self._takes_its_place(words, end) or [w.text for w in words[end : end + 3]] == ["from", "now", "on"]:
                 end += 3
             elif pair in (("rather", "than"), ("instead", "of")) and self._contrasted(reader, end + 2):
                 end = self._contrasted(reader, end + 2)
@@ -445,6 +446,19 @@ class _Reader(Telling, Repeating, Referring):
             return stop, exact
         self.unknown.append(self._quote(words, end, stop))
         return stop, exact
+
+    def _takes_its_place(self, words: Sequence[Word], at: int) -> bool:
+        """Read ``in its place`` after something new, which then stands where what was removed stood."""
+        last = self.statements[-1] if self.statements else None
+        said = [w.raw for w in words[at : at + 3]]
+        new = self.clause[0] if len(self.clause) == 1 else None
+        if said not in (["in", "its", "place"], ["in", "their", "place"]) or not isinstance(last, Remove):
+            return False
+        if not isinstance(new, Add | Ensure) or new.place != Place():
+            return False
+        self.statements.pop()
+        self.clause = [Replace(things=last.things, by=new.things, quote=self._from_to(last, new))]
+        return True
 
     def _depends_on(self, reader: ClauseReader, at: int) -> int:
         """Read a condition after a clause, on which its statements then depend; return its end, 0 where it is none."""

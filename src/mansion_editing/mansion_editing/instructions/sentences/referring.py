@@ -28,7 +28,10 @@ class Referring(Progress):
 
     def _referred(self, statement: Statement) -> Statement:
         """Return a statement about what its pronouns stand for."""
-        return self._about_topic(self._about_room(self._about_holder(statement)))
+        told = self._about_topic(self._about_room(self._about_holder(statement)))
+        if isinstance(told, Ensure) and told.things.amount.kind == "at_most" and _is_bare_it(told.things, many=True):
+            return Mention(quote=told.quote)  # "eight is enough" of what nothing tells
+        return told
 
     def _about_holder(self, statement: Statement) -> Statement:
         """Put the furniture that was mentioned last for ``in there``, where it holds things."""
@@ -75,6 +78,9 @@ class Referring(Progress):
                 value = msgspec.structs.replace(value, place=topic.place)
             if isinstance(value, Move) and value.things.refers == "last" and not topic.definite:
                 where = named(value.place)
+                if topic.amount.kind == "more":  # told to be missing
+                    where = where if where.rooms or rooms is None else msgspec.structs.replace(where, rooms=rooms)
+                    return Add(things=msgspec.structs.replace(topic, place=None), place=where, quote=value.quote)
                 return msgspec.structs.replace(value, things=topic, place=where, or_new=True)
             if isinstance(value, Rooms) and value.same and not value.words and rooms:
                 return rooms
@@ -91,8 +97,8 @@ class Referring(Progress):
         return changed
 
 
-def _is_bare_it(things: Things | None) -> bool:
-    return things is not None and things.refers == "last" and not things.noun and not things.plural
+def _is_bare_it(things: Things | None, *, many: bool = False) -> bool:
+    return things is not None and things.refers == "last" and not things.noun and (many or not things.plural)
 
 
 def _mentioned_by(statement: Statement | None) -> Things | None:
