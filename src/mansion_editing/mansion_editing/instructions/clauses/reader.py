@@ -82,6 +82,14 @@ class ClauseReader(Keeping, Changing, Taking, PastSteps):
         moved = [self._all_if_plural(with_place(item.phrase.things(), source)) for item in items]
         return [Move(things=things, place=goal, quote=quote) for things in moved], end
 
+    def _is_counted_out(self, item: Item) -> bool:
+        """Whether an article or a number asks for so many more: ``two plants for the lobby``."""
+        phrase = item.phrase
+        first = self.words[phrase.start]
+        counted = first.text in ("a", "an") or (first.kind == "number" and phrase.amount.number > 0)
+        given = any(self.text(p.start) == "for" for p in item.places)
+        return given and counted and phrase.amount.kind == "some" and not phrase.definite and not phrase.refers
+
     def _all_leave(self, items: Sequence[Item]) -> bool:
         """Whether things without a verb only come out of a room or off furniture: ``all plants out of the hall``."""
         places = items[-1].places
@@ -121,7 +129,7 @@ class ClauseReader(Keeping, Changing, Taking, PastSteps):
         quote = self.quote(at, end)
         out = []
         for item in items:
-            if item.phrase.amount.kind == "more":
+            if item.phrase.amount.kind == "more" or self._is_counted_out(item):
                 out.append(self._added(items, item, quote))
             else:
                 out += self._there(item, self._shared_goal(items, item), quote)

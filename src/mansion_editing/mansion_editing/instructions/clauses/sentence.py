@@ -215,8 +215,23 @@ class Sentence(ABC):
         Raises
         ------
         NotUnderstood
-            Where there is no noun phrase.
+            Where there is no noun phrase, or where it is not told which of several go where.
         """
+        return self._distributed(self._joined(at))
+
+    def _distributed(self, items: list[Item]) -> list[Item]:
+        """Return the shares of ``two lamps for the study, one on the desk and one on the shelf`` alone."""
+        shares = items[1:]
+        bare = [self.words[i.phrase.start].kind == "number" and i.phrase.end == i.phrase.start + 1 for i in shares]
+        whole = items[0].phrase.amount.number
+        if len(shares) < 2 or not all(bare) or sum(i.phrase.amount.number for i in shares) != whole:
+            return items
+        if items[0].phrase.definite:
+            raise NotUnderstood(items[0].phrase.start, items[-1].end)
+        rooms = tuple(p for p in items[0].places if p.place.anchor is None and p.place.rooms is not None)
+        return [Item(i.phrase, (*i.places, *rooms), i.end) for i in shares]
+
+    def _joined(self, at: int) -> list[Item]:
         found: list[Item] = []
         while True:
             item = self.item(at)

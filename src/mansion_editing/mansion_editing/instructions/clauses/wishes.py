@@ -137,6 +137,11 @@ class Wishes(Subjects, Negations):
             place += 1
         if self.text(place) in OPINIONS:
             return self.read(place + 1 + (self.text(place + 1) in ("that", "you")) + (self.text(place + 2) == "to"))
+        disliked = self.text(place + 1) == "like" and "would" not in (w.text for w in self.words[at:place])
+        if self.text(place) == "not" and disliked:
+            items = self.items(place + 2)
+            self.topic = items[0].things()
+            return [Mention(quote=self.quote(at, items[-1].end))], items[-1].end
         if self.text(place) == "not" and self.text(place + 1) in ("want", "like", "wish"):
             return self._unwanted(at, place + 2)
         longer = {"anymore", "longer"} & {w.text for w in self.words} or "any more" in self.quote(at, len(self.words))

@@ -67,6 +67,8 @@ class NounPhrase:
     def rooms(self) -> Rooms:
         """Return the phrase as a description of rooms."""
         noun = self.noun
+        if self.refers == "last" and not noun.words and self.amount.kind == "some":
+            return Rooms(same=True)
         words = " ".join((*filter(None, [noun.owned]), *noun.words, *filter(None, [noun.number])))
         words = "" if words == "room" else words
         if noun.numbers:

@@ -56,6 +56,7 @@ from mansion_editing.state import SceneState
 __all__ = ["read_instruction"]
 
 _EVERY_ONE: Final = (("every", "single", "one"), ("all", "of", "them"), ("each", "of", "them"), ("from", "now", "on"))
+_BEFORE_ASIDES: Final = frozenset("for before after when while until".split())
 _PAIRS_AFTER_CLAUSES: Final = (
     ("any", "more"), ("you", "find"), ("you", "see"), ("nothing", "else"), ("no", "other"), ("as", "well"),
     ("at", "all"), ("if", "possible"), ("for", "me"), ("for", "us"), ("for", "now"), ("right", "now"), ("for", "each"),
@@ -371,6 +372,10 @@ class _Reader(Telling, Repeating, Referring):
             if isinstance(statement, Keep) and isinstance(last, Clear) and not statement.things.place:
                 self.statements[-1] = msgspec.structs.replace(last, spare=(*last.spare, statement.things))
                 continue
+            only = re.search(r"\b(only|just|nothing but)\b", statement.quote)
+            if isinstance(statement, Keep) and isinstance(last, Remove) and last.things.noun and only:
+                self.unknown.append(statement.quote)  # more than what was named would have to go
+                continue
             if isinstance(statement, Keep) and isinstance(last, Remove) and last.things.amount.kind == "all":
                 spared = msgspec.structs.replace(last.things, beside=(*last.things.beside, statement.things))
                 self.statements[-1] = msgspec.structs.replace(last, things=spared)
@@ -423,9 +428,12 @@ class _Reader(Telling, Repeating, Referring):
                 continue
             text = words[end].text
             pair = (text, words[end + 1].text if end + 1 < len(words) else "")
-            depends = self._depends_on(reader, end + (text == ","))
+            fits = self._if_it_fits(words, end)
+            depends = 0 if fits else self._depends_on(reader, end + (text == ","))
             if depends:
                 end = depends
+            elif fits:
+                end = fits
             elif self._takes_its_place(words, end) or [w.text for w in words[end : end + 3]] == ["from", "now", "on"]:
                 end += 3
             elif pair in (("rather", "than"), ("instead", "of")) and self._contrasted(reader, end + 2):
@@ -441,11 +449,29 @@ class _Reader(Telling, Repeating, Referring):
         if end_of_background(words, end) > end or reader.starts_clause(end):
             return end, exact
         stop = reader.boundary(end)
-        if words[end].text == "for" and not self._names_anything(words[end:stop]):
+        aside = words[end].text in _BEFORE_ASIDES and not any(w.kind == "number" for w in words[end:stop])
+        if aside and not self._names_anything(words[end:stop]):
             self.statements.append(Mention(quote=self._quote(words, end, stop)))
             return stop, exact
         self.unknown.append(self._quote(words, end, stop))
         return stop, exact
+
+    def _if_it_fits(self, words: Sequence[Word], at: int) -> int:
+        """Return the end of ``if there is room for it``, ``if it fits``: so wherever it can be done; 0 for others."""
+        at += words[at].text == ","
+        texts = [w.text for w in words[at : at + 8]]
+        for said in (["if", "there", "is"], ["if", "it", "fit"], ["if", "they", "fit"]):
+            if texts[:3] != said:
+                continue
+            end = 3 + (said[1] == "there" and texts[3:4] in (["enough"], ["still"], ["any"]))
+            if said[1] == "there" and texts[end : end + 1] not in (["room"], ["space"]):
+                return 0
+            end += said[1] == "there"
+            if texts[end : end + 1] == ["for"] and texts[end + 1 : end + 2] in (["it"], ["them"], ["that"]):
+                end += 2
+            end += texts[end : end + 1] in (["there"], ["left"])
+            return at + end if at + end >= len(words) or words[at + end].kind == "mark" else 0
+        return 0
 
     def _takes_its_place(self, words: Sequence[Word], at: int) -> bool:
         """Read ``in its place`` after something new, which then stands where what was removed stood."""
