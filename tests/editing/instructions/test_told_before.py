@@ -47,6 +47,8 @@ def test_what_may_ask_for_something_is_not_passed_over(state: SceneState, told: 
         "Nobody uses the plate on the dining table any more.",
         "The dog licked the plate on the dining table.",
         "I see a plate on the dining table.",
+        "Grandma hates the plate on the dining table.",
+        "The plate on the dining table smells.",
     ],
 )
 def test_it_is_what_was_told_of(editor: SceneEditor, told: str) -> None:

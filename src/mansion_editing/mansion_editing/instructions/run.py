@@ -141,12 +141,13 @@ def statement_policy(editor: SceneEditor, instruction: Instruction, *, partly: b
     steps: list[Step] = []
     replies: list[str] = []
     before = state.copied()
+    answers: list[tuple[Ask, bool]] = []
     context = replace(context_of(editor), kept=_kept(instruction, state))
     for statement in instruction.statements:
         mark = len(state.pending)
         try:
             if isinstance(statement, When):
-                if holds(statement.ask, state, context) != statement.holds:
+                if _answer(statement.ask, answers, state, context) != statement.holds:
                     replies.append(f"{statement.quote}: not so, nothing had to change")
                     continue
                 statement = statement.then
@@ -179,6 +180,15 @@ def statement_policy(editor: SceneEditor, instruction: Instruction, *, partly: b
     replies += [f"not done: {reason}" for reason in missed]
     told = f" (ignored, as scenes do not record it: {', '.join(instruction.ignored)})" if instruction.ignored else ""
     return Verdict("; ".join(replies) + told, replies)
+
+
+def _answer(ask: Ask, answers: list[tuple[Ask, bool]], state: SceneState, context: Context) -> bool:
+    """Return whether a condition holds; one that was looked at before ("if so ..., otherwise ...") as it was then."""
+    known = next((held for one, held in answers if one == ask), None)
+    if known is None:
+        known = holds(ask, state, context)
+        answers.append((ask, known))
+    return known
 
 
 def _kept(instruction: Instruction, state: SceneState) -> frozenset[str]:

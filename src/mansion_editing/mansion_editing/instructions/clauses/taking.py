@@ -33,7 +33,7 @@ class Taking(Adding, Removing):
             and read_place(self.words, end + 1, self.lexicon, self.floors) is not None
         ):
             return self._move(at, place)
-        away = self.text(end) in ("away", "out", "off")
+        away = self.text(end) in ("away", "out", "off", "down")
         if self._goes_on_with_it(end + away):
             if len(items) > 1:
                 return self._taken_and_put(at, items, end + away)

@@ -113,7 +113,10 @@ BEFORE_PREDICATES: Final = frozenset(
 )
 WANTING: Final = frozenset("need require lack get want deserve miss missing keep".split())
 BEING_SOMEWHERE: Final = frozenset("belong come sit stand lie live rest hang".split())
-FAILING: Final = frozenset("died broke fell leaks squeaks smells wobbles cracked burst".split())
+FAILING: Final = frozenset(
+    "died broke fell leaks squeaks smells wobbles cracked burst wobble squeak smell leak flicker flickers rattle "
+    "rattles creak creaks stink stinks drip drips".split()
+)
 BEFORE_COLOURS: Final = frozenset("be is are in get painted have become turn made".split())
 BEFORE_STATES: Final = frozenset("switched turned left kept powered wide fully be always ,".split())
 DISTURBING: Final = frozenset("touch disturb alter bother affect move break mess".split())
@@ -186,7 +189,7 @@ BEFORE_STOREYS: Final = frozenset("the all both each every our of".split())
 
 BETWEEN_CLAUSES: Final = frozenset(
     "also now then just simply finally afterwards again too meanwhile next first and but so quickly immediately "
-    "kindly maybe perhaps otherwise once still already today asap else as well there here back together instead "
+    "kindly maybe perhaps once still already today asap else as well there here back together instead "
     "carefully neatly nicely thus therefore yet while plus for".split()
 ) | frozenset([",", "-", "*", ":", ".", ")", "(", "!", '"', "\n", "?", ";"])
 RELATIVES: Final = frozenset("my our one somebody her his their daughter son mother father boss".split())

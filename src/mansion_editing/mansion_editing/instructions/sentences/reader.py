@@ -20,10 +20,11 @@ from mansion_editing.instructions.sentences.background import end_of_background,
 from mansion_editing.instructions.sentences.conditions import (
     Condition,
     begins_condition,
+    else_at,
     on_condition,
-    read_answer,
     read_condition,
 )
+from mansion_editing.instructions.sentences.depending import Depending
 from mansion_editing.instructions.sentences.owners import owners_named
 from mansion_editing.instructions.sentences.questions import read_question
 from mansion_editing.instructions.sentences.referring import Referring
@@ -33,7 +34,6 @@ from mansion_editing.instructions.sentences.telling import Telling
 from mansion_editing.instructions.statements import (
     Add,
     Amount,
-    Ask,
     Clear,
     Ensure,
     Finish,
@@ -50,6 +50,7 @@ from mansion_editing.instructions.statements import (
     Statement,
     Things,
     Turn,
+    When,
 )
 from mansion_editing.state import SceneState
 
@@ -82,7 +83,7 @@ def read_instruction(text: str, state: SceneState, brief: str = "") -> Instructi
     return _Reader(text, state, brief).read()
 
 
-class _Reader(Telling, Repeating, Referring):
+class _Reader(Telling, Repeating, Referring, Depending):
     """Reads one instruction."""
 
     def read(self) -> Instruction:
@@ -140,7 +141,16 @@ class _Reader(Telling, Repeating, Referring):
         reader = ClauseReader(words, self.lexicon, self.floors, lambda a, b: self._quote(words, a, b))
         self.frames = ()
         reader.last_noun = self.last_noun
-        self._read_words(reader, words, marked=marked)
+        first = len(self.statements)
+        if words[0].text in ("otherwise", "else") and self.statements and isinstance(self.statements[-1], When):
+            self._read_otherwise(words[1 + (reader.text(1) == ",") :], first - 1)
+            return
+        joint = else_at(words)
+        self._read_words(
+            reader if not joint else reader.until(joint[0]), words[: joint[0]] if joint else words, marked=marked
+        )
+        if joint:
+            self._read_otherwise(words[joint[1] :], first)
         self.last_noun = reader.last_noun
 
     def _read_words(self, reader: ClauseReader, words: Sequence[Word], *, marked: bool) -> None:
@@ -171,6 +181,9 @@ class _Reader(Telling, Repeating, Referring):
             at = reader.skip(at)
             if at >= len(words):
                 return
+            if words[at].text == "otherwise":
+                self._read_consequence(words, at)
+                return
             at, condition = self._read_condition(reader, words, at)
             first = len(self.statements)
             if condition is not None:
@@ -184,37 +197,25 @@ class _Reader(Telling, Repeating, Referring):
                 continue
             at = self._read_clause(reader, words, at)
 
-    def _read_condition(self, reader: ClauseReader, words: Sequence[Word], at: int) -> tuple[int, Condition | None]:
-        """Read ``if the lamp is off,`` before a clause; of a question before it, ``if not,``."""
-        asked = self.statements[-1] if self.statements else None
-        start = at - 1 if at and words[at - 1].text in ("only", "but", "so") else at
-        answer = read_answer(words, at) if isinstance(asked, Ask) and asked.about in ("exists", "state") else None
-        if isinstance(asked, Ask) and answer is not None:
-            self.statements[-1] = Mention(quote=asked.quote)
-            topic = self._asked_for(asked)
-            missing = asked.about == "exists" and not answer[0]
-            self.topic = msgspec.structs.replace(topic, definite=False) if topic is not None and missing else topic
-            return answer[1], Condition(asked, answer[0])
-        found = read_condition(reader, start, None)
-        if found is None or found[0].ask is None or found[1] >= len(words):
-            return at, None
-        condition, end = found
-        things = condition.ask.things if condition.ask is not None else None
-        if things is not None and condition.ask is not None:
-            noun = reader.phrase_of(things.noun)
-            reader.last_noun = noun or reader.last_noun
-            self.topic = msgspec.structs.replace(
-                things, place=condition.ask.place or things.place, amount=Amount(number=1), definite=condition.holds
-            )
-        return end, condition
+    def _read_consequence(self, words: Sequence[Word], at: int) -> None:
+        """Read ``otherwise the milk gets warm`` after a request, which says why; an order would need a condition."""
+        quote = self._quote(words, at, len(words))
+        if verb_at(words, at + 1, self.lexicon) is not None:
+            self.unknown.append(quote)
+        else:
+            self.statements.append(Mention(quote=quote))
 
-    def _depend(self, condition: Condition, first: int, quote: str) -> None:
-        """Let the statements from a place on depend on a condition."""
-        for at in range(first, len(self.statements)):
-            statement = self.statements[at]
-            if not isinstance(statement, Mention):
-                told = statement if quote == "" else msgspec.structs.replace(statement, quote=quote)
-                self.statements[at] = on_condition(told, condition)
+    def _read_otherwise(self, words: Sequence[Word], first: int) -> None:
+        """Read what is to be done where the condition before does not hold."""
+        last = next((s for s in reversed(self.statements[first:]) if isinstance(s, When)), None)
+        if last is None:
+            self.unknown.append(self._quote(words, 0, len(words)))
+            return
+        condition = Condition(last.ask, not last.holds)
+        self.topic = self._topic_where(condition)
+        start = len(self.statements)
+        self._read_sentence(words, marked=False)
+        self._depend(condition, start, self._quote(words, 0, len(words)))
 
     def _read_heading(self, reader: ClauseReader, words: Sequence[Word], at: int) -> int:
         """Read what a sentence is about: ``The lamp: ...``, ``Too many chairs ...``."""
@@ -270,6 +271,10 @@ class _Reader(Telling, Repeating, Referring):
             more = self._more_of_the_same(reader, words, at)
             if more is not None:
                 return more
+            told = self._told_of_thing(reader, at)
+            if (told and reader.skip(told) < len(words)) or (told and not self.is_last):
+                self.statements.append(Mention(quote=self._quote(words, at, told)))
+                return told
             only_told = verb_at(words, at, self.lexicon) is None and is_told(words[at:stop], self._is_named)
             if only_told or is_background(words[at:stop]) or self._is_label(words, at, stop):
                 self.statements.append(Mention(quote=self._quote(words, at, stop)))
@@ -541,17 +546,6 @@ class _Reader(Telling, Repeating, Referring):
             elif end < len(words):
                 self.unknown.append(self._quote(words, end, len(words)))
         return True
-
-    def _asked_for(self, ask: Ask) -> Things | None:
-        """Return what a question was about, which ``it`` means in what comes next."""
-        if ask.things is None:
-            return None
-        number = max(1, ask.things.amount.number)
-        one = ask.things.amount.kind != "all" or not ask.things.plural
-        amount = Amount(number=number) if one else Amount(kind="all", number=0)
-        return msgspec.structs.replace(
-            ask.things, place=ask.place or ask.things.place, amount=amount, definite=True, plural=not one
-        )
 
     def _read_frame(self, reader: ClauseReader, at: int) -> int:
         """Read a place that the sentence begins with, up to its comma or the clause."""

@@ -44,6 +44,11 @@ class Referring(Progress):
             return statement
         if not self.lexicon.carries(tuple(holder.noun.split())):
             return statement
+        told = self.statements[-1] if self.statements else None
+        there = getattr(statement, "place", None) == Place(rooms=Rooms(same=True))
+        if there and isinstance(told, Mention) and holder is self.topic and told.quote.lower().startswith("there"):
+            self.unknown.append(statement.quote)  # on it, in it or only in its room
+            return statement
         held: Statement = held_there(statement, msgspec.structs.replace(holder, definite=True))
         return held
 

@@ -134,9 +134,17 @@ class Telling(Progress):
     def _tells_what_people_do(self, reader: ClauseReader, at: int) -> bool:
         """Read ``Nobody reads the newspaper any more``, ``We eat at the table``: what the next sentence is about."""
         words = reader.words
-        asking = {w.text for w in words[at:]} & (MODALS | NEED | BE | HAVE | _WISHING)
-        if self.is_last or asking or verb_at(words, at, self.lexicon) is not None:
+        end = 0 if self.is_last else self._told_of_thing(reader, at)
+        if end < len(words):
             return False
+        self.statements.append(Mention(quote=self._quote(words, 0, len(words))))
+        return True
+
+    def _told_of_thing(self, reader: ClauseReader, at: int) -> int:
+        """Return the end of a clause that tells what somebody does with a thing, which is then the topic; else 0."""
+        words = reader.words
+        if verb_at(words, at, self.lexicon) is not None:
+            return 0
         for verb in range(at + 1, min(at + 4, len(words) - 1)):
             if self._is_named_within(words[at:verb]) or not self._is_told_by(words, at, verb):
                 continue
@@ -152,19 +160,20 @@ class Telling(Progress):
             end = item.end if item is not None else len(words) if place is None else place.end
             while reader.text(end) in ANY_LONGER or reader.text(end) in ADVERBS:
                 end += 1
-            if about is None or end < len(words):
+            asking = {w.text for w in words[at:end]} & (MODALS | NEED | BE | HAVE | _WISHING)
+            if about is None or asking or (end < len(words) and reader.text(end) not in (",", "so", "and", "but")):
                 continue
             self.topic = about
-            self.statements.append(Mention(quote=self._quote(words, 0, len(words))))
-            return True
-        return False
+            return end
+        return 0
 
     def _is_told_by(self, words: Sequence[Word], at: int, verb: int) -> bool:
         """Whether a word is the verb of a clause that tells what somebody does or did."""
         person = verb == at + 1 and words[at].text in PERSONS | {"nobody"}
         past = words[verb].raw.endswith("ed") and words[verb].kind == "word"
-        told = past or words[verb].plural or words[at].text in ("i", "we", "they", "people", "you")
-        return words[verb].text not in PREPOSITIONS and (past or person) and told
+        third = words[verb].plural and not self._is_named_within(words[verb : verb + 1])
+        told = past or third or words[at].text in ("i", "we", "they", "people", "you", "guest", "visitor")
+        return words[verb].text not in PREPOSITIONS and (past or person or third) and told
 
     def _is_named_within(self, words: Sequence[Word]) -> bool:
         return any(self.lexicon.is_object((w.text,)) or self.lexicon.is_own_room((w.text,)) for w in words)
