@@ -17,6 +17,7 @@ from mansion_editing.document_copies import Documents, floor_of, is_scene
 from mansion_editing.replaced_files import ReplacedFiles
 from mansion_editing.room_parts import parts_of, program_with, records_of, topology_with
 from mansion_editing.state import SceneChange, changed, inverse, rebase
+from mansion_msgs_py.allowed_folders import EVERYWHERE, AllowedFolders
 from mansion_msgs_py.building import Building
 from mansion_msgs_py.building_folder import INDEX, BuildingFolder, file_in, floor_directory
 from mansion_msgs_py.codec import decode, encode_bytes
@@ -59,6 +60,8 @@ class BuildingStore:
         Says anew what a building's own records state of it, each time that a transaction lands.
     clock : callable
         Returns the time for the log.
+    allowed : AllowedFolders
+        Where this process may write; a building elsewhere can be read.
 
     Attributes
     ----------
@@ -78,18 +81,26 @@ class BuildingStore:
         validator: Validator | None = None,
         records: Records | None = None,
         clock: Callable[[], str] = lambda: "",
+        allowed: AllowedFolders = EVERYWHERE,
     ) -> None:
         self.folder = folder
+        self._allowed = allowed
         self._validator = validator
         self._records = records
         self._clock = clock
         self._reader = BuildingFolder(folder)
-        self.documents = Documents(folder)
+        self.documents = Documents(folder, allowed)
         self._scenes: dict[int, tuple[tuple[int, int, int], FloorScene]] = {}
         self.lock_file = file_in(folder, "edits/lock")
         self._edits = self.lock_file.parent
-        for place in (folder, self._edits, *sorted(folder.glob("floors/*"))):
-            remove_remains(place)
+        if allowed.allows(folder):
+            self._tidy()
+
+    def _tidy(self) -> None:
+        """Finish or remove what killed processes left."""
+        for place in (self.folder, self._edits, *sorted(self.folder.glob("floors/*"))):
+            if place.resolve().is_relative_to(self.folder.resolve()):
+                remove_remains(place)
         if (self._edits / "pending.json").exists():
             with locked(self.lock_file):
                 self._recover()
@@ -154,13 +165,14 @@ class BuildingStore:
         MansionError
             ``CONFLICT`` when another editor changed the same objects, rooms or documents, or a running session holds
             one; ``INFEASIBLE`` with the faults that the building would have; ``INVALID_PAYLOAD`` for changes of a floor
-            whose scene is replaced.
+            whose scene is replaced; ``FORBIDDEN`` for a folder that this process may not write.
 
         Notes
         -----
         Changes made against an older revision are carried over to the newest; an id that another editor took
         meanwhile is replaced by the next free one.
         """
+        self._allowed.check(self.folder)
         with locked(self.lock_file):
             self._recover()
             before = self.scenes()
@@ -386,10 +398,10 @@ class BuildingStore:
         Returns
         -------
         list of int
-            The floors that were behind.
+            The floors that were behind and are written now; none of a building that this process may not write.
         """
         record = self._edits / "derived.json"
-        if not self._behind(record):
+        if not self._allowed.allows(self.folder) or not self._behind(record):
             return []
         with locked(self._edits / "derived.lock", patience=600.0):
             behind = self._behind(record)

@@ -39,6 +39,8 @@ class ErrorCode:
     """No building is loaded."""
     CONFLICT: Final = "CONFLICT"
     """Another job or session holds what this one needs."""
+    FORBIDDEN: Final = "FORBIDDEN"
+    """A service was asked to write where it may not."""
     UNAVAILABLE: Final = "UNAVAILABLE"
     """A node that the job needs does not answer."""
     TIMEOUT: Final = "TIMEOUT"

@@ -157,7 +157,7 @@ def _through_graph(request: BuildRequest, output: Path, timeout: float, *, force
     from mansion_bringup.pipeline.build import BuildResult
     from mansion_msgs_py.stages import BuildJob, BuildReply
 
-    with graph_client(notice=err.print) as client, progress_bar() as report:
+    with graph_client(allow=[output.absolute().parent], notice=err.print) as client, progress_bar() as report:
         from mansion_msgs_py.request import identified
         from mansion_msgs_py.world import Progress
 

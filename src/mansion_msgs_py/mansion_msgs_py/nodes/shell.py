@@ -141,7 +141,11 @@ def add_json_subscription(
     *,
     callback_group: CallbackGroup | None = None,
 ) -> Subscription:
-    """Call `handler` with each decoded payload of a topic; a message that does not decode is logged and dropped."""
+    """Call `handler` with each decoded payload of a topic.
+
+    A message that does not decode, or that the handler fails on, is logged and dropped: nobody may end a node by
+    publishing.
+    """
 
     def receive(message: Any) -> None:
         try:
@@ -149,7 +153,12 @@ def add_json_subscription(
         except MansionError as error:
             node.get_logger().warning(f"{interface.name}: {error}")
             return
-        handler(payload)
+        try:
+            handler(payload)
+        except Exception:
+            if not node.context.ok():
+                return
+            node.get_logger().error(f"{interface.name}: {shortened(traceback.format_exc(), MOST_IN_DETAILS)}")
 
     return node.create_subscription(
         String, interface.name, receive, qos_profile(interface.qos), callback_group=callback_group
