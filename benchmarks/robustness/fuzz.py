@@ -3,8 +3,8 @@
     PYTHONPATH=tests/support python benchmarks/robustness/fuzz.py [--inputs 20000] [--seed 0] [-o FOLDER]
 
 Harm is an error of Mansion's own, more than 10 s of processor time, more than 1 GB of memory, a process that ends or
-says nothing for a minute, and anything written outside of the folder that may be. Exit status 1 where there was any;
-each kind is printed once, with an input that caused it in FOLDER.
+works on an input for a minute, and anything written outside of the folder that may be. Exit status 1 where there was
+any; each kind is printed once, with an input that caused it in FOLDER.
 """
 
 import argparse
@@ -19,12 +19,15 @@ from collections import Counter
 from collections.abc import Iterator
 from dataclasses import asdict
 from pathlib import Path
-from typing import IO, Any
+from typing import Any
 
 from fuzzing import Fuzzer, make_stock
 
-SILENCE = 60.0
-"""Seconds on the wall after which a worker that says nothing is ended."""
+LOOK = 5.0
+"""Seconds between two looks at a worker that says nothing."""
+
+BUSY, IDLE = 60.0, 600.0
+"""Seconds of processor time, and on the wall, after which a worker that says nothing is ended."""
 
 
 def work(options: argparse.Namespace) -> None:
@@ -46,19 +49,28 @@ def work(options: argparse.Namespace) -> None:
             return  # the peak stays where it is: another process goes on
 
 
-def lines_of(stream: IO[bytes]) -> Iterator[dict[str, Any] | None]:
+def lines_of(worker: "subprocess.Popen[bytes]") -> Iterator[dict[str, Any] | None]:
     """Yield the reports of a worker as they come, and ``None`` where there is none for too long."""
+    assert worker.stdout is not None
     selector = selectors.DefaultSelector()
-    selector.register(stream, selectors.EVENT_READ)
-    rest = b""
+    selector.register(worker.stdout, selectors.EVENT_READ)
+    rest, used, heard = b"", processor_time(worker.pid), time.monotonic()
     while True:
-        if not selector.select(SILENCE):
+        if selector.select(LOOK):
+            read = os.read(worker.stdout.fileno(), 65_536)
+            if not read:
+                return
+            *lines, rest = (rest + read).split(b"\n")
+            yield from map(json.loads, lines)
+            used, heard = processor_time(worker.pid), time.monotonic()
+        elif processor_time(worker.pid) - used > BUSY or time.monotonic() - heard > IDLE:
             yield None
-        read = os.read(stream.fileno(), 65_536)
-        if not read:
-            return
-        *lines, rest = (rest + read).split(b"\n")
-        yield from map(json.loads, lines)
+
+
+def processor_time(pid: int) -> float:
+    """Return the seconds of processor time that a process has used (proc(5), stat)."""
+    fields = Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
 
 def followed(first: int, options: argparse.Namespace) -> Iterator[dict[str, Any]]:
@@ -67,8 +79,7 @@ def followed(first: int, options: argparse.Namespace) -> Iterator[dict[str, Any]
     command += ["--seed", str(options.seed), "--only", options.only, "-o", str(options.output)]
     begun: dict[str, Any] | None = None
     with subprocess.Popen(command, stdout=subprocess.PIPE) as worker:
-        assert worker.stdout is not None
-        for report in lines_of(worker.stdout):
+        for report in lines_of(worker):
             if report is None:
                 worker.kill()
                 break
@@ -119,6 +130,7 @@ def main() -> None:
                     print(f"{report['number']} {report['target']}: {report['verdict']}: {report['what']}")
                     print(report["detail"][-3_000:], flush=True)
         if last == first:
+            harm["crash", f"no worker begins with number {first}"] += 1
             break
         first = last
     total = sum(verdicts.values())

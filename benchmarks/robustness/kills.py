@@ -80,6 +80,7 @@ def main() -> None:
                 results = server_kills(int(count), folder, rng)
             else:
                 subject = SUBJECTS[name]
+                killed(subject, folder / "first", 0.5)  # which loads the kernels and the catalogue into this process
                 results = ((k, killed(subject, folder / str(k), rng.random())) for k in range(int(count)))
             for number, faults in results:
                 bad += bool(faults)

@@ -27,8 +27,9 @@ def check_objects(scene: FloorScene) -> Iterator[Fault]:
     """Yield faults of the objects' poses."""
     rooms = {room.id: room for room in scene.rooms}
     items = {item.id: item for item in scene.objects}
+    nets = {name: net_area(room).buffer(2e-3) for name, room in rooms.items()}
     for item in scene.objects:
-        yield from _in_room(item, rooms)
+        yield from _in_room(item, rooms, nets)
         if item.mount in ("surface", "inside"):
             yield from _on_parent(item, items)
         elif item.mount == "floor" and abs(vertical(item)[0]) > HEIGHT_SLACK:
@@ -37,12 +38,12 @@ def check_objects(scene: FloorScene) -> Iterator[Fault]:
     yield from _before_doors(scene)
 
 
-def _in_room(item: SceneObject, rooms: dict[str, SceneRoom]) -> Iterator[Fault]:
+def _in_room(item: SceneObject, rooms: dict[str, SceneRoom], nets: dict[str, Polygon]) -> Iterator[Fault]:
     room = rooms.get(item.room)
     if room is None:
         yield Fault("OBJECT_ROOM", item.id, f"is in {item.room!r}, which does not exist")
         return
-    beyond = footprint(item).difference(net_area(room).buffer(2e-3)).area
+    beyond = footprint(item).difference(nets[room.id]).area
     if beyond > AREA_SLACK:
         yield Fault("OBJECT_OUTSIDE", item.id, f"{beyond:.3f} m2 extend beyond {room.id}")
     low, high = vertical(item)
