@@ -250,7 +250,7 @@ class Building(Closing):
         >>> b.undo().removed.ids
         ('F1/living_room/mug_1',)
         >>> b.edit("how many fridges are in the kitchen?").message
-        'There is 1 fridge in the kitchen: 1 in the Kitchen (F1/kitchen).'
+        'There is 1 fridge in the kitchen.'
         """
         self.reload()
         before = self._scenes

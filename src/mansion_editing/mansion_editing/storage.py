@@ -5,9 +5,8 @@ copies lie in ``DIR/edits/documents``. A transaction is written to ``pending.jso
 into the log; whoever takes the lock next finishes what a killed process left.
 """
 
-import math
 import os
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import AbstractContextManager
 from pathlib import Path
 
@@ -15,6 +14,7 @@ import msgspec
 
 from mansion_editing.document_copies import Documents, floor_of, is_scene
 from mansion_editing.replaced_files import ReplacedFiles
+from mansion_editing.robot_sessions import refuse_in_session, refuse_robots
 from mansion_editing.room_parts import parts_of, program_with, records_of, topology_with
 from mansion_editing.state import SceneChange, changed, inverse, rebase
 from mansion_msgs_py.allowed_folders import EVERYWHERE, AllowedFolders
@@ -25,20 +25,10 @@ from mansion_msgs_py.editing.changes import DocumentChange, ObjectChange, RoomCh
 from mansion_msgs_py.errors import ErrorCode, MansionError, refused_by_system
 from mansion_msgs_py.file_locks import hold_lock
 from mansion_msgs_py.files import remove_remains, write_atomic
-from mansion_msgs_py.scene import FloorScene, SceneObject
+from mansion_msgs_py.scene import FloorScene
 from mansion_msgs_py.topology import FloorTopology
-from mansion_msgs_py.world import ObjectState, WorldState
 
-__all__ = [
-    "BuildingStore",
-    "Records",
-    "Validator",
-    "append_line",
-    "landed_by",
-    "locked",
-    "refuse_in_session",
-    "refuse_robots",
-]
+__all__ = ["BuildingStore", "KeptFiles", "Records", "Validator", "append_line", "landed_by", "locked"]
 
 Scenes = Mapping[int, FloorScene]
 Validator = Callable[[Scenes, Scenes], Sequence[str]]
@@ -46,6 +36,11 @@ Validator = Callable[[Scenes, Scenes], Sequence[str]]
 
 Records = Callable[[Path, Scenes], Mapping[str, bytes]]
 """Gets the folder and all its floors, and returns the files about the whole building that they make untrue."""
+
+
+KeptFiles = Callable[[Path, Sequence[FloorScene], Sequence[int]], Mapping[str, bytes]]
+"""Gets the folder, all its floors, and the numbers of those that changed; returns what the folder has that is made from
+these, made anew."""
 
 
 class BuildingStore:
@@ -381,19 +376,13 @@ class BuildingStore:
         made = _revisions_made(record)
         return [floor for floor, scene in self.scenes().items() if scene.revision != made.get(str(floor), 1)]
 
-    def refresh(
-        self,
-        files_of: Callable[[FloorScene], Mapping[str, bytes]],
-        whole: Callable[[Sequence[FloorScene]], Mapping[str, bytes]],
-    ) -> list[int]:
+    def refresh(self, kept: KeptFiles) -> list[int]:
         """Regenerate the derived files of floors whose revision changed since they were written.
 
         Parameters
         ----------
-        files_of : callable
-            Files of one floor by path relative to the folder.
-        whole : callable
-            Files of the whole building, from all floors; asked when any floor changed.
+        kept : callable
+            Returns the files that are made anew, by path relative to the folder; asked when any floor changed.
 
         Returns
         -------
@@ -409,10 +398,7 @@ class BuildingStore:
                 return []
             scenes = self.scenes()
             made = _revisions_made(record)
-            files: dict[str, bytes] = {}
-            for floor in behind:
-                files.update(files_of(scenes[floor]))
-            files.update(whole([scenes[floor] for floor in sorted(scenes)]))
+            files = kept(self.folder, [scenes[floor] for floor in sorted(scenes)], behind)
             for name, data in sorted(files.items()):
                 write_atomic(file_in(self.folder, name), data, durable=True)
             made.update({str(floor): scenes[floor].revision for floor in behind})
@@ -522,96 +508,3 @@ def locked(path: Path, patience: float = PATIENCE) -> AbstractContextManager[Non
         ``CONFLICT`` when another process keeps it for longer than `patience` seconds.
     """
     return hold_lock(path, f"another editor holds {path}; try again", patience=patience)
-
-
-def refuse_in_session(folder: Path, changes: Iterable[ObjectChange], scenes: Mapping[int, FloorScene]) -> None:
-    """Refuse changes of what a session has in its overlay.
-
-    Parameters
-    ----------
-    scenes : mapping
-        The floors before the changes.
-
-    Raises
-    ------
-    MansionError
-        ``CONFLICT`` naming the object and the session.
-
-    Notes
-    -----
-    An object that a robot moved, holds or switched is the session's; what is put on a receptacle concerns the
-    session only when the receptacle is no longer where the scene has it.
-    """
-    overlays = _overlays(folder)
-    if not overlays:
-        return
-    where = {item.id: (floor, item) for floor, s in scenes.items() for item in s.objects}
-    for change in changes:
-        for session, touched in overlays.items():
-            if change.id in touched:
-                raise _conflict(change.id, session)
-            for parent in {item.parent for item in (change.before, change.after) if item}:
-                state = touched.get(parent or "")
-                if state is not None and _moved(state, where.get(parent or "")):
-                    raise _conflict(str(parent), session)
-
-
-def refuse_robots(folder: Path, floor: int) -> None:
-    """Refuse to replace a floor on which a session's robot is.
-
-    Raises
-    ------
-    MansionError
-        ``CONFLICT`` naming the session.
-    """
-    for session, world in _worlds(folder):
-        if world.robot.floor == floor:
-            raise MansionError(
-                ErrorCode.CONFLICT,
-                f"the robot of the session {session!r} is on floor {floor}; reset the building in that session, or "
-                "remove its folder below `state`, first",
-                details={"floor": floor, "session": session},
-            )
-
-
-def _worlds(folder: Path) -> Iterator[tuple[str, WorldState]]:
-    """Yield the saved world of each session."""
-    for file in sorted(folder.glob("state/*/world.json")):
-        try:
-            world = decode(WorldState, file.read_bytes())
-        except FileNotFoundError:
-            continue
-        except MansionError as error:
-            raise MansionError(
-                ErrorCode.CONFLICT, f"{file} cannot be read ({error.info.message}); remove it to edit the building"
-            ) from None
-        yield world.session or file.parent.name, world
-
-
-def _overlays(folder: Path) -> dict[str, dict[str, ObjectState]]:
-    out = {}
-    for session, world in _worlds(folder):
-        touched = {state.id: state for state in world.objects}
-        if world.robot.held is not None:
-            held = world.robot.held
-            touched.setdefault(held, ObjectState(id=held, held_by=world.session))
-        out[session] = touched
-    return out
-
-
-def _moved(state: ObjectState, there: tuple[int, SceneObject] | None) -> bool:
-    if there is None or state.held_by is not None:
-        return True
-    if state.position is None:
-        return False
-    floor, item = there
-    return state.floor != floor or math.dist(state.position, item.position) > 1e-3
-
-
-def _conflict(object_id: str, session: str) -> MansionError:
-    return MansionError(
-        ErrorCode.CONFLICT,
-        f"{object_id} is in use by the running session {session!r}; reset the building in that session, "
-        "or remove its folder below `state`, first",
-        details={"object": object_id, "session": session},
-    )

@@ -1,7 +1,6 @@
 """Footprints: the rectangles that objects cover on the floor, distances to them, and which of them stop robots."""
 
 from collections.abc import Sequence
-from functools import lru_cache
 from math import cos, hypot, radians, sin
 from typing import TYPE_CHECKING
 
@@ -41,12 +40,6 @@ def footprint_corners(
 
 def footprint_at(center: Sequence[float], size: Sequence[float], rotation: float) -> "Polygon":
     """Return the footprint of an object of a size at a pose (see `footprint_corners`)."""
-    return _rectangle((center[0], center[1]), (size[0], size[1]), rotation)
-
-
-@lru_cache(maxsize=32_768)
-def _rectangle(center: tuple[float, float], size: tuple[float, float], rotation: float) -> "Polygon":
-    """Return a footprint, of which several questions are asked one after the other."""
     # Robots ask for corners and distances alone, and start without shapely.
     from shapely.geometry import Polygon
 

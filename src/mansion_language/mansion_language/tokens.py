@@ -98,6 +98,9 @@ _CONTRACTIONS = {
     "cannot": "not",
     "w": "with",
     "bldg": "building",
+    "lvl": "level",
+    "hse": "house",
+    "alltogether": "altogether",
 }
 
 _TRIPLED = re.compile(r"([a-z])\1{2,}")
@@ -166,6 +169,8 @@ def _word(word: str, written: str, start: int, end: int, *, spaced: bool) -> Tok
     if word in CARDINALS:
         soft = word in SOFT_NUMBERS
         return Token("number", word, start, end, float(CARDINALS[word]), soft=soft, spaced=spaced, capital=capital)
+    if word in ("lvls", "flrs"):
+        word = "levels"
     base = singular(word)
     base = "people" if base == "person" and word == "people" else base
     return Token("word", base, start, end, plural=base != word or word == "people", spaced=spaced, capital=capital)

@@ -92,7 +92,7 @@ def write_atomic(path: Path, data: bytes, *, durable: bool = False, mode: int | 
             fresh.replace(path)
     except BaseException as error:
         fresh.unlink(missing_ok=True)
-        if isinstance(error, OSError) and error.filename is None:
+        if isinstance(error, OSError) and error.errno is not None and error.filename is None:
             error.filename = str(path)
         raise
 

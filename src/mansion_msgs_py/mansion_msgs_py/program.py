@@ -32,6 +32,9 @@ class CorePlan(msgspec.Struct, frozen=True, kw_only=True):
         Lower and upper coordinate in metres, integers for outlines that the planner samples.
     door_side : {"north", "south", "east", "west"}, optional
         The side on which the core opens (north is +y); any side when absent.
+    landing : {"north", "south", "east", "west"}, optional
+        The end of a stair at which its floor landings lie, one above the other; where it is absent, each floor takes
+        the end of the door, or else the one deeper in the building.
     """
 
     id: Identifier
@@ -39,6 +42,7 @@ class CorePlan(msgspec.Struct, frozen=True, kw_only=True):
     x: Point
     y: Point
     door_side: Literal["north", "south", "east", "west"] | None = None
+    landing: Literal["north", "south", "east", "west"] | None = None
 
 
 class VerticalConnectivity(msgspec.Struct, frozen=True, kw_only=True):

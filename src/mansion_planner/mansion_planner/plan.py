@@ -6,6 +6,7 @@ Lines 1 to 7 of Algorithm 1 (section C.1): by rules, or with a language model wh
 from collections.abc import Callable
 
 from mansion_geometry.randomness import item_generator
+from mansion_geometry.stair_landings import with_landings
 from mansion_knowledge import KnowledgeBase, default_knowledge
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.request import BuildRequest, building_id_of
@@ -74,5 +75,8 @@ def plan_building(
     ]
     fallbacks = [fallback_problem(problem, planned, storey) for problem, storey in zip(problems, planned.storeys)]
     return PlanReply(
-        program=planned.program, topologies=topologies, problems=problems, fallbacks=fallbacks if any(fallbacks) else []
+        program=with_landings(planned.program),
+        topologies=topologies,
+        problems=problems,
+        fallbacks=fallbacks if any(fallbacks) else [],
     )

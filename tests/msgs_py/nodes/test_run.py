@@ -116,7 +116,7 @@ def test_two_interrupts_without_a_terminal_leave_status_0(program: Program) -> N
                 self.create_timer(0.1, lambda: print("ready"))
         run_node(Spinning)
         print("ended")
-        time.sleep(1.0)
+        time.sleep(0.2)
     """)
     assert process.stdout is not None
     assert process.stdout.readline() == "ready\n"

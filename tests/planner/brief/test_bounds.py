@@ -79,4 +79,4 @@ def test_an_area_belongs_to_the_room_that_things_stand_in() -> None:
 def test_the_largest_and_the_others_have_areas_of_their_own() -> None:
     facts = read("five shops, the largest 80 m2, the others 30 m2 each")
     assert facts.area == []
-    assert [(room.name, room.count) for room in facts.rooms] == [("shop", 5)]
+    assert [(room.name, room.count, room.area) for room in facts.rooms] == [("shop", 1, 80.0), ("shop", 4, 30.0)]

@@ -17,6 +17,7 @@ from mansion_editing.structure.room_shapes import limits_of, tidied
 from mansion_editing.structure.storey_documents import added_access, region_shapes, with_shapes
 from mansion_editing.structure.storeys import Reshaped, Storey, Workshop, node_of
 from mansion_geometry.shared_walls import edge_array, longest_wall, shared_walls
+from mansion_geometry.stair_landings import with_landings
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.program import BuildingProgram, CorePlan
 from mansion_msgs_py.scene import FloorScene, SceneRoom
@@ -218,7 +219,7 @@ def _with_core(storey: Storey, core: CorePlan) -> BuildingProgram:
     kinds = {entry.type for entry in cores}
     method = "stair_and_elevator" if len(kinds) == 2 else core.type
     changed = msgspec.structs.replace(connectivity, cores=cores, method=method)
-    return msgspec.structs.replace(storey.program, vertical_connectivity=changed)
+    return with_landings(msgspec.structs.replace(storey.program, vertical_connectivity=changed))
 
 
 def _change(after: Storey, before: Storey, core: CorePlan, giver: SceneRoom, passage: SceneRoom) -> Change:

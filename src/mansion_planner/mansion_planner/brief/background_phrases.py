@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+from mansion_planner.brief.building import MADE_INTO
 from mansion_planner.brief.phrase import Phrase
 from mansion_planner.brief.reading import Reading
 
@@ -9,6 +10,7 @@ __all__ = ["without_bystanders"]
 
 _STANDS = frozenset("stand sit lie located situated".split())
 _SITES = frozenset("it building site house plot".split())
+_LEADS = frozenset("around beside behind near opposite in on at next along off above below between".split())
 _BESIDE = frozenset("between beside opposite near behind facing to from on at".split())
 
 
@@ -44,7 +46,17 @@ def _is_bystander(reading: Reading, phrase: Phrase, sites: set[int]) -> bool:
         and reading.plural(phrase.begin)
         and reading.word(phrase.last) in ("the", "a", "an", "our", "all")
     )
-    return writer or left or outgrown or verb or (phrase.first in sites and phrase.determiner in ("the", ""))
+    fled = not {"leaving", "fleeing", "escaping"}.isdisjoint(reading.words(max(phrase.begin - 2, 0), phrase.noun_end))
+    made = reading.word(phrase.last) in MADE_INTO and reading.word(phrase.last + 1) in ("into", "to")
+    return (
+        made
+        or fled
+        or writer
+        or left
+        or outgrown
+        or verb
+        or (phrase.first in sites and phrase.determiner in ("the", ""))
+    )
 
 
 def _site_tokens(reading: Reading) -> set[int]:
@@ -57,8 +69,8 @@ def _site_tokens(reading: Reading) -> set[int]:
         while start > 0 and reading.sentence[start - 1] == reading.sentence[index]:
             start -= 1
         before = reading.words(start, index)
-        if index - start > 5 or _SITES.isdisjoint(before[:3]):
-            continue
+        if index - start > 5 or _SITES.isdisjoint(before[:3]) or before[0] in _LEADS:
+            continue  # "around it sit six offices" is about rooms
         at = index + 1
         while at < len(reading.tokens) and not reading.breaks(at) and reading.word(at) not in ("should", "with", "has"):
             at += 1

@@ -7,7 +7,7 @@ from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
 from mansion_planner.brief.room_names import CONTRASTS
 from mansion_planner.brief.similarity import HEAD_TYPES
 
-__all__ = ["building_phrase", "is_compound", "own_building_name", "unknown_building"]
+__all__ = ["MADE_INTO", "building_phrase", "is_compound", "own_building_name", "unknown_building"]
 
 _OPENERS = frozenset(
     """
@@ -25,6 +25,10 @@ _WISHES = frozenset(
     needing buy get
     """.split()
 )
+
+
+MADE_INTO = frozenset({"turned", "converted", "transformed", "adapted", "remodelled", "remodeled", "made", "rebuilt"})
+"""Participles between what a building was and what it becomes."""
 
 
 def building_phrase(reading: Reading, phrases: list[Phrase], places: list[Place]) -> int | None:
@@ -64,6 +68,8 @@ def _score(reading: Reading, phrases: list[Phrase], places: list[Place], phrase:
     start = next(i for i, s in enumerate(reading.sentence) if s == sentence)
     before = reading.words(start, phrase.first)
     is_room = phrase.head == "room" or phrase.building == "office"
+    if reading.word(phrase.last) in MADE_INTO and reading.word(phrase.last + 1) in ("into", "to"):
+        return 0.0  # "an old mill turned into a home"
     if any(_are_told_apart(phrase, other) for other in phrases):
         return 0.0  # "big studio ... small studio"
     if (
@@ -85,11 +91,12 @@ def _score(reading: Reading, phrases: list[Phrase], places: list[Place], phrase:
         for place in places
     ):
         return 0.0
+    reach = 4 if reading.word(phrase.last) == "for" else 1
     placed = any(
-        0 <= place.first - phrase.last <= 1 and place.led and place.refs[0].kind not in ("every", "upper")
+        0 <= place.first - phrase.last <= reach and place.led and place.refs[0].kind not in ("every", "upper")
         for place in places
     )
-    if placed and is_room and number > 0:
+    if placed and (is_room or (phrase.building == "flat" and not phrase.plural)) and number > 0:
         return 0.0
     if any(word in _OPENERS and not _is_perfect(reading, start + at) for at, word in enumerate(before)) and not (
         {"we", "i"} & set(before) and number == 0

@@ -105,6 +105,8 @@ def read_copies(reading: Reading, places: list[Place]) -> None:
             and ({"plan", "layout"} & set(reading.words(index + 1, index + 5)))
         )
         typical = token.text == "typical" and reading.word(index + 1) in FLOOR_WORDS
+        if _read_unchanging(reading, places, index) or _read_again(reading, places, index):
+            continue
         like = token.text in ("like", "as") and reading.word(index - 1) in ("just", "exactly", "look", "repeat")
         if not (token.text in _EQUAL or sharing or typical or like) or reading.word(index + 1) in (
             "time",
@@ -146,6 +148,66 @@ def read_copies(reading: Reading, places: list[Place]) -> None:
             whole = reading.kind(index - 1) == "number"
             reading.facts.copies.append(CopyFact(FloorRef("every" if whole else "upper", span=span), span))
         reading.take(index, index + 1)
+
+
+def _read_unchanging(reading: Reading, places: list[Place], index: int) -> bool:
+    """Read "from the 2nd to the 6th the plan never changes" as equal storeys."""
+    changes = reading.word(index) in ("change", "vary", "differ", "changing", "varies")
+    never = changes and reading.word(index - 1) in ("never", "not", "without", "hardly")
+    if not never and reading.word(index) not in ("unchanged", "unchanging"):
+        return False
+    near = [p for p in places if reading.sentence[p.first] == reading.sentence[index] and _several(p)]
+    if not near:
+        return False
+    plan = index - next((k for k in (1, 2, 3, 4) if reading.word(index - k) in _PLANS), never)
+    span = reading.span(min(near[-1].first, plan), max(near[-1].last, index + 1))
+    reading.facts.copies.append(CopyFact(_joined(near[-1]), span))
+    reading.take(plan, index + 1)
+    return True
+
+
+_PLANS = frozenset({"plan", "layout", "arrangement", "scheme", "floorplan", "programme", "program"})
+_AGAIN = frozenset({"same", "ditto", "idem", "repeat", "repeated", "likewise", "identical", "copy", "as"})
+_BACK = frozenset({"as", "again", "ditto", "idem", "repeat", "likewise", "below", "before"})
+_SAID_AGAIN = frozenset(
+    """
+    the a an exactly just is are of it that again as before below above one storey floor level story under beneath
+    plan layout thing room set down there : , = - previous all everything completely entirely and in every respect
+    """.split()
+)
+
+
+def _read_again(reading: Reading, places: list[Place], index: int) -> bool:
+    """Read "3rd storey: the same again" and "Level 4: ditto" as the storey named before once more."""
+    if reading.word(index) not in _AGAIN or index in reading.taken:
+        return False
+    here = [
+        n for n, p in enumerate(places) if 0 <= index - p.last <= 4 and p.refs[0].kind in ("number", "range", "top")
+    ]
+    if not here or here[-1] == 0:
+        return False
+    place, before = places[here[-1]], places[here[-1] - 1]
+    end = index
+    while not reading.breaks(end) and end - index < 9:
+        end += 1
+    storeys = [(ref.kind, ref.first, ref.last) for ref in before.refs]
+    again = [p for p in places if [(ref.kind, ref.first, ref.last) for ref in p.refs] == storeys]
+    named = {at for p in again for at in range(p.first, p.last)}
+    said = {reading.word(at) for at in range(place.last, end) if at not in named}
+    several = len(place.refs) > 1 or place.refs[0].kind == "range"
+    if several and said.isdisjoint(_BACK):
+        return False  # "floors 2, 3 and 4 are the same" as one another
+    if not said <= _SAID_AGAIN | _AGAIN or before.refs[-1].kind not in ("number", "range"):
+        return False
+    base, first = before.refs[-1].last, place.refs[0]
+    floors = int(reading.facts.floors[0].value) if reading.facts.floors else 0
+    final = floors if first.kind == "top" else place.refs[-1].last
+    if (first.first if first.kind != "top" else final) != base + 1:
+        return False
+    span = reading.span(place.first, end)
+    reading.facts.copies.append(CopyFact(FloorRef("range", base, final, span), span))
+    reading.take(place.last, end)
+    return True
 
 
 def _several(place: Place) -> bool:

@@ -9,6 +9,8 @@ from mansion_planner.brief.relations import Relation
 __all__ = ["coreferences"]
 
 _DEFINITE = frozenset("per the this that each every both either any these those its all".split())
+_GENERIC = frozenset("is has measure come get need hold contain receive comprise must should shall include".split())
+"""Verbs after "a bedroom" where it stands for each of the bedrooms that are named before."""
 _VERBS = frozenset({"should", "must", "is", "are", "shall", "has", "need"})
 
 
@@ -28,16 +30,30 @@ def coreferences(
     groups: dict[int, list[int]] = {}
     operands = {n for relation in relations for n in relation.rights}
     lefts = {n for relation in relations for n in relation.lefts}
+    apart = {n for relation in relations if relation.apart for n in relation.lefts}
     for number in rooms:
         phrase = phrases[number]
+        if number in operands and phrase.count == 1 and phrase.counted:
+            several = [
+                n for n in rooms if n < number and phrases[n].name == phrase.name and (phrases[n].count or 2) > 1
+            ]
+            if several:
+                same[number] = several[-1]  # "beside one treatment room", of the five
+                continue
         if phrase.counted and phrase.determiner not in ("the", "both", "these", "those", "all"):
             continue
+        if phrase.determiner in ("a", "an") and reading.word(phrase.last) in _GENERIC and _opens(reading, phrase):
+            several = [n for n in rooms if n < number and phrases[n].name == phrase.name and phrases[n].plural]
+            if several:
+                same[number] = several[-1]
+                continue
         group = _group(phrases, number, rooms)
         if group:
             groups[number], same[number] = group, group[-1]
             continue
         topical = reading.word(phrase.last) in _VERBS and not phrase.counted
         known = (number in lefts or topical) and phrase.determiner not in ("a", "an")
+        known = known or (number in apart and phrase.determiner in ("a", "an"))  # "nothing such as a cafe may be near"
         if not (phrase.determiner in _DEFINITE or number in operands or known):
             continue
         others = [n for n in rooms if n != number and n not in same and _same_name(phrase, phrases[n])]
@@ -52,10 +68,17 @@ def coreferences(
     return same, groups
 
 
+def _opens(reading: Reading, phrase: Phrase) -> bool:
+    """Whether a phrase is the subject of its clause."""
+    before = min(phrase.first, phrase.begin - 1) - 1
+    return reading.breaks(before) or reading.word(before) in (",", ":", "and")
+
+
 def _group(phrases: Sequence[Phrase], number: int, rooms: Sequence[int]) -> list[int]:
     """Return the rooms that "the two dormitories" speaks of, where so many of the name stand before."""
     phrase = phrases[number]
-    if not phrase.plural or phrase.determiner not in ("the", "these", "both", "all"):
+    one_of = phrase.determiner in ("either", "neither", "any") and not phrase.counted
+    if not one_of and (not phrase.plural or phrase.determiner not in ("the", "these", "both", "all")):
         return []
     before = [n for n in rooms if n < number and _same_name(phrase, phrases[n]) and phrases[n].count == 1]
     wanted = phrase.count if phrase.counted and phrase.count else len(before)
@@ -72,7 +95,8 @@ def _same_name(phrase: Phrase, other: Phrase) -> bool:
         return False
     if phrase.name == other.name or other.name.endswith("_" + phrase.name):
         return True
-    if phrase.determiner == "the" and (other.count or 2) > 1 and phrase.name.endswith("_" + other.name):
+    of_several = phrase.determiner == "the" and (other.count or 2) > 1
+    if of_several and phrase.name.endswith("_" + other.name) and not {"'", "’"} & set(phrase.label):
         return True
     bare = (phrase.name == phrase.room_type or phrase.known) and "_" not in phrase.name
     return bare and phrase.room_type == other.room_type and phrase.determiner in ("the", "each", "every", "both")

@@ -6,10 +6,11 @@ from dataclasses import replace
 from mansion_planner.brief.facts import Quantity
 from mansion_planner.brief.phrase import Phrase
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
+from mansion_planner.brief.storey_attachment import Attachment
 from mansion_planner.brief.suites import read_suites
 from mansion_planner.brief.units import Households
 
-__all__ = ["read_counts_by_group", "read_counts_by_person", "read_counts_by_storey", "read_late_counts"]
+__all__ = ["read_counts_by_group", "read_counts_by_person", "read_counts_by_storey", "read_halves", "read_late_counts"]
 
 
 def read_late_counts(reading: Reading, phrases: list[Phrase]) -> None:
@@ -74,6 +75,8 @@ def read_counts_by_storey(
     for index, token in enumerate(reading.tokens):
         if token.kind != "number" or index in reading.taken or token.value != int(token.value):
             continue
+        if reading.word(index - 1) in _LEFT_OVER and index - 1 not in reading.taken:
+            reading.take(index - 1 - (reading.word(index - 2) == "the"), index)
         place = index + 1
         if reading.words(place, place + 2) in (("of", "them"), ("of", "these"), ("of", "those")):
             place += 2
@@ -84,11 +87,14 @@ def read_counts_by_storey(
             n
             for n, p in enumerate(phrases)
             if p.last <= index
-            and (p.head == "room" or p.first in households.units)
+            and (p.head == "room" or p.first in households.units or (p.room_type and p.plural and p.counted))
             and reading.sentence[p.first] == reading.sentence[index]
             and p.first not in households.inner
         ]
-        if not before or reading.word(index - 1) not in (",", ":", "and", "-", "(", "–"):
+        lead = index - 1
+        while lead in reading.taken and reading.word(lead) in ("the", *_LEFT_OVER):
+            lead -= 1
+        if not before or reading.word(lead) not in (",", ":", "and", "-", "(", "–", ";"):
             continue
         total = phrases[before[-1]]
         reading.take(index, place)
@@ -124,6 +130,47 @@ def read_counts_by_storey(
     return shared
 
 
+_LEFT_OVER = frozenset({"remaining", "other", "last", "further"})
+"""Words before the number of the rooms that are left: "and the remaining three on level 4"."""
+
+
+def read_halves(
+    reading: Reading, phrases: list[Phrase], places: Sequence[Place], attached: dict[int, Attachment]
+) -> None:
+    """Read "twelve classrooms, half of them on either storey" and "half upstairs, half downstairs"."""
+    index = 0
+    while index < len(reading.tokens):
+        if reading.word(index) not in ("half", "halves") or index in reading.taken:
+            index += 1
+            continue
+        sentence = reading.sentence[index]
+        rooms = [
+            n
+            for n, p in enumerate(phrases)
+            if p.last <= index and p.room_type and p.counted and reading.sentence[p.first] == sentence
+        ]
+        named = [p for p in places if index < p.first and reading.sentence[p.first] == sentence][:2]
+        count = phrases[rooms[-1]].count or 0 if rooms else 0
+        index += 1
+        if not rooms or not named or count % 2 or named[0].first - index > 4:
+            continue
+        refs = named[0].refs
+        both = refs[0].kind == "every" or len(refs) == 2
+        if not both:
+            halves = [at for at in range(named[0].last, named[-1].first) if _is_other_half(reading, at)]
+            if len(named) < 2 or not halves:
+                continue
+            refs = (*refs, *named[1].refs)
+        attached[rooms[-1]] = Attachment(refs, each=True)
+        phrases[rooms[-1]] = replace(phrases[rooms[-1]], count=count // 2)
+        reading.take(index - 1, (named[0] if both else named[1]).first)
+
+
+def _is_other_half(reading: Reading, index: int) -> bool:
+    """Whether a token says what the other of two halves is."""
+    return reading.word(index) in ("half", "other", "rest", "others")
+
+
 def read_counts_by_group(reading: Reading, phrases: list[Phrase], households: Households) -> None:
     """Read "Each group has a playroom" as one for every group, where the brief has a number of groups."""
     counts: dict[str, int] = {}
@@ -140,7 +187,7 @@ def read_counts_by_group(reading: Reading, phrases: list[Phrase], households: Ho
         subject = reading.word(index + 1)
         if subject in _HAVING and reading.word(index - 1) == "," and reading.kind(index - 3) == "number":
             subject = reading.word(index - 2)  # "60 children in 3 groups, each with a toilet"
-            if any(p.begin <= index - 2 < p.noun_end and p.head in ("room", "building") for p in phrases):
+            if any(p.begin <= index - 2 < p.noun_end and p.head in ("room", "building", "object") for p in phrases):
                 continue
         if subject not in counts or any(p.begin <= index + 1 < p.noun_end and p.head == "room" for p in phrases):
             continue

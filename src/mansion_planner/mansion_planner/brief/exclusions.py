@@ -63,6 +63,10 @@ _AFTER = (
             "desired",
             "wished",
             "asked",
+            "permitted",
+            "allowed",
+            "tolerated",
+            "welcome",
             "requested",
             "included",
         )
@@ -174,6 +178,10 @@ def _refused(reading: Reading, phrases: list[Phrase], index: int) -> tuple[int, 
     if reading.word(index) in _REFUSALS and index not in reading.taken:
         number = next((n for n, p in enumerate(phrases) if 0 <= p.begin - index - 1 <= 2 and p.first > index), None)
         return None if number is None else (number, phrases[number].last)
+    if reading.word(index) == "leave" and index not in reading.taken:
+        number = next((n for n, p in enumerate(phrases) if 0 <= p.begin - index - 1 <= 2 and p.first > index), None)
+        out = number is not None and reading.word(phrases[number].last) in ("out", "off", "away", "aside")
+        return (number, phrases[number].last + 1) if number is not None and out else None
     if reading.word(index) in ("change", "convert", "turn") and index not in reading.taken:
         number = next((n for n, p in enumerate(phrases) if 0 <= p.begin - index - 1 <= 2 and p.first > index), None)
         if number is None or reading.word(phrases[number].last) != "into" or phrases[number].head != "room":
@@ -201,6 +209,8 @@ def _negation(reading: Reading, index: int) -> int:
     for words in _PHRASES:
         if reading.words(index, index + len(words)) == words:
             return len(words)
+    if reading.word(index) in ("nothing", "none"):
+        return _nothing_like(reading, index)
     if (
         reading.word(index) == "no"
         and reading.word(index + 1) in ("space", "room", "need", "budget", "money", "place")
@@ -233,6 +243,20 @@ def _negation(reading: Reading, index: int) -> int:
     ):
         return 0
     return 1
+
+
+def _nothing_like(reading: Reading, index: int) -> int:
+    """Return how many tokens "nothing like", "nothing dangerous such as", "nothing in the way of" have, or 0."""
+    for at in range(index + 1, index + 4):
+        if reading.breaks(at):
+            return 0
+        if reading.words(at, at + 2) in (("such", "as"), ("way", "of"), ("kind", "of")):
+            return at + 2 - index
+        if reading.word(at) == "like" and reading.word(at + 1) in ("a", "an", "the", "any"):
+            return at + 1 - index
+        if reading.words(at, at + 4) == ("in", "the", "way", "of"):
+            return at + 4 - index
+    return 0
 
 
 def _reached(reading: Reading, phrases: list[Phrase], starts: dict[int, int], index: int) -> list[int]:

@@ -49,7 +49,9 @@ def read_furnishings(
         if phrase.head != "object" or _passes_by(reading, phrases, number):
             continue
         owner, each = owners[number]
-        owner = same.get(owner, owner) if owner is not None else None
+        if owner is not None and owner in same:
+            generic = phrases[owner].determiner in ("a", "an") and (phrases[same[owner]].count or 2) > 1
+            owner, each = same[owner], each or generic  # "a bedroom has a bed and a recliner"
         room = phrases[owner] if owner is not None else None
         if room is not None and owner in negated and number not in negated:
             room = None
@@ -279,6 +281,14 @@ def _listed_with(reading: Reading, phrases: list[Phrase], rooms: list[int], befo
     foyer with box office and popcorn counter" the counter is the foyer's.
     """
     earlier = [n for n in rooms if n < before]
+    own = "own" in reading.words(phrases[before].first - 1, phrases[before].noun_end) or (
+        phrases[before].determiner in ("own", "its")
+    )
+    gap = reading.words(phrases[before].last, phrases[number].first)
+    if earlier and own and gap[:1] in ((",",), ("and",)) and set(gap) <= {",", "and", "a", "an"}:
+        return earlier[-1]  # "each bedroom has its own wet room, a bed and a recliner"
+    if earlier and own and phrases[number - 1].head == "object" and before < number - 1 and "with" not in gap:
+        return earlier[-1]
     if not earlier or not 0 < before < number or phrases[before].determiner or phrases[before].counted:
         return before
     joined = reading.words(phrases[before].last, phrases[number].first) in (("and",), (",", "and"), (",",))

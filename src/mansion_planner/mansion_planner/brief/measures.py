@@ -18,7 +18,7 @@ _FILLERS = frozenset(
     each : having = a must will exactly occupying minimum than more floor something like the region in circa ca
     approx some apiece over for maybe nearly almost are being up to each one - – every max maximum no less not under
     total below every measure have has some shall larger bigger smaller greater exceed exceeding within limited
-    capped min pass surpass
+    capped min pass surpass all alike identical equal same
     """.split()
 )
 _TOTALS = frozenset(
@@ -120,7 +120,8 @@ def give_measures(reading: Reading, measures: list[Measure], phrases: list[Phras
             result[number] = replace(result[number], head="unknown")
         if target is not None:
             areas = result[target].areas + measure.values
-            result[target] = replace(result[target], areas=areas, limit=measure.limit)
+            for number in (target, *_joined_alike(reading, measure, result, target)):
+                result[number] = replace(result[number], areas=areas, limit=measure.limit)
             continue
         if len(measure.values) > 1:
             several = [
@@ -143,7 +144,7 @@ def give_measures(reading: Reading, measures: list[Measure], phrases: list[Phras
             plots.append(fact)
         elif _of_storey(reading, measure):
             reading.facts.floor_area.append(fact)
-        elif _of_something_else(reading, measure, result):
+        elif _of_something_else(reading, measure, result) or _of_unread_noun(reading, measure, result):
             reading.taken.difference_update(range(measure.first, measure.last))
         elif not _of_part(reading, measure):
             reading.facts.area.append(fact)
@@ -152,6 +153,29 @@ def give_measures(reading: Reading, measures: list[Measure], phrases: list[Phras
         reading.facts.floor_area += plots  # all that is said of the size
     _settle(reading)
     return result
+
+
+def _is_of_each(reading: Reading, measure: Measure) -> bool:
+    """Whether an area is said of each of several: "each 30 m2", "30 m2 each"."""
+    return "each" in reading.words(_lead(reading, measure), measure.first) or _after(reading, measure, 1) in (
+        ["each"],
+        ["apiece"],
+    )
+
+
+def _joined_alike(reading: Reading, measure: Measure, phrases: list[Phrase], target: int) -> list[int]:
+    """Return the rooms of a kind that share an area with the last of them: "Lab A and Lab B, 40 m2 each"."""
+    found: list[int] = []
+    while target > 0 and _is_of_each(reading, measure):
+        one, other = phrases[target - 1], phrases[target]
+        joints = set(reading.words(one.last, other.begin))
+        alike = one.room_type == other.room_type and joints <= {"and", ",", "the"}
+        joined = one.head == "room" and one.name != other.name and (alike or joints <= {"and", "a", "an"})
+        if not (joined and joints) or one.areas or one.count != 1 or other.count != 1:
+            break
+        target -= 1
+        found.append(target)
+    return found
 
 
 def _of_one_storey(reading: Reading, measure: Measure) -> bool:
@@ -234,6 +258,12 @@ def _of_storey(reading: Reading, measure: Measure) -> bool:
     if _for_each_storey(reading, measure):
         return True
     counted = bool(reading.facts.floors) and reading.facts.floors[0].value > 1
+    if (
+        after[:1]
+        and after[0] in ("below", "above", "downstair", "upstair", "downstairs", "upstairs")
+        and "same" in after
+    ):
+        return True  # "150 m2 below and the same above"
     if counted and tuple(after[:2]) in (("the", "floor"), ("the", "storey"), ("the", "level")):
         return True
     if not _TOTALS.isdisjoint(after[:4]) or not _TOTALS.isdisjoint(own):
@@ -310,6 +340,36 @@ def _of_something_else(reading: Reading, measure: Measure, phrases: list[Phrase]
     return said and counted and _TOTALS.isdisjoint(_after(reading, measure, 3))
 
 
+def _of_unread_noun(reading: Reading, measure: Measure, phrases: list[Phrase]) -> bool:
+    """Whether an area is said of something that the brief names and that nothing is read of: "Nave Two (90 m2)"."""
+    if _is_of_each(reading, measure):
+        return True
+    sentence = reading.sentence[measure.first]
+    rooms = any(p.head == "room" and reading.sentence[p.first] == sentence and p.last < measure.first for p in phrases)
+    if sentence == 0 and not rooms and not reading.facts.area:
+        return False
+    if not _TOTALS.isdisjoint(_after(reading, measure, 3)):
+        return False
+    clause = itertools.takewhile(
+        lambda at: not reading.breaks(at) and reading.word(at) not in (",", ":", "("), range(measure.first - 1, -1, -1)
+    )
+    if not _TOTALS.isdisjoint(map(reading.word, clause)):
+        return False
+    index = measure.first - 1
+    while index >= 0 and reading.word(index) in _FILLERS:
+        index -= 1
+    named = reading.kind(index) in ("word", "number")
+    unread = index >= 0 and index not in reading.taken and reading.sentence[index] == reading.sentence[measure.first]
+    return unread and named and reading.word(index) not in _BUILDINGS
+
+
+_BUILDINGS = frozenset(
+    """
+    building house home size area surface space footprint plot site lot it everything place we i you they need want
+    budget available use property premise unit object project and or so but while because
+    """.split()
+)
+"""Words before an area that is the building's own."""
 _OTHERS = frozenset("largest biggest smallest other others rest remaining larger smaller bigger".split())
 
 
@@ -467,9 +527,11 @@ def _is_building(reading: Reading, phrase: Phrase) -> bool:
 
 def _listed(reading: Reading, measure: Measure, phrase: Phrase, after: list[str]) -> bool:
     """Whether a comma joins an area to the room before it: "rooms, 15 m2 each", "hall, 320 m2 |", an item of a list."""
-    if after[:1] and after[0] in ("each", "apiece"):
+    if _is_of_each(reading, measure):
         return True
-    if len(measure.values) > 1:
+    gap = reading.words(phrase.last, measure.first)
+    alike = not {"alike", "same", "equal", "identical"}.isdisjoint(gap)
+    if len(measure.values) > 1 or alike or not {("all", "of"), ("all", "at")}.isdisjoint(itertools.pairwise(gap)):
         return True
     alone = reading.word(measure.last) in ("|", "\n", "", ")", ";")
     if reading.sentence[measure.first] > 0 and reading.word(phrase.last) == ",":

@@ -102,7 +102,7 @@ class NamedStoreys:
             return ground, index + 1
         if word == "below" and (
             (reading.starts(index) and following in (":", "is", "are", "there", ",", "the", "we", "i", "you", "a"))
-            or (following in CLOSERS and self._is_storeyed_adverb(index))
+            or (following in CLOSERS | {"with"} and self._is_storeyed_adverb(index))
         ):
             return ground, index + 1
         if (
@@ -159,11 +159,27 @@ class NamedStoreys:
             )
         ):
             return [FloorRef("top")], index + 1
+        over = reading.words(index - 1, index + 2) == ("on", "top", "of")
+        if over and reading.word(index + 2) in ("it", "that", "them", "this", "these"):
+            return [FloorRef("top")], index + 3
+        edge = reading.words(index - 2, index) == ("at", "the") and (
+            following in ("a", "an") or self._counts(index + 1)
+        )
+        if word == "top" and edge and self.has_floors:
+            return [FloorRef("top")], index + 1
         if word in ("attic", "loft") and following == ":":
             return [FloorRef("top")], index + 1
         if word in ("uppermost", "topmost", "highest") and self._names_storey(index):
             return [FloorRef("top")], index + 1
         return None
+
+    def _after_dwelling(self, index: int) -> bool:
+        """Whether a flat stands right before a token: "a shop with a flat above"."""
+        return self.reading.word(index - 1) in ("flat", "apartment", "maisonette", "dwelling", "studio", "penthouse")
+
+    def _counts(self, index: int) -> bool:
+        """Whether a number of things stands at a token."""
+        return self.reading.kind(index) == "number" and self.reading.kind(index + 1) == "word"
 
     def _names_storey(self, index: int) -> bool:
         """Whether "the lowest", "the middle one", "the uppermost" open a clause of a brief of several storeys."""
@@ -205,6 +221,8 @@ class NamedStoreys:
             or (following in CLOSERS | {"with"} and (self._is_storeyed_adverb(index) or reading.word(index - 1) == ","))
         ):
             return upper, index + 1
+        if word == "above" and following in CLOSERS | {"for"} and self._after_dwelling(index):
+            return upper, index + 1
         if word in ("upper", "og") and reading.starts(index) and following in (":", "-", "–"):
             return upper, index + 1
         if word == "og" and following in CLOSERS:
@@ -221,7 +239,10 @@ class NamedStoreys:
         if (
             word == "middle"
             and reading.words(index - 2, index) == ("in", "the")
-            and following in CLOSERS | {"with", "there", "are", "is", "come", "we"}
+            and (
+                following in CLOSERS | {"with", "there", "are", "is", "come", "we", "a", "an"}
+                or self._counts(index + 1)
+            )
             and self.has_floors
         ):
             return [FloorRef("middle")], index + 1

@@ -9,6 +9,7 @@ from dataclasses import replace
 
 from mansion_planner.brief.furniture_words import furniture_of
 from mansion_planner.brief.lexicon import Mention, lexicon_of
+from mansion_planner.brief.own_names import by_own_name, with_own_names
 from mansion_planner.brief.phrase import (
     FUNCTION_WORDS,
     PEOPLE,
@@ -21,13 +22,12 @@ from mansion_planner.brief.phrase import (
     name_of,
 )
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
+from mansion_planner.brief.repeated_names import further_ones
 from mansion_planner.brief.room_names import (
-    by_own_name,
     coordinated,
     designated_nouns,
     listed_unknowns,
     with_designators,
-    with_own_names,
     with_purpose,
     with_sizes,
     with_users,
@@ -67,6 +67,7 @@ def noun_phrases(reading: Reading) -> list[Phrase]:
     phrases = _with_own_names(reading, phrases)
     phrases += _with_own_names(reading, listed_unknowns(reading, chunks, phrases))
     phrases += _named_again(reading, chunks, phrases)
+    phrases += further_ones(reading, phrases)
     names = Counter(phrase.name for phrase in phrases)
     phrases = [part for phrase in phrases for part in with_users(reading, phrase, names)]
     return sorted(by_own_name(reading, with_sizes(reading, phrases)), key=lambda phrase: phrase.first)
@@ -93,7 +94,8 @@ def _named_again(reading: Reading, chunks: list[tuple[int, int]], phrases: list[
         if first is not None and reading.free(begin, end):
             phrase = finished_phrase(reading, "room", begin, end, room=first.room_type, known=first.known)
             reading.take(phrase.first, phrase.last)
-            found.append(replace(phrase, name=first.name, determiner="the"))
+            one_of = phrase.determiner in ("each", "every", "all", "both", "either")
+            found.append(replace(phrase, name=first.name, determiner=phrase.determiner if one_of else "the"))
     return found
 
 
@@ -101,12 +103,13 @@ def _by_its_modifier(reading: Reading, phrases: list[Phrase], begin: int, end: i
     """Return the one room of an earlier sentence that some words are short for: "the preparation", "sterilisation"."""
     sentence = reading.sentence[begin]
     words = reading.words(begin, end)
+    elided = reading.word(begin - 1) == "the" and reading.word(end) in ("and", "or") and reading.word(end + 1) == "the"
     named = [
         phrase
         for phrase in phrases
         if phrase.head == "room"
         and phrase.count == 1
-        and reading.sentence[phrase.first] < sentence
+        and (reading.sentence[phrase.first] < sentence or (elided and phrase.last <= begin))
         and set(words) < set(phrase.name.split("_"))
         and words[-1] not in HEAD_TYPES
     ]
@@ -267,9 +270,12 @@ def _headed(reading: Reading, begin: int, end: int, *, whole: bool) -> Phrase | 
         return None
     if not whole and reading.word(end) in ("style", "styled"):
         return None  # "chalet style" is how the building looks
-    if reading.word(end) == "one" and reading.word(begin - 1) in ("a", "an"):
+    one = reading.word(end) == "one" and reading.word(end + 1) not in FLOOR_WORDS | {"flight"}
+    if one and reading.word(begin - 1) in ("a", "an"):
         return None  # "two kitchens, a meat one and a dairy one"
     category, size = furniture_of(reading.words(begin, end))
+    if last == "screen" and all(word in PLAIN for word in reading.words(begin, end - 1)) and _in_cinema(reading):
+        return finished_phrase(reading, "room", begin, end, room="cinema_hall", known=False)
     if last in _STAIRS | _LIFTS and size < 2:
         return finished_phrase(reading, "stair" if last in _STAIRS else "elevator", begin, end)
     mention = _mention_ending(reading, begin, end)
@@ -277,6 +283,8 @@ def _headed(reading: Reading, begin: int, end: int, *, whole: bool) -> Phrase | 
         return finished_phrase(reading, "object", begin, end, category=category)
     if last == "counter" and mention is not None and reading.word(count_before(reading, begin, end)[0] - 1) == "with":
         return finished_phrase(reading, "object", begin, end, category=category)
+    if mention is not None and mention.building and not whole and _are_people(reading, end):
+        return None  # "wind farm technicians"
     if mention is not None and (mention.room or mention.building):
         room = mention.room or room_of_building(mention.building, reading.knowledge)
         if (
@@ -303,7 +311,8 @@ def _headed(reading: Reading, begin: int, end: int, *, whole: bool) -> Phrase | 
     if last in ("room", "corner") and end - begin == 1 and _has_purpose(reading, end) and not reading.plural(end - 1):
         return finished_phrase(reading, "room", begin, end, room="study_room", known=False)
     _, _, counted, determiner = count_before(reading, begin, end)
-    alone = last in _STANDS_ALONE and (reading.plural(end - 1) or counted or determiner == "the")
+    listed = determiner in ("a", "an") and reading.word(begin - 2) in ("and", ",", "plus", "&", ":")
+    alone = last in _STANDS_ALONE and (reading.plural(end - 1) or counted or determiner == "the" or listed)
     if alone and end - begin == 1:
         return finished_phrase(reading, "room", begin, end, room=HEAD_TYPES[last], known=False)
     if last in HEAD_TYPES and end - begin > 1 and not (last in _NO_HEADS and reading.word(end - 2) in PLAIN):
@@ -318,6 +327,17 @@ def _headed(reading: Reading, begin: int, end: int, *, whole: bool) -> Phrase | 
     return None
 
 
+def _are_people(reading: Reading, index: int) -> bool:
+    """Whether a noun in the plural that follows another is of those who work or live there."""
+    word = reading.word(index)
+    return reading.plural(index) and (word in PEOPLE or word.endswith(("ician", "ist", "eer", "owner", "worker")))
+
+
+def _in_cinema(reading: Reading) -> bool:
+    """Whether the brief is about a cinema, whose halls are called screens."""
+    return any(mention.building == "cinema" for mention in reading.mentions)
+
+
 def _has_purpose(reading: Reading, end: int) -> bool:
     """Whether a room is called by what it is for: "a room for trainees", "room of meetings"."""
     if reading.word(end) == "for":
@@ -326,7 +346,9 @@ def _has_purpose(reading: Reading, end: int) -> bool:
     return reading.word(end) == "of" and reading.kind(after) == "word" and reading.word(after) not in FUNCTION_WORDS
 
 
-_STANDS_ALONE = frozenset({"surgery", "booth", "cabin", "cell", "ward", "salon", "loft", "kiosk", "chapel", "atelier"})
+_STANDS_ALONE = frozenset(
+    {"surgery", "booth", "cabin", "cell", "chamber", "ward", "salon", "loft", "kiosk", "chapel", "atelier"}
+)
 """Nouns that name a room without a word before them, where they are counted or stand in the plural."""
 
 

@@ -143,6 +143,12 @@ class NumberedStoreys:
             last += 1
             if reading.words(last, last + 3) == ("from", "the", "top"):
                 return [FloorRef("below_top", number - 1)], last + 3
+            end = last + 1 + (reading.word(last + 1) == "the")
+            final = self._number(end, "ordinal") if reading.word(last) in ("to", "through", "until", "–") else None
+            if final is not None and final > number and not ranged:  # "from the second storey to the sixth"
+                shift = int(self.british)
+                end += 1 + (reading.word(end + 1) in FLOOR_WORDS)
+                return [FloorRef("range", number + shift, final + shift)], end
         elif not self._bare_ordinal(index, last):
             return None
         shift = int(self.british or above)

@@ -44,7 +44,8 @@ FUNCTION_WORDS = frozenset(
     named known planned needed wanted required preferred desired expected apiece respectively etc ie eg namely such
     measure measuring occupy occupying span spanning
     well however therefore moreover nevertheless obviously yes ok pls hello hi dear thanks thank upstairs downstairs
-    upstair downstair throughout everywhere anywhere elsewhere neither incl
+    upstair downstair throughout everywhere anywhere elsewhere neither
+    either incl leaving fleeing escaping standing ditto idem likewise half itself themselves
     """.split()
 )
 """Words that no noun phrase of a room goes across."""
@@ -69,6 +70,7 @@ PEOPLE = frozenset(
     brother sister member player nun monk soldier crew engineer worshipper customer client artist family household
     passenger traveller commuter donor drummer dancer musician nurse doctor consultant lawyer architect agent
     analyst programmer designer journalist trader operator researcher scientist professor lecturer cleaner waiter
+    detainee prisoner technician judge juror priest cook chef baker brewer
     midwife therapist pilot driver clerk trainee apprentice intern volunteer swimmer climber viewer spectator
     delegate
     """.split()

@@ -21,6 +21,7 @@ from mansion_planner.brief.distant_counts import (
     read_counts_by_group,
     read_counts_by_person,
     read_counts_by_storey,
+    read_halves,
     read_late_counts,
 )
 from mansion_planner.brief.exclusions import negated_phrases, read_completeness
@@ -37,6 +38,7 @@ from mansion_planner.brief.qualifiers import unheeded_words
 from mansion_planner.brief.reading import Place, Reading, start_reading
 from mansion_planner.brief.relations import Relation, read_relations
 from mansion_planner.brief.room_facts import RoomStatements, identifier
+from mansion_planner.brief.shared_sizes import with_shared_sizes
 from mansion_planner.brief.similarity import HEAD_TYPES, similar_room_type
 from mansion_planner.brief.sizes import sized
 from mansion_planner.brief.stacked_uses import read_stacking
@@ -112,6 +114,7 @@ class _Reader:
         stacked = read_stacking(reading, phrases)
         phrases = [phrase for number, phrase in enumerate(phrases) if number not in stacked]
         self.building = self._name_building(phrases)
+        phrases = with_shared_sizes(reading, measures, phrases)
         self.phrases = [self._plain_rooms(phrase) for phrase in give_measures(reading, measures, phrases)]
         self.phrases = sized(reading, with_bare_areas(reading, self.phrases), self.building)
         reading.go_on()
@@ -129,12 +132,14 @@ class _Reader:
         for number, phrase in enumerate(self.phrases):
             if phrase.first in shared and number in self.attached:
                 self.attached[number] = Attachment(self.attached[number].refs)
+        read_halves(reading, self.phrases, self.places, self.attached)
         self._other_names_of_building()
         reading.go_on()
         self.same, self.groups = coreferences(reading, self.phrases, self._wanted_rooms(), self.relations)
         self._tell_rooms_within()
         self._said_with_area()
         self._placed_later()
+        self._placed_again()
         read_counts_by_group(reading, self.phrases, self.households)
         rooms = [
             n
@@ -210,11 +215,13 @@ class _Reader:
 
     def _plain_rooms(self, phrase: Phrase) -> Phrase:
         """Read "40 rooms" in a hotel, hospital or dormitory as the rooms that it is for; elsewhere they stay unread."""
+        if phrase.name == "cabin" and phrase.plural and phrase.counted and phrase.building:
+            return replace(phrase, head="room", building="", room_type=HEAD_TYPES["cabin"], known=False)
         if phrase.head == "building" and not phrase.room_type:
             return replace(phrase, room_type=similar_room_type(phrase.name, self.reading.knowledge), known=False)
         if phrase.head == "building" and phrase.counted and phrase.plural and is_compound(self.reading, phrase):
             return replace(phrase, known=False)
-        if phrase.name == "hall" and phrase.room_type == "hallway" and sum(phrase.areas[:1]) >= 40.0:
+        if phrase.name.split("_")[0] == "hall" and phrase.room_type == "hallway" and sum(phrase.areas[:1]) >= 40.0:
             return replace(phrase, room_type="assembly_hall")
         kind = self.facts.building[0][0] if self.facts.building else ""
         record = self.reading.knowledge.buildings.get(kind)
@@ -261,7 +268,8 @@ class _Reader:
             category, _ = furniture_of(reading.words(phrase.begin, phrase.noun_end))
             before = self.phrases[number - 1] if number else None
             listed = fitted.get(reading.sentence[phrase.first], phrase.first) < phrase.first
-            if category and (listed or (before is not None and self._is_fixture(before, phrase))):
+            locker = phrase.name == "locker" and before is not None and self._is_locker(before, phrase)
+            if category and (listed or locker or (before is not None and self._is_fixture(before, phrase))):
                 self.phrases[number] = replace(phrase, head="object", category=category, room_type="")
 
     def _is_fixture(self, room: Phrase, phrase: Phrase) -> bool:
@@ -270,6 +278,13 @@ class _Reader:
         if room.head != "room" or between not in (("with",), ("with", "a"), ("with", "the")):
             return False
         return phrase.name == "locker" or (room.room_type in _BATHROOMS and phrase.name in _FIXTURES)
+
+    def _is_locker(self, before: Phrase, phrase: Phrase) -> bool:
+        """Whether "eight lockers" and "a bed and a locker" are furniture: those counted, or named with furniture."""
+        between = set(self.reading.words(before.last, phrase.begin))
+        return (phrase.counted and phrase.plural) or (
+            before.head == "object" and between <= {"and", "+", "a", ",", "one"}
+        )
 
     # Phrases that stand for others ----------------------------------------------------------------------------------
 
@@ -288,6 +303,8 @@ class _Reader:
         buildings = self.reading.knowledge.buildings
         for number, phrase in enumerate(self.phrases):
             again = named is not None and phrase.count == 1 and self._holds_all(phrase, named)
+            turned = {"turned", "converted", "cum"} & set(self.reading.words(phrase.begin, phrase.noun_end))
+            again = again or (named is not None and bool(turned))  # "a riad in Marrakech turned guest house"
             if again and number != self.building:
                 self.phrases[number] = replace(phrase, head="unknown")  # "two levels inside one flat"
                 continue
@@ -319,7 +336,9 @@ class _Reader:
         buildings = reading.knowledge.buildings
         if not phrase.building or phrase.first < named.first:
             return False
-        if before in ("in", "inside", "within", "into") and "old" in reading.words(phrase.first, phrase.noun_end):
+        old = {"old", "former", "rented", "existing", "disused"} & set(reading.words(phrase.first, phrase.noun_end))
+        first = phrase.first - (reading.word(phrase.first - 1) in ("a", "an"))
+        if old and reading.word(first - 1) in ("in", "inside", "within", "into"):
             return reading.sentence[phrase.first] == reading.sentence[named.first]
         alike = buildings[phrase.building].family == buildings[named.building].family
         return before in ("inside", "within") and alike
@@ -331,6 +350,15 @@ class _Reader:
             phrase, room = self.phrases[number], self.phrases[named]
             if phrase.areas and not room.areas and phrase.name == room.name:
                 self.phrases[named] = replace(room, areas=phrase.areas)
+                if phrase.determiner in ("a", "an", "each", "every"):
+                    self._give_to_all(number, phrase)
+
+    def _give_to_all(self, number: int, phrase: Phrase) -> None:
+        """Give the area of "a bedroom is 22 m2" to all bedrooms that are named before."""
+        for other in self._wanted_rooms():
+            room = self.phrases[other]
+            if other < number and room.name == phrase.name and not room.areas:
+                self.phrases[other] = replace(room, areas=phrase.areas, limit=phrase.limit)
 
     def _said_of_all(self) -> None:
         """Read "four classrooms ... six classrooms. Classrooms around 50 m2" as of all that are named before."""
@@ -387,6 +415,16 @@ class _Reader:
                 self.attached[earlier] = Attachment(self.attached[number].refs)
                 self.same[number] = earlier
 
+    def _placed_again(self) -> None:
+        """Read "a brewery with a taproom ... the floor above is the taproom with a bar" as where the taproom is."""
+        operands = {n for relation in self.relations for n in (*relation.lefts, *relation.rights)}
+        for number, named in self.same.items():
+            phrase, room = self.phrases[number], self.phrases[named]
+            placed = number in self.attached and named not in self.attached and number not in operands
+            again = phrase.name == room.name and room.count == 1 and not phrase.counted and named < number
+            if placed and again:
+                self.attached[named] = Attachment(self.attached[number].refs)
+
     def _wanted_rooms(self) -> list[int]:
         """Return the phrases that name rooms of the building."""
         return [
@@ -435,7 +473,10 @@ class _Reader:
                     (f"no_{phrase.head}", self.reading.span(min(first, phrase.first), max(last, phrase.last)))
                 )
                 continue
-            if self.reading.word(phrase.last) == "only" or self.reading.word(phrase.first - 1) == "only":
+            enough = self.reading.word(phrase.last + (self.reading.word(phrase.last) in _COPULAS)) in _ENOUGH
+            if enough:
+                self.reading.take(phrase.last, phrase.last + 1 + (self.reading.word(phrase.last) in _COPULAS))
+            if enough or self.reading.word(phrase.last) == "only" or self.reading.word(phrase.first - 1) == "only":
                 self.facts.vertical.append(("no_elevator" if phrase.head == "stair" else "no_stair", span))
             self.facts.vertical.append((phrase.head, span))
             if phrase.counted and phrase.count is not None and phrase.determiner not in ("the", "both"):
@@ -485,6 +526,11 @@ class _Reader:
         if relation.lefts == relation.rights == (whole,) and whole in self.groups:
             group = self.groups[whole]
             return [(a, b) for n, a in enumerate(group) for b in group[n + 1 :]]
+        lefts, rights = (
+            [m for n in side for m in self.groups.get(n, [n])] for side in (relation.lefts, relation.rights)
+        )
+        if relation.apart:
+            return [(left, right) for left in lefts for right in rights if left != right]
         if len(relation.lefts) == len(relation.rights) and len(relation.lefts) > 1:
             return list(zip(relation.lefts, relation.rights))
         return [(left, right) for left in relation.lefts for right in relation.rights]
@@ -492,6 +538,10 @@ class _Reader:
 
 _FURTHER = frozenset("second third another further additional extra".split())
 """Words for one more of a room that is named before."""
+
+_COPULAS = frozenset({"is", "are", "be", "will"})
+_ENOUGH = frozenset({"suffice", "sufficient", "enough", "do"})
+"""What is said of stairs where no lift is wanted: "stairs suffice", "stairs will do"."""
 
 _HOMES = frozenset({"house", "home", "building", "villa", "cottage", "cabin", "bungalow"})
 """Nouns that with "the" mean the whole building."""

@@ -7,8 +7,8 @@ import itertools
 from bisect import bisect_left
 from dataclasses import dataclass, replace
 
-from mansion_planner.brief.phrase import Phrase
-from mansion_planner.brief.reading import Reading
+from mansion_planner.brief.phrase import FUNCTION_WORDS, PLAIN, Phrase
+from mansion_planner.brief.reading import FLOOR_WORDS, Reading
 
 __all__ = ["Relation", "read_relations"]
 
@@ -51,7 +51,6 @@ _BESIDE = [
     ("accessible", "from"),
     ("entered", "from"),
     ("visible", "from"),
-    ("in", "between"),
     *[
         (word, to)
         for word in ("contiguous", "connection", "passage", "neighbour", "neighbor", "beside", "contact", "bordering")
@@ -104,10 +103,16 @@ _APART = [
     ("separated", "from"),
     ("remote", "from"),
     ("distance", "from"),
+    ("clear", "of"),
+    ("well", "clear", "of"),
+    ("well", "away", "from"),
+    ("out", "of", "reach", "of"),
     ("isolated", "from"),
     ("separate", "from"),
     ("distant", "from"),
     ("as", "far", "as", "you", "can", "from"),
+    ("as", "far", "as", "possible", "from"),
+    ("far", "as", "possible", "from"),
 ]
 _MUTUAL = [
     ("next", "to", "each", "other"),
@@ -126,6 +131,16 @@ _MUTUAL = [
     ("together",),
     ("touch",),
     ("opening", "to", "each", "other"),
+    *[
+        (verb, *other)
+        for verb in ("adjoin", "touch", "border", "abut", "adjoining", "touching", "neighbouring", "facing", "connect")
+        for other in (("each", "other"), ("one", "another"), ("to", "each", "other"))
+    ],
+    ("next", "door"),
+    ("at", "its", "side"),
+    ("at", "the", "side"),
+    ("common", "wall"),
+    ("touching",),
     ("share", "a", "wall"),
     ("share", "wall"),
     ("share", "one", "wall"),
@@ -137,7 +152,7 @@ _MUTUAL = [
 ]
 _LEADS = frozenset({"between", "each", "to", "of", *(words[0] for words in (*_BESIDE, *_APART, *_MUTUAL))})
 """Words that a relation can begin with."""
-_NEGATIONS = frozenset({"not", "no", "never", "neither", "nor", "without", "nowhere", "avoid"})
+_NEGATIONS = frozenset({"none", "nothing", "not", "no", "never", "neither", "nor", "without", "nowhere", "avoid"})
 _PRONOUNS = frozenset({"it", "them", "this", "that", "which", "these"})
 
 
@@ -199,7 +214,7 @@ def _of_subject(reading: Reading, phrases: list[Phrase], relation: Relation, bef
 
 
 def _relation_at(reading: Reading, phrases: list[Phrase], rooms: list[int], index: int) -> tuple[Relation, int] | None:
-    if reading.word(index) not in _LEADS:
+    if reading.word(index) not in _LEADS or _follows_unknown(reading, index):
         return None
     if reading.word(index) == "between" and index not in reading.taken:
         return _between(reading, phrases, rooms, index)
@@ -212,8 +227,10 @@ def _relation_at(reading: Reading, phrases: list[Phrase], rooms: list[int], inde
         pairs = list(itertools.pairwise(before))
         if pairs:
             return Relation(tuple(a for a, _ in pairs), tuple(b for _, b in pairs), False, index, index + 5), index + 5
-    mutual = next((p for p in _MUTUAL if reading.words(index, index + len(p)) == p), None)
-    if mutual is not None and _closes(reading, index + len(mutual), phrases, rooms):
+    mutual = max((p for p in _MUTUAL if reading.words(index, index + len(p)) == p), key=len, default=None)
+    longer = max((p for p in _BESIDE if reading.words(index, index + len(p)) == p), key=len, default=())
+    directed = mutual is not None and len(longer) > len(mutual) and _right(reading, phrases, rooms, index + len(longer))
+    if mutual is not None and not directed and _closes(reading, index + len(mutual), phrases, rooms):
         found = _mutual(reading, phrases, rooms, index, index + len(mutual)) or _postposed(
             reading, phrases, rooms, index, index + len(mutual)
         )
@@ -223,11 +240,28 @@ def _relation_at(reading: Reading, phrases: list[Phrase], rooms: list[int], inde
         return _belonging(reading, phrases, rooms, index)
     apart = next((p for p in _APART if reading.words(index, index + len(p)) == p), None)
     beside = apart or max((p for p in _BESIDE if reading.words(index, index + len(p)) == p), key=len, default=None)
-    if reading.word(index) == "besides" and reading.word(index - 1) in ("nothing", "anything", "everything"):
-        return None
+    if reading.word(index) == "besides" and reading.word(index - 1) in ("nothing", "anything", "everything", ","):
+        return None  # "in addition to"
     if beside is None or (index in reading.taken and reading.word(index) not in ("direct", "open")):
         return None
     return _directed(reading, phrases, rooms, index, index + len(beside), apart=apart is not None)
+
+
+def _follows_unknown(reading: Reading, index: int) -> bool:
+    """Whether a relation is said of a noun that nothing is read of: "sterilizers between two of the surgeries"."""
+    token = reading.tokens[index - 1] if index else None
+    if token is None or token.kind != "word" or index - 1 in reading.taken or index in reading.taken:
+        return False
+    if reading.word(index - 2) not in (",", "and", ":", ";", "a", "an", "the", "with", "plus", ""):
+        return False
+    described = token.text.endswith(("ly", "ed", "ing")) or token.text in FUNCTION_WORDS | PLAIN | FLOOR_WORDS
+    return not described and token.text not in _ADVERBS
+
+
+_ADVERBS = frozenset(
+    "direct right well far side door distance wall contact access there stay stays kept lie close".split()
+)
+"""Words right before a relation that are part of it."""
 
 
 def _belonging(reading: Reading, phrases: list[Phrase], rooms: list[int], index: int) -> tuple[Relation, int] | None:
@@ -249,7 +283,10 @@ _OWNED = frozenset({"ensuite_bathroom", "walk_in_closet", "dressing_room"})
 
 def _closes(reading: Reading, last: int, phrases: list[Phrase], rooms: list[int]) -> bool:
     """Whether nothing that could be the second room follows before the clause ends."""
-    return reading.breaks(last) or reading.word(last) in (",", ")", "and", "on", "in", "at", ":", "if", "to")
+    return reading.breaks(last) or reading.word(last) in (
+        *(",", ")", "and", "on", "in", "at", ":", "if", "to"),
+        *("go", "is", "are", "but", "plus", "which", "take", "occupy"),
+    )
 
 
 def _in_sentence(reading: Reading, phrases: list[Phrase], rooms: list[int], index: int, *, before: bool) -> list[int]:
@@ -303,6 +340,8 @@ def _directed(
         if following and phrases[following[0]].first - phrases[rights[-1]].last <= 6:
             return Relation((following[0],), tuple(rights), negated, index, last), phrases[following[0]].last
         return None
+    if not rights and _is_relative(reading, phrases, before, last):
+        return Relation((before[-1],), (before[-2],), negated, index, last), last
     if not rights:
         pronoun = next((i for i in range(last - 1, last + 2) if reading.word(i) in _PRONOUNS), None)
         if pronoun is None:
@@ -340,6 +379,13 @@ def _directed(
     return (Relation(tuple(lefts), tuple(rights), negated, index, last), last) if lefts else None
 
 
+def _is_relative(reading: Reading, phrases: list[Phrase], before: list[int], last: int) -> bool:
+    """Whether a clause says of the room before it where another lies: "a kitchen that the lounge opens onto"."""
+    if len(before) < 2 or not (reading.breaks(last) or reading.word(last) in (",", ")", "and")):
+        return False
+    return reading.words(phrases[before[-2]].last, phrases[before[-1]].begin)[:1] in (("that",), ("which",))
+
+
 def _referent(reading: Reading, phrases: list[Phrase], others: list[int], lefts: list[int]) -> int:
     """Return which room "it" is: the one that has the room on the left ("a hall with a shoe room in front of it")."""
     sentence = reading.sentence[phrases[lefts[0]].first]
@@ -371,6 +417,8 @@ def _lefts(reading: Reading, phrases: list[Phrase], before: list[int], index: in
         return []
     lefts = [before[-1]]
     both = reading.word(index - 1) == "both"
+    if len(before) > 1 and _is_plural_subject(reading, phrases[before[-2]], phrases[before[-1]]):
+        return before[-2:]
     for number in reversed(before[:-1]):
         between = reading.words(phrases[number].last, phrases[lefts[-1]].first)
         if (
@@ -382,6 +430,17 @@ def _lefts(reading: Reading, phrases: list[Phrase], before: list[int], index: in
             continue
         break
     return lefts[::-1]
+
+
+def _is_plural_subject(reading: Reading, one: Phrase, other: Phrase) -> bool:
+    """Whether two rooms are what a clause in the plural is about: "A and B have no wall in common with C"."""
+    if set(reading.words(one.last, other.begin)) - {"the", "a"} != {"and"} or reading.word(other.last) not in _PLURALS:
+        return False
+    return reading.starts(min(one.first, one.begin - (one.determiner == "the"))) or one.determiner == "both"
+
+
+_PLURALS = frozenset({"have", "are", "adjoin", "share", "do", "touch", "lie", "stand", "border", "must", "should"})
+"""Verbs of a subject in the plural; "must" and "should" where two rooms open the sentence."""
 
 
 def _right(reading: Reading, phrases: list[Phrase], rooms: list[int], last: int) -> list[int]:
@@ -437,11 +496,20 @@ def _between_them(phrases: list[Phrase], before: list[int], index: int, last: in
 def _postposed(reading: Reading, phrases: list[Phrase], rooms: list[int], index: int, last: int) -> Relation | None:
     """Read "live room, control room adjacent": the room before is meant."""
     before = _in_sentence(reading, phrases, rooms, index, before=True)
-    if len(before) < 2 or reading.word(index) not in ("adjacent", "adjoining", "attached", "beside", "alongside"):
+    side = reading.word(index) in ("adjacent", "adjoining", "attached", "beside", "alongside", "next", "at")
+    if len(before) < 2 or not side:
         return None
     if phrases[before[-1]].last != index:
         return None
     return Relation((before[-1],), (before[-2],), False, index, last)
+
+
+def _of_the_two(reading: Reading, first: int, last: int) -> bool:
+    """Whether "these two", "the two rooms" or "they" stand between rooms and what is said of them both."""
+    words = reading.words(first, last)
+    return "they" in words or any(
+        pair in (("these", "two"), ("the", "two"), ("those", "two")) for pair in itertools.pairwise(words)
+    )
 
 
 def _mutual(reading: Reading, phrases: list[Phrase], rooms: list[int], index: int, last: int) -> Relation | None:
@@ -459,7 +527,10 @@ def _mutual(reading: Reading, phrases: list[Phrase], rooms: list[int], index: in
         and phrases[pair[-1]].determiner in ("the", "both", "these")
     ):
         pair = [pair[-1]] * 2
-    elif not set(reading.words(phrases[pair[0]].last, phrases[pair[1]].first)) & {"and", "with", "or", "plus", "&"}:
+    elif not (
+        set(reading.words(phrases[pair[0]].last, phrases[pair[1]].first)) & {"and", "with", "or", "plus", "&"}
+        or _of_the_two(reading, phrases[pair[1]].last, index)
+    ):
         return None
     negated = _negated(reading, phrases, rooms, index)
     return Relation((pair[0],), (pair[1],), negated, index, last)

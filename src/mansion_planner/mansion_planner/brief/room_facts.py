@@ -1,12 +1,13 @@
 """State the rooms of a brief as facts: how many, where, what each has for itself, and which are not wanted."""
 
+import itertools
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from mansion_planner.brief.facts import RoomFact, Span, UseFact
 from mansion_planner.brief.households import told_apart
 from mansion_planner.brief.phrase import Phrase
-from mansion_planner.brief.reading import Place, Reading
+from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
 from mansion_planner.brief.storey_attachment import Attachment
 from mansion_planner.brief.storey_sequences import other_storeys
 from mansion_planner.brief.suites import Suites
@@ -85,8 +86,15 @@ class RoomStatements:
         found = next((p for p in self.places if p.refs == place.refs and self._near(p, phrase)), None)
         if found is None or not self.reading.facts.floors:
             return
-        if self.reading.word(found.last) != "only" and self.reading.word(found.first - 1) != "only":
+        reading = self.reading
+        denied = reading.words(found.last, found.last + 3) == ("but", "not", "on")
+        if not denied and reading.word(found.last) != "only" and reading.word(found.first - 1) != "only":
             return
+        end = found.last + 3
+        while denied and (reading.kind(end) in ("number", "ordinal") or reading.word(end) in ("the", *FLOOR_WORDS)):
+            end += 1
+        if denied:  # "on storeys 1 and 2 but not on 3"
+            reading.take(found.last, end)
         others = other_storeys(place.refs, int(self.reading.facts.floors[0].value))
         span = self.reading.span(min(phrase.begin, found.first), max(found.last, phrase.noun_end))
         self.reading.facts.excluded_on += [(phrase.room_type, ref, span) for ref in others]
@@ -165,7 +173,8 @@ class RoomStatements:
         if self._said_before(fact, phrase):
             return []
         if len(phrase.areas) > 1:
-            return [replace(fact, count=1, area=area) for area in phrase.areas]
+            alike = [(area, sum(1 for _ in group)) for area, group in itertools.groupby(phrase.areas)]
+            return [replace(fact, count=count, area=area) for area, count in alike]
         return [fact]
 
     def _span(self, phrase: Phrase) -> Span:

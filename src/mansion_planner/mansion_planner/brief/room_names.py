@@ -1,11 +1,9 @@
-"""Read what rooms are called beyond their kind: own names, what they are for, and kinds that nobody knows."""
+"""Read what rooms are called beyond their kind: numbers, what they are for, and kinds that nobody knows."""
 
-import re
 from collections.abc import Mapping
 from dataclasses import replace
 
 from mansion_language import singular
-from mansion_language.units import AREA
 from mansion_planner.brief.lexicon import Mention
 from mansion_planner.brief.phrase import FUNCTION_WORDS, PEOPLE, PLAIN, Phrase, finished_phrase, name_of
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
@@ -13,133 +11,18 @@ from mansion_planner.brief.similarity import HEAD_TYPES, similar_room_type
 
 __all__ = [
     "CONTRASTS",
-    "by_own_name",
     "coordinated",
     "designated_nouns",
     "listed_unknowns",
+    "one_of",
     "with_designators",
     "with_users",
-    "with_own_names",
     "with_purpose",
     "with_sizes",
 ]
 
 
-def with_own_names(reading: Reading, phrase: Phrase) -> list[Phrase]:
-    """Read the names that rooms are given: the party room "Typhoon"; private rooms called Sapporo, Kobe and Nagoya."""
-    if phrase.head != "room":
-        return [phrase]
-    last = phrase.last
-    listed = _listed_names(reading, phrase)
-    if listed:
-        return listed
-    last = _calling(reading, last)
-    called = reading.word(last) in ("called", "named") or (reading.word(last) == "(" and reading.word(last + 1) == '"')
-    if reading.word(last) == '"' or (called and reading.word(last + 1) == '"'):
-        begin = last + 1 + called
-        end = next((i for i in range(begin, min(begin + 6, len(reading.tokens))) if reading.word(i) == '"'), begin)
-        if end > begin:
-            reading.take(last, end + 1)
-            return [replace(_named(phrase, reading.span(begin, end).words), last=end + 1)]
-    if not called:
-        return [phrase]
-    names, index = [], last + 1
-    while reading.kind(index) == "word" and reading.tokens[index].capital:
-        names.append(index)
-        index += 1
-        step = 2 if reading.words(index, index + 2) == (",", "and") else 1 if reading.word(index) in (",", "and") else 0
-        if not step:
-            break
-        index += step
-    if not names:
-        return [phrase]
-    reading.take(last, names[-1] + 1)
-    phrase = replace(phrase, areas=_areas_between(reading, phrase.last, last))
-    named = [_named(phrase, reading.span(n, n + 1).words) for n in names]
-    if len(names) == 1:
-        return [replace(named[0], count=1, plural=False, last=names[0] + 1)]
-    return [_one_of(room, n, n + 1) for n, room in zip(names, named)]
-
-
-def _calling(reading: Reading, last: int) -> int:
-    """Return where rooms are named after their area: "6 classrooms of 25 m2 that are called Oslo and Lisbon"."""
-    index = last
-    while index - last < 9 and (
-        reading.kind(index) in ("number", "unit")
-        or reading.word(index) in ("of", "each", "that", "which", "are", "is", ",")
-    ):
-        index += 1
-    return index if reading.word(index) in ("called", "named") else last
-
-
-def _areas_between(reading: Reading, first: int, last: int) -> tuple[float, ...]:
-    """Return the area that stands between rooms and their names."""
-    for index in range(first, last):
-        if reading.kind(index) == "number" and reading.word(index + 1) in AREA:
-            reading.named_areas.add(index)
-            return (reading.value(index) * AREA[reading.word(index + 1)],)
-    return ()
-
-
-def by_own_name(reading: Reading, phrases: list[Phrase]) -> list[Phrase]:
-    """Return the phrases, with "classroom Oslo" read as the room that is called so."""
-    own = {p.name: p for p in phrases if p.label.endswith(")")}
-    found = []
-    for phrase in phrases:
-        named = own.get(reading.word(phrase.last)) if phrase.head in ("room", "building") else None
-        if named is not None and named.room_type == phrase.room_type and reading.free(phrase.last, phrase.last + 1):
-            reading.take(phrase.last, phrase.last + 1)
-            phrase = replace(
-                phrase, name=named.name, label=named.label, determiner="the", head="room", last=phrase.last + 1
-            )
-        found.append(phrase)
-    return found
-
-
-def _listed_names(reading: Reading, phrase: Phrase) -> list[Phrase]:
-    """Read "three science labs (physics, chemistry, biology)": as many names as rooms."""
-    last, count = phrase.last, phrase.count or 0
-    while reading.word(last) in ("of", "each") or reading.kind(last) in ("number", "unit"):
-        last += 1
-    if reading.word(last) not in ("(", "-", ":", "–") or not phrase.counted or not 2 <= count <= 12:
-        return []
-    closers = (")",) if reading.word(last) == "(" else ("\n", ".", ";")
-    items: list[tuple[int, int]] = []
-    begin = index = last + 1
-    while index < len(reading.tokens) and index - last < 40:
-        ends = reading.word(index) in closers
-        if ends or reading.word(index) in (",", "and"):
-            if index > begin:
-                items.append((begin, index))
-            begin = index + 1
-            if ends:
-                break
-        elif reading.kind(index) != "word" or (index in reading.taken and reading.word(last) == "("):
-            return []
-        elif index == begin and reading.word(index) in ("the", "a", "an"):
-            begin += 1
-        index += 1
-    if len(items) != count or any(b - a > 3 for a, b in items):
-        return []
-    phrase = replace(phrase, areas=_areas_between(reading, phrase.last, last))
-    reading.take(last, index + (reading.word(index) == ")"))
-    found = []
-    for a, b in items:
-        own = reading.span(a, b).words
-        name = "_".join(re.findall(r"[a-z0-9]+", own.lower().replace("'s", "").replace("’s", "")))
-        room = _one_of(phrase, a, b)
-        label = f"{own} {singular(phrase.label.lower())}"
-        found.append(replace(room, name=f"{name}_{phrase.name}"[:60], label=label))
-    return found
-
-
-def _named(phrase: Phrase, own: str) -> Phrase:
-    """Return a phrase under its own name: the party room "Typhoon" is the "Typhoon (party room)"."""
-    words = "_".join(re.findall(r"[a-z0-9]+", own.lower()))
-    return replace(phrase, name=words or phrase.name, label=f"{own} ({singular(phrase.label.lower())})")
-
-
-def _one_of(phrase: Phrase, first: int, last: int) -> Phrase:
+def one_of(phrase: Phrase, first: int, last: int) -> Phrase:
     """Return one of the rooms that a phrase names together: the one that tokens `first` to `last` (exclusive) name."""
     return replace(phrase, count=1, counted=True, plural=False, first=first, begin=first, noun_end=last, last=last)
 
@@ -168,7 +51,7 @@ def coordinated(reading: Reading, chunks: list[tuple[int, int]], phrase: Phrase)
     kind = similar_room_type(first, reading.knowledge)
     room_type = kind if kind != "study_room" else phrase.room_type
     return [
-        replace(_one_of(phrase, *other), name=first[:60], label=label, room_type=room_type),
+        replace(one_of(phrase, *other), name=first[:60], label=label, room_type=room_type),
         replace(phrase, count=1, counted=True, plural=False),
     ]
 
@@ -183,7 +66,34 @@ def designated_nouns(reading: Reading) -> frozenset[str]:
             found.setdefault(noun.text, set()).add("".join(reading.words(index, index + length)))
             if _next_designator(reading, index + length) or _lettered(reading, index, length):
                 found[noun.text].add("more")
+    found |= _named_apart(reading)
     return frozenset(noun for noun, names in found.items() if len(names) > 1)
+
+
+def _named_apart(reading: Reading) -> dict[str, set[str]]:
+    """Return room nouns with the proper names after them, where a brief tells several so: "Courtroom Alder"."""
+    names: dict[str, set[str]] = {}
+    for index in range(1, len(reading.tokens)):
+        noun = reading.tokens[index - 1]
+        if not _proper(reading, index) or noun.kind != "word" or noun.plural:
+            continue
+        if noun.text in HEAD_TYPES or noun.text == "screen" or reading.mention_at.get(index - 1, _NOTHING).room:
+            names.setdefault(noun.text, set()).add(reading.word(index))
+    return {noun: found for noun, found in names.items() if len(found) > 1}
+
+
+def _proper(reading: Reading, index: int) -> int:
+    """Return how many tokens a proper name has that begins at a token, or 0."""
+    token = reading.tokens[index] if index < len(reading.tokens) else None
+    if token is None or index in reading.taken or index in reading.mention_at or not token.capital:
+        return 0
+    written = reading.text[token.start : token.end]
+    spelt = token.kind == "number" and token.text.isalpha()
+    if (token.kind != "word" and not spelt) or len(written) < 3 or written.isupper():
+        return 0
+    if token.text in FUNCTION_WORDS | FLOOR_WORDS | PLAIN | HEAD_TYPES.keys() or reading.starts(index):
+        return 0
+    return 1
 
 
 def _lettered(reading: Reading, index: int, length: int) -> bool:
@@ -203,6 +113,12 @@ def _range_end(reading: Reading, index: int) -> int:
     first, last = reading.value(index), reading.value(index + 2)
     numbers = reading.kind(index) == reading.kind(index + 2) == "number" and 0 < first < last <= first + 40
     return int(last) if numbers and last == int(last) and _ends(reading, index + 2) else 0
+
+
+def _range_to(reading: Reading, index: int) -> bool:
+    """Whether "1 to 4" stands at a token."""
+    first, last = reading.value(index), reading.value(index + 2)
+    return reading.word(index + 1) in ("to", "–", "through", "-") and 0 < first < last <= first + 60
 
 
 def _designator(reading: Reading, index: int) -> int:
@@ -237,6 +153,12 @@ def with_designators(
 ) -> list[Phrase]:
     """Read "Bedroom 1" and "class 1A and 1B" as rooms of these names, or as one of those that are `counted` before."""
     noun = reading.word(phrase.noun_end - 1)
+    number = phrase.noun_end + 1
+    if phrase.head == "room" and reading.word(number - 1) == "numbered" and _range_to(reading, number):
+        last = number + 3
+        reading.take(number - 1, last)
+        count = int(reading.value(last - 1) - reading.value(number)) + 1
+        return [replace(phrase, count=count, counted=True, last=last)]
     if phrase.head not in ("room", "building") or phrase.counted or noun not in nouns:
         return [phrase]
     if phrase.building and noun in HEAD_TYPES:
@@ -252,13 +174,13 @@ def with_designators(
         reading.take(index, index + 3)
         return [replace(phrase, count=final - int(reading.value(index)) + 1, counted=True, last=index + 3)]
     while index:
-        length = _designator(reading, index)
+        length = _designator(reading, index) or _proper(reading, index)
         if not length:
             break
         end = index + length
         own = reading.span(index, end).words
         reading.take(index, end)
-        room = _one_of(phrase, first, end)
+        room = one_of(phrase, first, end)
         found.append(replace(room, name=f"{phrase.name}_{own.lower()}", label=f"{phrase.label} {own}", counted=False))
         index = first = _next_designator(reading, end)
     return found or [phrase]
@@ -298,6 +220,7 @@ def listed_unknowns(reading: Reading, chunks: list[tuple[int, int]], phrases: li
     found: list[Phrase] = []
     ends = {phrase.last - 1 for phrase in phrases if phrase.head == "room"}
     things = {phrase.last for phrase in phrases if phrase.head == "object"}
+    rooms = {phrase.begin for phrase in phrases if phrase.head == "room"}
     for begin, end in chunks:
         if not reading.free(begin, end) or end - begin > 3:
             continue
@@ -337,13 +260,18 @@ def listed_unknowns(reading: Reading, chunks: list[tuple[int, int]], phrases: li
         if any(word in PLAIN or word.endswith(("ly", "ed")) or word in _NO_ROOMS for word in words[-1:]):
             continue
         bare = before in (",", "and", "&", "|") and not counted
+        between = before == "," and begin - 1 in things and headed and reading.word(end) == ","
+        between = between and not reading.plural(end - 1) and (end + 1 in rooms or reading.word(end + 2) == ",")
         if (
             bare
             and not measured
+            and not between
             and begin - 2 not in ends
             and (begin - 3 not in ends or reading.word(begin - 2) != ",")
         ):
             continue
+        if any(m.style and (m.first, m.last) == (begin, end) for m in reading.mentions):
+            continue  # "a penthouse of 210 m2, art deco"
         name = name_of(reading, begin, end)
         phrase = finished_phrase(
             reading, "room", begin, end, room=similar_room_type(name, reading.knowledge), known=False
@@ -371,13 +299,13 @@ _NO_ROOMS = frozenset(
     access room place part one none whole wood oak brick stone glass steel concrete marble gold silver white black
     green blue red furniture gross net total rectangle footprint square thing stuff number largest biggest smallest
     other larger smaller bigger star escape dust water power heating cooling air sun daylight privacy quiet peace m
-    metre meter roof
+    metre meter roof region order vicinity neighbourhood neighborhood altogether totality
     """.split()
 )
 
 _PURPOSEFUL = frozenset(
     """
-    room store storage workshop hall area space shop studio office lab cellar storeroom corner atelier
+    room store storage workshop hall area space shop studio office lab cellar storeroom corner atelier zone
     """.split()
 )
 
@@ -446,7 +374,7 @@ def with_users(reading: Reading, phrase: Phrase, names: Mapping[str, int]) -> li
     noun = singular(phrase.label.lower())
     rooms = [
         replace(
-            _one_of(phrase, user, user + 1),
+            one_of(phrase, user, user + 1),
             name=f"{reading.word(user)}_{phrase.name}"[:60],
             label=f"{reading.word(user)}'s {noun}",
         )

@@ -23,6 +23,8 @@ _GLUE = frozenset(
     on in at to entirely mostly alone as well too also each one apiece most much of occupy therefore be well
     """.split()
 )
+_BESIDE = frozenset("its side next door adjacent adjoining beside by each other one another to it".split())
+"""Words of a relation between a room and its storey: "with a scullery at its side on the lower floor"."""
 _OPENERS = frozenset(
     """
     , and while but : ( where then - – | with plus whereas also finally
@@ -114,7 +116,8 @@ class _Walk:
                 continue
             place = self._within(self.places[number], scope)
             rest = [n for k, n, _ in items[position + 1 :] if k == "phrase"]
-            if scope is not None and place.last - place.first < 5 and self.reading.word(place.last - 1) == "roof":
+            roof = self.reading.word(place.last - 1) == "roof" and place.last - place.first < 5
+            if scope is not None and roof and not self.reading.starts(place.first):
                 continue  # "second floor: a bedroom under the roof"
             if place.refs[0].kind == "basement" and self.reading.word(place.last) == "with" and rest:
                 for target in self._joined(rest):
@@ -140,7 +143,9 @@ class _Walk:
                 for target in self._claimed(place, left, opened=opened):
                     self._give(target, place, trailing=True)
                 left = []
-                if not opened:
+                if self._goes_on(place):
+                    scope = place
+                elif not opened:
                     scope = self.heading
             else:
                 scope, opened, left = place, True, []
@@ -213,7 +218,7 @@ class _Walk:
         )
 
     def _trails(self, place: Place, left: list[int]) -> bool:
-        if not left or place.heading:
+        if not left or place.heading or "where" in self.reading.words(place.last, place.last + 2):
             return False
         phrase = self.phrases[left[-1]]
         gap = self.reading.words(phrase.last, place.first)
@@ -226,10 +231,15 @@ class _Walk:
             return False  # "the family upstairs with three bedrooms"
         if gap[:1] == ("(",) and ")" in gap:
             gap = gap[gap.index(")") + 1 :]  # "two toilets (m/f) on each level"
-        if len(gap) > 6:
+        after = phrase.last + len(self.reading.words(phrase.last, place.first)) - len(gap)
+        sized = {k for k in range(len(gap)) if self.reading.kind(after + k) in ("number", "unit")}
+        joints = {k for k in range(len(gap)) if gap[k] in ("and", ",") and {k - 1, k + 1} & sized}
+        if len(gap) - len(sized | joints) > 6:
             return False
         measures = all(
             word in _GLUE
+            or k in joints
+            or (word in _BESIDE and (phrase.last + k in self.reading.taken or word == "it"))
             or self.reading.kind(phrase.last + k) in ("number", "unit")
             or word in ("(", ")", "of", "about", "x", "people")
             for k, word in enumerate(gap)
@@ -237,6 +247,11 @@ class _Walk:
         if not measures:
             return False
         return not (gap and gap[-1] == "," and not self._closes(place))
+
+    def _goes_on(self, place: Place) -> bool:
+        """Whether what follows a place shares it: "on the first floor together with the foyer", "below with ..."."""
+        following = self.reading.words(place.last, place.last + 2)
+        return following in (("together", "with"), ("along", "with")) or (following[0] == "with" and not place.led)
 
     def _closes(self, place: Place) -> bool:
         """Whether a reference after a comma ends its clause, so that it can only belong to what stands before it."""
@@ -289,7 +304,7 @@ class _Walk:
         several = several and not (place.refs[0].kind == "middle" and not self._plural_upper(place))
         phrase = self.phrases[number]
         near = self.reading.words(max(phrase.first - 4, 0), place.first if trailing else phrase.first)
-        rest = self.reading.words(phrase.last, phrase.last + 3)
+        rest = tuple(itertools.takewhile(lambda word: word != ".", self.reading.words(phrase.last, phrase.last + 3)))
         shared = (
             ("shared", "between") in itertools.pairwise(rest)
             or not _SHARED_OUT.isdisjoint(near)
@@ -308,6 +323,8 @@ class _Walk:
         return storeys > 1 and count >= _MANY * storeys and count % storeys == 0
 
     def _plural_upper(self, place: Place) -> bool:
+        if not {"each", "every"}.isdisjoint(self.reading.words(place.first, place.last)):
+            return True  # "on each sleeping level"
         return any(
             self.reading.plural(i) and self.reading.word(i) in ("floor", "storey", "level", "story", "deck")
             for i in range(place.first, place.last)

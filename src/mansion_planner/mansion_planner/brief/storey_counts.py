@@ -1,6 +1,7 @@
 """Read how many storeys and basements a brief asks for: "four storeys", "G+3", "all on one level"."""
 
 from mansion_planner.brief.facts import FloorRef, Quantity
+from mansion_planner.brief.furniture_words import furniture_of
 from mansion_planner.brief.phrase import PLAIN
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
 
@@ -194,7 +195,11 @@ class StoreyCounts:
             reading.word(index - 1) == "all" and value > 1 and not self.places
         ):
             return index
+        if not reading.plural(last) and reading.plural(last + 1) and furniture_of(reading.words(last, last + 2))[1] > 1:
+            return index  # "three floor lamps"
         last += 1
+        if reading.word(last) in ("up", "down", "higher", "lower", "upward", "downward") and not adjectives:
+            return index  # "one floor up" tells a storey
         if value == 1 and self._measures_one(last):
             return index
         last += reading.word(last) in ("high", "height", "tall")
@@ -204,6 +209,11 @@ class StoreyCounts:
             ("the", "ground"),
             ("ground", "level"),
         )
+        basement = self._included_basement(last) if value > 1 else 0
+        if basement:
+            self._state(value - 1, index, basement)
+            self._state(1, last, basement, below=True)
+            return basement
         if ground or (reading.word(last) == "above" and reading.word(last + 1) in ("ground", "grade")):
             self._state(value, index, last)
             return last
@@ -243,6 +253,22 @@ class StoreyCounts:
             return index
         self._state(value, index, last)
         return last
+
+    def _included_basement(self, last: int) -> int:
+        """Return where "4 levels if you count the basement", "3 floors incl. cellar" end, or 0."""
+        words: list[str] = []
+        for at in range(last, last + 8):
+            if self.reading.breaks(at):
+                return 0
+            words.append(self.reading.word(at))
+            if words[-1] in ("basement", "cellar"):
+                counted = {"including", "incl", "count", "counting", "counted", "included", "inclusive", "include"}
+                end = at + 1 + (self.reading.word(at + 1) in {"is", "being"})
+                end += self.reading.word(end) in counted
+                said = {*words, *self.reading.words(at + 1, end)}
+                refused = not {"not", "without", "excluding", "no"}.isdisjoint(said)
+                return 0 if refused or counted.isdisjoint(said) else end
+        return 0
 
     def _measures_one(self, last: int) -> bool:
         """Whether "one floor is 330 m2" says how large each of several storeys is."""

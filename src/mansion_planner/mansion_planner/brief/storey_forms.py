@@ -252,7 +252,9 @@ class _Forms:
         token, following = self.tokens[index], self._word(index + 1)
         if token.text in ("floor", "level") and following == "g" and self._word(index + 2) in _MARKS:
             return [token, replace(self.tokens[index + 1], kind="number", text="0", value=0.0)], index + 2
-        sized = self._word(index + 2) in _SIZED or self._number(index + 2) >= 0
+        sized = self._word(index + 2) in _SIZED or (
+            index + 2 < len(self.tokens) and self.tokens[index + 2].kind == "number"
+        )
         if token.text == "floor" and following in ("plate", "plan") and sized:
             return [replace(token, text="footprint", end=self.tokens[index + 1].end)], index + 2
         below = self.text[token.end : token.end + 2].strip() in ("-", "–", "−") and self._number(index + 2) > 0

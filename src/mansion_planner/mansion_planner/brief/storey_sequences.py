@@ -11,6 +11,8 @@ __all__ = ["StoreySequence", "other_storeys", "resolve_rest"]
 _UP = frozenset({"up", "above", "higher", "upward", "upwards"})
 _DOWN = frozenset({"down", "below", "lower", "beneath", "under", "downward", "downwards"})
 _THAT = frozenset({"that", "this", "it", "these", "those", "them", "which"})
+_PLACED = frozenset("ground top upper lower next first last other every each all any middle bottom entrance".split())
+"""Words that tell a storey by themselves, whatever stands after it."""
 _OPENERS = frozenset({",", ":", ";", "and", "then", "-", "–", "("})
 _BOTTOM = frozenset({"bottom", "ground", "base"})
 
@@ -110,22 +112,39 @@ class StoreySequence:
             return [FloorRef("number", base.last + 1, base.last + 1)], index + 2 + (
                 reading.word(index + 2) in ("up", "above")
             )
-        if (
-            word in FLOOR_WORDS | {"one"}
-            and (
-                reading.word(index - 1) == "the"
-                or (reading.starts(index) and reading.word(index + 2) in (":", "=", "-"))
-            )
-            and reading.word(index + 1) in ("above", "over", "below", "under", "beneath")
-        ):
-            up = reading.word(index + 1) in ("above", "over")
-            last = index + 2 + (reading.word(index + 2) in ("it", "that", "this"))
-            if word == "one" and previous is None:
-                return None
-            if base.kind in ("top", "below_top") and not up:
-                return [FloorRef("below_top", base.first + 1 if base.kind == "below_top" else 1)], last
-            return [FloorRef("number", base.last + (1 if up else -1), base.last + (1 if up else -1))], last
-        return None
+        return self._beside(index, base, previous)
+
+    def _beside(self, index: int, base: FloorRef, previous: FloorRef | None) -> tuple[list[FloorRef], int] | None:
+        """Read "the floor above", "the one just under the top", "a sleeping storey over it"."""
+        reading = self.reading
+        noun = index
+        if reading.kind(index) == "word" and reading.word(index + 1) in FLOOR_WORDS:
+            noun = index + (reading.word(index) not in _PLACED)
+        lead = reading.word(index - 1)
+        led = lead in ("the", "a") if noun > index else lead == "the"
+        at = noun + 1
+        at += reading.word(at) in ("just", "right", "directly", "immediately")
+        word = reading.word(at)
+        if reading.word(noun) not in FLOOR_WORDS | {"one"} or reading.plural(noun):
+            return None
+        if word not in ("above", "over", "below", "under", "beneath", "underneath"):
+            return None
+        heads = reading.starts(index) and (reading.word(at + 1) in (":", "=", "-") or noun > index)
+        if not (led or heads) or (word != "above" and noun > index and reading.word(at + 1) not in _THAT):
+            return None
+        up, last = word in ("above", "over"), at + 1
+        if reading.words(last, last + 2) in (("the", "ground"), ("ground", "level"), ("the", "street")):
+            return None
+        if not up and reading.words(last, last + 2) == ("the", "top"):
+            return [FloorRef("below_top", 1)], last + 2 + (reading.word(last + 2) in FLOOR_WORDS | {"one"})
+        if reading.word(last) in ("it", "that", "this"):
+            last += 1 + (reading.word(last + 1) in FLOOR_WORDS | {"one"})
+        if reading.word(noun) == "one" and previous is None:
+            return None
+        if base.kind in ("top", "below_top") and not up:
+            return [FloorRef("below_top", base.first + 1 if base.kind == "below_top" else 1)], last
+        number = base.last + (1 if up else -1)
+        return [FloorRef("number", number, number)], last
 
     def listed(self, index: int, storeys: int) -> list[Place]:
         """Read "from the bottom: boot room, kitchen, bedroom" as one entry for each storey.

@@ -6,6 +6,7 @@ top"), as a set ("every floor", "all but the last") or from the storey named bef
 
 from dataclasses import replace
 
+from mansion_planner.brief.elliptic_storeys import EllipticStoreys
 from mansion_planner.brief.facts import FloorRef, Quantity
 from mansion_planner.brief.named_storeys import COPULAS, TOPS, NamedStoreys
 from mansion_planner.brief.numbered_storeys import NumberedStoreys
@@ -68,6 +69,10 @@ def _with_edges(reading: Reading, place: Place) -> Place:
     return replace(place, first=first, last=last, led=led or each, heading=heading)
 
 
+_UPSTAIRS = frozenset("upper other guest remaining sleeping bedroom residential".split())
+"""What storeys above the ground floor are called together: "on each sleeping level"."""
+
+
 class _Scanner:
     """Goes over the tokens once; knows the storey named last, which others are told from."""
 
@@ -81,6 +86,7 @@ class _Scanner:
         self.has_floors = not FLOOR_WORDS.isdisjoint(texts) or "ground" in texts or "upstairs" in texts
         self.numbered = NumberedStoreys(reading, self.places, has_floors=self.has_floors)
         self.named = NamedStoreys(reading, has_floors=self.has_floors, british=self.numbered.british)
+        self.elliptic = EllipticStoreys(reading, has_floors=self.has_floors)
 
     def scan(self) -> None:
         """Find all counts and references."""
@@ -135,6 +141,7 @@ class _Scanner:
             self._rest,
             self._counted_set,
             self._in_sequence,
+            self._elliptic,
             self.named.ground,
             self.named.top,
             self.named.upper,
@@ -152,6 +159,9 @@ class _Scanner:
 
     def _in_sequence(self, index: int) -> tuple[list[FloorRef], int] | None:
         return self.sequence.read(index, self.previous)
+
+    def _elliptic(self, index: int) -> tuple[list[FloorRef], int] | None:
+        return self.elliptic.read(index, self.previous)
 
     def _rest(self, index: int) -> tuple[list[FloorRef], int] | None:
         """Read "the rest", "all the others", "the remaining floors": the storeys that the brief does not name."""
@@ -278,10 +288,11 @@ class _Scanner:
             return [FloorRef("odd" if word == "odd" else "even")], last + 1 + (reading.word(last) == "numbered")
         if (
             word in ("both", "each", "all")
-            and reading.word(last) in CLOSERS
+            and (reading.word(last) in CLOSERS or reading.words(last, last + 2) == ("of", "them"))
             and reading.word(index - 1) == "on"
             and self.has_floors
         ):
+            last += 2 * (reading.word(last) == "of")
             named = [p for p in self.places if reading.sentence[p.first] == reading.sentence[index]]
             several = named and (len(named[-1].refs) > 1 or named[-1].refs[0].kind == "range")
             return (list(named[-1].refs) if several else [FloorRef("every")]), last
@@ -316,7 +327,7 @@ class _Scanner:
         if counted and reading.value(last) > 1 and not reading.facts.floors:
             reading.facts.floors.append(Quantity(reading.value(last), reading.span(last, last + 2)))
         last += reading.kind(last) == "number"
-        upper = reading.word(last) in ("upper", "other", "guest", "remaining")
+        upper = reading.word(last) in _UPSTAIRS
         last += upper or reading.word(last) in ("residential", "office", "typical")
         if reading.word(last) not in FLOOR_WORDS:
             return None

@@ -53,6 +53,7 @@ def read_suites(
     """
     suites: dict[int, int] = {}
     twin_rooms: dict[int, list[int]] = {}
+    twins_of: dict[int, list[int]] = {}
     for position, number in enumerate(rooms):
         phrase = phrases[number]
         if phrase.determiner == "per" or number in same:
@@ -87,6 +88,10 @@ def read_suites(
         tail = reading.words(phrase.last, phrase.last + 1)
         has = bool(gap & {"with", "having", "has", "have", "own", "get", "plus", "its", "contain"})
         distributed = phrases[owner].determiner in ("each", "every", "both", "all")
+        generic = phrases[owner].determiner in ("a", "an", "each", "every")
+        if generic and owner in same:
+            twins_of[number] = [n for n in rooms[:position] if phrases[n].name == phrases[owner].name and n not in same]
+        distributed = distributed or (generic and owner in same)
         owner = same.get(owner, owner)
         several = (phrases[owner].count or 2) > 1 or distributed
         if owner in suites:
@@ -134,6 +139,7 @@ def read_suites(
         shared_out = several and (distributive or tail == ("each",))
         if shared_out or both or postposed or own or plain:
             suites[number] = owner
+    twin_rooms |= {n: others for n, others in twins_of.items() if n in suites and len(others) > 1}
     return Suites({n: o for n, o in suites.items() if n not in same}, twin_rooms)
 
 

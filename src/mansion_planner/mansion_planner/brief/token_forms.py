@@ -10,9 +10,11 @@ __all__ = ["compounds", "foreign_storeys", "open_decks"]
 def compounds(tokens: list[Token], words: frozenset[str]) -> list[Token]:
     """Join hyphenated words that the lexicon writes as one: "co-working", "check-in"."""
     joined: list[Token] = []
-    for token in tokens:
+    for index, token in enumerate(tokens):
         last = joined[-1] if joined else None
-        if token.text == "/" and last is not None and last.text == "living" and not token.spaced:
+        after = tokens[index + 1].text if index + 1 < len(tokens) else ""
+        diner = last is not None and last.text == "kitchen" and after in ("diner", "dining")
+        if token.text == "/" and last is not None and (last.text == "living" or diner) and not token.spaced:
             continue  # "living/dining room" is one room
         if last is not None and (last.text, token.text) == ("double", "height") and not token.spaced:
             joined[-1] = replace(token, text="double-height", start=last.start, spaced=last.spaced)

@@ -23,7 +23,7 @@ def leave_unread(reading: Reading) -> None:
 _RELATING = frozenset(
     """
     above below beneath underneath over under behind beside next near opposite surrounded share sharing overlooking
-    facing between identical except unless
+    facing between identical except unless half ditto idem likewise
     """.split()
 )
 """Words that tell where a room is, or what it shares; where no relation was read they are told of."""
@@ -42,6 +42,8 @@ def _is_content(reading: Reading, index: int) -> bool:
     token = reading.tokens[index]
     if token.kind == "number":
         return True
+    if token.text in _SIZES and _has_measure(reading, index):
+        return False  # "a gross floor area in the region of 3,200 m2"
     grounded = reading.word(index + 1) in ("ground", "grade") or reading.kind(index + 1) in ("number", "unit")
     if token.kind == "ordinal" or (token.text in _RELATING and not grounded):
         return True
@@ -69,6 +71,17 @@ def _is_content(reading: Reading, index: int) -> bool:
         and token.text not in _REQUESTS
         and len(token.text) > 1
     )
+
+
+_SIZES = frozenset("area gross rough region vicinity order size surface space net nearest neighbourhood".split())
+"""Words that lead to an area of the building, and say no more than it does."""
+
+
+def _has_measure(reading: Reading, index: int) -> bool:
+    """Whether an area that was read follows a word within its clause, or stands right before it."""
+    around = (*range(index - 2, index), *range(index + 1, index + 9))
+    units = [at for at in around if reading.kind(at) == "unit" and at in reading.taken]
+    return any(reading.sentence[at] == reading.sentence[index] for at in units)
 
 
 def _names_storey(reading: Reading, index: int) -> bool:

@@ -4,6 +4,7 @@ import dataclasses
 
 import msgspec
 
+from mansion_geometry.stair_landings import with_landings
 from mansion_knowledge import KnowledgeBase
 from mansion_llm import LlmClient
 from mansion_msgs_py.errors import ErrorCode, MansionError
@@ -82,7 +83,7 @@ def plan_with_model(
             problem = msgspec.structs.replace(problems[source], floor=storey.index, plan_id=plan_id)
         topologies[storey.index], problems[storey.index] = topology, problem
     return PlanReply(
-        program=_with_hubs_first(planned.program, topologies),
+        program=with_landings(_with_hubs_first(planned.program, topologies)),
         topologies=[topologies[s.index] for s in planned.storeys],
         problems=[problems[s.index] for s in planned.storeys],
         sources=context.sources,

@@ -194,7 +194,7 @@ def _massing(decisions: Decisions, wish: MassingWish, generator: np.random.Gener
     if shape is None:
         return choose_massing(wish, generator)
     if decisions.free_form:
-        return free_massing(shape, free_cores(shape, wish.stairs, wish.lifts))
+        return free_massing(shape, free_cores(shape, wish.cores))
     x0, y0, x1, y1 = shape.bounds
     return rectangle_massing(wish, max(x1 - x0, y1 - y0), min(x1 - x0, y1 - y0))
 

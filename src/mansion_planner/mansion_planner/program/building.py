@@ -21,8 +21,9 @@ from mansion_planner.brief.facts import BriefFacts, MaterialFact
 from mansion_planner.program.arrangement import Arrangement, best_arrangement, neighbours, unmet_neighbours
 from mansion_planner.program.decisions import Decisions, decide
 from mansion_planner.program.massing import MassingWish, choose_shape, storey_area, typical_room, vertical_method
-from mansion_planner.program.model import Massing, Sketch, Storey, aliases_of
+from mansion_planner.program.model import CoreWish, Massing, Sketch, Storey, aliases_of
 from mansion_planner.program.outline import Envelope, Frame, bearing_walls
+from mansion_planner.program.stair_sizes import stair_size, storey_height
 from mansion_planner.program.step_record import Record
 from mansion_planner.program.storey_rooms import allocate
 from mansion_planner.program.storeys import floors_of, make_storeys
@@ -58,10 +59,11 @@ def plan_program(
     bare, of_storeys = make_storeys(decisions, knowledge)
     allocation, of_rooms = allocate(decisions, knowledge, bare)
     method, stairs, lifts, why = vertical_method(decisions, bare, allocation, knowledge)
-    area, of_area = storey_area(decisions, bare, allocation, knowledge, stairs, lifts)
+    cores = CoreWish(stairs, lifts, stair_size(decisions, bare))
+    area, of_area = storey_area(decisions, bare, allocation, knowledge, cores)
     shape, of_shape = choose_shape(decisions, area, stairs, generator)
     wish = MassingWish(
-        area, decisions.building, stairs, lifts, exact=decisions.area_stated,
+        area, decisions.building, cores, exact=decisions.area_stated,
         room=typical_room(bare, allocation, knowledge), shape=shape,
     )  # fmt: skip
     layout = best_arrangement(decisions, wish, bare, allocation, knowledge)
@@ -182,7 +184,7 @@ def floor_program(
         rooms=rooms,
         area_summary=summary,
         label="G" if storey.index == 1 and decisions.floors > 1 else _label(storey.index),
-        height=_storey_height(decisions, storey),
+        height=storey_height(decisions, storey),
         outline=envelope.outline,
         holes=envelope.holes,
         copy=storey.copy,
@@ -196,22 +198,6 @@ def _hub_name(decisions: Decisions, storey: Storey) -> str:
         if fact.room_type == storey.hub.name and fact.count == 1 and storey.index in floors:
             return fact.label
     return ""
-
-
-_SLAB = 0.25
-"""Metres of a storey's height that the slab takes; the rest is the clear height."""
-
-_HEIGHTS = (2.65, 4.2)
-"""Least and greatest height of a storey that stairs of one flight pair reach, metres."""
-
-
-def _storey_height(decisions: Decisions, storey: Storey) -> float:
-    """Return the height of a storey: for the ceilings that the brief wants there, or as is usual for its use."""
-    kinds = {room.kind.name for top in storey.rooms for room in top.each()}
-    wished = [fact.height for fact in decisions.facts.heights if not fact.room_type or fact.room_type in kinds]
-    if wished:
-        return round(min(max(max(wished) + _SLAB, _HEIGHTS[0]), _HEIGHTS[1]), 3)
-    return min(max(storey.use.height, 3.0), _HEIGHTS[1])
 
 
 def _reserve_notes(ratio: float) -> str:

@@ -12,12 +12,22 @@ from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.limits import MAX_EXTENT
 from mansion_msgs_py.request import Footprint
 from mansion_msgs_py.wording import with_article
-from mansion_planner.program.model import CoreBox, Corridor, Massing, Placement, PlannedRoom, Sketch, Storey
+from mansion_planner.program.model import (
+    LIFT,
+    CoreBox,
+    CoreWish,
+    Corridor,
+    Massing,
+    Placement,
+    PlannedRoom,
+    Sketch,
+    Storey,
+)
 
 __all__ = ["check_footprint", "free_cores", "free_massing", "is_rectangle", "sketch_free"]
 
 LEAST_AREA = 12.0
-_CoreWish = tuple[Literal["stair", "elevator"], list[tuple[int, int]]]
+_Sizes = tuple[Literal["stair", "elevator"], list[tuple[int, int]]]
 CHILDREN = 8
 
 
@@ -67,7 +77,7 @@ def is_rectangle(shape: Polygon) -> bool:
     return not shape.interiors and bool(abs(shape.area - shapely.box(*shape.bounds).area) < 1e-6)
 
 
-def free_cores(shape: Polygon, stairs: int, lifts: int) -> tuple[CoreBox, ...]:
+def free_cores(shape: Polygon, wish: CoreWish) -> tuple[CoreBox, ...]:
     """Place the cores at integer coordinates against as much outer wall as possible, in the tightest pocket.
 
     Raises
@@ -77,9 +87,9 @@ def free_cores(shape: Polygon, stairs: int, lifts: int) -> tuple[CoreBox, ...]:
     """
     cores: list[CoreBox] = []
     free = shape
-    stair: _CoreWish = ("stair", [(3, 6), (6, 3)])
-    lift: _CoreWish = ("elevator", [(2, 2)])
-    wishes = [stair] * stairs + [lift] * lifts
+    stair: _Sizes = ("stair", [wish.stair, (wish.stair[1], wish.stair[0])])
+    lift: _Sizes = ("elevator", [(LIFT, LIFT)])
+    wishes = [stair] * wish.stairs + [lift] * wish.lifts
     counts: dict[str, int] = {}
     for kind, sizes in wishes:
         found = _best_place(shape, free, sizes)

@@ -13,7 +13,7 @@ from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.program import Downgrade, TraceEntry
 from mansion_msgs_py.wording import with_article
 from mansion_planner.program.decisions import AREA_CAP, Decisions, conflict, note
-from mansion_planner.program.model import CoreBox, Massing, Storey, Wing
+from mansion_planner.program.model import LIFT, CoreBox, CoreWish, Massing, Storey, Wing
 from mansion_planner.program.step_record import Record
 from mansion_planner.program.storey_rooms import Allocation, base_rooms, hub_area
 from mansion_planner.program.storeys import entries_of, is_hall
@@ -97,21 +97,15 @@ _HOPELESS = 1.5
 """From what share of the stated area on no building can hold the rooms asked for."""
 
 
-def _circulation(decisions: Decisions, stairs: int, lifts: int) -> tuple[float, float]:
+def _circulation(decisions: Decisions, cores: CoreWish) -> tuple[float, float]:
     """Return what cores and lobby take, and the share of the rest that corridors take."""
-    cores = 18.0 * stairs + 4.0 * lifts
     if is_hall(decisions):
-        return cores, 0.0
-    return cores + (24.0 if lifts else 0.0), 0.17
+        return cores.area, 0.0
+    return cores.area + (24.0 if cores.lifts else 0.0), 0.17
 
 
 def storey_area(
-    decisions: Decisions,
-    storeys: list[Storey],
-    allocation: Allocation,
-    knowledge: KnowledgeBase,
-    stairs: int,
-    lifts: int,
+    decisions: Decisions, storeys: list[Storey], allocation: Allocation, knowledge: KnowledgeBase, cores: CoreWish
 ) -> tuple[float, Record]:
     """Return the gross area of a storey in square metres; a stated one that the rooms do not fit in gives way.
 
@@ -120,7 +114,7 @@ def storey_area(
     MansionError
         ``INFEASIBLE`` when the rooms asked for do not fit into the area asked for.
     """
-    fixed, share = _circulation(decisions, stairs, lifts)
+    fixed, share = _circulation(decisions, cores)
     need, fullest, least = 0.0, storeys[0], 0.0
     for storey in storeys:
         rooms = base_rooms(storey, allocation, knowledge)
@@ -143,7 +137,7 @@ def storey_area(
         usual = typical * 0.85 if small else min(typical, 1.5 * usual)
     result = max(usual, asked, decisions.building.floor_area[0])
     if decisions.facts.shapes:
-        result = max(result, _least_area(decisions.facts.shapes[0][0], stairs))
+        result = max(result, _least_area(decisions.facts.shapes[0][0], cores.stairs))
     trace: list[TraceEntry] = []
     if result > usual + 1.0 and asked > usual:
         note(trace, None, f"{result:.0f} m2 a storey, for the rooms of storey {fullest.index}")
@@ -216,11 +210,6 @@ def typical_room(storeys: list[Storey], allocation: Allocation, knowledge: Knowl
     return areas[len(areas) // 2] if areas else 40.0
 
 
-STAIR = (3, 6)
-LIFT = 2
-STAIR_DEPTH = 6.0
-
-
 @dataclass(frozen=True)
 class MassingWish:
     """What the massing has to meet.
@@ -229,7 +218,7 @@ class MassingWish:
     ----------
     area : float
         Gross area of a storey, square metres.
-    stairs, lifts : int
+    cores : CoreWish
     shape : str
         ``rectangle``, ``square``, ``L``, ``U``, ``T``, ``H`` or ``courtyard``.
     room : float
@@ -242,8 +231,7 @@ class MassingWish:
 
     area: float
     use: BuildingType
-    stairs: int
-    lifts: int
+    cores: CoreWish
     shape: str = "rectangle"
     exact: bool = False
     room: float = 40.0
@@ -287,38 +275,53 @@ def choose_shape(decisions: Decisions, area: float, stairs: int, generator: np.r
 
 def _corridor_width(use: BuildingType, area: float) -> float:
     if use.family == "home" or use.parti == "house":
-        return 1.6 if area < 140 else 2.0
+        return 1.4 if area < 140 else 1.6
     if use.family in ("health", "education", "retail", "culture", "transport"):
         return 2.0 if area < 300 else 2.4
     return 1.8 if area < 300 else 2.0
 
 
-def _bands(use: BuildingType, area: float, stairs: int, room: float, shape: str) -> list[tuple[float, float, float]]:
+def _bands(wish: MassingWish) -> list[tuple[float, float, float]]:
     """List candidate (north, corridor, south) depths with a whole-metre sum, the most fitting first."""
-    corridor = _corridor_width(use, area)
-    plain = shape in ("rectangle", "square")
-    if _is_narrow(shape, area, stairs):
+    area, cores = wish.area, wish.cores
+    corridor = _corridor_width(wish.use, area)
+    stair = float(cores.stair[1])
+    if _is_narrow(wish.shape, area, cores.stairs):
         corridor = 1.4
         return [((d - corridor) / 2, corridor, (d - corridor) / 2) for d in (8, 9)]
-    if shape in ("H", "courtyard", "U") and area < 620:
+    if wish.shape in ("H", "courtyard", "U") and area < 620:
         corridor = 1.8
-        return [(STAIR_DEPTH, corridor, d - STAIR_DEPTH - corridor) for d in (12, 13)]
-    if use.parti == "hall" and plain:
+        return [(stair, corridor, d - stair - corridor) for d in (12, 13)]
+    if wish.use.parti == "hall" and wish.shape in ("rectangle", "square"):
         side = math.sqrt(area / 1.35)
-        return [(0.0, float(d), 0.0) for d in _around(side, 4 if not stairs else 6)]
-    if stairs and area >= 150:
-        south = min(max(math.sqrt(1.35 * room), 4.0), 8.0)
-        wish = min(max(STAIR_DEPTH + corridor + south, math.sqrt(area / 2.6)), math.sqrt(area / 1.2))
-        return [(STAIR_DEPTH, corridor, d - STAIR_DEPTH - corridor) for d in _around(wish, 11, 17)]
-    if stairs:
-        wish = min(max(math.sqrt(area / 1.25), 8.0), 10.5)
-        upright = [(STAIR_DEPTH, corridor, d - STAIR_DEPTH - corridor) for d in (11, 12, 13)]
+        return [(0.0, float(d), 0.0) for d in _around(side, 4 if not cores.stairs else 6)]
+    if cores.stairs and cores.domestic:
+        depth = min(max(math.sqrt(area / 1.4), 7.0), 14.0)
+        return [_domestic_bands(d, corridor, stair) for d in _around(depth, 7, 14)]
+    if cores.stairs and area >= 150:
+        south = min(max(math.sqrt(1.35 * wish.room), 4.0), 8.0)
+        depth = min(max(stair + corridor + south, math.sqrt(area / 2.6)), math.sqrt(area / 1.2))
+        return [(stair, corridor, d - stair - corridor) for d in _around(depth, 11, 17)]
+    if cores.stairs:
+        depth = min(max(math.sqrt(area / 1.25), 8.0), 10.5)
+        upright = [(stair, corridor, d - stair - corridor) for d in (11, 12, 13)]
         return [
             (max(3.0, 0.42 * (d - corridor)), corridor, d - corridor - max(3.0, 0.42 * (d - corridor)))
-            for d in _around(wish, 7, 11)
+            for d in _around(depth, 7, 11)
         ] + (upright if area >= 85 else [])
-    wish = min(max(math.sqrt(area / 1.5), 5.0), 16.0)
-    return [((d - corridor) / 2, corridor, (d - corridor) / 2) for d in _around(wish, 5, 17)]
+    depth = min(max(math.sqrt(area / 1.5), 5.0), 16.0)
+    return [((d - corridor) / 2, corridor, (d - corridor) / 2) for d in _around(depth, 5, 17)]
+
+
+_SHALLOW = 2.7
+"""Least depth of the rooms across the corridor from a domestic stair that stands upright, metres."""
+
+
+def _domestic_bands(depth: float, corridor: float, stair: float) -> tuple[float, float, float]:
+    """Return the bands of a home, the stair along the depth where that leaves rooms across the corridor."""
+    north = 0.45 * (depth - corridor)
+    north = max(north, stair) if depth - corridor - stair >= _SHALLOW else max(north, 2.4)
+    return north, corridor, depth - corridor - north
 
 
 def _around(wish: float, least: int, most: int = 60) -> list[int]:
@@ -337,9 +340,9 @@ def choose_massing(wish: MassingWish, generator: np.random.Generator) -> Massing
         Varies proportions within what suits the building.
     """
     if wish.shape == "square":
-        side = max(round(math.sqrt(wish.area)), 9 if wish.stairs else 5, 12 if wish.stairs > 1 else 0)
+        side = max(round(math.sqrt(wish.area)), _least_side(wish.cores))
         return rectangle_massing(wish, float(side), float(side))
-    candidates = _bands(wish.use, wish.area, wish.stairs, wish.room, wish.shape)
+    candidates = _bands(wish)
     if wish.variant:
         candidates = [candidates[-wish.variant % len(candidates)]]
     jitter = generator.random(len(candidates))
@@ -356,6 +359,13 @@ def choose_massing(wish: MassingWish, generator: np.random.Generator) -> Massing
     return best[1]
 
 
+def _least_side(cores: CoreWish) -> int:
+    """Return the least side of a square that holds the stairs beside rooms, metres."""
+    if cores.domestic:
+        return 7
+    return (5, 9, 12)[min(cores.stairs, 2)]
+
+
 def rectangle_massing(wish: MassingWish, length: float, depth: float) -> Massing:
     """Return the massing of a given rectangle; the corridor runs along its longer side."""
     corridor = _corridor_width(wish.use, wish.area)
@@ -363,9 +373,11 @@ def rectangle_massing(wish: MassingWish, length: float, depth: float) -> Massing
     if wish.use.parti == "hall":
         north, corridor, south = 0.0, depth, 0.0
     else:
-        if wish.stairs and depth >= 10.8:
-            north = STAIR_DEPTH
-        elif wish.stairs:
+        if wish.cores.stairs and wish.cores.domestic:
+            north, corridor, _ = _domestic_bands(depth, corridor, float(wish.cores.stair[1]))
+        elif wish.cores.stairs and depth >= 10.8:
+            north = float(wish.cores.stair[1])
+        elif wish.cores.stairs:
             north = max(3.0, 0.42 * (depth - corridor))
         south = depth - corridor - north
     if depth < 6.0 and wish.use.parti != "hall":
@@ -383,7 +395,7 @@ def gross_area(massing: Massing) -> float:
 
 def _dimensions(wish: MassingWish, north: float, corridor: float, south: float, given: float | None = None) -> Massing:
     depth = north + corridor + south
-    least = 6 + (3 if wish.stairs else 0) + (3 if wish.stairs > 1 else 0)
+    least = 6 if wish.cores.domestic else 6 + wish.cores.stairs * wish.cores.stair[0]
     hall = wish.use.parti == "hall" and wish.shape in ("rectangle", "square")
     wings: tuple[Wing, ...] = ()
     length, court = given or 0.0, 0.0
@@ -391,8 +403,8 @@ def _dimensions(wish: MassingWish, north: float, corridor: float, south: float, 
         length, wings, court = _plan_shape(wish, depth, corridor, least)
     lobby = 0.0
     corner = not any(wing.x0 < 1.0 for wing in wings)
-    if wish.lifts and not hall and corner:
-        lobby = max(4.0, 2.0 * wish.lifts) if wish.use.family != "home" else 3.5
+    if wish.cores.lifts and not hall and corner:
+        lobby = max(4.0, 2.0 * wish.cores.lifts) if wish.use.family != "home" else 3.5
     cores = _cores(wish, float(length), depth, north, south + corridor if not corner else -1.0)
     entrance = 3.0 if wish.area >= 220 and lobby else 0.0
     if wings and not hall:
@@ -411,10 +423,10 @@ def _plan_shape(wish: MassingWish, depth: float, corridor: float, least: int) ->
     side = 3.2 if area < 180 else 4.0 if area < 320 else 5.0
     if (shape in ("H", "courtyard") and area < 620) or (shape == "U" and area < 420):
         side = 3.2
-    if _is_narrow(shape, area, wish.stairs):
+    if _is_narrow(shape, area, wish.cores.stairs):
         side = 2.8
     gap = 4 if area < 520 else 6
-    lobby = max(4, 2 * wish.lifts) + 1 if wish.lifts else 3
+    lobby = max(4, 2 * wish.cores.lifts) + 1 if wish.cores.lifts else 3
     width = max(6, round(2 * side + corridor))
     arms = {"L": 1, "T": 1, "U": 2, "H": 1, "courtyard": 2}[shape]
     flank = 2 * max(5, lobby)
@@ -445,13 +457,14 @@ def _cores(wish: MassingWish, length: float, depth: float, north: float, pocket:
     Where a wing takes the lower corner, `pocket` is the corridor's upper edge and the lifts stand beside the stair.
     """
     cores: list[CoreBox] = []
-    upright = north >= STAIR_DEPTH - 0.01 or (wish.use.parti == "hall" and depth >= 16)
-    wide, high = (STAIR[0], STAIR[1]) if upright else (STAIR[1], STAIR[0])
-    for number in range(wish.stairs):
+    wide, high = wish.cores.stair
+    if north < high - 0.01 and not (wish.use.parti == "hall" and depth >= high + 10):
+        wide, high = high, wide
+    for number in range(wish.cores.stairs):
         x0 = 0.0 if number == 0 else length - wide
         box = (x0, depth - high, x0 + wide, depth)
         cores.append(CoreBox(f"stair_{number + 1}", "stair", box, "south"))
-    for number in range(wish.lifts):
+    for number in range(wish.cores.lifts):
         if pocket >= 0.0:
             x0 = float(wide + LIFT * number)
             low = math.ceil(pocket - 1e-9)

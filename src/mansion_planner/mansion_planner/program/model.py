@@ -6,7 +6,7 @@ The massing frame has its x axis along the main corridor and the first stair in 
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
-from typing import Literal
+from typing import Final, Literal
 
 import msgspec
 
@@ -27,6 +27,9 @@ __all__ = [
     "Wing",
     "aliases_of",
     "box_area",
+    "CoreWish",
+    "LIFT",
+    "PUBLIC_STAIR",
     "far_stair",
     "lobby_length",
     "loosened",
@@ -129,6 +132,32 @@ class Storey:
     lead: RoomType | None = None
     setback: float = 0.0
     extension: float = 0.0
+
+
+PUBLIC_STAIR: Final = (3, 6)
+"""Width and length of a core with two flights of 1.4 m, which many people use at once and leave by, metres."""
+
+LIFT: Final = 2
+"""Side of a lift's shaft, metres."""
+
+
+@dataclass(frozen=True)
+class CoreWish:
+    """How many cores a building has, and the width and length of each stair, metres."""
+
+    stairs: int
+    lifts: int
+    stair: tuple[int, int] = PUBLIC_STAIR
+
+    @property
+    def domestic(self) -> bool:
+        """Whether there are the small stairs of a home."""
+        return self.stairs > 0 and self.stair != PUBLIC_STAIR
+
+    @property
+    def area(self) -> float:
+        """Square metres of a storey that the cores take."""
+        return float(self.stairs * self.stair[0] * self.stair[1] + self.lifts * LIFT**2)
 
 
 @dataclass(frozen=True)

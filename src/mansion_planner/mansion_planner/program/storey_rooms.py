@@ -13,7 +13,7 @@ from mansion_planner.brief.facts import RoomFact
 from mansion_planner.brief.sizes import size_bound
 from mansion_planner.program.decisions import Decisions, note
 from mansion_planner.program.furniture_areas import furniture_area, furniture_areas, usual_number
-from mansion_planner.program.household import household_of, is_whole, main_room, private_types
+from mansion_planner.program.household import household_of, is_whole, main_room, private_types, use_of
 from mansion_planner.program.model import PlannedRoom, Storey
 from mansion_planner.program.step_record import Record
 from mansion_planner.program.storeys import entries_of, floors_of
@@ -449,9 +449,14 @@ def fill_storey(
     rooms = base_rooms(storey, allocation, knowledge)
     present = {fact.room_type for fact in allocation.wanted[storey.index]}
     budget = capacity - hub_share
+    needed = _needed_entries(storey, allocation, knowledge)
+    for entry in needed:
+        kind = knowledge.room(entry.room_type)
+        if sum(room.least for top in rooms for room in top.each()) + kind.least <= budget:
+            rooms.append(allocation.added(entry, knowledge))
     used = sum(room.gross for room in rooms)
     repeats = []
-    for entry in entries_of(storey):
+    for entry in (entry for entry in entries_of(storey) if entry not in needed):
         kind = knowledge.room(entry.room_type)
         if entry.repeat:
             repeats.append(entry)
@@ -473,6 +478,24 @@ def fill_storey(
             rooms.append(room)
             used += room.gross
     return _topped_up(storey, allocation, knowledge, rooms, budget)
+
+
+def _needed_entries(storey: Storey, allocation: Allocation, knowledge: KnowledgeBase) -> list[RoomEntry]:
+    """Return the rooms of a home's list to live, cook and wash in that the brief leaves open on every storey.
+
+    Other rooms are made smaller for them: no home does without.
+    """
+    if storey.use.family != "home":
+        return []
+    stated = [fact for facts in allocation.wanted.values() for fact in facts]
+    served = {use_of(knowledge.room(part.room_type)) for fact in stated for part in (fact, *fact.suite)}
+    needed: dict[str, RoomEntry] = {}
+    for entry in entries_of(storey):
+        kind = knowledge.room(entry.room_type)
+        need = use_of(kind)
+        if need in ("living", "cooking", "washing") and need not in served and allocation.adds(kind.name, storey.index):
+            needed.setdefault(need, entry)
+    return [entry for entry in needed.values() if not entry.repeat and entry.count == 1]
 
 
 def _topped_up(

@@ -13,7 +13,7 @@ from mansion_scene.structure.dimensions import INTERIOR_THICKNESS
 from mansion_scene.structure.interiors import Partition
 from mansion_scene.structure.openings import Opening
 from mansion_scene.structure.regions import FloorRegions, Region, ring_points
-from mansion_scene.structure.stairs import stair_details, stair_frame
+from mansion_scene.structure.stairs import core_interior, stair_details, stair_frame
 
 __all__ = ["entrance_pose", "lift_details", "scene_cores"]
 
@@ -160,7 +160,8 @@ def scene_cores(
 def _details(
     request: FurnishRequest, floor: FloorRegions, region: Region, partition: Partition, opening: Opening
 ) -> CoreDetails:
-    net = partition.nets[region.id]
+    # Walls on other sides of other floors would shift flights and shafts: what all floors share is the core alone.
+    net = partition.nets[region.id] if region.core is None else core_interior(region.core)
     goes_up = any(number > floor.floor for number in request.floors)
     from_below = any(number < floor.floor for number in request.floors)
     if region.kind == "stair" and region.core is not None:

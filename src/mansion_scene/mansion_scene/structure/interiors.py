@@ -4,7 +4,8 @@ A room that is pinched to less than a passage is two rooms to a robot: only its 
 open on to nothing else.
 """
 
-from collections.abc import Mapping, Sequence
+import math
+from collections.abc import Mapping, Sequence, Set
 from dataclasses import dataclass, replace
 
 import shapely
@@ -15,7 +16,7 @@ from mansion_geometry.robot_body import PASSAGE_WIDTH
 from mansion_msgs_py.shapes import Point, Segment
 from mansion_scene.structure.access import Pair, pair_key
 from mansion_scene.structure.boundaries import BoundarySegment
-from mansion_scene.structure.dimensions import INTERIOR_THICKNESS, NIB
+from mansion_scene.structure.dimensions import CLEAR_WIDTH, INTERIOR_THICKNESS, NIB
 from mansion_scene.structure.regions import FloorRegions
 
 __all__ = ["Partition", "partition_floor", "usable_boundaries", "walkable_parts"]
@@ -57,19 +58,55 @@ def partition_floor(
     Interior walls stand on both sides of their boundary, half in each region; outer walls stand outside the outline
     and take no floor. Net interiors are exact: each region less the union of the wall bodies, with mitred corners.
     """
+    narrow: set[BoundarySegment] = set()
+    while True:
+        walls, gaps = _split(boundaries, open_pairs, narrow)
+        solid = _solid([wall for wall in walls if not wall.exterior])
+        clear = {pair: [_clear(gap, solid) for _, gap in found] for pair, found in gaps.items()}
+        more = {boundary for pair, found in gaps.items() for boundary in _too_narrow(found, clear[pair])}
+        if not more:
+            break
+        narrow |= more
+    nets, cut_off = _nets(floor, solid)
+    opened = {pair: _longest_first(found, clear[pair]) for pair, found in gaps.items()}
+    return Partition(walls, {pair: parts for pair, parts in opened.items() if parts}, nets, solid, cut_off)
+
+
+_Gaps = list[tuple[BoundarySegment, BoundarySegment]]
+"""Boundaries between two rooms, each with the part of it that has no wall."""
+
+
+def _split(
+    boundaries: Sequence[BoundarySegment], open_pairs: frozenset[Pair], narrow: Set[BoundarySegment]
+) -> tuple[list[BoundarySegment], dict[Pair, _Gaps]]:
+    """Return the walls of a floor, and the gaps between each open pair, but none in a narrow boundary."""
     walls: list[BoundarySegment] = []
-    opened: dict[Pair, list[BoundarySegment]] = {}
+    gaps: dict[Pair, _Gaps] = {}
     for boundary in boundaries:
         pair = pair_key(boundary.left, boundary.right) if boundary.right is not None else None
-        if pair in open_pairs and pair is not None and boundary.length >= _SHORTEST_OPEN:
+        if pair in open_pairs and pair is not None and boundary.length >= _SHORTEST_OPEN and boundary not in narrow:
             nibs, gap = _with_nibs(boundary)
             walls.extend(nibs)
-            opened.setdefault(pair, []).append(gap)
+            gaps.setdefault(pair, []).append((boundary, gap))
         else:
             walls.append(boundary)
-    solid = _solid([wall for wall in walls if not wall.exterior])
-    nets, cut_off = _nets(floor, solid)
-    return Partition(walls, _clear(opened, solid), nets, solid, cut_off)
+    return walls, gaps
+
+
+def _too_narrow(gaps: _Gaps, clear: Sequence[Segment | None]) -> list[BoundarySegment]:
+    """Return the boundaries whose gap nobody fits through, but not the widest gap of a pair."""
+    widths = [0.0 if segment is None else math.dist(*segment) for segment in clear]
+    widest = max(range(len(widths)), key=widths.__getitem__)
+    return [
+        boundary
+        for index, ((boundary, _), width) in enumerate(zip(gaps, widths))
+        if width < CLEAR_WIDTH and index != widest
+    ]
+
+
+def _longest_first(gaps: _Gaps, clear: Sequence[Segment | None]) -> list[tuple[BoundarySegment, Segment]]:
+    parts = [(gap, segment) for (_, gap), segment in zip(gaps, clear) if segment is not None]
+    return sorted(parts, key=lambda part: -part[0].length)
 
 
 def _with_nibs(boundary: BoundarySegment) -> tuple[list[BoundarySegment], BoundarySegment]:
@@ -107,23 +144,15 @@ def _nets(floor: FloorRegions, solid: shapely.Geometry) -> tuple[dict[str, Polyg
     return nets, cut_off
 
 
-def _clear(
-    opened: Mapping[Pair, Sequence[BoundarySegment]], solid: shapely.Geometry
-) -> dict[Pair, list[tuple[BoundarySegment, Segment]]]:
-    clear: dict[Pair, list[tuple[BoundarySegment, Segment]]] = {}
-    for pair, boundaries in opened.items():
-        parts: list[tuple[BoundarySegment, Segment]] = []
-        for boundary in boundaries:
-            line = LineString([boundary.start, boundary.end]).difference(solid)
-            pieces = [part for part in shapely.get_parts(line) if part.length > 1e-3]
-            if not pieces:
-                continue
-            longest = max(pieces, key=lambda part: part.length)
-            (ax, ay), (bx, by) = longest.coords[0], longest.coords[-1]
-            parts.append((boundary, ((round(ax, 4), round(ay, 4)), (round(bx, 4), round(by, 4)))))
-        if parts:
-            clear[pair] = sorted(parts, key=lambda part: -part[0].length)
-    return clear
+def _clear(boundary: BoundarySegment, solid: shapely.Geometry) -> Segment | None:
+    """Return the longest part of a boundary that no wall stands on."""
+    line = LineString([boundary.start, boundary.end]).difference(solid)
+    pieces = [part for part in shapely.get_parts(line) if part.length > 1e-3]
+    if not pieces:
+        return None
+    longest = max(pieces, key=lambda part: part.length)
+    (ax, ay), (bx, by) = longest.coords[0], longest.coords[-1]
+    return (round(ax, 4), round(ay, 4)), (round(bx, 4), round(by, 4))
 
 
 _INSIDE = 0.03  # metres beyond the wall's face at which a boundary is looked up

@@ -6,17 +6,18 @@ of 0.15 to 0.19 m. The floor landing lies at the same end of the core on every f
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import Final, Literal
+from typing import Final
 
-import shapely
 from shapely.geometry import Polygon, box
 
+from mansion_geometry.stair_landings import Side, landing_end
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.program import CorePlan
 from mansion_msgs_py.scene import Box3, StairDetails
 from mansion_msgs_py.shapes import Point, Point3, Ring
+from mansion_scene.structure.dimensions import INTERIOR_THICKNESS
 
-__all__ = ["MAX_RISER", "MIN_RISER", "StairFrame", "landing_zone", "stair_details", "stair_frame"]
+__all__ = ["MAX_RISER", "MIN_RISER", "StairFrame", "core_interior", "landing_zone", "stair_details", "stair_frame"]
 
 MIN_RISER: Final = 0.15
 MAX_RISER: Final = 0.19
@@ -27,7 +28,6 @@ _RAIL_HEIGHT: Final = 0.95
 _LANDING_THICKNESS: Final = 0.18
 _MIN_FLIGHT: Final = 0.75
 
-Side = Literal["north", "south", "east", "west"]
 _INWARD: Final[dict[Side, Point]] = {"south": (0.0, 1.0), "north": (0.0, -1.0), "west": (1.0, 0.0), "east": (-1.0, 0.0)}
 
 
@@ -72,20 +72,11 @@ class StairFrame:
         return (*ring[0], round(z[0], 4)), (*ring[2], round(z[1], 4))
 
 
-def _landing_side(core: CorePlan, outline: Polygon) -> Side:
-    """Return the landing's end: the door's if that is a short side, else the end deeper in the building."""
+def core_interior(core: CorePlan) -> Polygon:
+    """Return a core within walls on all its sides, whatever stands there on a single floor."""
     (x0, x1), (y0, y1) = sorted(core.x), sorted(core.y)
-    ends: tuple[Side, Side] = ("south", "north") if y1 - y0 >= x1 - x0 else ("west", "east")
-    if core.door_side in ends:
-        return core.door_side
-    middles: dict[Side, Point] = {
-        "south": ((x0 + x1) / 2, y0),
-        "north": ((x0 + x1) / 2, y1),
-        "west": (x0, (y0 + y1) / 2),
-        "east": (x1, (y0 + y1) / 2),
-    }
-    from_edge = [round(float(shapely.distance(outline.exterior, shapely.Point(middles[end]))), 3) for end in ends]
-    return ends[0] if from_edge[0] >= from_edge[1] else ends[1]
+    wall = INTERIOR_THICKNESS / 2
+    return box(x0 + wall, y0 + wall, x1 - wall, y1 - wall)
 
 
 def stair_frame(core: CorePlan, net: Polygon, outline: Polygon) -> StairFrame:
@@ -97,10 +88,10 @@ def stair_frame(core: CorePlan, net: Polygon, outline: Polygon) -> StairFrame:
     net : Polygon
         Net interior of the core (its bounding box is used).
     outline : Polygon
-        Outline of the floor; decides the landing's end when the core has no door side.
+        Outline of the floor; decides the landing's end when the core does not state it.
     """
     x0, y0, x1, y1 = net.bounds
-    side = _landing_side(core, outline)
+    side = core.landing or landing_end(core, outline)
     corners: dict[Side, Point] = {"south": (x0, y0), "north": (x1, y1), "west": (x0, y1), "east": (x1, y0)}
     along_y = side in ("south", "north")
     length, width = (y1 - y0, x1 - x0) if along_y else (x1 - x0, y1 - y0)

@@ -1,0 +1,174 @@
+"""Read storeys that a brief names by a word for their place alone: "Lower: ...", "the last one", "in between"."""
+
+from mansion_planner.brief.facts import FloorRef
+from mansion_planner.brief.reading import FLOOR_WORDS, Reading
+from mansion_planner.brief.storey_counts import CLOSERS
+
+__all__ = ["EllipticStoreys"]
+
+_GROUND = FloorRef("number", 1, 1)
+_EDGES = {
+    **dict.fromkeys(("ground", "lower", "lowest", "bottom", "bottommost", "lowermost", "entrance"), _GROUND),
+    **dict.fromkeys(("top", "uppermost", "topmost", "highest", "last"), FloorRef("top")),
+    "upper": FloorRef("upper"),
+    "middle": FloorRef("middle"),
+}
+_SUPERLATIVES = frozenset("lowest bottommost lowermost uppermost topmost highest".split())
+_VERBS = frozenset(
+    """
+    is are be has have hold contain house carry take get keep go stay belong comprise accommodate offer include feature
+    """.split()
+)
+_OPENS_LIST = frozenset({"a", "an", "the", "there", "with", "for", "we", "our", "my", "only", "just"})
+_PLACING = frozenset({"take", "occupy", "fill", "share", "on", "in", "at", "to"})
+_ARRIVING = frozenset({"arrive", "enter", "come", "walk", "step"})
+_BETWEEN = frozenset({"between", "in-between"})
+
+
+class EllipticStoreys:
+    """Reads such storeys: each method returns what is meant at a token and the token after it, if anything.
+
+    Parameters
+    ----------
+    has_floors : bool
+        The brief has a word for storeys; else such words speak of something else.
+    """
+
+    def __init__(self, reading: Reading, *, has_floors: bool) -> None:
+        self.reading, self.has_floors = reading, has_floors
+        self.basement = not {"basement", "cellar"}.isdisjoint(token.text for token in reading.tokens)
+
+    def read(self, index: int, previous: FloorRef | None) -> tuple[list[FloorRef], int] | None:
+        """Read a storey at a token; `previous` is the one named last."""
+        if not self.has_floors:
+            return None
+        return (
+            self._from_top(index, previous)
+            or self._first_of(index, previous)
+            or self._edge(index)
+            or self._ordinal(index)
+            or self._entered(index)
+            or self._between(index)
+        )
+
+    def _edge(self, index: int) -> tuple[list[FloorRef], int] | None:
+        """Read "Lower: ...", "the last one has ...", "on the uppermost a dome", "take the upper one"."""
+        reading = self.reading
+        ref = _EDGES.get(reading.word(index))
+        if ref is None or index in reading.mention_at:
+            return None
+        one = reading.word(index + 1) == "one"
+        last = index + 1 + one
+        of_them = reading.words(index + 1, index + 3) == ("of", "the") and reading.value(index + 3) in (2.0, 3.0)
+        if of_them and reading.word(index + 4) in FLOOR_WORDS and reading.word(index - 1) == "the":
+            return [ref], index + 5  # "on the lower of the two floors"
+        if reading.starts(index) and (reading.word(last) in (":", "=") or (reading.word(last) == "-" and not one)):
+            return [ref], last
+        if one and reading.word(last) == ":" and reading.word(index - 1) == ",":
+            return [ref], last
+        lead = index - 1 - (reading.word(index - 1) == "very")
+        if reading.word(lead) != "the":
+            return None
+        if not one and reading.word(index) not in _SUPERLATIVES:
+            return None
+        opens = reading.starts(lead) or reading.word(lead - 1) in (",", "and", ";", ":", "while", "but", "–", "-")
+        following = reading.word(last)
+        goes_on = following in _VERBS | _OPENS_LIST | {":", ","} or reading.kind(last) == "number"
+        placed = reading.word(lead - 1) in _PLACING
+        if (opens and goes_on and following != ",") or (placed and (goes_on or following in CLOSERS | {"and"})):
+            return [ref], last
+        return None
+
+    def _ordinal(self, index: int) -> tuple[list[FloorRef], int] | None:
+        """Read "first one: ...", "they take the second."; storeys that count from the ground are no concern here."""
+        reading = self.reading
+        value = reading.value(index)
+        if reading.kind(index) != "ordinal" or not 1 <= value <= 40 or value != int(value):
+            return None
+        one = reading.word(index + 1) == "one"
+        if one and (reading.starts(index) or reading.word(index - 1) == ",") and reading.word(index + 2) == ":":
+            return [FloorRef("number", int(value), int(value))], index + 2
+        taken = reading.word(index - 1) == "the" and reading.word(index - 2) in ("take", "occupy", "fill")
+        if taken and reading.word(index + 1) in CLOSERS and self._after_storey(index):
+            return [FloorRef("number", int(value), int(value))], index + 1
+        return None
+
+    def _first_of(self, index: int, previous: FloorRef | None) -> tuple[list[FloorRef], int] | None:
+        """Read "the two floors on top hold, first, ..., then, at the very top, ...": the lower of them."""
+        reading = self.reading
+        ranged = previous is not None and previous.kind == "range" and previous.last > previous.first
+        alone = reading.word(index + 1) == "," and reading.word(index - 1) in (",", ":")
+        if previous is None or not ranged or reading.word(index) != "first" or not alone:
+            return None
+        return [FloorRef("number", previous.first, previous.first)], index + 1
+
+    def _from_top(self, index: int, previous: FloorRef | None) -> tuple[list[FloorRef], int] | None:
+        """Read "counting from the top: ... on the first, ... on the next, ... on the one after that"."""
+        reading = self.reading
+        if not self._counts_down(index) or reading.word(index - 1) != "the" or reading.word(index - 2) != "on":
+            return None
+        value = reading.value(index)
+        if reading.kind(index) == "ordinal" and 1 <= value <= 40:
+            last = index + 1 + (reading.word(index + 1) in FLOOR_WORDS | {"one"})
+            return [FloorRef("top") if value == 1 else FloorRef("below_top", int(value) - 1)], last
+        further = previous is not None and previous.kind in ("top", "below_top")
+        following = reading.word(index) == "next" or reading.words(index, index + 2) == ("one", "after")
+        if previous is None or not (further and following):
+            return None
+        last = index + 1 + (reading.word(index + 1) in FLOOR_WORDS | {"one", "after"})
+        last += reading.word(last) in ("that", "it")
+        return [FloorRef("below_top", (0 if previous.kind == "top" else previous.first) + 1)], last
+
+    def _counts_down(self, index: int) -> bool:
+        """Whether the sentence of a token counts storeys from the top."""
+        reading, at = self.reading, index
+        while at > 2 and reading.sentence[at] == reading.sentence[index] and index - at < 60:
+            if reading.words(at - 2, at + 1) == ("from", "the", "top"):
+                return reading.word(at - 3) in ("counting", "counted", "numbered", "numbering", "down", "starting")
+            at -= 1
+        return False
+
+    def _after_storey(self, index: int) -> bool:
+        """Whether a storey with a noun stands before a token in its sentence or in the one before."""
+        reading = self.reading
+        at = index - 1
+        while at >= 0 and reading.sentence[index] - reading.sentence[at] <= 1:
+            if reading.word(at) in FLOOR_WORDS:
+                return True
+            at -= 1
+        return False
+
+    def _entered(self, index: int) -> tuple[list[FloorRef], int] | None:
+        """Read "the storey you arrive on", "the floor where visitors come in"."""
+        reading = self.reading
+        if reading.word(index) not in FLOOR_WORDS or reading.plural(index) or reading.word(index - 1) != "the":
+            return None
+        at = index + 1
+        while reading.word(at) in ("where", "that", "which", "on", "at", "through", "by"):
+            at += 1
+        if reading.kind(at) != "word" or reading.word(at + 1) not in _ARRIVING:
+            return None
+        at += 2
+        while reading.word(at) in ("in", "on", "at", "from", "into", "through", "by", "first"):
+            at += 1
+        return [_GROUND], at
+
+    def _between(self, index: int) -> tuple[list[FloorRef], int] | None:
+        """Read "between them a storey with ...", "the storey in between"."""
+        reading = self.reading
+        if reading.word(index) in _BETWEEN and reading.word(index + 1) in ("them", "these", "those", "both", "the"):
+            at = index + 2 + (reading.word(index + 2) in ("two", "both"))
+            at += reading.word(at) in (",", "is", "lie", "come", "there")
+            at += reading.word(at) == "is"
+            if reading.word(at) in ("a", "one", "the") or reading.value(at) == 1:
+                storeyed = at + 1 + (reading.word(at + 1) in ("single", "whole", "full", "middle"))
+                if reading.word(storeyed) in FLOOR_WORDS and not reading.plural(storeyed):
+                    return [FloorRef("middle")], storeyed + 1
+        if reading.word(index) in FLOOR_WORDS | {"one"} and reading.word(index - 1) in ("the", "a"):
+            at = index + 1 + (reading.word(index + 1) == "in")
+            if reading.word(at) == "between" and reading.word(at + 1) in CLOSERS | _VERBS | {"with", "them", "these"}:
+                return [FloorRef("middle")], at + 1 + (reading.word(at + 1) in ("them", "these"))
+        opens = reading.words(index, index + 2) == ("in", "between") and reading.starts(index)
+        if opens and reading.word(index + 2) in (":", ",", "="):
+            return [FloorRef("middle")], index + 2
+        return None
