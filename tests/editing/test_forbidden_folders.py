@@ -36,7 +36,7 @@ def test_questions_are_answered_and_edits_refused(folder: Path, catalogue: Catal
     ):
         with pytest.raises(MansionError):
             editor.call(tool, arguments)
-    assert editor.store.refresh(lambda scene: {"plan.svg": b""}, lambda scenes: {}) == []
+    assert editor.store.refresh(lambda place, scenes, floors: {"plan.svg": b""}) == []
     assert contents(folder) == before
 
 
