@@ -83,6 +83,6 @@ def test_the_home_of_a_user_that_there_is_not_is_refused(start: Start) -> None:
 
 
 def test_every_node_process_gets_the_folders_that_the_user_names(tmp_path: Path) -> None:
-    graph = GraphProcesses(GraphOptions(allow=(tmp_path, Path("rel ative"))))
+    graph = GraphProcesses(GraphOptions(allow=(tmp_path, Path("with space"))))
     for node in GRAPH_NODES:
-        assert f'allow:=["{tmp_path}","{Path.cwd()}/rel ative"]' in graph.command(node)
+        assert f'allow:=["{tmp_path}","{Path.cwd()}/with space"]' in graph.command(node)
