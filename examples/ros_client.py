@@ -17,7 +17,7 @@ def main() -> None:
     parser.add_argument("--output", type=Path, default=Path("out/examples"), metavar="DIR")
     building = (parser.parse_args().output / "clinic").resolve()
 
-    with graph_client(notice=print) as mansion:
+    with graph_client(allow=[building], notice=print) as mansion:
         plan = mansion.plan(BuildRequest(description="A small flat for two"))
         print("planned:", *(room.id for room in plan.program.floors[0].rooms))
 

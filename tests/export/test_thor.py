@@ -175,6 +175,15 @@ def test_the_validator_finds_damage(made, damage, kind):
     assert kind in kinds(validate_house(damaged))
 
 
+@pytest.mark.parametrize("part", ["rooms", "walls", "doors", "windows", "objects", "proceduralParameters", "metadata"])
+@pytest.mark.parametrize(
+    "other", [None, 3.5, "x", [None], [[]], {"a": 1}, [{"id": {}, "floorPolygon": 2, "children": [1]}]]
+)
+def test_parts_of_other_types_are_faults_of_form(ground, part, other):
+    faults = validate_house({**house(ground), part: other})
+    assert any(fault.kind in ("form", "polygon", "reach") for fault in faults)
+
+
 def test_unknown_assets_are_faults(made):
     known = {"Bed_1", "Dining_Table_1", "Sofa_1", "HousePlant_1"}
     faults = validate_house(made, known)

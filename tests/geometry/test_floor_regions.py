@@ -2,6 +2,7 @@
 
 import numpy as np
 import shapely
+import shapely.affinity
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from shapely.geometry import Polygon, box
@@ -9,7 +10,7 @@ from shapely.geometry import Polygon, box
 from mansion_geometry.boxes import box_corners, unit_vector
 from mansion_geometry.disc_cells import near_boxes, segment_boxes
 from mansion_geometry.floor_grid import GridFrame
-from mansion_geometry.floor_regions import disc_positions, largest_first, open_floor, strip
+from mansion_geometry.floor_regions import disc_positions, disc_positions_among, largest_first, open_floor, strip
 
 RADIUS = 0.2
 ROOM = box(0.0, 0.0, 4.0, 3.0)
@@ -41,6 +42,21 @@ def test_parts_are_ordered_by_area() -> None:
 boxes = st.tuples(
     st.floats(0.3, 3.7), st.floats(0.3, 2.7), st.floats(0, 360), st.floats(0.05, 0.6), st.floats(0.05, 0.6)
 )
+
+
+@given(st.lists(boxes, max_size=4))
+@settings(max_examples=50, deadline=None)
+def test_solids_may_be_grown_instead_of_the_floor_eroded(found) -> None:
+    solid = [shapely.affinity.rotate(box(x - a, y - b, x + a, y + b), turn) for x, y, turn, a, b in found]
+    eroded = shapely.union_all(disc_positions(open_floor([ROOM], solid), RADIUS, quad_segs=16))
+    grown = shapely.union_all(disc_positions_among([ROOM], solid, RADIUS, quad_segs=16))
+    assert eroded.symmetric_difference(grown).area < 1e-9
+
+
+def test_thousands_of_solids_leave_the_floor_between_them() -> None:
+    solid = [box(x, y, x + 0.02, y + 0.02) for x in np.arange(0, 40, 0.5) for y in np.arange(0, 40, 0.5)]
+    (whole,) = disc_positions_among([box(0, 0, 40, 40)], solid, 0.2, quad_segs=16)
+    assert len(solid) == 6_400 and whole.area > 600.0
 
 
 @given(st.lists(boxes, max_size=4))

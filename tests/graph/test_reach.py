@@ -10,10 +10,12 @@ import subprocess
 import sys
 from collections.abc import Iterator
 from dataclasses import dataclass
+from pathlib import Path
 
 import pytest
 
 from mansion_bringup.discovery import CHOICES, loopback_variables
+from mansion_bringup.graph.processes import GRAPH_NODES, free_domain
 
 pytest.importorskip("rclpy")
 pytestmark = pytest.mark.graph
@@ -146,6 +148,32 @@ def test_no_socket_of_mansions_is_bound_to_another_address_than_loopback() -> No
     finally:
         process.kill()
         process.communicate()
+
+
+def test_no_process_of_a_graph_listens_on_another_address_than_loopback(tmp_path: Path) -> None:
+    variables = environment(PYTHONPATH=os.pathsep.join(sys.path), ROS_DOMAIN_ID=str(free_domain()))
+    variables.pop("AMENT_PREFIX_PATH", None)
+    command = [sys.executable, "-m", "mansion_bringup", "up", "--processes"]
+    graph = subprocess.Popen(command, env=variables, cwd=tmp_path, stderr=subprocess.PIPE, text=True)
+    try:
+        assert graph.stderr is not None
+        assert any(line.startswith("up in /mansion") for line in graph.stderr)
+        processes = [graph.pid, *descendants(graph.pid)]
+        names = [Path(f"/proc/{pid}/cmdline").read_bytes() for pid in processes]
+        assert all(any(node.module.encode() in name for name in names) for node in GRAPH_NODES)
+        addresses = set[str]().union(*map(bound_addresses, processes))
+        assert "127.0.0.1" in addresses and addresses <= {"127.0.0.1", "239.255.0.1"}, addresses
+    finally:
+        graph.terminate()
+        graph.communicate(timeout=30)
+
+
+def descendants(pid: int) -> list[int]:
+    """Processes that a process has started, and theirs."""
+    children = [
+        int(number) for file in Path(f"/proc/{pid}/task").glob("*/children") for number in file.read_text().split()
+    ]
+    return [*children, *(further for child in children for further in descendants(child))]
 
 
 def bound_addresses(pid: int) -> set[str]:

@@ -39,6 +39,10 @@ def test_coordinates_are_near_the_origin(far: float) -> None:
         assert "10000.0" in refused(kind, payload).info.message
 
 
+def test_a_brief_is_no_book() -> None:
+    assert "200000" in refused(BuildRequest, {"description": "a house " * 25_001}).info.message
+
+
 @pytest.mark.parametrize("field", ["area", "floor_area"])
 @pytest.mark.parametrize("area", [float(2**63), 1e300, 0.0, -1.0])
 def test_areas_are_those_of_buildings(field: str, area: float) -> None:

@@ -1,5 +1,6 @@
 """The whole graph: ``ros2 launch mansion_bringup mansion.launch.py [namespace:=/mansion] [...]``."""
 
+import os
 from pathlib import Path
 
 from ament_index_python.packages import get_package_share_directory
@@ -26,6 +27,8 @@ def _nodes(context, *args, **kwargs):
     for entry in GRAPH_NODES:
         # What is off or empty is not passed on, so that a parameter file may set it.
         parameters = [{"use_sim_time": True}] if simulated else []
+        if value("allow"):
+            parameters.append({"allow": value("allow").split(os.pathsep)})
         if entry.executable == "skill_server":
             if value("publish_clock") == "true":
                 parameters.append({"publish_clock": True})
@@ -93,6 +96,12 @@ def generate_launch_description():
             "namespace /mansion, and below the nodes' namespace in any other",
         ),
         DeclareLaunchArgument("frame_prefix", default_value="", description="in front of every frame, as in site_b/"),
+        DeclareLaunchArgument(
+            "allow",
+            default_value="",
+            description="folders below which services may write, beside the working folder and the temporary one: "
+            "DIR, or DIR:DIR",
+        ),
         switch("use_sim_time", "take the time from /clock, in all nodes"),
         switch("publish_clock", "have skill_server publish the world's clock on /clock"),
         switch("respawn", "start a node again that has ended, after 2 s"),

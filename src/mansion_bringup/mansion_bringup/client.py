@@ -39,6 +39,12 @@ T = TypeVar("T")
 _numbers = itertools.count(1)
 _KNOWN: dict[str, ServiceInterface] = {entry.name: entry for entry in interfaces.SERVICES}
 
+LOOK_FOR_SERVER = 0.25
+"""Seconds between two looks whether the node that was asked is still there."""
+
+GONE = 1.0
+"""Seconds after which a node that discovery no longer knows counts as ended."""
+
 LOOK = 0.01
 """Seconds between two looks for a service; rclpy's own wait looks four times a second."""
 
@@ -141,6 +147,11 @@ class MansionClient(Closing):
         ------
         MansionError
             What the service answered, ``UNAVAILABLE`` when no node serves it or its node is gone, or ``TIMEOUT``.
+
+        Notes
+        -----
+        Discovery knows a killed node for some seconds more. A call that went to one is made again, of the node that
+        took its place, where the table says that it is repeatable.
         """
         client = self._client(name, arguments)
         if not _becomes_ready(client, wait):
@@ -148,7 +159,15 @@ class MansionClient(Closing):
         request = client.srv_type.Request()
         if client.srv_type is JsonCall:
             request.load_namespace = encode({} if arguments is None else arguments)
-        response = self._answer(client, request, self.timeout if timeout is None else timeout)
+        deadline = time.monotonic() + (limit := self.timeout if timeout is None else timeout)
+        again = name in _KNOWN and _KNOWN[name].repeatable
+        while (response := self._answer(client, request, deadline)) is None:
+            if time.monotonic() >= deadline:
+                details = {"service": client.service_name}
+                text = f"{client.service_name}: no answer in {limit:g} s"
+                raise MansionError(ErrorCode.TIMEOUT, text, details=details)
+            if not again or not _becomes_ready(client, min(wait, deadline - time.monotonic())):
+                raise _lost(client)
         return decode_reply(reply, response.message, success=response.success)
 
     def is_served(self, name: str) -> bool:
@@ -164,23 +183,27 @@ class MansionClient(Closing):
         found = self.node.get_node_names_and_namespaces()
         return (name, self.node.get_namespace()) in found
 
-    def _answer(self, client: Client, request: Any, timeout: float) -> Any:
+    def _answer(self, client: Client, request: Any, deadline: float) -> Any:
+        """Return the response to a request; ``None`` where the time is over or all nodes that it went to are gone."""
         future = client.call_async(request)
         answered = threading.Event()
         future.add_done_callback(lambda _: answered.set())
-        deadline = time.monotonic() + timeout
-        missing_since: float | None = None
-        while not answered.wait(timeout=min(0.25, max(0.0, deadline - time.monotonic()))):
+        # After the request has left, so that the look costs no time: an answer is on its way meanwhile.
+        asked = self._servers(client)
+        there = time.monotonic()
+        while not answered.wait(timeout=min(LOOK_FOR_SERVER, max(0.0, deadline - time.monotonic()))):
             now = time.monotonic()
-            if client.service_is_ready():
-                missing_since = None
-            elif missing_since is None:
-                missing_since = now
-            gone = missing_since is not None and now - missing_since > 1.0
-            if gone or now >= deadline:
+            if client.service_is_ready() and (not asked or asked & self._servers(client)):
+                there = now
+            if now >= deadline or now - there > GONE:
                 client.remove_pending_request(future)
-                raise self._lost(client, timeout, gone=gone)
+                return None
         return future.result()
+
+    def _servers(self, client: Client) -> set[bytes]:
+        """Return the ids of the writers that answer for a service, as the middleware knows them."""
+        replies = f"rr{client.service_name}Reply"
+        return {bytes(found.endpoint_gid) for found in self.node.get_publishers_info_by_topic(replies, no_mangle=True)}
 
     def _unserved(self, name: str) -> MansionError:
         """Return the error for a service that no node serves, with the services that are served."""
@@ -193,16 +216,6 @@ class MansionClient(Closing):
         if callable_here:
             hint = choices(name, callable_here, "services")
         return MansionError(ErrorCode.UNAVAILABLE, f"no node serves {name}; {hint}", details={"service": name})
-
-    def _lost(self, client: Client, timeout: float, *, gone: bool) -> MansionError:
-        details = {"service": client.service_name}
-        if gone:
-            return MansionError(
-                ErrorCode.UNAVAILABLE,
-                f"the node that serves {client.service_name} went away during the call",
-                details=details,
-            )
-        return MansionError(ErrorCode.TIMEOUT, f"{client.service_name}: no answer in {timeout:g} s", details=details)
 
     def _client(self, name: str, arguments: Any) -> Client:
         kind = self._service_type(name, arguments)
@@ -285,6 +298,14 @@ class MansionClient(Closing):
         self.node.create_subscription(kind, name, receive, qos_profile(qos))
         # The subscription itself stays: rclpy does not survive that one is destroyed while its executor waits.
         return stopped.set
+
+
+def _lost(client: Client) -> MansionError:
+    return MansionError(
+        ErrorCode.UNAVAILABLE,
+        f"the node that serves {client.service_name} went away during the call; whether it was done is not known",
+        details={"service": client.service_name},
+    )
 
 
 def _becomes_ready(client: Client, timeout: float) -> bool:

@@ -39,7 +39,7 @@ def check_house_files(folder: Path, building: Building, scenes: Sequence[FloorSc
             house = json.loads((folder / name).read_bytes())
         except OSError:
             continue
-        except ValueError as error:
+        except (ValueError, RecursionError) as error:
             yield Fault("HOUSE", name, f"is no JSON: {error}")
             continue
         if not isinstance(house, dict):

@@ -11,13 +11,17 @@ from typing import Any, Final
 
 import msgspec
 
-from mansion_msgs_py.building_folder import INDEX
+from mansion_msgs_py.allowed_folders import EVERYWHERE, AllowedFolders
+from mansion_msgs_py.building_folder import INDEX, file_in
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.editing.changes import DocumentChange
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import read_bytes, write_atomic
 
 __all__ = ["Documents", "floor_of", "is_scene"]
+
+COPIES: Final = "edits/documents"
+"""Where the copies lie in a building's folder."""
 
 _FLOOR: Final = re.compile(r"floors/floor_(-?\d+)/.")
 _SCENE: Final = re.compile(r"floors/floor_-?\d+/scene\.json")
@@ -42,11 +46,14 @@ class Documents:
     ----------
     folder : Path
         Of the building.
+    allowed : AllowedFolders
+        Where copies may be kept.
     """
 
-    def __init__(self, folder: Path) -> None:
+    def __init__(self, folder: Path, allowed: AllowedFolders = EVERYWHERE) -> None:
         self._folder = folder
-        self._copies = folder / "edits" / "documents"
+        self._allowed = allowed
+        self._copies = folder / COPIES
 
     def present(self, path: str) -> bytes | None:
         """Return what a document holds on disk; ``None`` where it is not there."""
@@ -59,7 +66,7 @@ class Documents:
         Raises
         ------
         MansionError
-            ``INVALID_PAYLOAD`` for a path that is no document of the building.
+            ``INVALID_PAYLOAD`` for a path that is no document, ``FORBIDDEN`` where copies may not be kept.
         """
         self._require_document(path)
         there = self.present(path)
@@ -113,8 +120,10 @@ class Documents:
 
     def _keep(self, data: bytes) -> str:
         name = hashlib.sha256(data).hexdigest()[:32]
-        if not (self._copies / name).is_file():
-            write_atomic(self._copies / name, data, durable=True)
+        self._allowed.check(self._folder)
+        file = file_in(self._folder, f"{COPIES}/{name}")
+        if not file.is_file():
+            write_atomic(file, data, durable=True)
         return name
 
     def _require_document(self, path: str) -> None:

@@ -5,9 +5,8 @@ copies lie in ``DIR/edits/documents``. A transaction is written to ``pending.jso
 into the log; whoever takes the lock next finishes what a killed process left.
 """
 
-import math
 import os
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import AbstractContextManager
 from pathlib import Path
 
@@ -15,8 +14,10 @@ import msgspec
 
 from mansion_editing.document_copies import Documents, floor_of, is_scene
 from mansion_editing.replaced_files import ReplacedFiles
+from mansion_editing.robot_sessions import refuse_in_session, refuse_robots
 from mansion_editing.room_parts import parts_of, program_with, records_of, topology_with
 from mansion_editing.state import SceneChange, changed, inverse, rebase
+from mansion_msgs_py.allowed_folders import EVERYWHERE, AllowedFolders
 from mansion_msgs_py.building import Building
 from mansion_msgs_py.building_folder import INDEX, BuildingFolder, file_in, floor_directory
 from mansion_msgs_py.codec import decode, encode_bytes
@@ -24,21 +25,10 @@ from mansion_msgs_py.editing.changes import DocumentChange, ObjectChange, RoomCh
 from mansion_msgs_py.errors import ErrorCode, MansionError, refused_by_system
 from mansion_msgs_py.file_locks import hold_lock
 from mansion_msgs_py.files import remove_remains, write_atomic
-from mansion_msgs_py.scene import FloorScene, SceneObject
+from mansion_msgs_py.scene import FloorScene
 from mansion_msgs_py.topology import FloorTopology
-from mansion_msgs_py.world import ObjectState, WorldState
 
-__all__ = [
-    "BuildingStore",
-    "KeptFiles",
-    "Records",
-    "Validator",
-    "append_line",
-    "landed_by",
-    "locked",
-    "refuse_in_session",
-    "refuse_robots",
-]
+__all__ = ["BuildingStore", "KeptFiles", "Records", "Validator", "append_line", "landed_by", "locked"]
 
 Scenes = Mapping[int, FloorScene]
 Validator = Callable[[Scenes, Scenes], Sequence[str]]
@@ -65,6 +55,8 @@ class BuildingStore:
         Says anew what a building's own records state of it, each time that a transaction lands.
     clock : callable
         Returns the time for the log.
+    allowed : AllowedFolders
+        Where this process may write; a building elsewhere can be read.
 
     Attributes
     ----------
@@ -84,18 +76,26 @@ class BuildingStore:
         validator: Validator | None = None,
         records: Records | None = None,
         clock: Callable[[], str] = lambda: "",
+        allowed: AllowedFolders = EVERYWHERE,
     ) -> None:
         self.folder = folder
+        self._allowed = allowed
         self._validator = validator
         self._records = records
         self._clock = clock
         self._reader = BuildingFolder(folder)
-        self.documents = Documents(folder)
+        self.documents = Documents(folder, allowed)
         self._scenes: dict[int, tuple[tuple[int, int, int], FloorScene]] = {}
         self.lock_file = file_in(folder, "edits/lock")
         self._edits = self.lock_file.parent
-        for place in (folder, self._edits, *sorted(folder.glob("floors/*"))):
-            remove_remains(place)
+        if allowed.allows(folder):
+            self._tidy()
+
+    def _tidy(self) -> None:
+        """Finish or remove what killed processes left."""
+        for place in (self.folder, self._edits, *sorted(self.folder.glob("floors/*"))):
+            if place.resolve().is_relative_to(self.folder.resolve()):
+                remove_remains(place)
         if (self._edits / "pending.json").exists():
             with locked(self.lock_file):
                 self._recover()
@@ -160,13 +160,14 @@ class BuildingStore:
         MansionError
             ``CONFLICT`` when another editor changed the same objects, rooms or documents, or a running session holds
             one; ``INFEASIBLE`` with the faults that the building would have; ``INVALID_PAYLOAD`` for changes of a floor
-            whose scene is replaced.
+            whose scene is replaced; ``FORBIDDEN`` for a folder that this process may not write.
 
         Notes
         -----
         Changes made against an older revision are carried over to the newest; an id that another editor took
         meanwhile is replaced by the next free one.
         """
+        self._allowed.check(self.folder)
         with locked(self.lock_file):
             self._recover()
             before = self.scenes()
@@ -386,10 +387,10 @@ class BuildingStore:
         Returns
         -------
         list of int
-            The floors that were behind.
+            The floors that were behind and are written now; none of a building that this process may not write.
         """
         record = self._edits / "derived.json"
-        if not self._behind(record):
+        if not self._allowed.allows(self.folder) or not self._behind(record):
             return []
         with locked(self._edits / "derived.lock", patience=600.0):
             behind = self._behind(record)
@@ -507,96 +508,3 @@ def locked(path: Path, patience: float = PATIENCE) -> AbstractContextManager[Non
         ``CONFLICT`` when another process keeps it for longer than `patience` seconds.
     """
     return hold_lock(path, f"another editor holds {path}; try again", patience=patience)
-
-
-def refuse_in_session(folder: Path, changes: Iterable[ObjectChange], scenes: Mapping[int, FloorScene]) -> None:
-    """Refuse changes of what a session has in its overlay.
-
-    Parameters
-    ----------
-    scenes : mapping
-        The floors before the changes.
-
-    Raises
-    ------
-    MansionError
-        ``CONFLICT`` naming the object and the session.
-
-    Notes
-    -----
-    An object that a robot moved, holds or switched is the session's; what is put on a receptacle concerns the
-    session only when the receptacle is no longer where the scene has it.
-    """
-    overlays = _overlays(folder)
-    if not overlays:
-        return
-    where = {item.id: (floor, item) for floor, s in scenes.items() for item in s.objects}
-    for change in changes:
-        for session, touched in overlays.items():
-            if change.id in touched:
-                raise _conflict(change.id, session)
-            for parent in {item.parent for item in (change.before, change.after) if item}:
-                state = touched.get(parent or "")
-                if state is not None and _moved(state, where.get(parent or "")):
-                    raise _conflict(str(parent), session)
-
-
-def refuse_robots(folder: Path, floor: int) -> None:
-    """Refuse to replace a floor on which a session's robot is.
-
-    Raises
-    ------
-    MansionError
-        ``CONFLICT`` naming the session.
-    """
-    for session, world in _worlds(folder):
-        if world.robot.floor == floor:
-            raise MansionError(
-                ErrorCode.CONFLICT,
-                f"the robot of the session {session!r} is on floor {floor}; reset the building in that session, or "
-                "remove its folder below `state`, first",
-                details={"floor": floor, "session": session},
-            )
-
-
-def _worlds(folder: Path) -> Iterator[tuple[str, WorldState]]:
-    """Yield the saved world of each session."""
-    for file in sorted(folder.glob("state/*/world.json")):
-        try:
-            world = decode(WorldState, file.read_bytes())
-        except FileNotFoundError:
-            continue
-        except MansionError as error:
-            raise MansionError(
-                ErrorCode.CONFLICT, f"{file} cannot be read ({error.info.message}); remove it to edit the building"
-            ) from None
-        yield world.session or file.parent.name, world
-
-
-def _overlays(folder: Path) -> dict[str, dict[str, ObjectState]]:
-    out = {}
-    for session, world in _worlds(folder):
-        touched = {state.id: state for state in world.objects}
-        if world.robot.held is not None:
-            held = world.robot.held
-            touched.setdefault(held, ObjectState(id=held, held_by=world.session))
-        out[session] = touched
-    return out
-
-
-def _moved(state: ObjectState, there: tuple[int, SceneObject] | None) -> bool:
-    if there is None or state.held_by is not None:
-        return True
-    if state.position is None:
-        return False
-    floor, item = there
-    return state.floor != floor or math.dist(state.position, item.position) > 1e-3
-
-
-def _conflict(object_id: str, session: str) -> MansionError:
-    return MansionError(
-        ErrorCode.CONFLICT,
-        f"{object_id} is in use by the running session {session!r}; reset the building in that session, "
-        "or remove its folder below `state`, first",
-        details={"object": object_id, "session": session},
-    )

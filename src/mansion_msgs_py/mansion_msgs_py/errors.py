@@ -1,5 +1,6 @@
 """The error object that every service, command and client speaks."""
 
+import errno
 from typing import Any, Final
 
 import msgspec
@@ -9,6 +10,7 @@ from mansion_msgs_py.wording import shortened
 __all__ = [
     "MOST_CHARACTERS",
     "MOST_IN_DETAILS",
+    "SYSTEM_REFUSALS",
     "ErrorCode",
     "ErrorInfo",
     "ErrorReply",
@@ -22,6 +24,15 @@ MOST_CHARACTERS: Final = 2_000
 
 MOST_IN_DETAILS: Final = 8_000
 """Characters of a text among the details, and entries of a list."""
+
+
+SYSTEM_REFUSALS: Final = frozenset(
+    (
+        errno.ENOSPC, errno.EDQUOT, errno.EROFS, errno.EACCES, errno.EPERM, errno.EFBIG, errno.EIO, errno.EMFILE,
+        errno.ENFILE, errno.ENAMETOOLONG, errno.ENOTDIR, errno.EISDIR,
+    )
+)  # fmt: skip
+"""Errors that tell of the machine or of a path, and of no fault of Mansion's."""
 
 
 class ErrorCode:
@@ -39,6 +50,8 @@ class ErrorCode:
     """No building is loaded."""
     CONFLICT: Final = "CONFLICT"
     """Another job or session holds what this one needs."""
+    FORBIDDEN: Final = "FORBIDDEN"
+    """A service was asked to write where it may not."""
     UNAVAILABLE: Final = "UNAVAILABLE"
     """A node that the job needs does not answer."""
     TIMEOUT: Final = "TIMEOUT"

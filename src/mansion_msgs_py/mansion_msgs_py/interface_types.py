@@ -66,7 +66,15 @@ class TopicInterface:
 
 @dataclass(frozen=True)
 class ServiceInterface:
-    """A service; `arguments` is ``None`` for a Trigger."""
+    """A service.
+
+    Attributes
+    ----------
+    arguments : type, optional
+        ``None`` for a Trigger.
+    repeatable : bool
+        Whether a call that was made twice does no more than one: a client calls again where the node has ended.
+    """
 
     name: str
     node: str
@@ -74,6 +82,7 @@ class ServiceInterface:
     arguments: Any
     reply: Any
     example: str = ""
+    repeatable: bool = False
 
     @property
     def type(self) -> str:

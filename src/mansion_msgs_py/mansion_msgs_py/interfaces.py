@@ -208,6 +208,7 @@ _SKILL_SERVER_SERVICES: tuple[ServiceInterface, ...] = (
         LoadBuilding,
         Loaded,
         '{"path": "/tmp/flat"}',
+        repeatable=True,
     ),
     ServiceInterface(
         "skills/cancel",
@@ -266,6 +267,7 @@ _BUILD_SERVICES: tuple[ServiceInterface, ...] = (
         BuildRequest,
         PlanReply,
         '{"description": "a two-storey library"}',
+        repeatable=True,
     ),
     ServiceInterface(
         "solve_floor",
@@ -274,8 +276,16 @@ _BUILD_SERVICES: tuple[ServiceInterface, ...] = (
         FloorProblem,
         FloorLayout,
         '{"boundary": [[0,0],[6,0],[6,4],[0,4]], "nodes": [{"id": "hall", "type": "main"}]}',
+        repeatable=True,
     ),
-    ServiceInterface("furnish_floor", "object_placer", "The furnished scene of one floor.", FurnishRequest, FloorScene),
+    ServiceInterface(
+        "furnish_floor",
+        "object_placer",
+        "The furnished scene of one floor.",
+        FurnishRequest,
+        FloorScene,
+        repeatable=True,
+    ),
     ServiceInterface(
         "build_building",
         "building_director",
@@ -283,6 +293,7 @@ _BUILD_SERVICES: tuple[ServiceInterface, ...] = (
         BuildJob,
         BuildReply,
         '{"description": "a small flat", "output": "/tmp/flat"}',
+        repeatable=True,
     ),
 )
 
@@ -295,6 +306,7 @@ _EDITING_SERVICES: tuple[ServiceInterface, ...] = (
         OpenEditorArgs,
         EditorInfo,
         '{"path": "/tmp/flat", "who": "ann"}',
+        repeatable=True,
     ),
     ServiceInterface(
         "scene/check_path",
@@ -303,6 +315,7 @@ _EDITING_SERVICES: tuple[ServiceInterface, ...] = (
         CheckPathArgs,
         PathReport,
         '{"end": "F2/office_1"}',
+        repeatable=True,
     ),
     ServiceInterface(
         "scene/search_assets",
@@ -311,6 +324,7 @@ _EDITING_SERVICES: tuple[ServiceInterface, ...] = (
         SearchAssetsArgs,
         AssetHits,
         '{"query": "cold drink", "properties": ["Pickable"]}',
+        repeatable=True,
     ),
     ServiceInterface(
         "scene/list_objects",
@@ -319,6 +333,7 @@ _EDITING_SERVICES: tuple[ServiceInterface, ...] = (
         ListObjectsArgs,
         ObjectList,
         '{"keyword": "fridge"}',
+        repeatable=True,
     ),
     ServiceInterface(
         "scene/check_surface",
@@ -327,6 +342,7 @@ _EDITING_SERVICES: tuple[ServiceInterface, ...] = (
         CheckSurfaceArgs,
         ReceptacleReport,
         '{"keyword": "desk"}',
+        repeatable=True,
     ),
     ServiceInterface(
         "scene/search_contents",
@@ -335,6 +351,7 @@ _EDITING_SERVICES: tuple[ServiceInterface, ...] = (
         SearchContentsArgs,
         ReceptacleReport,
         '{"keyword": "fridge"}',
+        repeatable=True,
     ),
     ServiceInterface(
         "scene/place_in_container",
@@ -434,7 +451,9 @@ _EDITING_SERVICES: tuple[ServiceInterface, ...] = (
     ),
     ServiceInterface("scene/undo", "scene_editor", "Take back the last edit.", ToolArgs, EditResult, "{}"),
     ServiceInterface("scene/redo", "scene_editor", "Do again what was undone last.", ToolArgs, EditResult, "{}"),
-    ServiceInterface("scene/diff", "scene_editor", "What waits to be saved.", ToolArgs, DiffReport, "{}"),
+    ServiceInterface(
+        "scene/diff", "scene_editor", "What waits to be saved.", ToolArgs, DiffReport, "{}", repeatable=True
+    ),
     ServiceInterface("scene/save", "scene_editor", "Land what waits as one transaction.", ToolArgs, EditResult, "{}"),
     ServiceInterface(
         "scene/instruct",

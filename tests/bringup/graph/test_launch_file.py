@@ -134,3 +134,8 @@ def test_nodes_come_back_and_rviz_opens_its_view_when_asked(description: list[An
     assert view.arguments == ["-d", "/share/mansion_bringup/rviz/mansion.rviz"]
     assert (PACKAGE / "rviz" / "mansion.rviz").is_file()
     assert all(node.respawn and node.namespace == "/site/mansion" for node in nodes.values())
+
+
+def test_every_node_is_told_where_services_may_write(description: list[Any]) -> None:
+    nodes = started(description, allow="/srv/buildings:/data")
+    assert all(node.parameters == [{"allow": ["/srv/buildings", "/data"]}] for node in nodes.values())

@@ -10,7 +10,7 @@ from shapely.geometry.base import BaseGeometry
 from mansion_bringup.check.fault import Fault
 from mansion_bringup.check.shapes import net_area, vertical
 from mansion_geometry.doorways import PASSAGE_DEPTH, is_walkway
-from mansion_geometry.floor_regions import disc_positions, open_floor, strip
+from mansion_geometry.floor_regions import disc_positions_among, strip
 from mansion_geometry.object_footprints import footprint, oblique_margin
 from mansion_geometry.robot_body import BODY_RADIUS, CLEARANCE, ROBOT_RADIUS, ROBOT_REACH
 from mansion_msgs_py.scene import FloorScene, SceneObject
@@ -69,7 +69,7 @@ def _walkable(scene: FloorScene) -> _Walk:
     inner = [door for door in scene.doors if door.is_open or door.kind != "entrance"]
     passages = [strip(door.segment, PASSAGE_DEPTH) for door in inner if is_walkway(door, cores)]
     obstacles = [_body(item) for item in scene.objects if _obstructs(item)]
-    pieces = disc_positions(open_floor([*rooms, *passages], obstacles), BODY_RADIUS, quad_segs=16)
+    pieces = disc_positions_among([*rooms, *passages], obstacles, BODY_RADIUS, quad_segs=16)
     return _Walk(pieces, STRtree(pieces))
 
 

@@ -182,7 +182,7 @@ def _through_graph(
     from mansion_bringup.pipeline.build import BuildResult
     from mansion_msgs_py.stages import BuildJob, BuildReply
 
-    with graph_client(notice=err.print) as client, progress_bar() as report:
+    with graph_client(allow=[output.absolute().parent], notice=err.print) as client, progress_bar() as report:
         from mansion_msgs_py.request import identified
         from mansion_msgs_py.world import Progress
 

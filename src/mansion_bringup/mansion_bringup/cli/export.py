@@ -8,6 +8,7 @@ import typer
 
 from mansion_bringup.cli.console import check_output_file, check_output_folder, err
 from mansion_bringup.exporting import PAGE, format_named, write_export, write_page
+from mansion_bringup.long_work import model_seconds, notice
 from mansion_export.formats import export_formats
 from mansion_msgs_py.building_folder import check_building_folder
 from mansion_msgs_py.wording import counted
@@ -67,6 +68,8 @@ def view(
     """
     check_building_folder(building)
     check_output_file(output or building / PAGE)
+    if told := notice(building, "the page", model_seconds):
+        err.print(told, highlight=False)
     page = write_page(building, output)
     typer.echo(str(page))
     if show:

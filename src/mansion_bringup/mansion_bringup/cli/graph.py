@@ -51,6 +51,14 @@ def up(
         ),
     ] = False,
     respawn: Annotated[bool, typer.Option("--respawn", help="Start a node again that has ended.")] = False,
+    allow: Annotated[
+        list[Path] | None,
+        typer.Option(
+            "--allow",
+            metavar="DIR",
+            help="Let services write below DIR too, beside the working folder and the temporary one; may be repeated.",
+        ),
+    ] = None,
 ) -> None:
     """Start the node graph and stay until Ctrl-C.
 
@@ -62,16 +70,20 @@ def up(
 
       mansion up --with-tf
 
+      mansion up --allow /srv/buildings
+
       ROS_DOMAIN_ID=7 mansion up
     """
     if not processes and _has_launch():
-        _exec_launch(namespace, log_level, params_file, respawn=respawn)
+        _exec_launch(namespace, log_level, params_file, allow or [], respawn=respawn)
     from mansion_bringup.graph.processes import GraphOptions, GraphProcesses
     from mansion_bringup.graph.tf2_build import build_tf2_msgs, has_tf2
 
     if with_tf and not has_tf2():
         build_tf2_msgs(lambda text: err.print(text, highlight=False))
-    options = GraphOptions(namespace=_namespace(namespace), log_level=log_level, params_file=params_file)
+    options = GraphOptions(
+        namespace=_namespace(namespace), log_level=log_level, params_file=params_file, allow=tuple(allow or ())
+    )
     with GraphProcesses(options) as running:
         running.wait_ready()
         names = ", ".join(f"{node.executable}" for node in running.nodes)
@@ -107,10 +119,12 @@ def _has_launch() -> bool:
     return shutil.which("ros2") is not None and any(prefix and (Path(prefix) / share).exists() for prefix in prefixes)
 
 
-def _exec_launch(namespace: str, log_level: str, params_file: Path | None, *, respawn: bool) -> None:
+def _exec_launch(namespace: str, log_level: str, params_file: Path | None, allow: list[Path], *, respawn: bool) -> None:
     arguments = [f"namespace:={_namespace(namespace)}", f"log_level:={log_level}", f"respawn:={str(respawn).lower()}"]
     if params_file is not None:
         arguments.append(f"params_file:={params_file.absolute()}")
+    if allow:
+        arguments.append(f"allow:={os.pathsep.join(str(folder.absolute()) for folder in allow)}")
     sys.stdout.flush()
     os.execvp("ros2", ["ros2", "launch", "mansion_bringup", "mansion.launch.py", *arguments])
 

@@ -36,8 +36,11 @@ def check(
       mansion check out/office --norms
     """
     from mansion_bringup.check.norms import norms_of_folder
+    from mansion_bringup.long_work import check_seconds, notice
     from mansion_bringup.verify import verify_building
 
+    if told := notice(building, "the check", check_seconds):
+        err.print(told, highlight=False)
     faults = verify_building(building)
     unreadable = any(fault.kind == "FILE" for fault in faults)
     deviations = norms_of_folder(building) if norms and not unreadable else []

@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING
 from mansion_bringup.discovery import kept_to_this_machine
 from mansion_bringup.graph.rclpy_available import check_rclpy
 from mansion_bringup.graph.shared_memory import SegmentLedger, remove_left_behind
+from mansion_msgs_py.codec import encode
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.interfaces import DEFAULT_NAMESPACE
 
@@ -96,6 +97,8 @@ class GraphOptions:
         Node name to its parameters, as ``-p NAME:=VALUE`` takes them.
     params_file : Path, optional
         A ROS parameter file for all nodes.
+    allow : tuple of Path
+        Folders below which the services may write, beside the working folder and the temporary one.
     quiet : bool
         Keep the nodes' logs off the terminal.
     """
@@ -105,6 +108,7 @@ class GraphOptions:
     log_level: str = "info"
     parameters: Mapping[str, Mapping[str, str]] | None = None
     params_file: Path | None = None
+    allow: tuple[Path, ...] = ()
     quiet: bool = False
 
 
@@ -162,6 +166,8 @@ class GraphProcesses:
         arguments = ["-r", f"__ns:={options.namespace}", "--log-level", options.log_level]
         if options.params_file is not None:
             arguments += ["--params-file", str(options.params_file)]
+        if options.allow:
+            arguments += ["-p", f"allow:={encode([str(folder.absolute()) for folder in options.allow])}"]
         for name, value in (options.parameters or {}).get(node.executable, {}).items():
             arguments += ["-p", f"{name}:={value}"]
         child = [sys.executable, "-m", "mansion_bringup.graph.child", str(os.getpid()), node.module]
@@ -240,6 +246,7 @@ def graph_client(
     *,
     namespace: str = DEFAULT_NAMESPACE,
     service: str = "build_building",
+    allow: Sequence[Path] = (),
     notice: Callable[[str], None] = lambda text: None,
 ) -> Iterator["MansionClient"]:
     """Yield a client of the graph of this domain; without one, start a private graph and end it afterwards.
@@ -249,6 +256,8 @@ def graph_client(
     namespace : str
     service : str
         What must be served for a graph to count as running.
+    allow : sequence of Path
+        Where the services of a private graph may write, beside the working folder and the temporary one.
     notice : callable
         Gets a line when a private graph is started.
     """
@@ -258,7 +267,7 @@ def graph_client(
         if client.wait_served(service, LOOK_FOR_GRAPH):
             yield client
             return
-    options = GraphOptions(namespace=namespace, domain_id=free_domain(), quiet=True)
+    options = GraphOptions(namespace=namespace, domain_id=free_domain(), allow=tuple(allow), quiet=True)
     notice("no graph is running here: starting a private one")
     with kept_to_this_machine(), GraphProcesses(options) as graph:
         graph.wait_ready()

@@ -1,5 +1,6 @@
 """The robot of an episode over the services of a skill server."""
 
+import os
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -102,7 +103,11 @@ def _reply_type(skill: Skill) -> Any:
 def graph_port() -> Iterator[SkillPort]:
     """Start a private skill server in a domain of its own, yield the way to it, and end it."""
     options = GraphOptions(
-        domain_id=free_domain(), parameters={"skill_server": {"robot_stack": "false", "durable": "false"}}, quiet=True
+        domain_id=free_domain(),
+        parameters={"skill_server": {"robot_stack": "false", "durable": "false"}},
+        # Which buildings the tasks are in is not known yet.
+        allow=(Path(os.path.sep),),
+        quiet=True,
     )
     with kept_to_this_machine(), GraphProcesses(options, [SERVER]) as graph:
         graph.wait_ready(180.0)

@@ -18,6 +18,7 @@ from mansion_msgs_py.interfaces import service, topic
 from mansion_msgs_py.nodes.node import MansionNode
 from mansion_msgs_py.nodes.run import run_node
 from mansion_msgs_py.nodes.shell import JsonPublisher, add_json_service, add_json_subscription, run_handler
+from mansion_msgs_py.nodes.writing import declare_allowed_folders
 from mansion_msgs_py.request import BuildRequest, identified
 from mansion_msgs_py.stages import BuildJob, BuildReply
 
@@ -50,6 +51,7 @@ class BuildingDirector(MansionNode):
                 integer_range=[IntegerRange(from_value=1, to_value=64, step=1)],
             ),
         )
+        self._allowed = declare_allowed_folders(self, self._root())
         self._progress = JsonPublisher(self, topic("progress"))
         self._guard = threading.Lock()
         self._exporter = _exports()
@@ -91,10 +93,16 @@ class BuildingDirector(MansionNode):
             return self._exporter
 
     def _output(self, job: BuildJob, request: BuildRequest) -> Path:
+        """Return the folder of a building, which lies where this node may write."""
         if job.output is not None:
-            return Path(job.output).expanduser()
-        root = Path(self.get_parameter("output_root").value or "buildings").expanduser()
-        return root / (request.building_id or "building")
+            output = _expanded(job.output)
+        else:
+            output = _expanded(self._root()) / (request.building_id or "building")
+        self._allowed.check(output, "$.output")
+        return output
+
+    def _root(self) -> str:
+        return str(self.get_parameter("output_root").value or "buildings")
 
     def _build_from_topic(self, request: BuildRequest) -> None:
         run_handler(self, "build_requests", lambda: self.build(BuildJob.of(request)))
@@ -104,6 +112,13 @@ class BuildingDirector(MansionNode):
         self._exporter.shutdown(wait=False, cancel_futures=True)
         self._stages.close()
         super().destroy_node()
+
+
+def _expanded(name: str) -> Path:
+    try:
+        return Path(name).expanduser()
+    except RuntimeError:
+        raise MansionError(ErrorCode.NOT_FOUND, f"{name[:200]}: there is no such user", path="$.output") from None
 
 
 def _exports() -> ProcessPoolExecutor:

@@ -28,6 +28,7 @@ from mansion_msgs_py.interfaces import service, topic
 from mansion_msgs_py.nodes.node import MansionNode
 from mansion_msgs_py.nodes.run import run_node
 from mansion_msgs_py.nodes.shell import JsonPublisher, add_json_service
+from mansion_msgs_py.nodes.writing import declare_allowed_folders
 from mansion_scene.refurnishing import furnish_room
 
 __all__ = ["SceneEditorNode", "main"]
@@ -50,6 +51,7 @@ class SceneEditorNode(MansionNode):
             self.declare_parameter(name, value, descriptor)
         engine_named(self._physics())
         self.add_on_set_parameters_callback(_accept_physics)
+        self._allowed = declare_allowed_folders(self, str(self.get_parameter("building").value))
         self._editors = OpenEditors()
         self._scenes = JsonPublisher(self, topic("floor_scene"))
         self._hooks = _load_hooks(str(self.get_parameter("hooks").value))
@@ -70,7 +72,7 @@ class SceneEditorNode(MansionNode):
         """Open a building under a name."""
         validator = getattr(self._hooks, "new_faults", None)
         records = getattr(self._hooks, "records", None)
-        store = BuildingStore(Path(args.path), validator=validator, records=records, clock=_time)
+        store = BuildingStore(Path(args.path), validator=validator, records=records, clock=_time, allowed=self._allowed)
         editor = SceneEditor(
             store,
             load_catalogue(),

@@ -330,7 +330,16 @@ def validate_house(house: Json, known_assets: Container[str] | None = None) -> l
         for path, value in numbers(house)
         if not math.isfinite(value)
     ]
-    faults += check_metadata(house)
+    try:
+        return [*faults, *_faults_of_parts(house, known_assets)]
+    except (AttributeError, IndexError, KeyError, TypeError, ValueError) as error:
+        why = f"a part is of another type than the schema's: {type(error).__name__}: {str(error)[:200]}"
+        return [*faults, HouseFault("form", "house", why)]
+
+
+def _faults_of_parts(house: Json, known_assets: Container[str] | None) -> list[HouseFault]:
+    """Return the faults of a house that has all its keys; fails in any way on parts of other types."""
+    faults = check_metadata(house)
     faults += check_rooms(house)
     faults += check_walls(house)
     faults += check_openings(house)

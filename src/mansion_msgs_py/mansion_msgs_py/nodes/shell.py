@@ -4,7 +4,6 @@
 string: it is aliased here as `JsonCall` and used by that name everywhere.
 """
 
-import errno
 import traceback
 from collections.abc import Callable
 from typing import Any, Final
@@ -20,7 +19,14 @@ from std_msgs.msg import String
 from std_srvs.srv import Trigger
 
 from mansion_msgs_py.codec import decode, encode
-from mansion_msgs_py.errors import MOST_CHARACTERS, MOST_IN_DETAILS, ErrorCode, MansionError, refused_by_system
+from mansion_msgs_py.errors import (
+    MOST_CHARACTERS,
+    MOST_IN_DETAILS,
+    SYSTEM_REFUSALS,
+    ErrorCode,
+    MansionError,
+    refused_by_system,
+)
 from mansion_msgs_py.interfaces import Qos, ServiceInterface, TopicInterface
 from mansion_msgs_py.nodes.node import MansionNode
 from mansion_msgs_py.wording import shortened
@@ -75,20 +81,11 @@ def run_handler(node: MansionNode, name: str, call: Callable[[], Any]) -> tuple[
         except MansionError as error:
             return _refusal(node, name, error)
         except OSError as error:
-            if error.errno not in _OF_THE_SYSTEM:
+            if error.errno not in SYSTEM_REFUSALS:
                 return _fault(node, name, error)
             return _refusal(node, name, refused_by_system(error))
         except Exception as error:
             return _fault(node, name, error)
-
-
-_OF_THE_SYSTEM: Final = frozenset(
-    (
-        errno.ENOSPC, errno.EDQUOT, errno.EROFS, errno.EACCES, errno.EPERM, errno.EFBIG, errno.EIO, errno.EMFILE,
-        errno.ENFILE, errno.ENAMETOOLONG, errno.ENOTDIR, errno.EISDIR,
-    )
-)  # fmt: skip
-"""Errors that tell of the machine or of a path, and of no fault of Mansion's."""
 
 
 def _refusal(node: MansionNode, name: str, error: MansionError) -> tuple[bool, str]:
@@ -141,7 +138,11 @@ def add_json_subscription(
     *,
     callback_group: CallbackGroup | None = None,
 ) -> Subscription:
-    """Call `handler` with each decoded payload of a topic; a message that does not decode is logged and dropped."""
+    """Call `handler` with each decoded payload of a topic.
+
+    A message that does not decode, or that the handler fails on, is logged and dropped: nobody may end a node by
+    publishing.
+    """
 
     def receive(message: Any) -> None:
         try:
@@ -149,7 +150,12 @@ def add_json_subscription(
         except MansionError as error:
             node.get_logger().warning(f"{interface.name}: {error}")
             return
-        handler(payload)
+        try:
+            handler(payload)
+        except Exception:
+            if not node.context.ok():
+                return
+            node.get_logger().error(f"{interface.name}: {shortened(traceback.format_exc(), MOST_IN_DETAILS)}")
 
     return node.create_subscription(
         String, interface.name, receive, qos_profile(interface.qos), callback_group=callback_group

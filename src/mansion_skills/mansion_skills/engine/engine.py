@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from mansion_geometry.robot_body import ROBOT_RADIUS
+from mansion_msgs_py.allowed_folders import EVERYWHERE, AllowedFolders
 from mansion_msgs_py.building import LoadBuilding
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.skills import Control, ControlArgs, Loaded, SessionArgs
@@ -33,6 +34,7 @@ from mansion_skills.world.overlay import (
     forget_overlay,
     load_overlay,
     overlay_path,
+    remove_overlay_remains,
     restore_robot,
     restore_shared,
     world_overlays,
@@ -100,6 +102,8 @@ class Engine:
         Robots' radius, metres.
     durable : bool
         Whether each save is synced to the disk.
+    allowed : AllowedFolders
+        Where this process may write; in a building elsewhere robots stay where they are, and questions are answered.
     changed : callable, optional
         Told of every change, with the session, while the world is locked.
     progress : callable, optional
@@ -112,12 +116,14 @@ class Engine:
         *,
         radius: float = ROBOT_RADIUS,
         durable: bool = True,
+        allowed: AllowedFolders = EVERYWHERE,
         changed: Listener | None = None,
         progress: Callable[[SkillProgress], None] | None = None,
     ) -> None:
         self.clock = clock or WorldClock()
         self._radius = radius
         self._durable = durable
+        self._allowed = allowed
         self._changed = changed or (lambda session, event: None)
         self._progress = progress or (lambda payload: None)
         self._worlds: dict[tuple[Path, str], SharedWorld] = {}
@@ -142,7 +148,7 @@ class Engine:
         ------
         MansionError
             ``NOT_FOUND`` when there is no building, ``CONFLICT`` when what was left does not fit it, or when others
-            are in a world that is to be reset.
+            are in a world that is to be reset, ``FORBIDDEN`` to reset one that this process may not write.
         """
         name = check_session(arguments.session)
         key = (Path(arguments.path).expanduser().resolve(), arguments.world)
@@ -150,13 +156,17 @@ class Engine:
             self._refuse_one_more(name)
             others = self._others(name, key)
             if arguments.reset:
+                self._allowed.check(key[0], "$.path")
                 _forget_world(key[0], key[1], name, others)
             shared, notes = self._worlds.get(key), list[str]()
             if shared is None or not others:
                 shared, notes = _open_world(key[0], key[1], self._radius)
                 shared.synced = self.clock.now()
+                shared.writable = self._allowed.allows(key[0])
             with shared.lock:
                 robot = _restored_robot(shared.world, name)
+            if shared.writable:
+                remove_overlay_remains(key[0], name)
             self._leave(name)
             self._worlds[key] = shared
             self._sessions[name] = session = Session(name, shared, robot, self._durable)
@@ -175,6 +185,8 @@ class Engine:
 
     def _keep_apart(self, shared: SharedWorld) -> None:
         """Save the robots of a shared world that were never saved, so that each is restored to its own pose."""
+        if not shared.writable:
+            return
         for name, session in sorted(self._sessions.items()):
             if session.shared is shared and not overlay_path(shared.world.building.path, name).exists():
                 session.save()
@@ -245,8 +257,8 @@ class Engine:
         Raises
         ------
         MansionError
-            ``NOT_FOUND`` for a skill that does not exist, ``NOT_LOADED``, or ``CONFLICT`` when someone else drives or
-            too many calls wait.
+            ``NOT_FOUND`` for a skill that does not exist, ``NOT_LOADED``, ``CONFLICT`` when someone else drives or
+            too many calls wait, or ``FORBIDDEN`` where what a skill changes may not be saved.
         """
         skill = skill_named(name)
         if skill is None:
@@ -256,6 +268,8 @@ class Engine:
         if skill.query:
             with session.shared.lock:
                 return skill.call(session.world, session.robot, arguments)
+        if not session.shared.writable:
+            self._allowed.check(session.world.building.path)
         session.check(arguments.token)
         if session.turn.waiting >= MOST_WAITING:
             raise MansionError(

@@ -144,7 +144,7 @@ def drive_for(session: "Session", drive: VelocityCommand, seconds: float, now: f
     forward, turning = drive.wanted(now)
     robot = session.robot
     drive.forward, drive.turning = 0.0, turning
-    if (forward == 0.0 and turning == 0.0) or session.turn.held:
+    if (forward == 0.0 and turning == 0.0) or session.turn.held or not session.shared.writable:
         drive.turning = 0.0
         return False
     count = max(1, int(max(abs(forward), abs(turning)) * seconds / STRIDE) + 1)

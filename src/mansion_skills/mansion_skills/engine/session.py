@@ -74,11 +74,14 @@ class SharedWorld:
     ----------
     synced : float
         Reading of the clock to which the world's time was last brought, seconds.
+    writable : bool
+        Whether what happens may be saved; if not, robots stay where they are.
     """
 
     world: World
     lock: FairLock = field(default_factory=FairLock)
     synced: float = 0.0
+    writable: bool = True
 
 
 @dataclass

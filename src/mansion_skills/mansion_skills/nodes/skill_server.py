@@ -21,6 +21,7 @@ from mansion_msgs_py.interfaces import ServiceInterface, service, topic
 from mansion_msgs_py.nodes.node import MansionNode
 from mansion_msgs_py.nodes.run import run_node
 from mansion_msgs_py.nodes.shell import JsonPublisher, add_json_service, add_json_subscription, qos_profile
+from mansion_msgs_py.nodes.writing import declare_allowed_folders
 from mansion_msgs_py.skills import Loaded, SessionArgs
 from mansion_msgs_py.world import LiftRequest, SkillProgress, SkillResult, SkillStatus, WorldEvent
 from mansion_skills.engine import Engine
@@ -115,6 +116,7 @@ class SkillServer(MansionNode):
     def __init__(self) -> None:
         super().__init__("skill_server")
         value = declare_parameters(self)
+        allowed = declare_allowed_folders(self, value["building"])
         self._namespace = robot_namespace(value["robot_namespace"], self.get_namespace())
         self._frame_prefix = value["frame_prefix"]
         self._robot_state = JsonPublisher(self, topic("robot_state"))
@@ -126,6 +128,7 @@ class SkillServer(MansionNode):
             WorldClock(realtime=value["motion"] == "realtime", factor=value["real_time_factor"]),
             radius=value["robot_radius"],
             durable=value["durable"],
+            allowed=allowed,
             changed=self._changed,
             progress=self._report,
         )
@@ -339,7 +342,7 @@ class SkillServer(MansionNode):
                 moved = drive_for(session, stack.drive, seconds, now)
                 if not moved and stack.drive.moved:
                     stack.drive.moved = False
-                    session.save()
+                    self._save(session)
                     self._robot_state.publish(session.world.robot_state(session.robot))
                 stack.publish_pose(session)
                 if self._odd:
@@ -349,6 +352,13 @@ class SkillServer(MansionNode):
             message = Clock()
             message.clock.sec, message.clock.nanosec = divmod(nanoseconds, 10**9)
             self._world_clock.publish(message)
+
+    def _save(self, session: Session) -> None:
+        """Save where a robot was driven; nobody waits for an answer that could say that it failed."""
+        try:
+            session.save()
+        except (MansionError, OSError) as error:
+            self.get_logger().error(f"session {session.name}: its place is not saved: {error}")
 
 
 def _reply(result: Any) -> Any:

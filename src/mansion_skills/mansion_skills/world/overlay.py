@@ -18,6 +18,7 @@ __all__ = [
     "forget_overlay",
     "load_overlay",
     "overlay_path",
+    "remove_overlay_remains",
     "restore_robot",
     "restore_shared",
     "save_overlay",
@@ -65,8 +66,7 @@ def save_overlay(path: Path, state: WorldState, *, durable: bool = True) -> None
 
 
 def load_overlay(path: Path) -> WorldState | None:
-    """Return the overlay of a former run, or ``None``; remains of an interrupted write are removed."""
-    remove_remains(path.parent)
+    """Return the overlay of a former run, or ``None``."""
     try:
         return decode(WorldState, path.read_bytes())
     except FileNotFoundError:
@@ -81,6 +81,11 @@ def world_overlays(building: Path, world: str) -> list[WorldState]:
         if state is not None and state.world == world:
             found.append(state)
     return found
+
+
+def remove_overlay_remains(building: Path, session: str) -> None:
+    """Remove what killed processes left beside a session's overlay."""
+    remove_remains(overlay_path(building, session).parent)
 
 
 def forget_overlay(path: Path) -> None:
