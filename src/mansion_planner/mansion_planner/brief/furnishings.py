@@ -270,6 +270,8 @@ def _owner(reading: Reading, phrases: list[Phrase], rooms: list[int], number: in
     ahead = reading.words(max(phrases[before].first - 3, 0), phrases[before].first)
     if ("each", "of") in itertools.pairwise(ahead):
         return before, True  # "in each of the five bedrooms a wardrobe"
+    if _EACH.isdisjoint(gap) and not {("of", "them"), ("of", "which")}.isdisjoint(itertools.pairwise(gap)):
+        return before, False  # "five practice rooms, one of them with a grand piano"
     each = not _EACH.isdisjoint(gap) or phrases[before].determiner in _EACH or bool({"each", "apiece"} & set(tail))
     return before, each or ((phrases[before].count or 2) > 1 and "with" in gap)
 

@@ -90,7 +90,7 @@ class NamedStoreys:
             return ground, index + 1
         if (
             word == "bottom"
-            and following in CLOSERS | COPULAS | {"with", "and"}
+            and (following in CLOSERS | COPULAS | {"with", "and", "a", "an"} or self._counts(index + 1))
             and reading.word(index - 1) in ("the", "at", "from")
         ):
             return None if reading.word(index - 2) == "from" else (ground, index + 1)
