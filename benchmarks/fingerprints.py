@@ -33,7 +33,7 @@ SENTENCES = [
 ]
 
 
-EXPORTS = ["sdf", "rmf", "glb", "usd"]
+EXPORTS = ["thor", "nav2", "mjcf", "sdf", "rmf", "glb", "usd"]
 
 
 def run(*arguments: str) -> None:

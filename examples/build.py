@@ -19,8 +19,9 @@ def main() -> None:
     output = parser.parse_args().output
 
     request = BuildRequest(description=BRIEF, floor_area=160.0, seed=1)
-    # drive.py leaves the state of its robot in the folder; `force` replaces the building all the same.
-    result = build_building(request, output / "clinic", force=True)
+    # Plans and a picture are always written. drive.py leaves the state of its robot in the folder; `force` replaces the
+    # building all the same.
+    result = build_building(request, output / "clinic", formats=["mjcf", "nav2"], force=True)
 
     print(f"{result.building.building_id} in {result.path}")
     for floor in result.building.floors:

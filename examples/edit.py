@@ -29,7 +29,7 @@ def main() -> None:
     for step in report.steps:
         print(f"{step.tool}: {step.thought}" if step.tool else step.thought)
     print(f"{report.message} {', '.join(report.object_ids)}")
-    write_derived(editor)  # plans, maps and models of the floors that changed
+    write_derived(editor)  # what the folder has of plans, maps and models, of the floors that changed
 
 
 if __name__ == "__main__":

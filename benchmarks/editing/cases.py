@@ -15,7 +15,7 @@ from pathlib import Path
 
 import numpy as np
 
-from mansion_bringup.edit_hooks import building_files, floor_files
+from mansion_bringup.edit_hooks import kept_files
 from mansion_bringup.editor import open_editor
 from mansion_bringup.verify import verify_building
 from mansion_editing.editor import SceneEditor
@@ -160,7 +160,7 @@ def run(args: argparse.Namespace, make: Making) -> Score:
                 if case is not None:
                     score.asked[case.kind] += 1
                     score.met[case.kind] += judge(editor, copy, case)
-            editor.store.refresh(floor_files, building_files)
+            editor.store.refresh(kept_files)
             new = set(verify_building(copy)) - faults
             score.unclean += bool(new)
             for fault in sorted(new, key=str):

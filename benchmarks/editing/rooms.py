@@ -13,7 +13,7 @@ import tempfile
 import time
 from pathlib import Path
 
-from mansion_bringup.edit_hooks import building_files, floor_files
+from mansion_bringup.edit_hooks import kept_files
 from mansion_bringup.editor import open_editor
 from mansion_bringup.verify import verify_building
 from mansion_msgs_py.errors import MansionError
@@ -49,7 +49,7 @@ def main() -> None:
                     refused.append(f"{room_id}: {error}")
                     continue
                 seconds.append(time.process_time() - started)
-                editor.store.refresh(floor_files, building_files)
+                editor.store.refresh(kept_files)
                 faults += len(verify_building(folder))
                 editor.call("Undo")
                 restored += documents(folder) == before

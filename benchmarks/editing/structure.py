@@ -23,7 +23,7 @@ from typing import Any
 
 from shapely import Polygon
 
-from mansion_bringup.building.files import building_exports, floor_exports
+from mansion_bringup.building.files import kept_files
 from mansion_bringup.editor import open_editor
 from mansion_bringup.verify import verify_building
 from mansion_editing.editor import SceneEditor
@@ -103,7 +103,7 @@ def judged(editor: SceneEditor, asked: dict[str, Any]) -> tuple[str, list[str], 
     except MansionError as error:
         return "refused", [error.info.message], [] if error.info.code in REASONS else [str(error)]
     wrong = differences(was, editor.state.scenes[floor], reply.room_ids, asked)
-    editor.store.refresh(floor_exports, building_exports)
+    editor.store.refresh(kept_files)
     wrong += [str(fault) for fault in verify_building(folder)]
     editor.call("Undo")
     wrong += [] if documents(folder) == before else ["undone, the documents are not what they were"]

@@ -31,6 +31,7 @@ setup(
         "mansion_msgs_py",
         "msgspec>=0.19",
         "numpy>=1.26",
+        "pillow>=10.1",
         "trimesh>=4.0",
     ],
     extras_require={"test": ["pytest"], "embeddings": ["sentence-transformers>=3"], "vectors": ["wordllama>=0.3"]},

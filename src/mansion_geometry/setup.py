@@ -23,6 +23,13 @@ setup(
         (f"share/{NAME}", ["package.xml"]),
     ],
     zip_safe=False,
-    install_requires=["mansion_msgs_py", "networkx>=2.8", "numba>=0.59", "numpy>=1.26", "shapely>=2.0"],
+    install_requires=[
+        "mansion_msgs_py",
+        "msgspec>=0.19",
+        "networkx>=2.8",
+        "numba>=0.59",
+        "numpy>=1.26",
+        "shapely>=2.0",
+    ],
     extras_require={"test": ["pytest"]},
 )

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from mansion_assets.catalogue import Asset, load_catalogue
+from mansion_assets.materials import material_set, set_of
 from mansion_assets.meshes import collision_boxes, mesh
 from mansion_assets.registry import recipe_names
 from mansion_msgs_py.errors import MansionError
@@ -98,3 +99,32 @@ def test_an_unknown_recipe_is_an_error() -> None:
     asset = Asset(key="x", category="x", name="x", size=(1.0, 1.0, 1.0), recipe="nothing")
     with pytest.raises(MansionError, match="nothing"):
         mesh(asset)
+
+
+def test_textures_lie_on_every_recipe_in_true_size_but_for_the_slant_of_round_faces() -> None:
+    for asset in ONE_OF_EACH:
+        for part in mesh(asset):
+            corners = part.vertices[part.faces]
+            sides = corners[:, 1:] - corners[:, :1]
+            laid = part.coordinates[:, 1:] - part.coordinates[:, :1]
+            area = np.linalg.norm(np.cross(sides[:, 0], sides[:, 1]), axis=1)
+            flat = laid[:, 0, 0] * laid[:, 1, 1] - laid[:, 0, 1] * laid[:, 1, 0]
+            seen = area > 1e-9
+            assert part.coordinates.shape == (len(part.faces), 3, 2)
+            name = set_of(part.material.name)
+            if name and material_set(name).fitted:
+                assert part.coordinates.min() == 0.0 and part.coordinates.max() == 1.0
+                continue
+            # A face turned by as much as (1, 1, 1) from the nearest axis keeps 0.577 of its area; none is mirrored.
+            share = flat[seen] / area[seen]
+            assert ((share > 0.57) & (share < 1.001)).all(), (asset.key, part.name)
+            lengths = np.linalg.norm(laid, axis=-1), np.linalg.norm(sides, axis=-1)
+            assert (lengths[0] <= lengths[1] + 1e-9).all(), (asset.key, part.name)
+
+
+def test_the_grain_of_wood_runs_along_a_leg_and_along_a_table_top() -> None:
+    part = next(p for p in mesh(CATALOGUE.asset("console_table_4")) if "legs" in p.name)
+    upright = np.abs(np.ptp(part.vertices[part.faces][..., 2], axis=1)) > 0.1
+    along = np.ptp(part.coordinates[upright][..., 0], axis=1)
+    across = np.ptp(part.coordinates[upright][..., 1], axis=1)
+    assert (along > across).all()

@@ -194,14 +194,16 @@ def test_what_a_running_session_holds_is_left_alone(open_editor: EditorFactory, 
 def test_derived_files_follow_the_revision(open_editor: EditorFactory, folder: Path) -> None:
     editor = open_editor()
 
-    def files(scene):
-        return {f"made_{scene.floor}": str(scene.revision).encode()}
+    def files(place, scenes, changed):
+        assert place == folder
+        made = {f"made_{scene.floor}": str(scene.revision).encode() for scene in scenes if scene.floor in changed}
+        return {**made, "all": b"x"}
 
-    assert editor.store.refresh(files, lambda scenes: {}) == []
+    assert editor.store.refresh(files) == []
     editor.call("PlaceInContainer", COLA)
-    assert editor.store.refresh(files, lambda scenes: {"all": b"x"}) == [1]
+    assert editor.store.refresh(files) == [1]
     assert (folder / "made_1").read_bytes() == b"2" and not (folder / "made_2").exists()
-    assert editor.store.refresh(files, lambda scenes: {}) == []
+    assert editor.store.refresh(files) == []
 
 
 @pytest.mark.parametrize(

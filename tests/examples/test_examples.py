@@ -152,6 +152,7 @@ def check_edit(lines: list[str], output: Path) -> None:
     model = Path("floors", "floor_1", "model.xml")
     assert mug.id in (output / "edited" / model).read_text()
     assert mug.id not in (output / "clinic" / model).read_text()
+    assert not (output / "edited" / model.with_name("house.json")).exists()
 
 
 def check_front_door(lines: list[str], output: Path) -> None:

@@ -8,9 +8,11 @@ from pkgutil import resolve_name
 
 import pytest
 
+from mansion_bringup.exporting import write_export
 from mansion_export import formats
-from mansion_export.formats import Format, Output, export_formats, register
+from mansion_export.formats import Format, Output, export_formats, formats_of_build, outputs_of_build, register
 from mansion_msgs_py.building_folder import BuildingFolder, floor_directory
+from mansion_msgs_py.errors import MansionError
 from sample_building import write_building
 
 PAGE = (Path(__file__).parents[2] / "docs" / "exports.md").read_text()
@@ -57,12 +59,45 @@ def test_a_registered_format_makes_its_files(registered, ground):
     assert made == {"rooms.txt": names, f"{floor_directory(ground.floor)}/rooms.txt": names}
 
 
-def test_a_build_and_an_edit_write_the_files_of_a_registered_format_that_have_keys(registered, ground):
-    from mansion_bringup.building.files import building_file_names, floor_exports, floor_file_names
+def test_a_build_that_is_asked_for_a_registered_format_writes_and_names_the_files_that_have_keys(registered):
+    from mansion_bringup.building.files import building_file_names, floor_file_names
 
-    assert floor_file_names()["rooms"] == "rooms.txt"
-    assert "rooms.txt" not in building_file_names().values()
-    assert f"{floor_directory(ground.floor)}/rooms.txt" in floor_exports(ground)
+    for names in (["rooms"], ["all"], ["all", "rooms", "glb"]):
+        outputs = outputs_of_build(names)
+        assert floor_file_names(outputs.floor)["rooms"] == "rooms.txt"
+        assert "rooms.txt" not in building_file_names(outputs.building).values()
+        assert "room_names:all_names" not in {output.function for output in outputs.building}
+    assert "rooms" not in floor_file_names(outputs_of_build().floor)
+
+
+def test_an_edit_makes_a_registered_format_anew_where_the_folder_has_it(registered, tmp_path):
+    from mansion_bringup.building.files import kept_files
+
+    folder = write_building(tmp_path / "building")
+    scenes = BuildingFolder(folder).scenes()
+    assert kept_files(folder, scenes, [1]) == {}
+    there = folder / floor_directory(2) / "rooms.txt"
+    there.write_text("of old")
+    assert list(kept_files(folder, scenes, [1])) == [f"{floor_directory(1)}/rooms.txt"]
+    assert kept_files(folder, scenes, []) == {}
+    (folder / "rooms.txt").write_text("of old")
+    assert "rooms.txt" not in kept_files(folder, scenes, [1, 2])
+
+
+def test_every_build_writes_what_people_look_at_and_all_adds_what_the_index_has_keys_for():
+    assert [each.name for each in formats_of_build()] == ["plan", "overview"]
+    assert [each.name for each in formats_of_build(["all"])] == ["thor", "plan", "nav2", "mjcf", "glb", "overview"]
+
+
+def test_a_build_writes_all_of_a_format_that_has_no_keys():
+    assert [output.files for output in outputs_of_build(["html"]).building] == [("building.png",), ("view.html",)]
+    assert [output.files for output in outputs_of_build(["glb"]).building] == [("building.glb",), ("building.png",)]
+
+
+def test_a_build_is_told_which_formats_there_are():
+    with pytest.raises(MansionError, match=r"no format 'clay', 'stone'; use all, or some of thor, plan") as error:
+        formats_of_build(["glb", "stone", "clay"])
+    assert (error.value.code, error.value.info.path) == ("NOT_FOUND", "$.formats")
 
 
 def test_the_command_line_offers_a_registered_format(registered, tmp_path):
@@ -104,6 +139,14 @@ def test_every_format_can_be_imported_and_stands_on_the_page(entry):
     paths = [*(entry.building.files if entry.building else ())]
     paths += [f"floors/floor_N/{name}" for name in (entry.floor.files if entry.floor else ())]
     built = [name for output in outputs if output.keys for name in output.files]
+    when = "always" if entry.always else "asked, or with all" if built else "asked"
     assert row[1] == entry.title
     assert re.findall(r"`([^`]+)`", row[3]) == paths
     assert re.findall(r"`([^`]+)`", row[4]) == built
+    assert row[5] == when
+
+
+def test_joints_are_made_where_a_format_has_them_and_refused_elsewhere(tmp_path):
+    assert [name for name, entry in export_formats().items() if entry.jointed] == ["mjcf", "sdf", "usd"]
+    with pytest.raises(MansionError, match="plan has no joints; use one of mjcf, sdf, usd"):
+        write_export(tmp_path, export_formats()["plan"], articulated=True)

@@ -12,7 +12,9 @@ from hypothesis import strategies as st
 from shapely.geometry import Point, Polygon, box
 from shapely.ops import unary_union
 
-from mansion_export.building_model import floor_model
+from mansion_assets.catalogue import load_catalogue
+from mansion_assets.materials import art, material_set, set_of, texture_set
+from mansion_export.building_model import asset_surfaces, floor_model, object_parts
 from mansion_export.glb import building_glb, floor_glb
 from mansion_export.html import view_page
 from mansion_export.mjcf import floor_mjcf
@@ -76,7 +78,7 @@ def test_glb_loads_with_our_ids_and_named_materials(building):
 
 def test_glb_is_y_up_with_floors_at_their_elevations(building, tmp_path):
     path = tmp_path / "building.glb"
-    path.write_bytes(building_glb(building))
+    path.write_bytes(building_glb(building, site=False))
     loaded = trimesh.load(path)
     low, high = loaded.bounds
     assert high[1] == pytest.approx(3.4 + 3.2 + 0.6, abs=0.01)
@@ -88,8 +90,9 @@ def test_glb_is_y_up_with_floors_at_their_elevations(building, tmp_path):
 
 def test_surfaces_face_outwards(ground):
     model = floor_model(ground)
+    shown = {node.id: node.mesh for node in model.nodes}
     for name in ("F1/wall_1", "F1/slab"):
-        surfaces = model.meshes[name].surfaces
+        surfaces = model.meshes[shown[name]].surfaces
         volume = 0.0
         for surface in surfaces:
             a, b, c = (surface.vertices[surface.faces[:, i]] for i in range(3))
@@ -230,3 +233,68 @@ def test_floors_that_share_a_folder_never_give_one_name_to_two_meshes(building):
     for scene in building:
         for name, data in floor_mjcf(scene).meshes.items():
             assert files.setdefault(name, data) == data, name
+
+
+def test_glb_carries_each_texture_once_and_shows_tiles_in_true_size(building):
+    data = building_glb(building)
+    length = int.from_bytes(data[12:16], "little")
+    document, binary = json.loads(data[20 : 20 + length]), data[28 + length :]
+    pictures = []
+    for image in document["images"]:
+        view = document["bufferViews"][image["bufferView"]]
+        pictures.append(binary[view["byteOffset"] : view["byteOffset"] + view["byteLength"]])
+        assert pictures[-1].startswith(b"\xff\xd8\xff") and image["mimeType"] == "image/jpeg"
+    assert len(set(pictures)) == len(pictures) == len(document["textures"])
+    textured = [m for m in document["materials"] if "baseColorTexture" in m["pbrMetallicRoughness"]]
+    assert {"white_drywall", "light_wood", "painted_wood"} <= {m["name"] for m in textured}
+    for mesh in document["meshes"]:
+        for primitive in mesh["primitives"]:
+            look = document["materials"][primitive["material"]]["pbrMetallicRoughness"]
+            assert ("TEXCOORD_0" in primitive["attributes"]) == ("baseColorTexture" in look)
+    for accessor in document["accessors"]:
+        view = document["bufferViews"][accessor["bufferView"]]
+        size = {5126: 4, 5123: 2, 5125: 4}[accessor["componentType"]] * {"SCALAR": 1, "VEC2": 2, "VEC3": 3}[
+            accessor["type"]
+        ]
+        assert accessor["byteOffset"] + accessor["count"] * size <= view["byteLength"]
+    mesh = next(mesh for mesh in document["meshes"] if mesh["name"] == "F1/living_room_1")
+    floor = mesh["primitives"][0]["attributes"]
+    places, normals, tiles = (_read(document, binary, floor[name]) for name in ("POSITION", "NORMAL", "TEXCOORD_0"))
+    top = normals[:, 1] > 0.9
+    name = document["materials"][mesh["primitives"][0]["material"]]["name"]
+    size = material_set(set_of(name)).size
+    assert np.ptp(tiles[top], axis=0) * size == pytest.approx(np.ptp(places[top][:, [0, 2]], axis=0), abs=1e-3)
+
+
+def _read(document, binary, index):
+    accessor = document["accessors"][index]
+    start = document["bufferViews"][accessor["bufferView"]]["byteOffset"] + accessor["byteOffset"]
+    width = {"VEC2": 2, "VEC3": 3}[accessor["type"]]
+    return np.frombuffer(binary, np.float32, accessor["count"] * width, start).reshape(-1, width)
+
+
+def test_paintings_of_one_asset_show_several_pictures_each_the_same_every_time(ground):
+    key = next(a.key for a in load_catalogue().by_category("painting"))
+    wall = [msgspec.structs.replace(ground.objects[0], id=f"F1/hub/painting_{k}", asset=key) for k in range(12)]
+    parts = [list(object_parts(msgspec.structs.replace(ground, objects=wall))) for _ in range(2)]
+    shown = [{s.material.texture for s in surfaces} & _pictures() for _, surfaces in parts[0]]
+    assert all(len(each) == 1 for each in shown) and len(set.union(*shown)) >= 4
+    assert [node.mesh for node, _ in parts[0]] == [node.mesh for node, _ in parts[1]]
+
+
+def _pictures():
+    return {set_of(name) for name in art()}
+
+
+def test_an_object_painted_red_keeps_its_grain_and_turns_red(ground):
+    plain, red = (
+        next(
+            surface.material
+            for surface in asset_surfaces("console_table_4", load_catalogue(), color)
+            if surface.material.texture == "veneer"
+        )
+        for color in ("", "#b01010")
+    )
+    assert plain.texture == red.texture
+    tint = texture_set(red.texture).tint(red.color)
+    assert tint[0] > 0.6 and max(tint[1:]) < 0.1

@@ -43,9 +43,18 @@ def digest(folder: Path) -> dict[str, str]:
 
 
 def test_the_graph_and_one_process_write_the_same_bytes(client: MansionClient, tmp_path: Path) -> None:
-    reply = client.build(HOUSE, seed=5, output=str(tmp_path / "graph"))
-    local = build_building(BuildRequest(description=HOUSE, seed=5), tmp_path / "local", jobs=2)
+    formats = ["mjcf", "nav2"]
+    reply = client.build(HOUSE, seed=5, output=str(tmp_path / "graph"), formats=formats)
+    local = build_building(BuildRequest(description=HOUSE, seed=5), tmp_path / "local", jobs=2, formats=formats)
     assert digest(Path(reply.path)) == digest(local.path)
+    assert {"floors/floor_2/model.xml", "floors/floor_2/map.pgm"} < set(digest(local.path))
+    assert "building.glb" not in digest(local.path)
+
+
+def test_a_format_that_does_not_exist_is_refused_with_those_that_do(client: MansionClient) -> None:
+    with pytest.raises(MansionError, match="no format 'clay'; use all, or some of thor, plan") as caught:
+        client.build(FLAT, formats=["clay"])
+    assert (caught.value.code, caught.value.info.path) == ("NOT_FOUND", "$.formats")
 
 
 def test_two_builds_at_the_same_time_do_not_mix(client: MansionClient, tmp_path: Path) -> None:

@@ -24,8 +24,9 @@ def connected(graph: GraphProcesses) -> Iterator[mansion.Graph]:
 
 @pytest.fixture(scope="module")
 def flat(connected: mansion.Graph, tmp_path_factory: pytest.TempPathFactory) -> mansion.Building:
-    """A flat that the graph built."""
-    return connected.build("a small flat for two", tmp_path_factory.mktemp("graph") / "flat", seed=4)
+    """A flat that the graph built, with a model of its floor."""
+    folder = tmp_path_factory.mktemp("graph") / "flat"
+    return connected.build("a small flat for two", folder, seed=4, formats="mjcf")
 
 
 def test_a_plan_is_that_of_this_process(connected: mansion.Graph) -> None:
@@ -44,6 +45,7 @@ def test_an_edit_lands_through_the_scene_editor_and_is_undone(flat: mansion.Buil
     done = flat.edit("put a red mug on the coffee table")
     assert done.added.ids == ("F1/living_room/mug_1",)
     assert done.added.ids[0] in (flat.folder / "floors/floor_1/model.xml").read_text()
+    assert not (flat.folder / "floors/floor_1/house.json").exists()
     assert flat.undo().removed.ids == done.added.ids
     assert flat.objects == before
     with pytest.raises(mansion.MansionError, match="parameter `physics`"):

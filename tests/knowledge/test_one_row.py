@@ -38,7 +38,7 @@ def test_what_a_row_leaves_out_is_its_kins(folder: Path) -> None:
 
 
 def test_one_row_is_planned_furnished_and_exported(folder: Path) -> None:
-    built = build_building(BuildRequest(description=BRIEF, seed=3), folder / "house")
+    built = build_building(BuildRequest(description=BRIEF, seed=3), folder / "house", formats=["thor"])
     floor = built.path / "floors/floor_1"
     topology, scene, house = (
         json.loads((floor / f"{name}.json").read_text()) for name in ("topology", "scene", "house")

@@ -2,7 +2,7 @@
 
 import getpass
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final, Literal
 
@@ -117,6 +117,7 @@ class Graph(Closing):
         footprint: Outline | None = None,
         seed: int = 0,
         planner: Literal["rules", "llm"] = "rules",
+        formats: str | Sequence[str] = (),
         force: bool = False,
     ) -> Building:
         """Build a furnished building from one sentence; see `mansion.build`.
@@ -126,11 +127,13 @@ class Graph(Closing):
         folder : path, optional
             Below the director's ``output_root`` when absent, where it stays.
         """
+        from mansion_bringup.exporting import format_names
+
         request = request_of(
             description, footprint, floors=floors, area=area, floor_area=floor_area, seed=seed, planner=planner
         )
         output = None if folder is None else str(Path(folder).absolute())
-        job = BuildJob.of(request, output=output, force=force)
+        job = BuildJob.of(request, output=output, force=force, formats=format_names(formats))
         reply: BuildReply = self.client.call("build_building", job, reply=BuildReply)
         return self.load(reply.path)
 
@@ -183,10 +186,10 @@ class _OverGraph:
 
     def _await_files(self) -> None:
         """Wait until what is made from the changed floors is written, or write it: the node does so after its reply."""
-        from mansion_bringup.edit_hooks import building_files, floor_files
+        from mansion_bringup.edit_hooks import kept_files
         from mansion_editing.storage import BuildingStore
 
-        BuildingStore(self._folder).refresh(floor_files, building_files)
+        BuildingStore(self._folder).refresh(kept_files)
 
     def robot(self, session: str, *, reset: bool) -> "RobotPort":
         """See `Backend.robot`."""

@@ -1,7 +1,7 @@
 """Buildings made from a sentence, or read from a folder."""
 
 import os
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Literal
@@ -27,6 +27,7 @@ def build(
     footprint: Outline | None = None,
     seed: int = 0,
     planner: Literal["rules", "llm"] = "rules",
+    formats: str | Sequence[str] = (),
     jobs: int = 1,
     force: bool = False,
     progress: bool | Callable[[Progress], None] = False,
@@ -49,6 +50,9 @@ def build(
     seed : int
         Same seed, same building.
     planner : {"rules", "llm"}
+    formats : str or sequence of str
+        Formats to write beside plans and pictures, ``["glb", "nav2"]`` or ``"glb,nav2"``, as `Building.export` names
+        them; ``"all"`` for maps, AI2-THOR houses, MuJoCo models and the binary glTF.
     jobs : int
         Floors in work at once, in forked processes where there are several; 0: one for each core. The result does not
         depend on it.
@@ -60,8 +64,9 @@ def build(
     Raises
     ------
     MansionError
-        ``INVALID_PAYLOAD`` for options that do not fit, ``CONTRADICTION`` or ``INFEASIBLE`` for a brief that nothing
-        meets, ``CONFLICT`` for a folder that holds something else.
+        ``INVALID_PAYLOAD`` for options that do not fit, ``NOT_FOUND`` for a format that does not exist,
+        ``CONTRADICTION`` or ``INFEASIBLE`` for a brief that nothing meets, ``CONFLICT`` for a folder that holds
+        something else.
 
     Examples
     --------
@@ -69,6 +74,7 @@ def build(
     >>> "kitchen" in {room.type for room in b.rooms}
     True
     """
+    from mansion_bringup.exporting import format_names
     from mansion_bringup.pipeline.build import build_building
     from mansion_bringup.pipeline.planning import prepare_planner
 
@@ -79,7 +85,7 @@ def build(
     home = Home.new() if folder is None else Home(Path(folder))
     workers = jobs or min(os.cpu_count() or 1, _MOST_JOBS)
     with _reporting(progress) as report:
-        build_building(request, home.folder, jobs=workers, report=report, force=force)
+        build_building(request, home.folder, jobs=workers, report=report, formats=format_names(formats), force=force)
     return Building(home)
 
 

@@ -4,21 +4,32 @@ Coordinates are metres from the floor below the asset's centre.
 """
 
 import itertools
-from collections.abc import Sequence
-from typing import Any, NamedTuple
+from collections.abc import Iterator, Sequence
+from contextlib import AbstractContextManager, contextmanager
+from typing import Any, Final, Literal, NamedTuple, TypeAlias
 
 from mansion_assets.catalogue import Asset, Surface, Volume
+from mansion_assets.convex import (
+    Box,
+    Convex,
+    bar_bodies,
+    bounding_box,
+    extruded_bodies,
+    revolved_bodies,
+    rounded_bodies,
+)
+from mansion_assets.joints import DOOR_OPENS, DRAWER_OPENS, Joint
 from mansion_assets.solids import Axis, Vec3, bar, box_solid, extruded, revolved, rounded_box
 from mansion_geometry.compiled import Floats, Ints
 
-__all__ = ["Box", "Builder", "Piece", "Rect"]
+__all__ = ["TRAY", "Body", "Box", "Builder", "Chunk", "Hinge", "Piece", "Rect"]
 
 
-class Box(NamedTuple):
-    """An axis-aligned box: centre and full extent, metres."""
+Hinge: TypeAlias = Literal["left", "right", "bottom", "top", "back"]
+"""Where a door hangs, seen from the front; ``back`` is a lid's."""
 
-    center: Vec3
-    size: Vec3
+TRAY: Final = 0.008
+"""Thickness of a drawer's bottom, metres; its sides have half of it."""
 
 
 class Rect(NamedTuple):
@@ -32,24 +43,39 @@ class Rect(NamedTuple):
     top: float
 
 
+class Chunk(NamedTuple):
+    """The triangles of one primitive: of which moving part, and whether only an open one shows them."""
+
+    vertices: Floats
+    faces: Ints
+    link: str
+    hidden: bool
+
+
 class Piece:
     """The triangles of one part in one material."""
 
     def __init__(self, part: str, material: str) -> None:
         self.part, self.material = part, material
-        self.vertices: list[Floats] = []
-        self.faces: list[Ints] = []
-        self._count = 0
+        self.chunks: list[Chunk] = []
 
-    def add(self, vertices: Floats, faces: Ints) -> None:
-        """Append triangles."""
-        self.vertices.append(vertices)
-        self.faces.append(faces + self._count)
-        self._count += len(vertices)
+    def fitted(self, center: Floats, scale: Floats) -> "Piece":
+        """Return the piece moved by `-center` and then stretched along the axes."""
+        piece = Piece(self.part, self.material)
+        piece.chunks = [chunk._replace(vertices=(chunk.vertices - center) * scale) for chunk in self.chunks]
+        return piece
+
+
+class Body(NamedTuple):
+    """A convex body that collides: of which moving part, and whether only an open one needs it."""
+
+    shape: Convex
+    link: str
+    hidden: bool
 
 
 class Builder:
-    """Collects the pieces and the collision boxes of one asset.
+    """Collects the pieces, the convex bodies and the joints of one asset.
 
     Attributes
     ----------
@@ -65,6 +91,9 @@ class Builder:
         self.p: dict[str, Any] = asset.parameters
         self.pieces: dict[tuple[str, str], Piece] = {}
         self.boxes: list[Box] = []
+        self.bodies: list[Body] = []
+        self.joints: list[Joint] = []
+        self._link, self._hidden = "", False
 
     @property
     def tops(self) -> list[Rect]:
@@ -88,19 +117,85 @@ class Builder:
         """Return the material of a role of the recipe."""
         return self.asset.materials.get(role, default)
 
-    def raw(self, vertices: Floats, faces: Ints, material: str, part: str, *, solid: bool = False) -> None:
-        """Add triangles; a solid's bounding box takes part in collisions."""
+    @contextmanager
+    def moving(self, joint: Joint) -> Iterator[None]:
+        """Make what is added within a part that moves at a joint."""
+        self.joints.append(joint)
+        self._link = joint.part
+        try:
+            yield
+        finally:
+            self._link = ""
+
+    def door(
+        self, x: tuple[float, float], y: tuple[float, float], z: tuple[float, float], hinge: Hinge = "left"
+    ) -> AbstractContextManager[None]:
+        """Make what is added within a door that turns at one edge of its front face, or a lid at its back edge."""
+        axis, origin = {
+            "left": ((0.0, 0.0, 1.0), (x[0], y[1], z[0])),
+            "right": ((0.0, 0.0, -1.0), (x[1], y[1], z[0])),
+            "bottom": ((-1.0, 0.0, 0.0), (x[0], y[1], z[0])),
+            "top": ((1.0, 0.0, 0.0), (x[0], y[1], z[1])),
+            "back": ((1.0, 0.0, 0.0), (x[0], y[0], z[1])),
+        }[hinge]
+        name = self._unused("lid" if hinge == "back" else "door")
+        return self.moving(Joint(name, "hinge", axis, origin, DOOR_OPENS))
+
+    @contextmanager
+    def drawer(
+        self, x: tuple[float, float], y: tuple[float, float], z: tuple[float, float], material: str
+    ) -> Iterator[None]:
+        """Make what is added within the front of a drawer that slides forward, and give it a tray.
+
+        Parameters
+        ----------
+        x, y, z : (float, float)
+            The tray from outside; its front is open, where the drawer's own front stands.
+        """
+        joint = Joint(
+            self._unused("drawer"), "slide", (0.0, 1.0, 0.0), (x[0], y[1], z[0]), DRAWER_OPENS * (y[1] - y[0])
+        )
+        with self.moving(joint):
+            yield
+            with self.hidden():
+                self.box(x, y, (z[0], z[0] + TRAY), material, "tray", solid=False)
+                for side in ((x[0], x[0] + TRAY / 2), (x[1] - TRAY / 2, x[1])):
+                    self.box(side, y, z, material, "tray", solid=False)
+                self.box(x, (y[0], y[0] + TRAY / 2), z, material, "tray", solid=False)
+
+    def _unused(self, name: str) -> str:
+        return f"{name}_{1 + sum(joint.part.startswith(name) for joint in self.joints)}"
+
+    @contextmanager
+    def hidden(self) -> Iterator[None]:
+        """Make what is added within seen, and collided with, only where parts move: a drawer's tray."""
+        self._hidden = True
+        try:
+            yield
+        finally:
+            self._hidden = False
+
+    def raw(
+        self,
+        vertices: Floats,
+        faces: Ints,
+        material: str,
+        part: str,
+        *,
+        solid: bool = False,
+        bodies: Sequence[Convex] | None = None,
+    ) -> None:
+        """Add triangles, and the convex `bodies` that they are, their bounding box where there are none.
+
+        A solid's bounding box is one of the few boxes that the editor reckons with.
+        """
         key = (part, material)
-        self.pieces.setdefault(key, Piece(part, material)).add(vertices, faces)
+        piece = self.pieces.setdefault(key, Piece(part, material))
+        piece.chunks.append(Chunk(vertices, faces, self._link, self._hidden))
+        whole = bounding_box(vertices.min(axis=0), vertices.max(axis=0))
+        self.bodies += [Body(body, self._link, self._hidden) for body in bodies or [whole]]
         if solid:
-            low, high = vertices.min(axis=0), vertices.max(axis=0)
-            center, size = (low + high) / 2, high - low
-            self.boxes.append(
-                Box(
-                    (float(center[0]), float(center[1]), float(center[2])),
-                    (float(size[0]), float(size[1]), float(size[2])),
-                )
-            )
+            self.boxes.append(whole)
 
     def box(
         self,
@@ -116,6 +211,22 @@ class Builder:
         if not solid:
             x, y, z = (self._lifted(x, self.w / 2), self._lifted(y, self.d / 2), self._lifted(z, self.h))
         self.raw(*box_solid(x, y, z), material, part, solid=solid)
+
+    def hollow(
+        self,
+        x: tuple[float, float],
+        y: tuple[float, float],
+        z: tuple[float, float],
+        t: float,
+        material: str,
+        part: str = "case",
+    ) -> None:
+        """Add a box of walls `t` thick, open towards the front, for a case with something inside."""
+        self.box((x[0], x[0] + t), y, z, material, part)
+        self.box((x[1] - t, x[1]), y, z, material, part)
+        self.box(x, (y[0], y[0] + t), z, material, part)
+        self.box(x, y, (z[0], z[0] + t), material, part)
+        self.box(x, y, (z[1] - t, z[1]), material, part)
 
     @staticmethod
     def _lifted(span: tuple[float, float], limit: float) -> tuple[float, float]:
@@ -135,7 +246,8 @@ class Builder:
         solid: bool = True,
     ) -> None:
         """Add a body of revolution about a vertical axis; `profile` lists (radius, height) from pole to pole."""
-        self.raw(*revolved(profile, at, n, stretch), material, part, solid=solid)
+        bodies = revolved_bodies(profile, at, n, stretch)
+        self.raw(*revolved(profile, at, n, stretch), material, part, solid=solid, bodies=bodies)
 
     def cyl(
         self,
@@ -157,7 +269,7 @@ class Builder:
         self, start: Vec3, end: Vec3, r: float, material: str, part: str = "frame", n: int = 8, *, solid: bool = False
     ) -> None:
         """Add a round bar between two points."""
-        self.raw(*bar(start, end, r, n), material, part, solid=solid)
+        self.raw(*bar(start, end, r, n), material, part, solid=solid, bodies=bar_bodies(start, end, r, n))
 
     def path(self, points: Sequence[Vec3], r: float, material: str, part: str = "frame") -> None:
         """Add round bars along a line of points."""
@@ -192,7 +304,8 @@ class Builder:
         solid: bool = True,
     ) -> None:
         """Add a box with rounded edges; `round_` 1 makes an ellipsoid."""
-        self.raw(*rounded_box(x, y, z, round_, n), material, part, solid=solid)
+        bodies = rounded_bodies(x, y, z, round_)
+        self.raw(*rounded_box(x, y, z, round_, n), material, part, solid=solid, bodies=bodies)
 
     def prism(
         self,
@@ -205,7 +318,8 @@ class Builder:
         solid: bool = True,
     ) -> None:
         """Add a convex outline drawn out along an axis: (y, z) along x, (x, z) along y, (x, y) along z."""
-        self.raw(*extruded(outline, span, axis), material, part, solid=solid)
+        bodies = extruded_bodies(outline, span, axis)
+        self.raw(*extruded(outline, span, axis), material, part, solid=solid, bodies=bodies)
 
     def legs(
         self, z: tuple[float, float], r: float, material: str, inset: float = 0.04, *, round_: bool = False

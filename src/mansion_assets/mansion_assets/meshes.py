@@ -1,34 +1,44 @@
-"""Meshes and collision boxes of assets, in the asset's frame: origin at the box centre, front +y, z up."""
+"""Meshes and collision pieces of assets, in the asset's frame: origin at the box centre, front +y, z up."""
 
+from collections.abc import Sequence
 from functools import lru_cache
 from typing import TYPE_CHECKING, NamedTuple
 
 import msgspec
 import numpy as np
 
-from mansion_assets.builder import Box, Builder
+from mansion_assets.builder import Body, Builder, Chunk, Piece
 from mansion_assets.catalogue import Asset
 from mansion_assets.catalogue.palette import PbrMaterial, material
+from mansion_assets.convex import Box, Convex, fitted
+from mansion_assets.joints import Joint
+from mansion_assets.materials.sets import material_set, set_of
+from mansion_assets.piece_budget import simplified
 from mansion_assets.registry import recipe_named
+from mansion_assets.texture_coordinates import box_coordinates, fitted_coordinates
 from mansion_geometry.compiled import Floats, Ints
 from mansion_msgs_py.errors import ErrorCode, MansionError
 
 if TYPE_CHECKING:
     from trimesh import Trimesh
 
-__all__ = ["MeshPart", "collision_boxes", "mesh"]
+__all__ = ["Link", "MeshPart", "collision_boxes", "collision_pieces", "free_room", "links", "mesh"]
 
 _MOST_BOXES = 24
 """Most collision boxes of one asset."""
 
 
 class MeshPart(NamedTuple):
-    """One part of an asset in one material: (n, 3) vertices in metres and (m, 3) faces."""
+    """One part of an asset in one material: (n, 3) vertices in metres and (m, 3) faces.
+
+    `coordinates`, (m, 3, 2), are those of each face's corners on the material's textures, metres.
+    """
 
     name: str
     vertices: Floats
     faces: Ints
     material: PbrMaterial
+    coordinates: Floats
 
     @property
     def mesh(self) -> "Trimesh":
@@ -43,6 +53,11 @@ class _Look(msgspec.Struct, frozen=True):
 
     payload: bytes
 
+    @property
+    def asset(self) -> Asset:
+        """An asset of this look."""
+        return msgspec.msgpack.decode(self.payload, type=Asset)
+
 
 def mesh(asset: Asset) -> list[MeshPart]:
     """Return the parts of an asset's mesh; together they fill its bounding box exactly.
@@ -54,15 +69,89 @@ def mesh(asset: Asset) -> list[MeshPart]:
     """
     if asset.glb is not None:
         return _from_glb(asset)
-    pieces, _ = _built(_look(asset))
-    return [MeshPart(part, vertices.copy(), faces.copy(), material(name)) for part, name, vertices, faces in pieces]
+    return _parts([(piece, [c for c in piece.chunks if not c.hidden]) for piece in _built(_look(asset)).pieces])
+
+
+def _parts(pieces: Sequence[tuple[Piece, Sequence[Chunk]]]) -> list[MeshPart]:
+    found = []
+    for piece, chunks in pieces:
+        if chunks:
+            starts = np.cumsum([0] + [len(chunk.vertices) for chunk in chunks[:-1]])
+            vertices = np.concatenate([chunk.vertices for chunk in chunks])
+            faces = np.concatenate([chunk.faces + start for chunk, start in zip(chunks, starts)])
+            bodies = np.cumsum([0] + [len(chunk.faces) for chunk in chunks[:-1]])
+            coordinates = _coordinates(piece.material, vertices, faces, bodies)
+            found.append(MeshPart(piece.part, vertices, faces, material(piece.material), coordinates))
+    return found
+
+
+def _coordinates(name: str, vertices: Floats, faces: Ints, bodies: Ints) -> Floats:
+    """Return where faces lie on the textures of a material; `bodies` are the first faces of boards, legs, cushions."""
+    texture = set_of(name)
+    if texture and material_set(texture).fitted:
+        return fitted_coordinates(vertices, faces, bodies)
+    return box_coordinates(vertices, faces, bodies, turned=True)
 
 
 def collision_boxes(asset: Asset) -> list[Box]:
     """Return the collision boxes of an asset, at most 24; its bounding box where it has no recipe."""
     if asset.glb is not None or not asset.recipe:
         return [Box((0.0, 0.0, 0.0), asset.size)]
-    return list(_built(_look(asset))[1])
+    return list(_built(_look(asset)).boxes)
+
+
+def collision_pieces(asset: Asset) -> tuple[Convex, ...]:
+    """Return the convex pieces of an asset whose parts do not move, at most the budget of its size.
+
+    Its bounding box where it has no recipe.
+    """
+    if asset.glb is not None or not asset.recipe:
+        return (Box((0.0, 0.0, 0.0), asset.size),)
+    return _closed_pieces(_look(asset))
+
+
+@lru_cache(maxsize=1024)
+def _closed_pieces(look: _Look) -> tuple[Convex, ...]:
+    asset = look.asset
+    bodies = [body.shape for body in _built(look).bodies if not body.hidden]
+    return tuple(simplified(bodies, asset.size, free_room(asset)))
+
+
+class Link(NamedTuple):
+    """A rigid part of an asset: its triangles, what of it collides, and how it moves; the body has no joint."""
+
+    name: str
+    parts: tuple[MeshPart, ...]
+    pieces: tuple[Convex, ...]
+    joint: Joint | None
+
+
+def links(asset: Asset) -> tuple[Link, ...]:
+    """Return the rigid parts of an asset, closed, its body first; one part where nothing moves."""
+    if asset.glb is not None or not asset.recipe:
+        return (Link("", tuple(mesh(asset)), collision_pieces(asset), None),)
+    return _linked(_look(asset))
+
+
+@lru_cache(maxsize=1024)
+def _linked(look: _Look) -> tuple[Link, ...]:
+    asset, built = look.asset, _built(look)
+    if not built.joints:
+        return (Link("", tuple(mesh(asset)), _closed_pieces(look), None),)
+    room = free_room(asset)
+    found = []
+    for joint in (None, *built.joints):
+        name = "" if joint is None else joint.part
+        parts = _parts([(piece, [c for c in piece.chunks if c.link == name]) for piece in built.pieces])
+        bodies = [body.shape for body in built.bodies if body.link == name]
+        found.append(Link(name, tuple(parts), tuple(simplified(bodies, asset.size, room)), joint))
+    return tuple(found)
+
+
+def free_room(asset: Asset) -> list[Box]:
+    """Return the room on and in an asset that objects take, as boxes."""
+    above = [Box((s.x, s.y, s.z + s.clearance / 2), (s.w, s.d, s.clearance)) for s in asset.surfaces]
+    return [*above, *(Box((v.x, v.y, v.z), (v.w, v.d, v.h)) for v in asset.volumes)]
 
 
 def _look(asset: Asset) -> _Look:
@@ -72,30 +161,38 @@ def _look(asset: Asset) -> _Look:
     return _Look(msgspec.msgpack.encode(plain))
 
 
-Pieces = list[tuple[str, str, Floats, Ints]]
+class _Built(NamedTuple):
+    """What a recipe has made, in the asset's frame."""
+
+    pieces: tuple[Piece, ...]
+    boxes: tuple[Box, ...]
+    bodies: tuple[Body, ...]
+    joints: tuple[Joint, ...]
 
 
 @lru_cache(maxsize=1024)
-def _built(look: _Look) -> tuple[Pieces, list[Box]]:
-    asset = msgspec.msgpack.decode(look.payload, type=Asset)
+def _built(look: _Look) -> _Built:
+    asset = look.asset
     make = recipe_named(asset.recipe)
     if make is None:
         raise MansionError(ErrorCode.NOT_FOUND, f"no mesh recipe {asset.recipe!r}")
     builder = Builder(asset)
     make(builder)
-    pieces = [
-        (p.part, p.material, np.concatenate(p.vertices), np.concatenate(p.faces)) for p in builder.pieces.values()
-    ]
-    low = np.min([v.min(axis=0) for _, _, v, _ in pieces], axis=0)
-    high = np.max([v.max(axis=0) for _, _, v, _ in pieces], axis=0)
+    chunks = [chunk for piece in builder.pieces.values() for chunk in piece.chunks if not chunk.hidden]
+    low = np.min([chunk.vertices.min(axis=0) for chunk in chunks], axis=0)
+    high = np.max([chunk.vertices.max(axis=0) for chunk in chunks], axis=0)
     size = np.array(asset.size)
     scale = size / np.maximum(high - low, 1e-6)
     center = (low + high) / 2
-    fitted = [(part, name, (v - center) * scale, f) for part, name, v, f in pieces]
     boxes = [
         Box(_vec((np.array(b.center) - center) * scale), _vec(np.array(b.size) * scale)) for b in _fewer(builder.boxes)
     ]
-    return fitted, boxes or [Box((0.0, 0.0, 0.0), asset.size)]
+    return _Built(
+        tuple(piece.fitted(center, scale) for piece in builder.pieces.values()),
+        tuple(boxes) or (Box((0.0, 0.0, 0.0), asset.size),),
+        tuple(body._replace(shape=fitted(body.shape, center, scale)) for body in builder.bodies),
+        tuple(joint.fitted(center, scale) for joint in builder.joints),
+    )
 
 
 def _vec(values: Floats) -> tuple[float, float, float]:
@@ -128,7 +225,8 @@ def _from_glb(asset: Asset) -> list[MeshPart]:
     for number, (geometry, p) in enumerate(zip(geometries, points, strict=True)):
         fitted = (p - (low + high) / 2) * scale
         faces = np.asarray(geometry.faces, dtype=np.int64)
-        out.append(MeshPart(f"part_{number + 1}", fitted, faces, _glb_material(geometry, asset)))
+        coordinates = box_coordinates(fitted, faces, np.zeros(1, dtype=np.int64), turned=False)
+        out.append(MeshPart(f"part_{number + 1}", fitted, faces, _glb_material(geometry, asset), coordinates))
     return out
 
 

@@ -245,7 +245,7 @@ class MansionClient(Closing):
         output : str, optional
             Folder, seen from the director's process.
         **fields
-            Other fields of `BuildRequest`.
+            Other fields of `BuildJob`.
         """
         job = BuildJob(description=description, output=output, **fields)
         reply: BuildReply = self.call("build_building", job, reply=BuildReply)

@@ -9,8 +9,7 @@ from typing import TypeVar
 
 import msgspec
 
-from mansion_bringup.building.files import building_exports as building_files
-from mansion_bringup.building.files import floor_exports as floor_files
+from mansion_bringup.building.files import kept_files
 from mansion_bringup.building.receipt import receipt
 from mansion_bringup.check.cores import check_cores
 from mansion_bringup.check.fault import Fault
@@ -24,7 +23,7 @@ from mansion_msgs_py.codec import decode, encode_bytes
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.scene import FloorScene, SceneObject
 
-__all__ = ["building_files", "floor_files", "new_faults", "records"]
+__all__ = ["kept_files", "new_faults", "records"]
 
 T = TypeVar("T")
 

@@ -9,7 +9,7 @@ from typing import Final
 from mansion_assets.catalogue import load_catalogue
 from mansion_assets.retrieval.configured import configured_retriever
 from mansion_assets.retrieval.static_vectors import PACKAGED
-from mansion_bringup.edit_hooks import building_files, floor_files, new_faults, records
+from mansion_bringup.edit_hooks import kept_files, new_faults, records
 from mansion_bringup.extras import ensure_extra
 from mansion_editing.editor import SceneEditor
 from mansion_editing.physics.engine import engine_named
@@ -51,9 +51,9 @@ def _now() -> str:
 
 
 def write_derived(editor: SceneEditor) -> list[int]:
-    """Write anew what is made from the floors that changed, and return these floors."""
+    """Write anew what the folder has that is made from the floors that changed, and return these floors."""
     try:
-        return editor.store.refresh(floor_files, building_files)
+        return editor.store.refresh(kept_files)
     except OSError as error:
         outcome = "the building is as told, but plans and models made from it are behind; the next edit writes them"
         raise refused_by_system(error, outcome) from error

@@ -1,5 +1,6 @@
 """A finished building in another program's format, and as a page for people."""
 
+from collections.abc import Sequence
 from pathlib import Path
 
 from mansion_bringup.extras import ensure_extra
@@ -9,7 +10,7 @@ from mansion_msgs_py.building_folder import BuildingFolder, file_in
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import write_atomic
 
-__all__ = ["PAGE", "format_named", "write_export", "write_page"]
+__all__ = ["PAGE", "format_named", "format_names", "write_export", "write_page"]
 
 PAGE = "view.html"
 """Name of the page in a building's folder."""
@@ -30,7 +31,19 @@ def format_named(name: str) -> Format:
     return formats[name]
 
 
-def write_export(building: Path, to: Format, output: Path | None = None) -> list[Path]:
+def format_names(listed: str | Sequence[str]) -> list[str]:
+    """Return names of formats that are given one by one, or in one text with commas between them.
+
+    Examples
+    --------
+    >>> format_names("glb, nav2"), format_names(["all"]), format_names("")
+    (['glb', 'nav2'], ['all'], [])
+    """
+    given = listed.split(",") if isinstance(listed, str) else listed
+    return [name.strip() for name in given if name.strip()]
+
+
+def write_export(building: Path, to: Format, output: Path | None = None, *, articulated: bool = False) -> list[Path]:
     """Write a building in a format, and return the files, those of the whole building first.
 
     Parameters
@@ -39,13 +52,23 @@ def write_export(building: Path, to: Format, output: Path | None = None) -> list
         The building's folder.
     output : Path, optional
         Folder to write; the building's own when absent.
+    articulated : bool
+        With joints for doors, drawers and lids.
+
+    Raises
+    ------
+    MansionError
+        ``UNAVAILABLE`` where the format has no joints.
     """
+    if articulated and not to.jointed:
+        known = ", ".join(name for name, each in export_formats().items() if each.jointed)
+        raise MansionError(ErrorCode.UNAVAILABLE, f"{to.name} has no joints; use one of {known}", path="$.to")
     read, target = BuildingFolder(building), output or building
     if to.extra:
         ensure_extra(to.extra)
     scenes = read.scenes()
     require_sound_shapes(scenes)
-    files = to.make(scenes)
+    files = to.make(scenes, articulated=articulated)
     for name, data in files.items():
         write_atomic(file_in(target, name), data)
     return [target / name for name in files]

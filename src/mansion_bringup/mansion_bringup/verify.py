@@ -12,6 +12,7 @@ from typing import Any, Final
 from mansion_bringup.check import Fault, check_building
 from mansion_bringup.check.building import check_floors, check_records
 from mansion_msgs_py.building import Building
+from mansion_msgs_py.building_folder import floor_file
 from mansion_msgs_py.layout import FloorLayout
 from mansion_msgs_py.scene import FloorScene
 from mansion_msgs_py.topology import FloorTopology
@@ -31,9 +32,9 @@ def check_assets(folder: Path, building: Building, scenes: Sequence[FloorScene])
 
 
 def check_house_files(folder: Path, building: Building, scenes: Sequence[FloorScene]) -> Iterator[Fault]:
-    """Yield the faults of every floor's ``house.json``; a missing file is `check_files`'s."""
+    """Yield the faults of each ``house.json`` that is there; a file that is named and missing is `check_files`'s."""
     for floor in building.floors:
-        name = floor.files.get("house", "")
+        name = floor_file(floor, "house", "house.json")
         try:
             house = json.loads((folder / name).read_bytes())
         except OSError:

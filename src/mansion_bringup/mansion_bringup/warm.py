@@ -29,6 +29,7 @@ def _navigation() -> None:
 def _pictures() -> None:
     import numpy as np
 
+    from mansion_assets.texture_coordinates import fitted_coordinates
     from mansion_export.glb import write_glb
     from mansion_export.model import Material, Node, Part, Surface, assemble
     from mansion_export.renderer import View, flatten, render
@@ -43,6 +44,7 @@ def _pictures() -> None:
         )
         parts.append((Node(f"warm_{k}", f"warm_{k}", "structure"), [surface]))
     model = assemble("warm", 1, 0.0, parts)
+    fitted_coordinates(corners.astype(np.float64), np.array([[0, 1, 2]]), np.zeros(1, dtype=np.int64))
     render(flatten(model), View())
     write_glb([model], "warm")
 

@@ -30,6 +30,7 @@ from mansion_msgs_py.world import ObjectState, WorldState
 
 __all__ = [
     "BuildingStore",
+    "KeptFiles",
     "Records",
     "Validator",
     "append_line",
@@ -45,6 +46,11 @@ Validator = Callable[[Scenes, Scenes], Sequence[str]]
 
 Records = Callable[[Path, Scenes], Mapping[str, bytes]]
 """Gets the folder and all its floors, and returns the files about the whole building that they make untrue."""
+
+
+KeptFiles = Callable[[Path, Sequence[FloorScene], Sequence[int]], Mapping[str, bytes]]
+"""Gets the folder, all its floors, and the numbers of those that changed; returns what the folder has that is made from
+these, made anew."""
 
 
 class BuildingStore:
@@ -369,19 +375,13 @@ class BuildingStore:
         made = _revisions_made(record)
         return [floor for floor, scene in self.scenes().items() if scene.revision != made.get(str(floor), 1)]
 
-    def refresh(
-        self,
-        files_of: Callable[[FloorScene], Mapping[str, bytes]],
-        whole: Callable[[Sequence[FloorScene]], Mapping[str, bytes]],
-    ) -> list[int]:
+    def refresh(self, kept: KeptFiles) -> list[int]:
         """Regenerate the derived files of floors whose revision changed since they were written.
 
         Parameters
         ----------
-        files_of : callable
-            Files of one floor by path relative to the folder.
-        whole : callable
-            Files of the whole building, from all floors; asked when any floor changed.
+        kept : callable
+            Returns the files that are made anew, by path relative to the folder; asked when any floor changed.
 
         Returns
         -------
@@ -397,10 +397,7 @@ class BuildingStore:
                 return []
             scenes = self.scenes()
             made = _revisions_made(record)
-            files: dict[str, bytes] = {}
-            for floor in behind:
-                files.update(files_of(scenes[floor]))
-            files.update(whole([scenes[floor] for floor in sorted(scenes)]))
+            files = kept(self.folder, [scenes[floor] for floor in sorted(scenes)], behind)
             for name, data in sorted(files.items()):
                 write_atomic(file_in(self.folder, name), data, durable=True)
             made.update({str(floor): scenes[floor].revision for floor in behind})

@@ -1,24 +1,29 @@
 """A floor and a building as models: slabs, walls, ceilings, roof, openings, cores and objects."""
 
+import zlib
 from collections.abc import Iterator, Sequence
 from functools import lru_cache
 
 from shapely.geometry import Polygon
 
-from mansion_assets.catalogue import Catalogue, load_catalogue
+from mansion_assets.catalogue import Asset, Catalogue, load_catalogue
 from mansion_assets.catalogue.palette import PbrMaterial
+from mansion_assets.catalogue.palette import material as pbr_material
+from mansion_assets.materials import art, set_of
+from mansion_assets.meshes import MeshPart, mesh
 from mansion_export.core_meshes import core_parts
+from mansion_export.exterior import entrance_parts, plot_parts, roof_parts
 from mansion_export.materials import hex_color, named, surface_material
 from mansion_export.model import Material, Model, Node, Part, Surface, assemble
 from mansion_export.opening_meshes import door_parts, window_parts
 from mansion_export.presentation import floor_name, room_title
+from mansion_export.shared_meshes import named_by_content
 from mansion_export.solids import Box, boxes_surface, polygon_surface
 from mansion_export.walls import WallBodies, wall_surfaces
 from mansion_msgs_py.scene import FloorScene, SceneObject, StairDetails
 from mansion_msgs_py.shapes import Ring
-from mansion_scene.structure.materials import facade_of
 
-__all__ = ["asset_surfaces", "building_models", "floor_model", "object_parts"]
+__all__ = ["asset_surfaces", "building_models", "floor_model", "object_parts", "part_surfaces"]
 
 FINISH = 0.02
 """Thickness of the floor finish on the slab, metres."""
@@ -29,7 +34,7 @@ def floor_model(
     *,
     ceilings: bool = True,
     cabins: frozenset[str] | None = None,
-    roof: bool = False,
+    outside: Sequence[Part] = (),
     catalogue: Catalogue | None = None,
 ) -> Model:
     """Make the model of a floor: structure, openings, cores and objects.
@@ -41,8 +46,8 @@ def floor_model(
         Leave them out, and what hangs from them, for a view from above.
     cabins : frozenset of str, optional
         Ids of the lifts whose cabin stands here; all when it is left out.
-    roof : bool
-        Put a flat roof on the floor.
+    outside : sequence of Part
+        What the floor shows to the street besides.
     catalogue : Catalogue, optional
         Where the assets are, when they are not all in the shipped one.
     """
@@ -55,22 +60,37 @@ def floor_model(
         *window_parts(scene),
         *core_parts(scene, cabins),
         *object_parts(scene, catalogue, ceilings=ceilings),
-        *(_roof(scene) if roof else ()),
+        *outside,
     ]
-    return assemble(f"floor_{scene.floor}", scene.floor, scene.elevation, parts, floor_name(scene).capitalize())
+    title = floor_name(scene).capitalize()
+    return named_by_content(assemble(f"floor_{scene.floor}", scene.floor, scene.elevation, parts, title))
 
 
 def building_models(
-    scenes: Sequence[FloorScene], *, ceilings: bool = True, catalogue: Catalogue | None = None
+    scenes: Sequence[FloorScene], *, ceilings: bool = True, site: bool = True, catalogue: Catalogue | None = None
 ) -> list[Model]:
-    """Make the models of all floors, lowest first; lifts wait on the lowest floor that is above ground."""
+    """Make the models of all floors, lowest first; lifts wait on the lowest floor that is above ground.
+
+    Parameters
+    ----------
+    ceilings : bool
+        Leave them out, and the roofs, for a view from above.
+    site : bool
+        With the plot around the building, and what stands before its doors.
+    """
     ordered = sorted(scenes, key=lambda scene: scene.floor)
     ground = next((s.floor for s in ordered if s.floor >= 1), ordered[-1].floor if ordered else 1)
     models = []
-    for scene in ordered:
+    for number, scene in enumerate(ordered):
         here = frozenset(core.id for core in scene.cores) if scene.floor == ground else frozenset()
-        top = ceilings and scene is ordered[-1]
-        models.append(floor_model(scene, ceilings=ceilings, cabins=here, roof=top, catalogue=catalogue))
+        outside: list[Part] = []
+        if ceilings:
+            above = ordered[number + 1] if number + 1 < len(ordered) else None
+            covered = None if above is None else _slab_polygon(above, above=False, openings=False)
+            outside += roof_parts(scene, _slab_polygon(scene, above=True, openings=above is not None), covered)
+        if site and scene.floor == 1:
+            outside += [*plot_parts(scene, _slab_polygon(scene, above=False, openings=False)), *entrance_parts(scene)]
+        models.append(floor_model(scene, ceilings=ceilings, cabins=here, outside=outside, catalogue=catalogue))
     return models
 
 
@@ -106,12 +126,12 @@ def _slab(scene: FloorScene) -> Iterator[Part]:
             yield node, [polygon_surface(Polygon(landing), -FINISH, 0.0, concrete)]
 
 
-def _slab_polygon(scene: FloorScene, *, above: bool) -> Polygon:
-    """Return the slab below or above a floor: the outer face of its walls less the holes of its cores."""
+def _slab_polygon(scene: FloorScene, *, above: bool, openings: bool = True) -> Polygon:
+    """Return the slab below or above a floor: the outer face of its walls, less the openings of its cores."""
     outer = max((wall.thickness for wall in scene.walls if wall.exterior), default=0.0)
     outline = Polygon(scene.outline, scene.holes)
     slab = outline.buffer(outer, join_style="mitre", mitre_limit=2.5)
-    for core in scene.cores:
+    for core in scene.cores if openings else ():
         opening: Ring = []
         if core.details is not None:
             opening = core.details.ceiling_opening if above else core.details.floor_opening
@@ -152,21 +172,6 @@ def _ceilings(scene: FloorScene) -> Iterator[Part]:
         yield Node(name, name, "ceiling", room=room.id), [board]
 
 
-def _roof(scene: FloorScene) -> Iterator[Part]:
-    """Yield the flat roof above a floor, with a low parapet."""
-    top = max((wall.height for wall in scene.walls), default=2.8)
-    slab = _slab_polygon(scene, above=True)
-    ring = slab.difference(slab.buffer(-0.2, join_style="mitre"))
-    name = f"F{scene.floor}/roof"
-    yield (
-        Node(name, name, "ceiling"),
-        [
-            *_prisms(slab, top, top + 0.25, named("polished_concrete")),
-            *_prisms(ring, top + 0.25, top + 0.6, surface_material(facade_of(scene), "wall")),
-        ],
-    )
-
-
 def object_parts(scene: FloorScene, catalogue: Catalogue | None = None, *, ceilings: bool = True) -> Iterator[Part]:
     """Yield each object of a floor where it stands; objects of one asset and colour share a mesh.
 
@@ -189,9 +194,17 @@ def object_parts(scene: FloorScene, catalogue: Catalogue | None = None, *, ceili
         if asset is None:
             yield _object_node(item, f"box:{item.color}", (1.0, 1.0, 1.0)), _unit_box(item.color)
         else:
-            own = item.color in ("", asset.color)
-            name = f"asset:{asset.key}" if own else f"asset:{asset.key}:{item.color}"
-            yield _object_node(item, name, asset.size), asset_surfaces(asset.key, known, "" if own else item.color)
+            color = "" if item.color in ("", asset.color) else item.color
+            picture = _picture_of(item, asset)
+            name = ":".join(filter(None, ("asset", asset.key, color, picture)))
+            yield _object_node(item, name, asset.size), asset_surfaces(asset.key, known, color, picture)
+
+
+def _picture_of(item: SceneObject, asset: Asset) -> str:
+    """Return the material of what a painting shows, one of its own for each; empty for other objects."""
+    if asset.parameters.get("face") != "art":
+        return ""
+    return art()[zlib.crc32(item.id.encode()) % len(art())]
 
 
 def _object_node(item: SceneObject, mesh: str, size: tuple[float, float, float]) -> Node:
@@ -202,17 +215,30 @@ def _object_node(item: SceneObject, mesh: str, size: tuple[float, float, float])
 
 
 @lru_cache(maxsize=4096)
-def asset_surfaces(key: str, catalogue: Catalogue, color: str) -> tuple[Surface, ...]:
-    """Return the surfaces of an asset's mesh, the main material in another colour where `color` is not empty."""
-    from mansion_assets.meshes import mesh
+def asset_surfaces(key: str, catalogue: Catalogue, color: str = "", picture: str = "") -> tuple[Surface, ...]:
+    """Return the surfaces of an asset's mesh.
 
+    Parameters
+    ----------
+    key : str
+    catalogue : Catalogue
+    color : str
+        Of the main material; its own where it is empty.
+    picture : str
+        Material of the painting that the asset carries; that of the mesh where it is empty.
+    """
     asset = catalogue.asset(key)
-    return tuple(
-        Surface(
-            _material(part.material, color if part.material.name == asset.material else ""), part.vertices, part.faces
-        )
-        for part in mesh(asset)
-    )
+    return part_surfaces(mesh(asset), asset.material, color, picture)
+
+
+def part_surfaces(parts: Sequence[MeshPart], main: str, color: str, picture: str = "") -> tuple[Surface, ...]:
+    """Return the surfaces of parts of a mesh whose main material is `main`; see `asset_surfaces`."""
+    surfaces = []
+    for part in parts:
+        entry = pbr_material(picture) if picture and part.material.name in art() else part.material
+        look = _material(entry, color if entry.name == main else "")
+        surfaces.append(Surface(look, part.vertices, part.faces, part.coordinates))
+    return tuple(surfaces)
 
 
 def _material(entry: PbrMaterial, color: str) -> Material:
@@ -223,6 +249,7 @@ def _material(entry: PbrMaterial, color: str) -> Material:
         entry.roughness,
         entry.metallic,
         entry.emissive,
+        set_of(entry.name),
     )
 
 

@@ -2,18 +2,32 @@
 
 A format is a module and a registration below. ``mansion export --to`` and its help, the files of ``mansion build`` and
 of ``mansion edit``, and the index ``building.json`` follow from the registrations; a test compares the table in
-``docs/exports.md`` with them.
+``docs/exports.md`` with them. Every build writes the few formats that people look at; the others it writes when asked.
 Functions are named and imported on use, so that the command line can list the formats without loading any.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pkgutil import resolve_name
-from typing import Any
+from typing import Any, Final
 
+from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import FloorScene
 
-__all__ = ["Format", "Output", "built_building_outputs", "built_floor_outputs", "export_formats", "register"]
+__all__ = [
+    "ALL",
+    "Format",
+    "Output",
+    "Outputs",
+    "export_formats",
+    "formats_of_build",
+    "indexed_outputs",
+    "outputs_of_build",
+    "register",
+]
+
+ALL: Final = "all"
+"""What a build is asked for to write every format that ``building.json`` has keys for."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,22 +42,27 @@ class Output:
     files : tuple of str
         Their names in the folder of the floor, or of the building; meshes are left out.
     keys : tuple of str
-        Their keys in ``building.json``; empty where ``mansion build`` does not write them.
+        Their keys in ``building.json``; empty for what it does not name.
+    jointed : bool
+        Whether the function takes ``articulated=True``, for parts that move.
     """
 
     function: str
     files: tuple[str, ...]
     keys: tuple[str, ...] = ()
+    jointed: bool = False
 
     @property
     def module(self) -> str:
         """Name of the module that defines the function."""
         return self.function.partition(":")[0]
 
-    def make(self, scenes: FloorScene | Sequence[FloorScene]) -> dict[str, bytes]:
-        """Return the files by path in the building's folder."""
+    def make(self, scenes: FloorScene | Sequence[FloorScene], *, articulated: bool = False) -> dict[str, bytes]:
+        """Return the files by path in the building's folder, with joints where they are asked for and can be had."""
         function: Any = resolve_name(self.function)
-        files: dict[str, bytes] = function(scenes)
+        files: dict[str, bytes] = (
+            function(scenes, articulated=True) if articulated and self.jointed else function(scenes)
+        )
         return files
 
 
@@ -61,6 +80,8 @@ class Format:
         What is made of all floors together, and of each.
     extra : str
         Optional dependency that it needs; empty for none.
+    always : bool
+        Whether every build writes it, asked or not.
     """
 
     name: str
@@ -68,12 +89,26 @@ class Format:
     building: Output | None = None
     floor: Output | None = None
     extra: str = ""
+    always: bool = False
 
-    def make(self, scenes: Sequence[FloorScene]) -> dict[str, bytes]:
+    @property
+    def jointed(self) -> bool:
+        """Whether the format has joints for parts that move."""
+        return any(output is not None and output.jointed for output in (self.building, self.floor))
+
+    def make(self, scenes: Sequence[FloorScene], *, articulated: bool = False) -> dict[str, bytes]:
         """Return all files of the format, those of the whole building first, by path in the building's folder."""
-        made = [self.building.make(scenes)] if self.building else []
-        made += [self.floor.make(scene) for scene in scenes] if self.floor else []
+        made = [self.building.make(scenes, articulated=articulated)] if self.building else []
+        made += [self.floor.make(scene, articulated=articulated) for scene in scenes] if self.floor else []
         return {path: data for files in made for path, data in files.items()}
+
+
+@dataclass(frozen=True, slots=True)
+class Outputs:
+    """What is made of each floor, and of all floors together, in the order of the formats."""
+
+    floor: tuple[Output, ...]
+    building: tuple[Output, ...]
 
 
 _formats: dict[str, Format] = {}
@@ -100,18 +135,52 @@ def export_formats() -> dict[str, Format]:
     return dict(_formats)
 
 
-def built_floor_outputs() -> Iterator[Output]:
-    """Yield what a build writes of each floor."""
-    for each in _formats.values():
-        if each.floor is not None and each.floor.keys:
-            yield each.floor
+def formats_of_build(names: Iterable[str] = ()) -> tuple[Format, ...]:
+    """Return the formats that a build writes: those of every build, and those that it is asked for.
+
+    Parameters
+    ----------
+    names : iterable of str
+        Names of formats; `ALL` stands for those that ``building.json`` has keys for.
+
+    Raises
+    ------
+    MansionError
+        ``NOT_FOUND`` at ``$.formats`` with the names that there are.
+    """
+    asked = set(names)
+    unknown = sorted(asked - {ALL, *_formats})
+    if unknown:
+        raise MansionError(
+            ErrorCode.NOT_FOUND,
+            f"no format {', '.join(map(repr, unknown))}; use {ALL}, or some of {', '.join(_formats)}",
+            path="$.formats",
+        )
+    return tuple(
+        each
+        for each in _formats.values()
+        if each.always or each.name in asked or (ALL in asked and any(_indexed(each)))
+    )
 
 
-def built_building_outputs() -> Iterator[Output]:
-    """Yield what a build writes of all floors together."""
-    for each in _formats.values():
-        if each.building is not None and each.building.keys:
-            yield each.building
+def outputs_of_build(names: Iterable[str] = ()) -> Outputs:
+    """Return what a build writes; see `formats_of_build`.
+
+    Of a format that ``building.json`` has keys for this is what they name, of another one all that an export writes.
+    """
+    chosen = formats_of_build(names)
+    whole = [each.building for each in chosen if each.building and (each.building.keys or not any(_indexed(each)))]
+    floor = [each.floor for each in chosen if each.floor and (each.floor.keys or not any(_indexed(each)))]
+    return Outputs(tuple(floor), tuple(whole))
+
+
+def indexed_outputs() -> Outputs:
+    """Return what ``building.json`` has keys for, in all formats."""
+    return outputs_of_build((ALL,))
+
+
+def _indexed(each: Format) -> tuple[Output, ...]:
+    return tuple(output for output in (each.floor, each.building) if output is not None and output.keys)
 
 
 register(
@@ -122,6 +191,7 @@ register(
         "plan",
         "floor plan",
         floor=Output("mansion_export.plan:plan_files", ("plan.svg", "plan.png"), ("plan_svg", "plan_png")),
+        always=True,
     )
 )
 register(
@@ -131,7 +201,11 @@ register(
         floor=Output("mansion_export.nav2:map_files", ("map.yaml", "map.pgm"), ("map", "map_image")),
     )
 )
-register(Format("mjcf", "MuJoCo model", floor=Output("mansion_export.mjcf:mjcf_files", ("model.xml",), ("model",))))
+register(
+    Format(
+        "mjcf", "MuJoCo model", floor=Output("mansion_export.mjcf:mjcf_files", ("model.xml",), ("model",), jointed=True)
+    )
+)
 register(
     Format(
         "glb",
@@ -145,12 +219,20 @@ register(
         "overview",
         "picture of the building",
         building=Output("mansion_export.overview:overview_files", ("building.png",), ("picture",)),
+        always=True,
     )
 )
 register(Format("html", "page with a 3D view", building=Output("mansion_export.html:page_files", ("view.html",))))
-register(Format("sdf", "Gazebo world", building=Output("mansion_export.sdf:sdf_files", ("building.sdf",))))
 register(
-    Format("usd", "OpenUSD stage", building=Output("mansion_export.usd:usd_files", ("building.usdc",)), extra="usd")
+    Format("sdf", "Gazebo world", building=Output("mansion_export.sdf:sdf_files", ("building.sdf",), jointed=True))
+)
+register(
+    Format(
+        "usd",
+        "OpenUSD stage",
+        building=Output("mansion_export.usd:usd_files", ("building.usdc",), jointed=True),
+        extra="usd",
+    )
 )
 register(
     Format(

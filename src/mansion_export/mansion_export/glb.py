@@ -8,10 +8,13 @@ import numpy as np
 import numpy.typing as npt
 
 from mansion_assets.catalogue import Catalogue
+from mansion_assets.materials import material_set
 from mansion_export.building_model import building_models, floor_model
+from mansion_export.gltf_buffer import Buffer
+from mansion_export.gltf_textures import Textures
 from mansion_export.materials import linear
 from mansion_export.model import Material, Mesh, Model, Node, Surface
-from mansion_export.normals import corner_normals
+from mansion_export.normals import corner_normals, textured_corners
 from mansion_export.presentation import building_title, floor_title, quarter_turns
 from mansion_msgs_py.building_folder import floor_directory
 from mansion_msgs_py.scene import FloorScene
@@ -20,15 +23,12 @@ __all__ = ["building_files", "building_glb", "floor_files", "floor_glb", "write_
 
 Json: TypeAlias = dict[str, Any]
 
-FLOAT, USHORT, UINT = 5126, 5123, 5125
-
-ARRAY, ELEMENTS = 34962, 34963
-
 
 def building_glb(
     scenes: Sequence[FloorScene],
     *,
     ceilings: bool = True,
+    site: bool = True,
     catalogue: Catalogue | None = None,
     models: Sequence[Model] | None = None,
 ) -> bytes:
@@ -40,6 +40,8 @@ def building_glb(
         In any order.
     ceilings : bool
         With ceilings and roof, as a robot sees it; without them, for a look from above.
+    site : bool
+        With the plot around the building.
     catalogue : Catalogue, optional
         Where the assets are, when they are not all in the shipped one.
     models : sequence of Model, optional
@@ -53,7 +55,7 @@ def building_glb(
     """
     name = scenes[0].building_id if scenes else "building"
     if models is None:
-        models = building_models(scenes, ceilings=ceilings, catalogue=catalogue)
+        models = building_models(scenes, ceilings=ceilings, site=site, catalogue=catalogue)
     return write_glb(models, name, building_title(scenes), quarter_turns(scenes))
 
 
@@ -111,9 +113,8 @@ class _Writer:
         self.nodes: list[Json] = []
         self.meshes: list[Json] = []
         self.materials: list[Json] = []
-        self.accessors: list[Json] = []
-        self.views: list[Json] = []
-        self.buffer = bytearray()
+        self.buffer = Buffer()
+        self.textures = Textures(self.buffer)
         self._mesh_index: dict[str, int] = {}
         self._material_index: dict[Material, int] = {}
 
@@ -149,16 +150,24 @@ class _Writer:
         return self._mesh_index[mesh.name]
 
     def primitive(self, surface: Surface) -> Json:
-        points, normals, indices = corner_normals(surface.vertices, surface.faces)
+        textured = bool(surface.material.texture)
+        if textured:
+            points, normals, places, indices = textured_corners(surface.vertices, surface.faces, surface.coordinates)
+        else:
+            points, normals, indices = corner_normals(surface.vertices, surface.faces)
         positions = gltf_points(points)
-        kind = USHORT if len(positions) < 65535 else UINT
-        dtype = np.uint16 if kind == USHORT else np.uint32
+        attributes = {
+            "POSITION": self.buffer.array(positions, bounds=True),
+            "NORMAL": self.buffer.array(gltf_points(normals)),
+        }
+        if textured:
+            width, height = material_set(surface.material.texture).size
+            tiles = places / (width, -height)
+            attributes["TEXCOORD_0"] = self.buffer.array(tiles.astype(np.float32))
+        dtype = np.uint16 if len(positions) < 65535 else np.uint32
         return {
-            "attributes": {
-                "POSITION": self.accessor(positions, "VEC3", FLOAT, ARRAY, bounds=True),
-                "NORMAL": self.accessor(gltf_points(normals), "VEC3", FLOAT, ARRAY),
-            },
-            "indices": self.accessor(indices.astype(dtype).reshape(-1), "SCALAR", kind, ELEMENTS),
+            "attributes": attributes,
+            "indices": self.buffer.array(indices.astype(dtype).reshape(-1)),
             "material": self.material(surface.material),
         }
 
@@ -174,26 +183,11 @@ class _Writer:
                 content |= {"alphaMode": "BLEND", "doubleSided": True}
             if material.emission > 0.0:
                 content["emissiveFactor"] = [round(material.emission * c, 6) for c in linear(material.color)]
+            if material.texture:
+                content = self.textures.dressed(material, content)
             self.materials.append(content)
             self._material_index[material] = len(self.materials) - 1
         return self._material_index[material]
-
-    def accessor(self, array: npt.NDArray[Any], kind: str, component: int, target: int, *, bounds: bool = False) -> int:
-        """Append an array to the buffer, on a multiple of four bytes, and describe it."""
-        data = array.tobytes()
-        self.views.append({"buffer": 0, "byteOffset": len(self.buffer), "byteLength": len(data), "target": target})
-        self.buffer += data + b"\0" * (-len(data) % 4)
-        content: Json = {
-            "bufferView": len(self.views) - 1,
-            "componentType": component,
-            "count": len(array),
-            "type": kind,
-        }
-        if bounds:
-            content["min"] = [float(value) for value in array.min(0)]
-            content["max"] = [float(value) for value in array.max(0)]
-        self.accessors.append(content)
-        return len(self.accessors) - 1
 
     def finish(self, root: int) -> bytes:
         """Write header, JSON chunk and binary chunk (glTF 2.0, 4.4)."""
@@ -203,19 +197,21 @@ class _Writer:
             "scenes": [{"nodes": [root]}],
             "nodes": self.nodes,
         }
+        views, data = self.buffer.finish()
         if self.meshes:
             document |= {
                 "meshes": self.meshes,
                 "materials": self.materials,
-                "accessors": self.accessors,
-                "bufferViews": self.views,
-                "buffers": [{"byteLength": len(self.buffer)}],
+                **self.textures.document(),
+                "accessors": self.buffer.accessors,
+                "bufferViews": views,
+                "buffers": [{"byteLength": len(data)}],
             }
         text = json.dumps(document, separators=(",", ":")).encode()
         text += b" " * (-len(text) % 4)
         chunks = len(text).to_bytes(4, "little") + b"JSON" + text
-        if self.buffer:
-            chunks += len(self.buffer).to_bytes(4, "little") + b"BIN\0" + bytes(self.buffer)
+        if data:
+            chunks += len(data).to_bytes(4, "little") + b"BIN\0" + data
         return b"glTF" + (2).to_bytes(4, "little") + (12 + len(chunks)).to_bytes(4, "little") + chunks
 
 

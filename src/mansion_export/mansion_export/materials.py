@@ -2,6 +2,7 @@
 
 from functools import cache
 
+from mansion_assets.materials import set_of
 from mansion_export.model import Material
 from mansion_scene.structure.materials import library, match_material
 
@@ -23,7 +24,9 @@ def linear(color: tuple[float, float, float]) -> list[float]:
 def named(name: str) -> Material:
     """Return a material of the library by its name."""
     entry = library()[name]
-    return Material(entry.name, hex_color(entry.color), entry.alpha, entry.roughness, entry.metallic)
+    return Material(
+        entry.name, hex_color(entry.color), entry.alpha, entry.roughness, entry.metallic, texture=set_of(name)
+    )
 
 
 @cache

@@ -3,13 +3,18 @@
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from typing import NamedTuple
 from xml.sax.saxutils import quoteattr
 
 import numpy as np
 
 from mansion_assets.catalogue import Catalogue
+from mansion_assets.convex import Hull
+from mansion_assets.physique import FRICTION
+from mansion_export.articulation import Assembly, Moving, assemblies, pose_at
 from mansion_export.building_model import floor_model
-from mansion_export.collision import collision_box, ground_boxes, is_loose, loose_colliders
+from mansion_export.cavities import is_loose, loose_colliders
+from mansion_export.collision import Colliders, Shape, ground_boxes, physique_of, shape_scaled
 from mansion_export.materials import surface_material
 from mansion_export.model import Material, Mesh, Model, Node, Surface
 from mansion_export.simulator_files import SimulatorModel, mesh_file_name, number_list, write_stl
@@ -18,8 +23,11 @@ from mansion_export.walls import WallBodies
 from mansion_geometry.building_models import CEILING_GROUP, COLLISION_GROUP, OBJECT_GROUP, STRUCTURE_GROUP, object_mass
 from mansion_msgs_py.building_folder import floor_directory
 from mansion_msgs_py.scene import FloorScene, Wall
+from mansion_msgs_py.shapes import Size3
 
 __all__ = ["floor_mjcf", "mjcf_files"]
+
+UNSCALED = (1.0, 1.0, 1.0)
 
 EYE = 1.3
 """Height of the spawn camera, metres."""
@@ -30,6 +38,7 @@ def floor_mjcf(
     mesh_dir: str = "../../meshes",
     *,
     free_pickupables: bool = False,
+    articulated: bool = False,
     catalogue: Catalogue | None = None,
 ) -> SimulatorModel:
     """Make the MuJoCo model of a floor, its finished floor at z = 0.
@@ -42,6 +51,8 @@ def floor_mjcf(
     free_pickupables : bool
         Give what can be picked up a free joint, and furniture that holds or covers such things boxes with room for
         them; else everything is fixed to the world, and a body is moved by writing its ``body_pos``.
+    articulated : bool
+        Give doors, drawers and lids joints, which stand as the scene has them: 0 is closed.
     catalogue : Catalogue, optional
         Where the assets are, when they are not all in the shipped one.
 
@@ -53,30 +64,56 @@ def floor_mjcf(
     model = floor_model(scene, catalogue=catalogue)
     writer = _Writer()
     items = {item.id: item for item in scene.objects}
-    colliders = loose_colliders(scene, catalogue) if free_pickupables else {}
+    colliders = Colliders(scene, catalogue)
+    moving = assemblies(scene, {node.id: node for node in model.nodes}, catalogue) if articulated else {}
+    hollowed = loose_colliders(scene, colliders, model) if free_pickupables else {}
     for wall, pieces in _wall_boxes(scene):
         writer.wall(wall, pieces)
     for node in model.nodes:
         if node.id in writer.walls:
             continue
         item = items.get(node.id)
+        loose = item is not None and free_pickupables and is_loose(item)
+        if node.id in moving:
+            writer.assembly(moving[node.id], free=loose)
+            continue
         mesh = model.meshes[node.mesh]
-        if item is not None and free_pickupables and is_loose(item):
-            whole = (Box((0.0, 0.0, 0.0), item.size),)
-            writer.body(node, mesh, colliders.get(node.id, whole), item.size)
+        mass = object_mass(item.size) if item is not None and loose else None
+        if node.id in hollowed:
+            writer.body(node, mesh, _Solid(f"{node.id}/hollowed", hollowed[node.id], UNSCALED), mass)
         else:
-            box = collision_box(node, mesh, item)
-            writer.body(node, mesh, colliders.get(node.id, (box,) if box is not None else ()))
+            own = colliders.of_object(item) if item is not None and loose else colliders.of(node, mesh)
+            writer.body(node, mesh, _Solid(node.mesh, own or (), node.scale), mass)
+    for door in scene.doors if articulated else ():
+        writer.excluded += [
+            (name, other)
+            for name in moving
+            if name.startswith(f"{door.id}/leaf")
+            for other in (door.id, door.wall)
+            if other
+        ]
     for name, solid in ground_boxes(scene):
         writer.solid(name, solid)
     return SimulatorModel(_document(scene, model, writer, mesh_dir), writer.files)
 
 
-def mjcf_files(scene: FloorScene) -> dict[str, bytes]:
+def mjcf_files(scene: FloorScene, *, articulated: bool = False) -> dict[str, bytes]:
     """Return ``model.xml`` of a floor and its meshes by their paths in the building's folder."""
-    model = floor_mjcf(scene)
+    model = floor_mjcf(scene, articulated=articulated)
     meshes = {f"meshes/{name}": data for name, data in sorted(model.meshes.items())}
     return {f"{floor_directory(scene.floor)}/model.xml": model.xml.encode(), **meshes}
+
+
+class _Solid(NamedTuple):
+    """What of a mesh collides, before its scale; meshes of one name have the same shapes."""
+
+    name: str
+    shapes: Sequence[Shape]
+    scale: Size3
+
+    def scaled(self) -> list[Shape]:
+        """Return the shapes in the body's frame."""
+        return [shape_scaled(shape, self.scale) for shape in self.shapes]
 
 
 @dataclass(slots=True)
@@ -86,6 +123,9 @@ class _Writer:
     assets: dict[str, str] = field(default_factory=dict)
     files: dict[str, bytes] = field(default_factory=dict)
     walls: set[str] = field(default_factory=set)
+    hulls: dict[str, str] = field(default_factory=dict)
+    solids: dict[tuple[str, int, Size3], list[str]] = field(default_factory=dict)
+    excluded: list[tuple[str, str]] = field(default_factory=list)
 
     def material(self, material: Material) -> str:
         """Return the name of a material, writing it when it is new."""
@@ -116,33 +156,62 @@ class _Writer:
                 )
         self.bodies.append(f"<body name={quoteattr(wall.id)}>{''.join(geoms)}</body>")
 
-    def body(
-        self, node: Node, mesh: Mesh, colliders: Sequence[Box], loose: tuple[float, float, float] | None = None
-    ) -> None:
-        """Write a node as a body of visual meshes and boxes to collide with; `loose` is the size of a free one."""
+    def body(self, node: Node, mesh: Mesh, solid: _Solid, mass: float | None = None) -> None:
+        """Write a node as a body of visual meshes and shapes to collide with; `mass` is that of a free one."""
+        parts = [*_freedom(node.id, solid, mass), *self._geoms(node.id, node, mesh, solid)]
+        self.bodies.append(f"<body name={quoteattr(node.id)} {_place(node)}>{''.join(parts)}</body>")
+
+    def assembly(self, assembly: Assembly, *, free: bool) -> None:
+        """Write an element with parts on joints: bodies within its body, or in a frame where all of it moves."""
+        node = assembly.node
+        inner = [self._moving(part, node) for part in assembly.moving]
+        if assembly.mesh is None:
+            self.bodies.append(f"<frame {_place(node)}>{''.join(inner)}</frame>")
+            return
+        solid = _Solid(assembly.mesh.name, assembly.shapes, node.scale)
+        parts = _freedom(node.id, solid, assembly.mass if free else None)
+        parts += self._geoms(node.id, node, assembly.mesh, solid)
+        self.bodies.append(f"<body name={quoteattr(node.id)} {_place(node)}>{''.join([*parts, *inner])}</body>")
+        self.excluded += [(part.id, node.id) for part in assembly.moving]
+
+    def _moving(self, part: Moving, node: Node) -> str:
+        """Return a part as a body with its joint, where the scene has it."""
+        joint = part.joint
+        shift, turn = pose_at(joint, part.position)
+        solid = _Solid(part.mesh.name, part.shapes, node.scale)
+        anchor = f' pos="{number_list(joint.origin)}"' if joint.kind == "hinge" else ""
+        content = [
+            f'<joint name={quoteattr(part.id)} type="{joint.kind}" axis="{number_list(joint.axis)}"{anchor} '
+            f'range="0 {joint.travel:.6g}" ref="{part.position:.6g}" '
+            f'frictionloss="{part.resistance:.4g}" damping="{part.damping:.4g}"/>',
+            _inertial(solid.scaled(), part.mass),
+            *self._geoms(part.id, node, part.mesh, solid),
+        ]
+        place = f'pos="{number_list(shift)}" euler="{number_list(turn)}"'
+        return f"<body name={quoteattr(part.id)} {place}>{''.join(content)}</body>"
+
+    def _geoms(self, name: str, node: Node, mesh: Mesh, solid: _Solid) -> list[str]:
+        """Return what of a body is seen and what of it collides."""
         group = {"objects": OBJECT_GROUP, "ceiling": CEILING_GROUP}.get(node.group, STRUCTURE_GROUP)
-        visual = 'contype="0" conaffinity="0" mass="0"'
         parts = []
-        if loose is not None:
-            parts.append(f"<freejoint name={quoteattr(node.id + '/joint')}/>{_inertial(loose)}")
         for i, surface in enumerate(mesh.surfaces):
-            name = node.id if i == 0 else f"{node.id}/{i}"
             parts.append(
-                f'<geom name={quoteattr(name)} type="mesh" '
+                f'<geom name={quoteattr(name if i == 0 else f"{name}/{i}")} type="mesh" '
                 f"mesh={quoteattr(self.mesh(mesh.name, i, surface, node.scale))} "
-                f'group="{group}" {visual} '
+                f'group="{group}" contype="0" conaffinity="0" mass="0" '
                 f"material={quoteattr(self.material(surface.material))}/>"
             )
-        for i, collision in enumerate(colliders):
-            name = f"{node.id}/collision{f'_{i}' if i else ''}"
-            parts.append(
-                f"<geom name={quoteattr(name)} {_box_attributes(collision)} "
-                f'group="{COLLISION_GROUP}" rgba="0.5 0.5 0.5 0.3"/>'
-            )
-        place = f'pos="{number_list(node.position)}"' if any(node.position) else ""
-        if node.rotation % 360.0:
-            place += f' quat="{_quaternion(node.rotation)}"'
-        self.bodies.append(f"<body name={quoteattr(node.id)} {place}>{''.join(parts)}</body>")
+        for i, shape in enumerate(self._shapes(solid)):
+            called = f"{name}/collision{f'_{i}' if i else ''}"
+            parts.append(f'<geom name={quoteattr(called)} class="collision" {shape}/>')
+        return parts
+
+    def _shapes(self, solid: _Solid) -> list[str]:
+        """Return the attributes of shapes; bodies that are alike have them from the first."""
+        key = (solid.name, len(solid.shapes), solid.scale)
+        if key not in self.solids:
+            self.solids[key] = [self.shape(shape) for shape in solid.scaled()]
+        return self.solids[key]
 
     def mesh(self, name: str, part: int, surface: Surface, scale: tuple[float, float, float]) -> str:
         """Return the name of a mesh asset at a scale, writing the asset and its file when they are new."""
@@ -158,11 +227,18 @@ class _Writer:
             self.assets[asset] = f'<mesh name={quoteattr(asset)} file={quoteattr(file)} inertia="shell"{size}/>'
         return asset
 
+    def shape(self, shape: Shape) -> str:
+        """Return the attributes of a shape to collide with, writing a hull's corners when they are new."""
+        if not isinstance(shape, Hull):
+            return _box_attributes(shape)
+        corners = number_list(shape.vertices.ravel().tolist())
+        if corners not in self.hulls:
+            self.hulls[corners] = f"hull_{len(self.hulls)}"
+        return f'type="mesh" mesh="{self.hulls[corners]}"'
+
     def solid(self, name: str, solid: Box) -> None:
         """Write a box of the world that is only collided with."""
-        self.bodies.append(
-            f'<geom name={quoteattr(name)} {_box_attributes(solid)} group="{COLLISION_GROUP}" rgba="0.5 0.5 0.5 0.3"/>'
-        )
+        self.bodies.append(f'<geom name={quoteattr(name)} class="collision" {_box_attributes(solid)}/>')
 
 
 def _wall_boxes(scene: FloorScene) -> list[tuple[Wall, list[Box]]]:
@@ -183,11 +259,20 @@ def _document(scene: FloorScene, model: Model, writer: _Writer, mesh_dir: str) -
         for material, name in writer.materials.items()
     )
     meshes = "\n".join(f"    {asset}" for asset in writer.assets.values())
+    hulls = "\n".join(
+        f'    <mesh name="{name}" vertex="{corners}" inertia="shell"/>' for corners, name in writer.hulls.items()
+    )
     bodies = "\n".join(f"    {body}" for body in writer.bodies)
     return f"""<mujoco model={quoteattr(f"{scene.building_id} {model.name}")}>
   <compiler angle="degree" meshdir={quoteattr(mesh_dir)} autolimits="true"/>
   <option timestep="0.004"/>
   <size memory="{_memory(len(writer.bodies))}M"/>
+  <default>
+    <geom friction="{FRICTION:g} 0.005 0.0001"/>
+    <default class="collision">
+      <geom group="{COLLISION_GROUP}" rgba="0.5 0.5 0.5 0.3"/>
+    </default>
+  </default>
   <statistic center="{number_list((cx, cy, 1.0))}" extent="{reach:.4g}"/>
   <visual>
     <global offwidth="1280" offheight="960" fovy="70"/>
@@ -199,6 +284,7 @@ def _document(scene: FloorScene, model: Model, writer: _Writer, mesh_dir: str) -
     <texture type="skybox" builtin="gradient" {_sky(scene)} width="128" height="128"/>
 {materials}
 {meshes}
+{hulls}
   </asset>
   <worldbody>
     <light name="sun" type="directional" dir="0.35 0.5 -0.79" diffuse="0.35 0.34 0.32" castshadow="false"/>
@@ -209,8 +295,22 @@ xyaxes="1 0 0 0 0.84 0.55" fovy="45"/>
 {_robot_camera(scene)}
 {bodies}
   </worldbody>
-</mujoco>
+{_contacts(writer.excluded)}</mujoco>
 """
+
+
+def _contacts(excluded: Sequence[tuple[str, str]]) -> str:
+    """Return the pairs of bodies that do not collide, because a joint holds them apart."""
+    if not excluded:
+        return ""
+    pairs = "\n".join(f"    <exclude body1={quoteattr(a)} body2={quoteattr(b)}/>" for a, b in excluded)
+    return f"  <contact>\n{pairs}\n  </contact>\n"
+
+
+def _place(node: Node) -> str:
+    """Return the position and heading of a node."""
+    place = f'pos="{number_list(node.position)}"' if any(node.position) else ""
+    return place + (f' quat="{_quaternion(node.rotation)}"' if node.rotation % 360.0 else "")
 
 
 def _sky(scene: FloorScene) -> str:
@@ -234,13 +334,20 @@ def _memory(bodies: int) -> int:
     return 16 + math.ceil(8 * bodies * bodies / 2**20)
 
 
-def _inertial(size: tuple[float, float, float]) -> str:
-    """Return the mass and inertia of an object of a given size: a box of one density."""
-    w, d, h = size
-    mass = object_mass(size)
-    inertia = ((d * d + h * h), (w * w + h * h), (w * w + d * d))
-    values = " ".join(f"{max(mass * value / 12, 1e-6):.4g}" for value in inertia)
-    return f'<inertial pos="0 0 0" mass="{mass:.4g}" diaginertia="{values}"/>'
+def _freedom(name: str, solid: _Solid, mass: float | None) -> list[str]:
+    """Return the free joint and the inertia of a body that is not fixed to the world."""
+    if mass is None:
+        return []
+    return [f"<freejoint name={quoteattr(name + '/joint')}/>{_inertial(solid.scaled(), mass)}"]
+
+
+def _inertial(shapes: Sequence[Shape], mass: float) -> str:
+    """Return the mass, centre and inertia of a body of one density."""
+    body = physique_of(shapes, mass)
+    i = body.inertia
+    values = (i[0, 0], i[1, 1], i[2, 2], i[0, 1], i[0, 2], i[1, 2])
+    inertia = " ".join(f"{float(value):.6g}" for value in values)
+    return f'<inertial pos="{number_list(body.center)}" mass="{body.mass:.6g}" fullinertia="{inertia}"/>'
 
 
 def _box_attributes(solid: Box) -> str:

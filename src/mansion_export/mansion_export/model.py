@@ -1,19 +1,26 @@
 """A building as meshes, materials and nodes, from which every 3D format is written."""
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TypeAlias
 
 import numpy as np
 
+from mansion_assets.texture_coordinates import box_coordinates
 from mansion_geometry.compiled import Floats, Ints
 
 __all__ = ["Material", "Mesh", "Model", "Node", "Part", "Surface", "assemble", "merge_surfaces"]
 
 
+_NOT_GIVEN = np.zeros((0, 3, 2))
+
+
 @dataclass(frozen=True, slots=True)
 class Material:
-    """A metallic-roughness material; colour and alpha are sRGB from 0 to 1."""
+    """A metallic-roughness material; colour and alpha are sRGB from 0 to 1.
+
+    `texture` names its set of textures, which `color` tints (`mansion_assets.materials`); empty for a plain one.
+    """
 
     name: str
     color: tuple[float, float, float]
@@ -21,6 +28,7 @@ class Material:
     roughness: float = 0.8
     metallic: float = 0.0
     emission: float = 0.0
+    texture: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,11 +40,20 @@ class Surface:
     vertices : (n, 3) array
     faces : (m, 3) array of int
         Counter-clockwise seen from outside.
+    coordinates : (m, 3, 2) array
+        Of each corner of each face on the material's textures: metres to the right and up, seen from outside. By
+        default each face is laid flat along the axis that it faces most.
     """
 
     material: Material
     vertices: Floats
     faces: Ints
+    coordinates: Floats = field(default_factory=lambda: _NOT_GIVEN)
+
+    def __post_init__(self) -> None:
+        if self.coordinates is _NOT_GIVEN:
+            laid = box_coordinates(self.vertices, self.faces, np.zeros(1, dtype=np.int64), turned=False)
+            object.__setattr__(self, "coordinates", laid)
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,7 +73,7 @@ class Node:
     id : str
         Id of the scene's element.
     group : str
-        ``structure``, ``ceiling``, ``doors``, ``windows``, ``cores`` or ``objects``.
+        ``structure``, ``ceiling``, ``doors``, ``windows``, ``cores``, ``objects`` or ``site``.
     position : (x, y, z)
         In the floor's frame.
     rotation : float
@@ -130,5 +147,6 @@ def merge_surfaces(surfaces: Iterable[Surface]) -> tuple[Surface, ...]:
         offsets = np.cumsum([0] + [len(part.vertices) for part in parts[:-1]])
         vertices = np.concatenate([part.vertices for part in parts])
         faces = np.concatenate([part.faces + start for part, start in zip(parts, offsets)])
-        merged.append(Surface(material, vertices, faces))
+        coordinates = np.concatenate([part.coordinates for part in parts])
+        merged.append(Surface(material, vertices, faces, coordinates))
     return tuple(merged)

@@ -4,7 +4,7 @@ import numpy as np
 
 from mansion_geometry.compiled import Floats, Ints, kernel
 
-__all__ = ["SMOOTH", "corner_normals"]
+__all__ = ["SMOOTH", "corner_normals", "textured_corners"]
 
 
 SMOOTH = float(np.cos(np.radians(40.0)))
@@ -24,15 +24,35 @@ def corner_normals(vertices: Floats, faces: Ints) -> tuple[Floats, Floats, Ints]
     (points, normals, faces)
         Arrays (k, 3), (k, 3) and (l, 3); faces without area are left out.
     """
+    points, normals, _, joined = textured_corners(vertices, faces, np.zeros((len(faces), 3, 2)))
+    return points, normals, joined
+
+
+def textured_corners(vertices: Floats, faces: Ints, coordinates: Floats) -> tuple[Floats, Floats, Floats, Ints]:
+    """Do as `corner_normals`, and join only corners at one place on the textures.
+
+    Parameters
+    ----------
+    vertices : (n, 3) array
+    faces : (m, 3) array of int
+    coordinates : (m, 3, 2) array
+        Of each face's corners on its textures.
+
+    Returns
+    -------
+    (points, normals, coordinates, faces)
+        Arrays (k, 3), (k, 3), (k, 2) and (l, 3).
+    """
     vertices = np.ascontiguousarray(vertices, dtype=np.float64)
     faces = np.ascontiguousarray(faces, dtype=np.int64)
+    coordinates = np.ascontiguousarray(coordinates, dtype=np.float64)
     a, b, c = (vertices[faces[:, i]] for i in range(3))
     areas = _cross(b - a, c - a)
     lengths = np.sqrt((areas * areas).sum(axis=1))
     keep = lengths > 1e-12
     if not keep.all():
-        faces, areas, lengths = faces[keep], areas[keep], lengths[keep]
-    return _join_corners(vertices, faces, areas, areas / lengths[:, None], SMOOTH)
+        faces, areas, lengths, coordinates = faces[keep], areas[keep], lengths[keep], coordinates[keep]
+    return _join_corners(vertices, faces, coordinates, areas, areas / lengths[:, None], SMOOTH)
 
 
 def _cross(a: Floats, b: Floats) -> Floats:
@@ -110,23 +130,28 @@ def _shared_normal(
 
 
 @kernel
-def _equal_normal(normals: Floats, start: int, end: int, x: float, y: float, z: float) -> int:
-    """Return the first of ``normals[start:end]`` that is (x, y, z), or `end`."""
+def _equal_corner(
+    normals: Floats, places: Floats, start: int, end: int, normal: tuple[float, float, float], u: float, v: float
+) -> int:
+    """Return the first of ``normals[start:end]`` that is `normal` at the place (u, v) of the textures, or `end`."""
+    x, y, z = normal
     for q in range(start, end):
-        if abs(normals[q, 0] - x) < 1e-4 and abs(normals[q, 1] - y) < 1e-4 and abs(normals[q, 2] - z) < 1e-4:
+        alike = abs(normals[q, 0] - x) < 1e-4 and abs(normals[q, 1] - y) < 1e-4 and abs(normals[q, 2] - z) < 1e-4
+        if alike and abs(places[q, 0] - u) < 1e-4 and abs(places[q, 1] - v) < 1e-4:
             return q
     return end
 
 
 @kernel
 def _join_corners(
-    vertices: Floats, faces: Ints, areas: Floats, units: Floats, smooth: float
-) -> tuple[Floats, Floats, Ints]:
-    """Give each corner its shared normal; corners at one position with the same normal become one point."""
+    vertices: Floats, faces: Ints, coordinates: Floats, areas: Floats, units: Floats, smooth: float
+) -> tuple[Floats, Floats, Floats, Ints]:
+    """Give each corner its shared normal; corners at one position with the same normal and place become one point."""
     corners = 3 * len(faces)
     starts, members = _corners_by_place(_weld(vertices), faces)
     points = np.empty((corners, 3))
     normals = np.empty((corners, 3))
+    places = np.empty((corners, 2))
     joined = np.empty((len(faces), 3), dtype=np.int64)
     count = 0
     for p in range(len(vertices)):
@@ -134,10 +159,12 @@ def _join_corners(
         for i in range(starts[p], starts[p + 1]):
             f, corner = members[i] // 3, members[i] % 3
             x, y, z = _shared_normal(f, members, starts[p], starts[p + 1], areas, units, smooth)
-            mine = _equal_normal(normals, first, count, x, y, z)
+            u, v = coordinates[f, corner, 0], coordinates[f, corner, 1]
+            mine = _equal_corner(normals, places, first, count, (x, y, z), u, v)
             if mine == count:
                 points[mine] = vertices[faces[f, corner]]
                 normals[mine, 0], normals[mine, 1], normals[mine, 2] = x, y, z
+                places[mine, 0], places[mine, 1] = u, v
                 count += 1
             joined[f, corner] = mine
-    return points[:count].copy(), normals[:count].copy(), joined
+    return points[:count].copy(), normals[:count].copy(), places[:count].copy(), joined

@@ -190,7 +190,7 @@ def _rgb(color: tuple[float, float, float]) -> tuple[int, int, int]:
 
 def _cut_open(model: Model, scene: FloorScene, turns: int = 0) -> Triangles:
     """Return a floor without ceilings, its walls cut at `CUT`."""
-    solid = flatten(model, lambda node: node.group not in ("objects", "ceiling"))
+    solid = flatten(model, lambda node: node.group not in ("objects", "ceiling", "site"))
     movable = flatten(model, lambda node: node.group == "objects" and _low(node))
     shafts = [_ground(core.polygon) for core in scene.cores]
     return _turned(Triangles.join([_cut(solid), movable, *shafts]), turns)
@@ -212,7 +212,7 @@ def _shell(models: Sequence[Model], scenes: Sequence[FloorScene], turns: int = 0
 
 
 def _outside(node: Node, inner: set[str]) -> bool:
-    if node.group in ("structure", "windows", "doors"):
+    if node.group in ("structure", "windows", "doors", "site"):
         return node.id not in inner and node.id.removesuffix("/leaf") not in inner
     return node.group == "ceiling" and node.id.endswith("/roof")
 
@@ -233,7 +233,7 @@ def _low(node: Node) -> bool:
 def _ground(ring: Sequence[tuple[float, float]]) -> Triangles:
     flat, faces = triangulate(Polygon(ring))
     corners = np.column_stack([flat, np.full(len(flat), -_SHAFT)])[faces]
-    return Triangles(corners, np.tile(DEPTH, (len(faces), 1)), np.ones(len(faces)))
+    return Triangles.plain(corners, DEPTH)
 
 
 def _cut(triangles: Triangles) -> Triangles:
@@ -243,17 +243,31 @@ def _cut(triangles: Triangles) -> Triangles:
     lowest = np.minimum(np.minimum(a, b), c)
     highest = np.maximum(np.maximum(a, b), c)
     keep = lowest < CUT - 1e-6
-    corners, colors = triangles.corners[keep], triangles.colors[keep]
+    kept = triangles.where(keep)
     above = highest[keep] > CUT
-    corners[..., 2] = np.minimum(corners[..., 2], CUT)
+    capped = _lowered(kept)
     flat = ~keep & (highest - lowest < 1e-6)
     lids = triangles.corners[flat]
     # A box's lid lies above the cut: bring it down to close the box, unless the box began above, too.
-    lids = lids[_over_kept(lids, corners[above])]
+    lids = lids[_over_kept(lids, capped.corners[above])]
     lids[..., 2] = CUT
-    capped = Triangles(corners, colors, triangles.alpha[keep])
-    closing = Triangles(lids, np.tile(CAP, (len(lids), 1)), np.ones(len(lids)))
-    return Triangles.join([capped, closing])
+    return Triangles.join([capped, Triangles.plain(lids, CAP)])
+
+
+def _lowered(triangles: Triangles) -> Triangles:
+    """Bring corners above `CUT` down to it, and their places on textures with them."""
+    corners, coordinates = triangles.corners.copy(), triangles.coordinates.copy()
+    fall = np.minimum(CUT - corners[..., 2], 0.0)
+    some = (fall < 0.0).any(axis=1) & (triangles.textures >= 0)
+    sides, laid = (values[some][:, 1:] - values[some][:, :1] for values in (corners, coordinates))
+    # How far a place moves on its texture with each metre up: least squares over the two sides of the triangle.
+    (aa, ab), (_, bb) = np.einsum("kix,kjx->ijk", sides, sides)
+    a, b = sides[:, 0, 2], sides[:, 1, 2]
+    weights = np.stack([bb * a - ab * b, aa * b - ab * a], axis=1) / np.maximum(aa * bb - ab * ab, 1e-12)[:, None]
+    rise = np.einsum("ki,kil->kl", weights, laid)
+    coordinates[some] += fall[some][..., None] * rise[:, None]
+    corners[..., 2] += fall
+    return replace(triangles, corners=corners, coordinates=coordinates)
 
 
 def _over_kept(lids: Floats, sides: Floats) -> npt.NDArray[np.bool_]:

@@ -7,13 +7,14 @@ curved surfaces), whose five samples a pixel soften the edges of shadows (Reeves
 """
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields, replace
 
 import numpy as np
 import numpy.typing as npt
 
 from mansion_export.model import Mesh, Model, Node
-from mansion_geometry.compiled import Floats, kernel
+from mansion_export.texture_sampling import base_color, sampled, texture_number, tiles_at
+from mansion_geometry.compiled import Bools, Floats, Ints, kernel
 
 __all__ = ["Triangles", "View", "bounds", "flatten", "project", "render"]
 
@@ -49,22 +50,35 @@ class Triangles:
     colors : (n, 3) array
         sRGB from 0 to 1.
     alpha : (n,) array
+    textures : (n,) array of int
+        Numbers of the sets of textures that the colours tint, see `texture_number`; -1 for none.
+    coordinates : (n, 3, 2) array
+        Of the corners on these, metres.
     """
 
     corners: Floats
     colors: Floats
     alpha: Floats
+    textures: Ints
+    coordinates: Floats
+
+    @staticmethod
+    def plain(corners: Floats, color: Floats) -> "Triangles":
+        """Return opaque triangles of one colour."""
+        count = len(corners)
+        colors = np.tile(color, (count, 1))
+        return Triangles(corners, colors, np.ones(count), np.full(count, -1), np.zeros((count, 3, 2)))
+
+    def where(self, keep: Bools | Ints) -> "Triangles":
+        """Return some of the triangles."""
+        return Triangles(*(getattr(self, part.name)[keep] for part in fields(self)))
 
     @staticmethod
     def join(parts: "Sequence[Triangles]") -> "Triangles":
         """Return the triangles of several lists, one list after the other."""
         if not parts:
-            return Triangles(np.zeros((0, 3, 3)), np.zeros((0, 3)), np.zeros(0))
-        return Triangles(
-            np.concatenate([part.corners for part in parts]),
-            np.concatenate([part.colors for part in parts]),
-            np.concatenate([part.alpha for part in parts]),
-        )
+            return Triangles.plain(np.zeros((0, 3, 3)), np.zeros(3))
+        return Triangles(*(np.concatenate([getattr(part, each.name) for part in parts]) for each in fields(Triangles)))
 
 
 def flatten(model: Model, keep: Callable[[Node], bool] | None = None) -> Triangles:
@@ -88,7 +102,7 @@ def flatten(model: Model, keep: Callable[[Node], bool] | None = None) -> Triangl
     corners = np.empty((int(counts.sum()), 3, 3))
     origin = np.empty(len(corners), dtype=np.int64)
     _place_instances(source.corners, starts, which, poses, corners, origin)
-    return Triangles(corners, source.colors[origin], source.alpha[origin])
+    return replace(source.where(origin), corners=corners)
 
 
 def _triangles(mesh: Mesh) -> Triangles:
@@ -98,8 +112,10 @@ def _triangles(mesh: Mesh) -> Triangles:
         return Triangles.join([])
     return Triangles(
         np.concatenate([surface.vertices[surface.faces] for surface in mesh.surfaces]),
-        np.repeat([surface.material.color for surface in mesh.surfaces], counts, axis=0),
+        np.repeat([base_color(surface.material) for surface in mesh.surfaces], counts, axis=0),
         np.repeat([surface.material.alpha for surface in mesh.surfaces], counts),
+        np.repeat([texture_number(surface.material.texture) for surface in mesh.surfaces], counts),
+        np.concatenate([surface.coordinates for surface in mesh.surfaces]),
     )
 
 
@@ -252,11 +268,14 @@ def render(
     origin = np.array([low[0] - (_BORDER - 0.5) / view.scale, high[1] + (_BORDER - 0.5) / view.scale])
     turn = axes @ LIGHT.T
     shadow, corner, cell = _shadow_map(project(triangles.corners, LIGHT), opaque)
+    tiles = tiles_at(np.unique(triangles.textures), view.scale)
     _shade_pixels(
         depth,
         index,
         _lighting(triangles.corners, axes[2], SUN, LIGHT),
         triangles.colors,
+        (pixels, triangles.coordinates, triangles.textures),
+        (tiles.texels, tiles.frames, tiles.sizes),
         shadow,
         (float(corner[0]), float(corner[1]), cell),
         (float(origin[0]), float(origin[1]), view.scale),
@@ -332,6 +351,8 @@ def _shade_pixels(
     index: npt.NDArray[np.int32],
     lighting: npt.NDArray[np.float64],
     colors: npt.NDArray[np.float64],
+    laid: tuple[Floats, Floats, Ints],
+    tiles: tuple[Floats, Ints, Floats],
     shadow: npt.NDArray[np.float32],
     shadow_frame: tuple[float, float, float],
     view_frame: tuple[float, float, float],
@@ -347,6 +368,10 @@ def _shade_pixels(
     lighting : (n, 5) array
         Of each triangle: shade without the sun, the sun's part, a step off the face in the light's axes.
     colors : (n, 3) array
+    laid : ((n, 3, 3), (n, 3, 2), (n,)) arrays
+        Corners in the picture, their coordinates on textures, and the numbers of these.
+    tiles : arrays
+        The parts of `Tiles`.
     shadow : (rows, columns) array
         Depths towards the light.
     shadow_frame, view_frame : (x, y, length)
@@ -357,6 +382,8 @@ def _shade_pixels(
         Written.
     """
     height, width = depth.shape
+    corners, coordinates, textures = laid
+    texels, frames, sizes = tiles
     left, bottom, cell = shadow_frame
     x0, y0, scale = view_frame
     reach = max(2, int(np.round(0.12 * scale)))
@@ -381,8 +408,28 @@ def _shade_pixels(
             dark = _EDGE * _occlusion(depth, y, x, 1, 1e9)
             dark += _HOLLOW * _occlusion(depth, y, x, reach, 4.0)
             shade *= 1.0 - 0.5 * dark
+            texel = (1.0, 1.0, 1.0)
+            if textures[k] >= 0 and frames[textures[k], 1] > 0:
+                s, t = _place_on_tile(corners[k], coordinates[k], x + 0.5, y + 0.5)
+                texel = sampled(texels, frames[textures[k]], sizes[textures[k]], s, t)
             for channel in range(3):
-                image[y, x, channel] = colors[k, channel] * shade
+                image[y, x, channel] = colors[k, channel] * texel[channel] * shade
+
+
+@kernel
+def _place_on_tile(corners: Floats, coordinates: Floats, x: float, y: float) -> tuple[float, float]:
+    """Return the coordinates of the point of a triangle that is seen at a place of the picture."""
+    ax, ay = corners[0, 0], corners[0, 1]
+    bx, by = corners[1, 0] - ax, corners[1, 1] - ay
+    cx, cy = corners[2, 0] - ax, corners[2, 1] - ay
+    area = bx * cy - by * cx
+    b = ((x - ax) * cy - (y - ay) * cx) / area
+    c = ((y - ay) * bx - (x - ax) * by) / area
+    a = 1.0 - b - c
+    return (
+        a * coordinates[0, 0] + b * coordinates[1, 0] + c * coordinates[2, 0],
+        a * coordinates[0, 1] + b * coordinates[1, 1] + c * coordinates[2, 1],
+    )
 
 
 @kernel

@@ -7,19 +7,29 @@ from xml.sax.saxutils import quoteattr
 import numpy as np
 
 from mansion_assets.catalogue import Catalogue
+from mansion_assets.convex import Hull
+from mansion_export.articulation import Assembly, Moving, assemblies, pose_at
 from mansion_export.building_model import building_models
-from mansion_export.collision import collision_box, ground_boxes
+from mansion_export.collision import Colliders, Shape, ground_boxes, physique_of, shape_scaled
 from mansion_export.model import Material, Mesh, Model, Node
 from mansion_export.simulator_files import SimulatorModel, mesh_file_name, number_list, write_stl
-from mansion_export.solids import Box
+from mansion_export.solids import Box, box_scaled
 from mansion_export.walls import WallBodies
 from mansion_msgs_py.scene import FloorScene
+from mansion_msgs_py.shapes import Size3
 
 __all__ = ["sdf_files", "world_sdf"]
 
+BODY = "body"
+"""Name of the link of an element that does not move."""
+
 
 def world_sdf(
-    scenes: Sequence[FloorScene], mesh_dir: str = "meshes", catalogue: Catalogue | None = None
+    scenes: Sequence[FloorScene],
+    mesh_dir: str = "meshes",
+    catalogue: Catalogue | None = None,
+    *,
+    articulated: bool = False,
 ) -> SimulatorModel:
     """Make a Gazebo world of all floors.
 
@@ -30,25 +40,27 @@ def world_sdf(
         Folder of the meshes, seen from the world file.
     catalogue : Catalogue, optional
         Where the assets are, when they are not all in the shipped one.
+    articulated : bool
+        Make what has doors, drawers or lids, and each leaf, a model of its own whose parts have joints.
 
     Returns
     -------
     SimulatorModel
         Each floor is a static model at its elevation, z up. Every wall, door leaf, window, stair and object is a link
-        with its id; walls, floors, steps, leaves and objects have boxes to collide with.
+        with its id; walls, floors, steps, doors and objects have shapes to collide with.
     """
-    writer = _Writer(mesh_dir)
+    writer = _Writer(mesh_dir, catalogue, articulated)
     ordered = sorted(scenes, key=lambda scene: scene.floor)
-    models = [
-        writer.model(model, scene) for model, scene in zip(building_models(ordered, catalogue=catalogue), ordered)
-    ]
+    models: list[str] = []
+    for model, scene in zip(building_models(ordered, catalogue=catalogue), ordered):
+        models += writer.models(model, scene)
     name = ordered[0].building_id if ordered else "building"
     return SimulatorModel(_world(name, models), dict(sorted(writer.files.items())))
 
 
-def sdf_files(scenes: Sequence[FloorScene]) -> dict[str, bytes]:
+def sdf_files(scenes: Sequence[FloorScene], *, articulated: bool = False) -> dict[str, bytes]:
     """Return ``building.sdf`` and its meshes by their paths in the building's folder."""
-    world = world_sdf(scenes)
+    world = world_sdf(scenes, articulated=articulated)
     return {"building.sdf": world.xml.encode(), **{f"meshes/{name}": data for name, data in world.meshes.items()}}
 
 
@@ -81,31 +93,85 @@ class _Writer:
     """Writes floors, and each mesh once."""
 
     mesh_dir: str
+    catalogue: Catalogue | None
+    articulated: bool
     files: dict[str, bytes] = field(default_factory=dict)
 
-    def model(self, model: Model, scene: FloorScene) -> str:
-        """Return the model of a floor."""
+    def models(self, model: Model, scene: FloorScene) -> list[str]:
+        """Return the model of a floor, and after it those of its elements whose parts move."""
+        moving = assemblies(scene, {node.id: node for node in model.nodes}, self.catalogue) if self.articulated else {}
         walls = {wall.id: wall for wall in scene.walls}
-        items = {item.id: item for item in scene.objects}
+        colliders = Colliders(scene, self.catalogue)
         bodies = WallBodies(scene)
         links = []
         for node in model.nodes:
+            if node.id in moving:
+                continue
             mesh = model.meshes[node.mesh]
             parts = self._visuals(node, mesh)
             if node.id in walls:
                 parts += [_collision(i, box) for i, box in enumerate(bodies.boxes(walls[node.id]))]
             else:
-                box = collision_box(node, mesh, items.get(node.id))
-                parts += [_collision(0, box)] if box is not None else []
+                shapes = colliders.of(node, mesh) or ()
+                parts += self._shapes(shapes, node.mesh, node.scale)
             links.append(_link(node.id, node.position, node.rotation, parts))
         ground = [_collision(i, box) for i, (_, box) in enumerate(ground_boxes(scene))]
         links.append(_link(f"F{scene.floor}/ground", (0.0, 0.0, 0.0), 0.0, ground))
         content = "\n".join(links)
-        return f"""    <model name={quoteattr(model.name)}>
+        floor = f"""    <model name={quoteattr(model.name)}>
       <static>true</static>
       <pose>0 0 {model.elevation:g} 0 0 0</pose>
 {content}
     </model>"""
+        return [floor, *(self.assembly(moving[key], model.elevation) for key in sorted(moving))]
+
+    def assembly(self, assembly: Assembly, elevation: float) -> str:
+        """Return an element with parts on joints as a model; each joint is 0 where the scene has its part."""
+        node = assembly.node
+        parent, parts = "world", []
+        if assembly.mesh is not None:
+            parent = BODY
+            content = [
+                *self._visuals(node, assembly.mesh),
+                *self._shapes(assembly.shapes, assembly.mesh.name, node.scale),
+            ]
+            parts.append(
+                _link(BODY, (0.0, 0.0, 0.0), 0.0, [_inertial(assembly.shapes, node.scale, assembly.mass), *content])
+            )
+            parts.append(f'      <joint name="fixed" type="fixed"><parent>world</parent><child>{BODY}</child></joint>')
+        for part in assembly.moving:
+            parts += self._moving(part, parent, node)
+        x, y, z = node.position
+        inner = "\n".join(parts)
+        return f"""    <model name={quoteattr(node.id)}>
+      {_pose((x, y, z + elevation), node.rotation)}
+{inner}
+    </model>"""
+
+    def _moving(self, part: Moving, parent: str, node: Node) -> list[str]:
+        """Return the link and the joint of a part that moves."""
+        joint = part.joint
+        shift, turn = pose_at(joint, part.position)
+        angles = number_list(np.radians(turn).tolist())
+        content = [
+            f"<pose>{number_list(shift)} {angles}</pose>",
+            _inertial(part.shapes, node.scale, part.mass),
+            *self._visuals(node, part.mesh),
+            *self._shapes(part.shapes, part.mesh.name, node.scale),
+        ]
+        turns = joint.kind == "hinge"
+        low, high = -part.position, joint.travel - part.position
+        if turns:
+            low, high = float(np.radians(low)), float(np.radians(high))
+        name = f"{joint.part}_joint"
+        return [
+            f"      <link name={quoteattr(joint.part)}>{''.join(content)}</link>",
+            f'      <joint name={quoteattr(name)} type="{"revolute" if turns else "prismatic"}">'
+            f"<pose>{number_list(joint.origin)} 0 0 0</pose><parent>{parent}</parent><child>{joint.part}</child>"
+            f"<axis><xyz>{number_list(joint.axis)}</xyz><limit><lower>{low:.6g}</lower><upper>{high:.6g}</upper></limit>"
+            f"<dynamics><damping>{part.damping:.4g}</damping><friction>{part.resistance:.4g}</friction></dynamics>"
+            f"</axis></joint>",
+        ]
 
     def _visuals(self, node: Node, mesh: Mesh) -> list[str]:
         scale = ""
@@ -116,12 +182,42 @@ class _Writer:
             file = mesh_file_name(mesh.name, i)
             if file not in self.files:
                 self.files[file] = write_stl(surface)
-            uri = f"{self.mesh_dir}/{file}" if self.mesh_dir else file
+            uri = self._uri(file)
             visuals.append(
                 f'<visual name="visual_{i}"><geometry><mesh><uri>{uri}</uri>{scale}</mesh></geometry>'
                 f"{_material(surface.material)}</visual>"
             )
         return visuals
+
+    def _shapes(self, shapes: Sequence[Shape], mesh: str, scale: Size3) -> list[str]:
+        """Return the collisions of a mesh: boxes, and hulls in files of their own, which all its scales share."""
+        found = []
+        stretch = f"<scale>{number_list(scale)}</scale>" if scale != (1.0, 1.0, 1.0) else ""
+        for i, shape in enumerate(shapes):
+            if not isinstance(shape, Hull):
+                found.append(_collision(i, box_scaled(shape, scale)))
+                continue
+            file = mesh_file_name(f"{mesh}/hull", i)
+            if file not in self.files:
+                self.files[file] = write_stl(shape)
+            found.append(
+                f'<collision name="collision_{i}">'
+                f"<geometry><mesh><uri>{self._uri(file)}</uri>{stretch}</mesh></geometry></collision>"
+            )
+        return found
+
+    def _uri(self, file: str) -> str:
+        return f"{self.mesh_dir}/{file}" if self.mesh_dir else file
+
+
+def _inertial(shapes: Sequence[Shape], scale: Size3, mass: float) -> str:
+    """Return the mass, centre and inertia of a link of one density."""
+    body = physique_of([shape_scaled(shape, scale) for shape in shapes], mass)
+    i = body.inertia
+    names = {"ixx": i[0, 0], "ixy": i[0, 1], "ixz": i[0, 2], "iyy": i[1, 1], "iyz": i[1, 2], "izz": i[2, 2]}
+    inertia = "".join(f"<{name}>{float(value):.6g}</{name}>" for name, value in names.items())
+    pose = f"<pose>{number_list(body.center)} 0 0 0</pose>"
+    return f"<inertial>{pose}<mass>{body.mass:.6g}</mass><inertia>{inertia}</inertia></inertial>"
 
 
 def _link(name: str, position: tuple[float, float, float], rotation: float, parts: Sequence[str]) -> str:

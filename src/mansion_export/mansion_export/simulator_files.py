@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from mansion_assets.convex import Hull
 from mansion_export.model import Surface
 
 __all__ = ["SimulatorModel", "mesh_file_name", "number_list", "write_stl"]
@@ -30,7 +31,7 @@ class SimulatorModel:
     meshes: dict[str, bytes]
 
 
-def write_stl(surface: Surface) -> bytes:
+def write_stl(surface: Surface | Hull) -> bytes:
     """Write a surface as binary STL, z up, metres; triangles without area are left out."""
     corners = surface.vertices[surface.faces]
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])

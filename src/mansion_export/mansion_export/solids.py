@@ -8,10 +8,21 @@ import numpy.typing as npt
 from shapely.geometry import Polygon
 from shapely.geometry.polygon import orient
 
+from mansion_assets.texture_coordinates import box_coordinates
 from mansion_export.model import Material, Surface
+from mansion_geometry.compiled import Floats
 from mansion_msgs_py.shapes import Point, Segment
 
-__all__ = ["Box", "box_between", "boxes_surface", "polygon_surface", "segment_box", "triangulate"]
+__all__ = [
+    "Box",
+    "box_between",
+    "boxes_of",
+    "boxes_surface",
+    "box_scaled",
+    "polygon_surface",
+    "segment_box",
+    "triangulate",
+]
 
 CORNERS = np.array([(x, y, z) for z in (-0.5, 0.5) for y in (-0.5, 0.5) for x in (-0.5, 0.5)], dtype=float)
 
@@ -60,19 +71,41 @@ def boxes_surface(boxes: Sequence[Box], material: Material) -> Surface:
     x = local[..., 0] * c - local[..., 1] * s
     y = local[..., 0] * s + local[..., 1] * c
     vertices = np.stack([x, y, local[..., 2]], axis=-1) + centers[:, None, :]
-    faces = SIDES[None] + 8 * np.arange(len(boxes))[:, None, None]
-    return Surface(material, vertices.reshape(-1, 3), faces.reshape(-1, 3).astype(np.int64))
+    faces = (SIDES[None] + 8 * np.arange(len(boxes))[:, None, None]).reshape(-1, 3).astype(np.int64)
+    # In each box's own frame, so that a turned box shows its tile in true size, and the grain along its longest side.
+    bodies = len(SIDES) * np.arange(len(boxes))
+    coordinates = box_coordinates(local.reshape(-1, 3), faces, bodies, turned=True)
+    return Surface(material, vertices.reshape(-1, 3), faces, coordinates)
+
+
+def boxes_of(surface: Surface) -> list[Box]:
+    """Return the boxes that `boxes_surface` made a surface of, where none of them is turned."""
+    corners = surface.vertices.reshape(-1, len(CORNERS), 3)
+    low, high = corners.min(1), corners.max(1)
+    return [box_between(tuple(a), tuple(b)) for a, b in zip(low.tolist(), high.tolist())]
+
+
+def box_scaled(box: Box, scale: tuple[float, float, float]) -> Box:
+    """Return a box that is not turned in a frame that is stretched along its axes."""
+    (x, y, z), (w, d, h), (kx, ky, kz) = box.center, box.size, scale
+    return Box((x * kx, y * ky, z * kz), (w * kx, d * ky, h * kz))
 
 
 def polygon_surface(polygon: Polygon, bottom: float, top: float, material: Material, *, sides: bool = True) -> Surface:
-    """Return an upright prism over a polygon with holes; without `sides` only its upper face."""
+    """Return an upright prism over a polygon with holes; without `sides` only its upper face.
+
+    Boards and courses of the material run along the longer side of the polygon.
+    """
     flat, faces = triangulate(polygon)
     count = len(flat)
     upper = np.column_stack([flat, np.full(count, top)])
+    x0, y0, x1, y1 = polygon.bounds
+    laid = flat if x1 - x0 >= y1 - y0 else np.column_stack([flat[:, 1], -flat[:, 0]])
     if not sides:
-        return Surface(material, upper, faces)
+        return Surface(material, upper, faces, laid[faces])
     lower = np.column_stack([flat, np.full(count, bottom)])
     vertices, triangles = [upper, lower], [faces, faces[:, ::-1] + count]
+    coordinates = [laid[faces], laid[faces[:, ::-1]] * (1.0, -1.0)]
     offset = 2 * count
     oriented = orient(polygon)
     for ring in (oriented.exterior, *oriented.interiors):
@@ -84,7 +117,19 @@ def polygon_surface(polygon: Polygon, bottom: float, top: float, material: Mater
         triangles.append(np.column_stack([i, following, following + n]) + offset)
         triangles.append(np.column_stack([i, following + n, i + n]) + offset)
         offset += 2 * n
-    return Surface(material, np.concatenate(vertices), np.concatenate(triangles).astype(np.int64))
+        coordinates += _side_coordinates(points, bottom, top)
+    faces = np.concatenate(triangles).astype(np.int64)
+    return Surface(material, np.concatenate(vertices), faces, np.concatenate(coordinates))
+
+
+def _side_coordinates(points: Floats, bottom: float, top: float) -> list[Floats]:
+    """Return texture coordinates of a ring's sides, its lower and its upper triangles: along the ring, and height."""
+    ends = np.cumsum(np.hypot(*(np.roll(points, -1, axis=0) - points).T))
+    starts = np.concatenate([[0.0], ends[:-1]])
+    low, high = np.full(len(points), bottom), np.full(len(points), top)
+    a, b = np.column_stack([starts, low]), np.column_stack([ends, low])
+    c, d = np.column_stack([ends, high]), np.column_stack([starts, high])
+    return [np.stack([a, b, c], axis=1), np.stack([a, c, d], axis=1)]
 
 
 def triangulate(polygon: Polygon) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.int64]]:

@@ -6,6 +6,7 @@ from typing import TypeAlias
 import numpy as np
 import numpy.typing as npt
 
+from mansion_assets.texture_coordinates import box_coordinates
 from mansion_export.materials import named, surface_material
 from mansion_export.model import Material, Surface
 from mansion_export.solids import Box
@@ -190,6 +191,7 @@ def wall_surfaces(wall: Wall, bodies: WallBodies) -> list[Surface]:
     up = _cuts((0.0, wall.height), [(each.sill, each.head) for each in openings])
     solid = _solid(along, up, openings)
     vertices = _vertices(wall, along, up)
+    flat = _unrolled(wall, along, up)
     count = len(up)
 
     def corner(i: int, k: int, right: int) -> int:
@@ -214,7 +216,9 @@ def wall_surfaces(wall: Wall, bodies: WallBodies) -> list[Surface]:
         surface_material(outside, "wall"),
         named("white_drywall"),
     )
-    return [_surface(vertices, quads, material) for quads, material in zip((left, right, core), materials) if quads]
+    return [
+        _surface(vertices, flat, quads, material) for quads, material in zip((left, right, core), materials) if quads
+    ]
 
 
 def _cuts(ends: tuple[float, float], spans: list[tuple[float, float]]) -> npt.NDArray[np.float64]:
@@ -251,9 +255,24 @@ def _vertices(wall: Wall, along: npt.NDArray[np.float64], up: npt.NDArray[np.flo
     return grid.reshape(-1, 3)
 
 
-def _surface(vertices: npt.NDArray[np.float64], quads: list[Quad], material: Material) -> Surface:
+def _unrolled(wall: Wall, along: npt.NDArray[np.float64], up: npt.NDArray[np.float64]) -> Floats:
+    """Return the corners of `_vertices` in the wall's frame: along it, to its left, up.
+
+    Places along it count from where its line passes the origin, so that courses go on where walls do.
+    """
+    start, end = np.array(wall.segment[0], dtype=float), np.array(wall.segment[1], dtype=float)
+    unit = (end - start) / max(float(np.hypot(*(end - start))), 1e-9)
+    grid = np.zeros((len(along), len(up), 2, 3))
+    grid[..., 0] = (along + float(start @ unit))[:, None, None]
+    grid[..., 1] = np.array([0.5, -0.5]) * wall.thickness
+    grid[..., 2] = up[None, :, None]
+    return grid.reshape(-1, 3)
+
+
+def _surface(vertices: npt.NDArray[np.float64], flat: Floats, quads: list[Quad], material: Material) -> Surface:
     """Cut quads into triangles and drop the corners that none uses."""
     corners = np.array(quads, dtype=np.int64)
     faces = corners[:, [0, 1, 2, 0, 2, 3]].reshape(-1, 3)
     used, compact = np.unique(faces, return_inverse=True)
-    return Surface(material, vertices[used], compact.reshape(faces.shape))
+    coordinates = box_coordinates(flat, faces, np.zeros(1, dtype=np.int64), turned=False)
+    return Surface(material, vertices[used], compact.reshape(faces.shape), coordinates)

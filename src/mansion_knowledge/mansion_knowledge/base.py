@@ -330,7 +330,7 @@ def _building(name: str, record: dict[str, Any]) -> BuildingType:
     )
 
 
-def _groups(record: Mapping[str, Mapping[str, Any]]) -> BuildingGroups:
+def _groups(record: Mapping[str, Any]) -> BuildingGroups:
     try:
         return BuildingGroups(
             filler={
@@ -342,6 +342,12 @@ def _groups(record: Mapping[str, Mapping[str, Any]]) -> BuildingGroups:
                 name: (frozenset(facade["words"]), tuple(facade["materials"]))
                 for name, facade in record["facade"].items()
             },
+            roofs={
+                name: (frozenset(roof["words"]), tuple(roof["forms"]))
+                for name, roof in record["roof"].items()
+                if name != "flat"
+            },
+            flat_styles=frozenset(record["roof"]["flat"]),
         )
     except (KeyError, TypeError, ValueError, AttributeError) as error:
         raise _fault(Path("building_groups.toml"), "", str(error)) from None

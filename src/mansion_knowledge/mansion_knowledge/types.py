@@ -1,6 +1,7 @@
 """Records of the knowledge base: room types, building types and styles of material."""
 
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Literal, TypeAlias
 
@@ -231,11 +232,17 @@ class BuildingGroups:
         Words of types that get the door of a house.
     facades : dict of str to (frozenset of str, tuple of str)
         Words of types, and the materials that their outer walls may have; ``other`` for types without such a word.
+    roofs : dict of str to (frozenset of str, tuple of str)
+        Likewise the forms of their roofs: ``gable``, ``hip`` or ``flat``.
+    flat_styles : frozenset of str
+        Styles whose roofs are flat.
     """
 
     filler: dict[str, tuple[str, ...]]
     dwellings: frozenset[str]
     facades: dict[str, tuple[frozenset[str], tuple[str, ...]]]
+    roofs: dict[str, tuple[frozenset[str], tuple[str, ...]]]
+    flat_styles: frozenset[str]
 
     def filler_of(self, family: str) -> tuple[str, ...]:
         """Return the room types of general use of a family."""
@@ -247,9 +254,17 @@ class BuildingGroups:
 
     def facades_of(self, building_type: str) -> tuple[str, ...]:
         """Return the materials that the outer walls of a building type may have."""
-        words = _words(building_type)
-        found = (materials for names, materials in self.facades.values() if not names.isdisjoint(words))
-        return next(found, self.facades["other"][1])
+        return _of_words(self.facades, building_type)
+
+    def roofs_of(self, building_type: str, style: str) -> tuple[str, ...]:
+        """Return the forms that the roof of a building type may have in a style."""
+        return ("flat",) if style in self.flat_styles else _of_words(self.roofs, building_type)
+
+
+def _of_words(groups: Mapping[str, tuple[frozenset[str], tuple[str, ...]]], building_type: str) -> tuple[str, ...]:
+    """Return the choices of the first group with a word of a type's name, else those of ``other``."""
+    words = _words(building_type)
+    return next((choices for names, choices in groups.values() if not names.isdisjoint(words)), groups["other"][1])
 
 
 def _words(building_type: str) -> list[str]:

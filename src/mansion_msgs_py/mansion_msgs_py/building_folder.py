@@ -10,7 +10,15 @@ from mansion_msgs_py.layout import FloorLayout
 from mansion_msgs_py.scene import FloorScene
 from mansion_msgs_py.topology import FloorTopology
 
-__all__ = ["INDEX", "BuildingFolder", "check_building_folder", "file_in", "floor_directory", "is_building_folder"]
+__all__ = [
+    "INDEX",
+    "BuildingFolder",
+    "check_building_folder",
+    "file_in",
+    "floor_directory",
+    "floor_file",
+    "is_building_folder",
+]
 
 T = TypeVar("T")
 
@@ -21,6 +29,20 @@ INDEX: Final = "building.json"
 def floor_directory(floor: int) -> str:
     """Return the folder of a floor, relative to the building's."""
     return f"floors/floor_{floor}"
+
+
+def floor_file(entry: FloorEntry, key: str, name: str) -> str:
+    """Return the path of a floor's file in the building's folder, where ``building.json`` names it or exports write it.
+
+    Parameters
+    ----------
+    entry : FloorEntry
+    key : str
+        Its key in ``building.json``, which names what was written with the building.
+    name : str
+        Its name in the folder of the floor, where ``mansion export`` writes it later.
+    """
+    return entry.files.get(key) or f"{floor_directory(entry.floor)}/{name}"
 
 
 def file_in(folder: Path, name: str) -> Path:

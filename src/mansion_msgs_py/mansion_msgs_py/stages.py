@@ -1,6 +1,7 @@
 """Arguments and replies of the stage services that the building director calls (Algorithm 1)."""
 
-from typing import Literal
+from collections.abc import Sequence
+from typing import Annotated, Literal, TypeAlias
 
 import msgspec
 
@@ -13,6 +14,8 @@ from mansion_msgs_py.topology import FloorTopology
 from mansion_msgs_py.usage import LlmUsage
 
 __all__ = ["BuildJob", "BuildReply", "FurnishRequest", "PlanReply"]
+
+FormatName: TypeAlias = Annotated[str, msgspec.Meta(max_length=100)]
 
 
 class PlanReply(msgspec.Struct, frozen=True, kw_only=True):
@@ -72,15 +75,20 @@ class BuildJob(BuildRequest, kw_only=True, forbid_unknown_fields=True, frozen=Tr
         Folder on the director's machine; below its ``output_root`` when absent.
     force : bool
         Replace a building there even if running worlds have state in it.
+    formats : tuple of str
+        Export formats to write beside plans and pictures, as ``mansion export --to`` names them, or ``all``.
     """
 
     output: PathText | None = None
     force: bool = False
+    formats: Annotated[tuple[FormatName, ...], msgspec.Meta(max_length=100)] = ()
 
     @classmethod
-    def of(cls, request: BuildRequest, *, output: str | None = None, force: bool = False) -> "BuildJob":
+    def of(
+        cls, request: BuildRequest, *, output: str | None = None, force: bool = False, formats: Sequence[str] = ()
+    ) -> "BuildJob":
         """Return the job of a request."""
-        return cls(**msgspec.structs.asdict(request), output=output, force=force)
+        return cls(**msgspec.structs.asdict(request), output=output, force=force, formats=tuple(formats))
 
     def request(self) -> BuildRequest:
         """Return the request alone."""

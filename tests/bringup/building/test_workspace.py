@@ -38,6 +38,15 @@ def test_another_request_starts_afresh(tmp_path: Path) -> None:
         assert not workspace.floor_done(1)
 
 
+def test_other_formats_start_afresh(tmp_path: Path) -> None:
+    with Workspace(tmp_path / "flat", REQUEST, formats=["plan"]) as workspace:
+        workspace.mark_floor(1)
+    with Workspace(tmp_path / "flat", REQUEST, formats=["plan"]) as workspace:
+        assert workspace.floor_done(1)
+    with Workspace(tmp_path / "flat", REQUEST, formats=["plan", "mjcf"]) as workspace:
+        assert not workspace.floor_done(1)
+
+
 def test_two_builds_cannot_write_the_same_folder(tmp_path: Path) -> None:
     with Workspace(tmp_path / "flat", REQUEST), pytest.raises(MansionError) as caught:
         Workspace(tmp_path / "flat", REQUEST).__enter__()

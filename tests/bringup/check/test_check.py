@@ -9,6 +9,7 @@ from typing import Any
 
 import pytest
 
+from mansion_bringup.exporting import format_named, write_export
 from mansion_bringup.pipeline.build import build_building
 from mansion_bringup.verify import verify_building
 from mansion_msgs_py.errors import MansionError
@@ -312,6 +313,25 @@ def test_a_number_that_is_not_finite_is_found(building: Path) -> None:
 def test_a_missing_file_is_named(building: Path) -> None:
     (building / "floors/floor_1/plan.svg").unlink()
     assert [(f.kind, f.where) for f in verify_building(building)] == [("FILE", "floors/floor_1/plan.svg")]
+
+
+def test_files_that_a_build_was_not_asked_for_are_judged_where_they_are_there(building: Path) -> None:
+    assert not (building / "floors/floor_1/house.json").exists()
+    write_export(building, format_named("thor"))
+    write_export(building, format_named("nav2"))
+    assert verify_building(building) == []
+    change(building / "floors/floor_2/house.json", lambda house: house["rooms"][0].pop("floorPolygon"))
+    image = building / "floors/floor_3/map.pgm"
+    image.write_bytes(image.read_bytes().replace(image.read_bytes().split()[1], b"1", 1))
+    faults = [(fault.kind, fault.where) for fault in verify_building(building)]
+    assert faults[0] == ("FILE", "floors/floor_3/map.pgm")
+    assert set(faults[1:]) == {("HOUSE", "floors/floor_2/house.json")}
+
+
+def test_a_file_that_the_index_names_must_be_there(building: Path) -> None:
+    named = "floors/floor_2/house.json"
+    change(building / "building.json", lambda index: index["floors"][1]["files"].update(house=named))
+    assert [(f.kind, f.where) for f in verify_building(building)] == [("FILE", named)]
 
 
 def test_a_cut_scene_file_is_named(building: Path) -> None:

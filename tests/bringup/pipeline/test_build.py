@@ -34,6 +34,38 @@ def test_progress_grows_step_by_step_to_its_total(tmp_path: Path) -> None:
     assert told[-1].stage == "done"
 
 
+FLOOR_FILES = ["layout.json", "plan.png", "plan.svg", "scene.json", "topology.json"]
+
+
+def test_a_build_writes_plans_and_a_picture_and_what_it_is_asked_for(tmp_path: Path) -> None:
+    request = BuildRequest(description="a small flat")
+    lean = build_building(request, tmp_path / "lean")
+    assert sorted(path.name for path in lean.path.iterdir()) == [
+        "building.json",
+        "building.png",
+        "floors",
+        "report.json",
+    ]
+    assert sorted(path.name for path in (lean.path / "floors/floor_1").iterdir()) == FLOOR_FILES
+    asked = build_building(request, tmp_path / "asked", formats=["mjcf", "html", "nav2"])
+    floor = asked.path / "floors/floor_1"
+    assert sorted(path.name for path in floor.iterdir()) == sorted([*FLOOR_FILES, "map.pgm", "map.yaml", "model.xml"])
+    assert (asked.path / "view.html").is_file() and any((asked.path / "meshes").iterdir())
+    assert not (asked.path / "building.glb").exists()
+    for built in (lean, asked):
+        names = [*built.building.files.values(), *built.building.floors[0].files.values()]
+        assert "view.html" not in names and all((built.path / name).is_file() for name in names)
+        assert verify_building(built.path) == []
+    assert (lean.path / "floors/floor_1/scene.json").read_bytes() == (floor / "scene.json").read_bytes()
+
+
+def test_an_unknown_format_is_refused_before_anything_is_built(tmp_path: Path) -> None:
+    with pytest.raises(MansionError, match=r"no format 'clay'; use all, or some of thor") as caught:
+        build_building(BuildRequest(description="a small flat"), tmp_path / "flat", formats=["glb", "clay"])
+    assert caught.value.code == ErrorCode.NOT_FOUND
+    assert list(tmp_path.iterdir()) == []
+
+
 class _Solver(LocalStages):
     """Stages whose solver lays out the rooms of a problem as squares of what share of their area its id says."""
 

@@ -46,3 +46,20 @@ def test_stores_and_shafts_have_none_and_toilets_small_high_ones(sample_floors: 
 def test_basements_have_no_windows(sample_floors: ModuleType) -> None:
     assert build_structure(sample_floors.office(0, floors=(0, 1))).windows == []
     assert build_structure(sample_floors.office(1, floors=(0, 1))).windows != []
+
+
+def test_windows_stand_on_the_same_lines_on_storeys_with_other_rooms(sample_floors: ModuleType) -> None:
+    def middles(wall_at: float) -> set[float]:
+        rooms = {
+            "left": ("office", sample_floors.box(0, 0, wall_at, 5)),
+            "right": ("office", sample_floors.box(wall_at, 0, 16, 5)),
+        }
+        structure = build_structure(sample_floors.request(rooms, [("left", "right")]))
+        south = [w.segment for w in structure.windows if max(w.segment[0][1], w.segment[1][1]) < 0.5]
+        return {round((a[0] + b[0]) / 2, 3) for a, b in south}
+
+    storeys = [middles(wall_at) for wall_at in (6.0, 7.3, 9.1)]
+    for found in storeys:
+        assert len(found) >= 4
+        assert all(abs(middle / 0.6 - round(middle / 0.6)) < 1e-3 for middle in found)
+    assert len(set.intersection(*storeys)) >= 2

@@ -20,6 +20,7 @@ from mansion_msgs_py.scene import FloorScene
 from mansion_msgs_py.world import SkillStatus
 from mansion_skills import Robot
 from mansion_skills.thor import ThorGym, open_controller
+from mansion_skills.world.floor_exports import _made
 from sample_building import write_building
 from thor_double import OUT_OF_SIGHT, ThorDouble
 
@@ -275,7 +276,23 @@ def test_the_controller_ends_with_the_gym(folder: Path, thor: ThorDouble) -> Non
     assert thor.stopped
 
 
-def test_a_building_without_houses_is_refused(tmp_path: Path, thor: ThorDouble) -> None:
+def test_a_building_without_houses_is_as_with_them(folder: Path, gym: ThorGym) -> None:
+    for file in folder.glob("floors/*/house.json"):
+        file.unlink()
+    made = ThorGym(folder, ThorDouble(), session="other", durable=False)
+    assert MUG in made.houses
+    pose, floors = made.where_am_i().pose, made.engine.session("other").world.building.floors
+    worlds = [each.engine.session(each.session).world for each in (gym, made)]
+    for floor in floors:
+        with_files, without = (each.houses.arranged(at, floor, pose) for each, at in zip((gym, made), worlds))
+        assert with_files == without
+
+
+def test_where_houses_cannot_be_made_the_command_that_writes_them_is_named(
+    tmp_path: Path, thor: ThorDouble, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(sys.modules, "mansion_export.thor.house", None)
+    _made.cache_clear()
     with pytest.raises(MansionError, match="mansion export DIR --to thor"):
         ThorGym(write_building(tmp_path / "bare"), thor)
 

@@ -1,5 +1,7 @@
 """What the camera shows is where the world has it."""
 
+import shutil
+import sys
 import threading
 from math import cos, radians, sin
 from pathlib import Path
@@ -15,6 +17,7 @@ from mansion_skills.skills.visibility import CAMERA_HEIGHT
 from mansion_skills.vision import Camera, Frame
 from mansion_skills.vision.floor_model import FloorModel
 from mansion_skills.vision.floors import KEPT
+from mansion_skills.world.floor_exports import _made
 
 
 def done(result: SkillResult) -> None:
@@ -312,12 +315,39 @@ def test_cameras_that_are_closed_leave_nothing_behind(robot: Robot, renders: Non
     assert resident() - before < 60.0
 
 
-def test_a_building_without_models_is_refused(pictured: Path, renders: None) -> None:
-    (pictured / "floors" / "floor_1" / "model.xml").unlink()
-    with Camera(Robot(pictured), 48, 48) as camera, pytest.raises(MansionError) as error:
+def bare(folder: Path) -> Path:
+    """Take the models out of a building's folder."""
+    for model in folder.glob("floors/*/model.xml"):
+        model.unlink()
+    shutil.rmtree(folder / "meshes")
+    return folder
+
+
+def test_a_building_without_models_looks_as_with_them(pictured: Path, tmp_path: Path, renders: None) -> None:
+    without = bare(Path(shutil.copytree(pictured, tmp_path / "bare")))
+    seen = []
+    for folder in (pictured, without):
+        robot = Robot(folder)
+        done(robot.go_near_object("F1/kitchen/fridge_1"))
+        done(robot.open_object("F1/kitchen/fridge_1"))
+        with Camera(robot, 120, 90) as camera:
+            seen.append((camera.render(), camera.panorama("F1/kitchen"), camera.panorama("stair_1")))
+    (before, *rooms), (after, *same_rooms) = seen
+    assert before.visible()["F1/kitchen/fridge_1"] > 1000
+    assert np.array_equal(before.segmentation, after.segmentation) and np.array_equal(before.rgb, after.rgb)
+    assert rooms[0].std() > 5 and all(np.array_equal(one, other) for one, other in zip(rooms, same_rooms))
+    assert not list(without.glob("floors/*/model.xml"))
+
+
+def test_where_models_cannot_be_made_the_command_that_writes_them_is_named(
+    pictured: Path, renders: None, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(sys.modules, "mansion_export.mjcf", None)
+    _made.cache_clear()
+    with Camera(Robot(bare(pictured)), 48, 48) as camera, pytest.raises(MansionError) as error:
         camera.render()
     assert error.value.code == ErrorCode.NOT_FOUND
-    assert "mansion export" in str(error.value)
+    assert "mansion export DIR --to mjcf" in str(error.value)
 
 
 def test_an_object_that_the_models_do_not_have_is_left_out(pictured: Path, renders: None) -> None:

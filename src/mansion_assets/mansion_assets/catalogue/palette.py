@@ -33,6 +33,7 @@ FAMILIES: Final[dict[str, tuple[float, float, float, float]]] = {
     "food": (0.0, 0.6, 1.0, 0.0),
     "rubber": (0.0, 0.9, 1.0, 0.0),
     "paint": (0.1, 0.35, 1.0, 0.0),
+    "picture": (0.0, 0.7, 1.0, 0.0),
     "screen": (0.0, 0.15, 1.0, 0.15),
     "light": (0.0, 0.5, 1.0, 1.0),
 }
@@ -67,6 +68,17 @@ COLOURS: Final[dict[str, str]] = {
     "warm": "#fff1d0",
     "soil": "#4a3626",
     "skin": "#e3c3a3",
+    "meadow": "#8fa591",
+    "dusk": "#6f5468",
+    "sea": "#7aa0ab",
+    "fields": "#c0662f",
+    "blocks": "#47648a",
+    "circles": "#a8927f",
+    "night": "#6d6f67",
+    "botanical": "#b9b9a0",
+    "city": "#6e5f63",
+    "map": "#b5c3b8",
+    "chart": "#d3c6b8",
 }
 
 

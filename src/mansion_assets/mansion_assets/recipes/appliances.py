@@ -11,17 +11,6 @@ from mansion_msgs_py.shapes import Size3
 __all__: list[str] = []
 
 
-def hollow(
-    b: Builder, x: tuple[float, float], y: tuple[float, float], z: tuple[float, float], t: float, material: str
-) -> None:
-    """A box open towards the front, for a case with something inside."""
-    b.box((x[0], x[0] + t), y, z, material, "case")
-    b.box((x[1] - t, x[1]), y, z, material, "case")
-    b.box(x, (y[0], y[0] + t), z, material, "case")
-    b.box(x, y, (z[0], z[0] + t), material, "case")
-    b.box(x, y, (z[1] - t, z[1]), material, "case")
-
-
 @receptacles("fridge")
 def _fridge_shelves(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
     w, d, h = size
@@ -37,22 +26,24 @@ def fridge(b: Builder) -> None:
     """Case with boards inside, two doors with a gap, handles."""
     w, d, h = b.w, b.d, b.h
     main, face = b.mat(), d / 2 - 0.075
-    hollow(b, (-w / 2, w / 2), (-d / 2, face), (0.02, h), 0.045, main)
+    b.hollow((-w / 2, w / 2), (-d / 2, face), (0.02, h), 0.045, main)
     b.box((-w / 2 + 0.03, w / 2 - 0.03), (-d / 2 + 0.03, face - 0.03), (0, 0.03), "plastic_black", "feet", solid=False)
     for cell in b.cells:
         b.box((cell.x0, cell.x1), (cell.y0, min(cell.y1, face)), (cell.z - 0.012, cell.z), "glass_white", "boards")
     split = (0.03, h) if b.p.get("doors") == 1 else (0.03, h * 0.36, h)
     for z0, z1 in itertools.pairwise(split):
-        b.box((-w / 2, w / 2), (face + 0.006, d / 2 - 0.03), (z0, z1 - 0.008), main, "door", solid=False)
+        panel = ((-w / 2, w / 2), (face + 0.006, d / 2 - 0.03), (z0, z1 - 0.008))
         zm = z0 + 0.12 if z0 > 0.1 else z1 - 0.5 * (z1 - z0)
-        b.box(
-            (w / 2 - 0.08, w / 2 - 0.055),
-            (d / 2 - 0.03, d / 2),
-            (zm, zm + min(0.45, (z1 - z0) * 0.4)),
-            "metal_steel",
-            "handle",
-            solid=False,
-        )
+        with b.door(*panel):
+            b.box(*panel, main, "door", solid=False)
+            b.box(
+                (w / 2 - 0.08, w / 2 - 0.055),
+                (d / 2 - 0.03, d / 2),
+                (zm, zm + min(0.45, (z1 - z0) * 0.4)),
+                "metal_steel",
+                "handle",
+                solid=False,
+            )
     b.box((-w / 2, w / 2), (-d / 2, face), (h - 0.004, h), main, "case", solid=False)
 
 
@@ -61,7 +52,7 @@ def display_fridge(b: Builder) -> None:
     """Cooler with glass doors, or open to the front, full of bottles and cartons."""
     w, d, h = b.w, b.d, b.h
     main = b.mat()
-    hollow(b, (-w / 2, w / 2), (-d / 2, d / 2 - 0.04), (0, h), 0.05, main)
+    b.hollow((-w / 2, w / 2), (-d / 2, d / 2 - 0.04), (0, h), 0.05, main)
     cells = b.cells
     count = len(cells) or 5
     for k in range(count):
@@ -78,22 +69,12 @@ def display_fridge(b: Builder) -> None:
         doors = max(1, round(w / 0.7))
         for k in range(doors):
             x0 = -w / 2 + k * w / doors
-            b.box(
-                (x0 + 0.004, x0 + w / doors - 0.004),
-                (d / 2 - 0.038, d / 2 - 0.02),
-                (0.1, h - 0.16),
-                "glass_clear",
-                "door",
-                solid=False,
-            )
-            b.box(
-                (x0 + w / doors - 0.08, x0 + w / doors - 0.06),
-                (d / 2 - 0.02, d / 2),
-                (h * 0.4, h * 0.6),
-                "metal_steel",
-                "handle",
-                solid=False,
-            )
+            x1 = x0 + w / doors
+            pane = ((x0 + 0.004, x1 - 0.004), (d / 2 - 0.038, d / 2 - 0.02), (0.1, h - 0.16))
+            with b.door(*pane):
+                b.box(*pane, "glass_clear", "door", solid=False)
+                grip = ((x1 - 0.08, x1 - 0.06), (d / 2 - 0.02, d / 2), (h * 0.4, h * 0.6))
+                b.box(*grip, "metal_steel", "handle", solid=False)
     else:
         b.box((-w / 2, w / 2), (d / 2 - 0.2, d / 2), (0.0, 0.25), main, "front")
     b.box((-w / 2, w / 2), (d / 2 - 0.05, d / 2 - 0.03), (h - 0.15, h), "light_white", "sign", solid=False)
@@ -120,11 +101,11 @@ def oven(b: Builder) -> None:
     right = b.cells[0].x1 + 0.01 if side else w / 2
     grip = d / 2 - min(0.03, d * 0.06)
     _oven_case(b, face)
-    _oven_door(b, right, (face + 0.004, grip))
+    _oven_door(b, right, (face + 0.004, grip), sideways=side)
     if side:
-        _side_panel(b, right, face, grip)
+        _side_panel(b, right, face)
     else:
-        _knobs(b, face, grip)
+        _knobs(b, face)
     if b.p.get("hob"):
         _hob(b, face)
 
@@ -142,28 +123,31 @@ def _oven_case(b: Builder, face: float) -> None:
     b.box((-w / 2, w / 2), (-d / 2, face), (cell.top, h), main, "case")
 
 
-def _oven_door(b: Builder, right: float, front: tuple[float, float]) -> None:
-    """Door with a window."""
-    w = b.w
-    main = b.mat()
-    cell = b.cells[0]
+def _oven_door(b: Builder, right: float, front: tuple[float, float], *, sideways: bool) -> None:
+    """Door with a window and a handle: it turns at its left edge, or falls at its lower one."""
+    w, d, cell = b.w, b.d, b.cells[0]
     t = min(0.03, w * 0.06)
-    b.box((-w / 2 + 0.005, right - 0.005), front, (cell.z - t, cell.top + t * 0.6), main, "door", solid=False)
-    b.box(
-        (cell.x0 + 0.02, cell.x1 - 0.02),
-        (front[1], front[1] + 0.003),
-        (cell.z + 0.03, cell.top - 0.04),
-        "glass_black",
-        "window",
-        solid=False,
-    )
+    panel = ((-w / 2 + 0.005, right - 0.005), front, (cell.z - t, cell.top + t * 0.6))
+    with b.door(*panel, "left" if sideways else "bottom"):
+        b.box(*panel, b.mat(), "door", solid=False)
+        b.box(
+            (cell.x0 + 0.02, cell.x1 - 0.02),
+            (front[1], front[1] + 0.003),
+            (cell.z + 0.03, cell.top - 0.04),
+            "glass_black",
+            "window",
+            solid=False,
+        )
+        if sideways:
+            grip = ((right - 0.02, right - 0.01), (front[1], d / 2), (cell.z, cell.top))
+        else:
+            grip = ((-w * 0.38, w * 0.38), (front[1], d / 2), (cell.top - 0.01, cell.top + 0.008))
+        b.box(*grip, "metal_steel", "handle", solid=False)
 
 
-def _side_panel(b: Builder, right: float, face: float, grip: float) -> None:
-    """Handle, display and buttons beside the door."""
-    w, d, h = b.w, b.d, b.h
-    cell = b.cells[0]
-    b.box((right - 0.02, right - 0.01), (grip, d / 2), (cell.z, cell.top), "metal_steel", "handle", solid=False)
+def _side_panel(b: Builder, right: float, face: float) -> None:
+    """Display and buttons beside the door."""
+    w, h = b.w, b.h
     b.box((right + 0.01, w / 2 - 0.01), (face, face + 0.01), (h * 0.7, h * 0.85), "screen_green", "panel", solid=False)
     for k in range(4):
         b.box(
@@ -176,13 +160,10 @@ def _side_panel(b: Builder, right: float, face: float, grip: float) -> None:
         )
 
 
-def _knobs(b: Builder, face: float, grip: float) -> None:
-    """Handle and a row of knobs above the door."""
+def _knobs(b: Builder, face: float) -> None:
+    """A row of knobs above the door."""
     w, d, h = b.w, b.d, b.h
     cell = b.cells[0]
-    b.box(
-        (-w * 0.38, w * 0.38), (grip, d / 2), (cell.top - 0.01, cell.top + 0.008), "metal_steel", "handle", solid=False
-    )
     for k in range(4 if h > 0.6 else 2):
         x = -w * 0.3 + k * w * 0.2
         b.rod(
@@ -222,11 +203,12 @@ def washer(b: Builder) -> None:
     for k in range(count):
         z0, z1 = h * k / count, h * (k + 1) / count
         top = z1 - 0.004 * (k < count - 1)
-        hollow(b, (-w / 2, w / 2), (-d / 2, d / 2 - 0.06), (z0, top), 0.06, main)
-        b.box((-w / 2, w / 2), (d / 2 - 0.06, d / 2 - 0.05), (z0, top), main, "front", solid=False)
+        b.hollow((-w / 2, w / 2), (-d / 2, d / 2 - 0.06), (z0, top), 0.06, main)
         zm, r = z0 + (z1 - z0) * 0.45, min(w, z1 - z0) * 0.3
-        b.rod((0, d / 2 - 0.06, zm), (0, d / 2 - 0.012, zm), r, "metal_chrome", "door", 28)
-        b.rod((0, d / 2 - 0.03, zm), (0, d / 2, zm), r * 0.78, "glass_black", "door", 28)
+        _washer_front(b, (z0, top), zm, 0.68 * r)
+        with b.door((-r, r), (d / 2 - 0.049, d / 2 - 0.012), (zm - r, zm + r)):
+            b.rod((0, d / 2 - 0.049, zm), (0, d / 2 - 0.012, zm), r, "metal_chrome", "door", 28)
+            b.rod((0, d / 2 - 0.03, zm), (0, d / 2, zm), r * 0.78, "glass_black", "door", 28)
         b.box(
             (-w / 2 + 0.01, w / 2 - 0.01),
             (d / 2 - 0.05, d / 2 - 0.04),
@@ -251,6 +233,15 @@ def washer(b: Builder) -> None:
             "drawer",
             solid=False,
         )
+
+
+def _washer_front(b: Builder, z: tuple[float, float], middle: float, half: float) -> None:
+    """Plate around a square hole, which the door covers."""
+    w, y = b.w, (b.d / 2 - 0.06, b.d / 2 - 0.05)
+    for beside in ((-w / 2, -half), (half, w / 2)):
+        b.box(beside, y, z, b.mat(), "front", solid=False)
+    for level in ((z[0], middle - half), (middle + half, z[1])):
+        b.box((-half, half), y, level, b.mat(), "front", solid=False)
 
 
 @recipe("hood")

@@ -165,18 +165,18 @@ def _below(b: Builder, high: float, deep: float, top: str) -> None:
         count = 2 if w > 0.5 else 1
         for k in range(count):
             x0, x1 = -w / 2 + k * w / count, -w / 2 + (k + 1) * w / count
-            b.box(
-                (x0 + 0.003, x1 - 0.003), (d / 2 - 0.03, d / 2 - 0.012), (0.11, high - 0.01), main, "doors", solid=False
-            )
+            panel = ((x0 + 0.003, x1 - 0.003), (d / 2 - 0.03, d / 2 - 0.012), (0.11, high - 0.01))
             hx = x1 - 0.04 if k == 0 else x0 + 0.04
-            b.box(
-                (hx - 0.006, hx + 0.006),
-                (d / 2 - 0.012, d / 2),
-                (high - 0.2, high - 0.08),
-                "metal_steel",
-                "handles",
-                solid=False,
-            )
+            with b.door(*panel, "left" if k == 0 else "right"):
+                b.box(*panel, main, "doors", solid=False)
+                b.box(
+                    (hx - 0.006, hx + 0.006),
+                    (d / 2 - 0.012, d / 2),
+                    (high - 0.2, high - 0.08),
+                    "metal_steel",
+                    "handles",
+                    solid=False,
+                )
     elif top.startswith("metal") and not b.p.get("pedestal"):
         b.legs((0, high), 0.02, "metal_steel", 0.01)
         b.box((-w / 2 + 0.03, w / 2 - 0.03), (-d / 2 + 0.03, d / 2 - 0.03), (0.2, 0.22), "metal_steel", "shelf")
@@ -224,7 +224,9 @@ def shower(b: Builder) -> None:
         lo, hi = sorted((sx * w / 2, sx * (w / 2 - 0.01)))
         b.box((lo, hi), (-d / 2, d / 2), (0.06, h), "glass_clear", "glass")
     b.box((-w / 2, -0.02), (d / 2 - 0.01, d / 2), (0.06, h), "glass_clear", "glass")
-    b.box((0.0, w / 2), (d / 2 - 0.01, d / 2), (0.06, h), "glass_clear", "door", solid=False)
+    pane = ((0.0, w / 2 - 0.012), (d / 2 - 0.01, d / 2), (0.064, h - 0.034))
+    with b.door(*pane, "right"):
+        b.box(*pane, "glass_clear", "door", solid=False)
     b.box((-w / 2, w / 2), (d / 2 - 0.02, d / 2), (h - 0.03, h), "metal_chrome", "rail", solid=False)
     b.path(
         [(0, -d / 2 + 0.04, 1.0), (0, -d / 2 + 0.04, h - 0.08), (0, -d * 0.15, h - 0.08)], 0.012, "metal_chrome", "pipe"
@@ -257,8 +259,10 @@ def stall(b: Builder) -> None:
         return
     for x0, x1 in ((-w / 2, -w * 0.32), (w * 0.32, w / 2)):
         b.box((x0, x1), (d / 2 - t, d / 2), (0, h), b.mat(), "front")
-    b.box((-w * 0.31, w * 0.31), (d / 2 - t, d / 2 - 0.006), (foot, h - 0.05), b.mat(), "door")
-    b.box((w * 0.24, w * 0.27), (d / 2 - 0.006, d / 2), (1.0, 1.1), "metal_steel", "lock", solid=False)
+    panel = ((-w * 0.31, w * 0.31), (d / 2 - t, d / 2 - 0.006), (foot, h - 0.05))
+    with b.door(*panel):
+        b.box(*panel, b.mat(), "door")
+        b.box((w * 0.24, w * 0.27), (d / 2 - 0.006, d / 2), (1.0, 1.1), "metal_steel", "lock", solid=False)
     b.lathe(
         [(0.55, 0), (0.5, 0.12), (0.95, 0.38), (1.0, 0.41)],
         "ceramic_white",

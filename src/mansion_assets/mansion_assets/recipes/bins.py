@@ -1,5 +1,6 @@
 """Bins, baskets, sacks, and stands open at the top."""
 
+from contextlib import nullcontext
 from typing import Any
 
 from mansion_assets.builder import Box, Builder
@@ -33,9 +34,15 @@ def bin_(b: Builder) -> None:
         _tapered_walls(b, high, t)
         _hollow(b, high, t, 1.0)
     if lid:
-        cover = "plastic_dark" if lid == "slot" else b.mat()
-        b.box((-w / 2, w / 2), (-d / 2, d / 2), (high, h), cover, "lid", solid=False)
-        b.box((-w * 0.3, w * 0.3), (-0.02, 0.0), (h - 0.003, h), "plastic_black", "slot", solid=False)
+        _lid(b, high, slotted=lid == "slot")
+
+
+def _lid(b: Builder, low: float, *, slotted: bool) -> None:
+    """A lid on a hinge at the back; the slotted head of a shredder is fixed."""
+    panel = ((-b.w / 2, b.w / 2), (-b.d / 2, b.d / 2), (low, b.h))
+    with nullcontext() if slotted else b.door(*panel, "back"):
+        b.box(*panel, "plastic_dark" if slotted else b.mat(), "lid", solid=False)
+        b.box((-b.w * 0.3, b.w * 0.3), (-0.02, 0.0), (b.h - 0.003, b.h), "plastic_black", "slot", solid=False)
 
 
 def _tapered_walls(b: Builder, high: float, t: float) -> None:

@@ -148,9 +148,10 @@ def _speaker(b: Builder) -> None:
     x = (-w / 2, w / 2)
     main = b.mat()
     b.box(x, (-d / 2, d / 2 - 0.012), (0, h), main, "case")
+    wide = min(w, 0.8 * h)
     for z, r in ((0.32, 0.36), (0.74, 0.22)):
-        b.rod((0, d / 2 - 0.014, z * h), (0, d / 2, z * h), r * w, "plastic_dark", "cones", 20)
-        b.rod((0, d / 2 - 0.013, z * h), (0, d / 2 - 0.001, z * h), r * w * 0.4, "metal_grey", "cones", 12)
+        b.rod((0, d / 2 - 0.014, z * h), (0, d / 2, z * h), r * wide, "plastic_dark", "cones", 20)
+        b.rod((0, d / 2 - 0.013, z * h), (0, d / 2 - 0.001, z * h), r * wide * 0.4, "metal_grey", "cones", 12)
 
 
 def _screen(b: Builder) -> None:

@@ -91,10 +91,12 @@ def fume_hood(b: Builder) -> None:
     """Cupboard, work chamber with a sash, duct."""
     w, d, h = b.w, b.d, b.h
     f = d / 2
-    b.box((-w / 2, w / 2), (-d / 2, f - 0.06), (0.06, 0.84), b.mat(), "cupboard")
+    b.hollow((-w / 2, w / 2), (-d / 2, f - 0.06), (0.06, 0.84), 0.02, b.mat(), "cupboard")
     for k in range(2):
         x0 = -w / 2 + k * w / 2
-        b.box((x0 + 0.01, x0 + w / 2 - 0.01), (f - 0.06, f - 0.045), (0.1, 0.8), b.mat(), "doors", solid=False)
+        panel = ((x0 + 0.01, x0 + w / 2 - 0.01), (f - 0.059, f - 0.045), (0.1, 0.8))
+        with b.door(*panel, "left" if k == 0 else "right"):
+            b.box(*panel, b.mat(), "doors", solid=False)
     b.box((-w / 2, w / 2), (-d / 2, f), (0.84, 0.9), "stone_black", "top")
     b.box((-w / 2, w / 2), (-d / 2, -d / 2 + 0.06), (0.9, h), b.mat(), "back")
     for sx in (-1, 1):

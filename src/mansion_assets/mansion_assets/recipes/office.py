@@ -35,9 +35,11 @@ def booth(b: Builder) -> None:
     b.box((-w / 2, w / 2), (-d / 2, -d / 2 + t), (0, h), b.mat(), "back")
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (h - t, h), b.mat(), "roof")
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, 0.05), "fabric_dark", "floor")
-    b.box((-w / 2 + t, w / 2 - t), (d / 2 - 0.03, d / 2 - 0.01), (0.05, h - t), "glass_clear", "door", solid=False)
+    pane = ((-w / 2 + t, w / 2 - t), (d / 2 - 0.03, d / 2 - 0.01), (0.052, h - t - 0.002))
+    with b.door(*pane):
+        b.box(*pane, "glass_clear", "door", solid=False)
+        b.box((w * 0.3, w * 0.33), (d / 2 - 0.012, d / 2), (0.9, 1.2), "metal_steel", "handle", solid=False)
     b.box((-w / 2 + t, w / 2 - t), (-d / 2 + t, -d / 2 + t + 0.3), (1.0, 1.03), "wood_oak", "shelf")
-    b.box((w * 0.3, w * 0.33), (d / 2 - 0.012, d / 2), (0.9, 1.2), "metal_steel", "handle", solid=False)
     b.box((-0.1, 0.1), (-0.05, 0.05), (h - t - 0.01, h - t), "light_white", "lamp", solid=False)
 
 

@@ -1,33 +1,27 @@
 """Framed faces: pictures, mirrors and boards, on walls and on stands."""
 
+import zlib
+
 from mansion_assets.builder import Builder
+from mansion_assets.materials.sets import art
 from mansion_assets.registry import recipe
 
 __all__: list[str] = []
 
 
-_ART = (
-    ("paper_beige", "paper_blue", "paper_orange", "paper_dark"),
-    ("paper_white", "paper_red", "paper_yellow", "paper_green"),
-    ("paper_light", "paper_green", "paper_blue", "paper_brown"),
-)
+def _shown(b: Builder, face: str) -> str:
+    """Return the material of a face: a picture that depends on the asset's look, or the material that it names."""
+    if face == "map":
+        return "picture_map"
+    if face != "art":
+        return face
+    look = f"{b.mat()} {b.w:.3f} {b.h:.3f}"
+    return art()[zlib.crc32(look.encode()) % len(art())]
 
 
 def _face(b: Builder, face: str, x: tuple[float, float], z: tuple[float, float], y: float) -> None:
     """What a panel shows, flat on its front at `y`."""
-    w, h = x[1] - x[0], z[1] - z[0]
-    thin = 0.0015
-    if face not in ("art", "map"):
-        b.box(x, (y - thin, y), z, face, "face", solid=False)
-        return
-    key = sum(ord(c) for c in b.mat()) + round(1000 * (b.w + b.h))
-    colors = _ART[key % 3] if face == "art" else ("paper_blue", "paper_green", "paper_beige", "paper_green")
-    b.box(x, (y - 2 * thin, y - thin), z, colors[0], "face", solid=False)
-    for k in range(5):
-        u, v = ((key * (k + 3)) % 17) / 17 * 0.6, ((key * (k + 5)) % 13) / 13 * 0.6
-        bw, bh = (0.15 + 0.25 * ((key + k) % 3) / 2), (0.12 + 0.2 * ((key + 2 * k) % 3) / 2)
-        patch = ((x[0] + u * w, x[0] + min(0.96, u + bw) * w), (z[0] + v * h, z[0] + min(0.96, v + bh) * h))
-        b.box(patch[0], (y - thin, y - thin * 0.5 + 0.0001 * k), patch[1], colors[1 + k % 3], "face", solid=False)
+    b.box(x, (y - 0.0015, y), z, _shown(b, face), "face", solid=False)
 
 
 @recipe("panel")
@@ -96,22 +90,9 @@ def _leaning_face(b: Builder, lean: float) -> None:
     b.prism(
         [(s0, low), (s0 + 0.006, low), (s1 + 0.006, h * 0.97), (s1, h * 0.97)],
         (-w / 2 + rim, w / 2 - rim),
-        face if face not in ("art", "map") else "paper_white",
+        _shown(b, face),
         part="face",
     )
-    if face == "art":
-        b.prism(
-            [
-                (s0 + 0.004, low + 0.1),
-                (s0 + 0.0085, low + 0.1),
-                ((s0 + s1) / 2 + 0.0085, (low + h) / 2),
-                ((s0 + s1) / 2 + 0.004, (low + h) / 2),
-            ],
-            (-w * 0.25, w * 0.2),
-            "paper_blue",
-            part="paint",
-            solid=False,
-        )
 
 
 def _post(b: Builder) -> None:

@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from mansion_assets.builder import Builder, Rect
+from mansion_assets.builder import TRAY, Builder, Rect
 from mansion_assets.catalogue.receptacles import BOARD, Receptacle, inset, surface, volume
 from mansion_assets.registry import receptacles, recipe
 from mansion_msgs_py.shapes import Size3
@@ -151,6 +151,8 @@ def cabinet(b: Builder) -> None:
     if b.p.get("top"):
         b.box((-w / 2, w / 2), (-d / 2, d / 2), (h - BOARD, h), str(b.p["top"]), "top")
         z1 = h - BOARD
+    elif front == "lid":
+        z1 = h - BOARD - 0.001
     face = d / 2 - 0.022
     if front == "wheels":
         b.wheels(0.045)
@@ -161,24 +163,53 @@ def cabinet(b: Builder) -> None:
         b.box((lo, hi), (-d / 2, face), (plinth, z1), main, "sides")
     b.box((-w / 2, w / 2), (-d / 2, -d / 2 + 0.015), (plinth, z1), main, "back")
     width, height = (w - BOARD) / cols, (h - plinth - BOARD) / rows
+    tray = 0.01 if front in _DRAWN else 0.0
     for row in range(rows + 1):
         z = plinth + row * height
-        b.box((-w / 2, w / 2), (-d / 2, face), (z, z + BOARD), main, "boards")
+        if front == "lid" and row == rows:
+            with b.door((-w / 2, w / 2), (-d / 2, face), (z, z + BOARD), "back"):
+                b.box((-w / 2, w / 2), (-d / 2, face), (z, z + BOARD), main, "boards")
+        else:
+            b.box((-w / 2, w / 2), (-d / 2, face), (z, z + BOARD - tray * (row < rows)), main, "boards")
     for col in range(1, cols):
         x = -w / 2 + col * width
         b.box((x, x + BOARD), (-d / 2, face), (plinth, z1), main, "sides")
     for row in range(rows):
         for col in range(cols):
             x0, z0 = -w / 2 + BOARD / 2 + col * width, plinth + BOARD / 2 + row * height
-            _front(b, front, (x0 + 0.002, x0 + width - 0.002), (z0 + 0.002, z0 + height - 0.002), face, (row, col))
+            panel = (z0 + 0.002, min(z0 + height, z1) - 0.002)
+            _front(b, front, (x0 + 0.002, x0 + width - 0.002), panel, face, (row, col))
 
 
 Span = tuple[float, float]
 
+_DRAWN = ("drawers", "wheels")
+"""Fronts that are those of drawers."""
+
 
 def _front(b: Builder, style: str, x: Span, z: Span, face: float, place: tuple[int, int]) -> None:
-    """One door or drawer front with its handle, slightly apart from its neighbours."""
-    main, y = b.mat(), (face + 0.001, face + 0.016)
+    """One door or drawer with its handle, slightly apart from its neighbours; a chest with a lid has a fixed front."""
+    y = (face + 0.001, face + 0.016)
+    if style in _DRAWN:
+        # The tray's bottom is what the board of the carcass has less of, so that what is in it lies where it would.
+        inner = (z[0] + BOARD / 2 - 0.002 - TRAY, z[0] + 0.6 * (z[1] - z[0]))
+        sides = (x[0] + BOARD / 2 - 0.001, x[1] - BOARD / 2 + 0.001)
+        with b.drawer(sides, (-b.d / 2 + 0.017, face), inner, b.mat()):
+            _panel(b, style, x, z, y, place)
+    elif style == "lid":
+        _panel(b, style, x, z, y, place)
+    else:
+        with b.door(x, y, z, "right" if _grips_left(b, place[1]) else "left"):
+            _panel(b, style, x, z, y, place)
+
+
+def _grips_left(b: Builder, column: int) -> bool:
+    return column % 2 == 1 or b.p.get("cols", 2) == 1
+
+
+def _panel(b: Builder, style: str, x: Span, z: Span, y: Span, place: tuple[int, int]) -> None:
+    """The panel of a front, with what is on it."""
+    main = b.mat()
     grip = (y[1], b.d / 2)
     if style == "glass":
         b.box(x, y, z, "glass_clear", "doors", solid=False)
@@ -234,8 +265,7 @@ def _grip(b: Builder, style: str, x: Span, z: Span, y: Span, column: int) -> Non
         b.rod((xm, y[0], zm), (xm, y[1], zm), min(b.w, b.h) * 0.12, "metal_steel", "dial", 16)
         return
     if style in ("doors", "glass", "locker"):
-        left = column % 2 == 1 or b.p.get("cols", 2) == 1
-        hx = x[0] + 0.04 if left else x[1] - 0.04
+        hx = x[0] + 0.04 if _grips_left(b, column) else x[1] - 0.04
         across, up = (hx - 0.006, hx + 0.006), (zm - 0.07, zm + 0.07)
     else:
         half = min(0.07, (x[1] - x[0]) * 0.3)

@@ -133,6 +133,22 @@ def table(b: Builder) -> None:
         b.box((-b.w / 2 + 0.04, b.w / 2 - 0.04), (-b.d / 2 + 0.04, b.d / 2 - 0.04), (z - 0.02, z), frame, "shelf")
 
 
+def _drawers(b: Builder, x: tuple[float, float], z: float) -> None:
+    """Three drawers in a case below a top at height `z`, before the panel across the back."""
+    d, main = b.d, b.mat()
+    back, face = -d / 2 + 0.142, d / 2 - 0.1
+    b.hollow(x, (back, face), (0.1, z - 0.03), 0.012, main, "drawers")
+    step = (z - 0.17) / 3
+    for k in range(3):
+        z0 = 0.12 + k * step
+        front = (z0, z0 + step - 0.012)
+        with b.drawer((x[0] + 0.014, x[1] - 0.014), (back + 0.014, face), (z0, z0 + 0.7 * step), main):
+            b.box((x[0] + 0.01, x[1] - 0.01), (face, face + 0.015), front, main, "fronts", solid=False)
+            middle = (x[0] + x[1]) / 2
+            grip = ((middle - 0.06, middle + 0.06), (face + 0.015, face + 0.03), (z0 + 0.1, z0 + 0.115))
+            b.box(*grip, "metal_steel", "handles", solid=False)
+
+
 @receptacles("desk")
 def _desk_tops(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
     w, d, h = size
@@ -157,25 +173,7 @@ def desk(b: Builder) -> None:
         sides = (-1, 1) if int(b.p.get("drawers", 1)) > 1 else (1,)
         for sx in sides:
             lo, hi = sorted((sx * (w / 2 - 0.08), sx * (w / 2 - 0.08 - width)))
-            b.box((lo, hi), (-d / 2 + 0.1, d / 2 - 0.1), (0.1, z - 0.03), b.mat(), "drawers")
-            for k in range(3):
-                z0 = 0.12 + k * (z - 0.17) / 3
-                b.box(
-                    (lo + 0.01, hi - 0.01),
-                    (d / 2 - 0.1, d / 2 - 0.085),
-                    (z0, z0 + (z - 0.17) / 3 - 0.012),
-                    b.mat(),
-                    "fronts",
-                    solid=False,
-                )
-                b.box(
-                    ((lo + hi) / 2 - 0.06, (lo + hi) / 2 + 0.06),
-                    (d / 2 - 0.085, d / 2 - 0.07),
-                    (z0 + 0.1, z0 + 0.115),
-                    "metal_steel",
-                    "handles",
-                    solid=False,
-                )
+            _drawers(b, (lo, hi), z)
     if b.h > z + 0.02:
         shelf = b.tops[1]
         for x in (-w / 2 + 0.012, w / 2 - 0.012):

@@ -1,46 +1,82 @@
-"""What a build writes: the payloads of each floor, and the formats made from scenes (`mansion_export.formats`)."""
+"""What is written of a building: payloads of each floor, and what `mansion_export.formats` make from scenes."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
+from pathlib import Path
 
-from mansion_export.formats import built_building_outputs, built_floor_outputs
+from mansion_export.formats import Output, Outputs, indexed_outputs
 from mansion_msgs_py.building_folder import floor_directory
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.layout import FloorLayout
 from mansion_msgs_py.scene import FloorScene
 from mansion_msgs_py.topology import FloorTopology
 
-__all__ = ["building_exports", "building_file_names", "floor_exports", "floor_file_names", "floor_files"]
+__all__ = ["building_file_names", "floor_file_names", "floor_files", "kept_files", "kept_outputs"]
 
 _PAYLOADS = {"topology": "topology.json", "layout": "layout.json", "scene": "scene.json"}
 
 
-def floor_file_names() -> dict[str, str]:
-    """Return the names of a floor's files by their keys in ``building.json``."""
-    return _PAYLOADS | {
-        key: name for output in built_floor_outputs() for key, name in zip(output.keys, output.files, strict=True)
-    }
+def floor_file_names(outputs: Iterable[Output]) -> dict[str, str]:
+    """Return the names of a floor's payloads and of what is made of it by their keys in ``building.json``."""
+    return _PAYLOADS | _named(outputs)
 
 
-def building_file_names() -> dict[str, str]:
-    """Return the names of a building's own files by their keys in ``building.json``."""
-    return {"report": "report.json"} | {
-        key: name for output in built_building_outputs() for key, name in zip(output.keys, output.files, strict=True)
-    }
+def building_file_names(outputs: Iterable[Output]) -> dict[str, str]:
+    """Return the names of a building's report and of what is made of all floors by their keys in ``building.json``."""
+    return {"report": "report.json"} | _named(outputs)
 
 
-def floor_files(topology: FloorTopology, layout: FloorLayout, scene: FloorScene) -> dict[str, bytes]:
-    """Return all files of a floor, by path relative to the building's folder."""
+def _named(outputs: Iterable[Output]) -> dict[str, str]:
+    return {key: name for output in outputs if output.keys for key, name in zip(output.keys, output.files, strict=True)}
+
+
+def floor_files(
+    topology: FloorTopology, layout: FloorLayout, scene: FloorScene, outputs: Iterable[Output]
+) -> dict[str, bytes]:
+    """Return the payloads of a floor and what is made of it, by path relative to the building's folder."""
     folder = floor_directory(scene.floor)
     payloads = {"topology": topology, "layout": layout, "scene": scene}
     files = {f"{folder}/{_PAYLOADS[key]}": encode_bytes(payload, indent=1) for key, payload in payloads.items()}
-    return files | floor_exports(scene)
+    for output in outputs:
+        files |= output.make(scene)
+    return files
 
 
-def floor_exports(scene: FloorScene) -> dict[str, bytes]:
-    """Return what is made from one scene, the scene itself left out, by path relative to the building's folder."""
-    return {path: data for output in built_floor_outputs() for path, data in output.make(scene).items()}
+def kept_outputs(folder: Path, floors: Iterable[int]) -> Outputs:
+    """Return what ``building.json`` may name and the folder has, of some floor or of the whole."""
+    directories = [folder / floor_directory(floor) for floor in floors]
+    known = indexed_outputs()
+    return Outputs(
+        tuple(output for output in known.floor if any(_has(place, output) for place in directories)),
+        tuple(output for output in known.building if _has(folder, output)),
+    )
 
 
-def building_exports(scenes: Sequence[FloorScene]) -> dict[str, bytes]:
-    """Return what is made from all scenes, by path relative to the building's folder."""
-    return {path: data for output in built_building_outputs() for path, data in output.make(scenes).items()}
+def _has(place: Path, output: Output) -> bool:
+    return any((place / name).is_file() for name in output.files)
+
+
+def kept_files(folder: Path, scenes: Sequence[FloorScene], changed: Sequence[int]) -> dict[str, bytes]:
+    """Return anew what was made from scenes and is in a folder, as far as it tells of the changed floors.
+
+    Parameters
+    ----------
+    folder : Path
+        Of the building.
+    scenes : sequence of FloorScene
+        All floors as they are now.
+    changed : sequence of int
+        Numbers of the floors that changed.
+
+    Returns
+    -------
+    dict of str to bytes
+        By path relative to the folder. What the folder has of no floor is not added.
+    """
+    outputs = kept_outputs(folder, [scene.floor for scene in scenes])
+    files: dict[str, bytes] = {}
+    for scene in scenes:
+        for output in outputs.floor if scene.floor in changed else ():
+            files |= output.make(scene)
+    for output in outputs.building:
+        files |= output.make(scenes)
+    return files

@@ -1,10 +1,11 @@
 """``building.json`` and ``report.json`` from what the stages returned."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from mansion_bringup import __version__
 from mansion_bringup.building.files import building_file_names, floor_file_names
 from mansion_bringup.building.receipt import receipt
+from mansion_export.formats import Outputs
 from mansion_msgs_py.building import Building, BuildingReport, FloorEntry, FloorReport
 from mansion_msgs_py.building_folder import floor_directory
 from mansion_msgs_py.layout import FloorLayout
@@ -18,14 +19,14 @@ from mansion_msgs_py.usage import total_usage
 __all__ = ["building_index", "building_report"]
 
 
-def building_index(request: BuildRequest, plan: PlanReply, scenes: Sequence[FloorScene]) -> Building:
-    """Return the content of ``building.json``."""
+def building_index(request: BuildRequest, plan: PlanReply, scenes: Sequence[FloorScene], outputs: Outputs) -> Building:
+    """Return the content of ``building.json`` of a folder that has `outputs`."""
     program = plan.program
     return Building(
         building_id=program.building_id,
         request=request,
         program=program,
-        floors=[_entry(scene) for scene in scenes],
+        floors=[_entry(scene, floor_file_names(outputs.floor)) for scene in scenes],
         cores=program.vertical_connectivity.cores,
         seed=request.seed,
         versions={"mansion": __version__},
@@ -34,7 +35,7 @@ def building_index(request: BuildRequest, plan: PlanReply, scenes: Sequence[Floo
             "doors": sum(len(scene.doors) for scene in scenes),
             "objects": sum(len(scene.objects) for scene in scenes),
         },
-        files=building_file_names(),
+        files=building_file_names(outputs.building),
         wishes=receipt(program.wishes, program, scenes),
     )
 
@@ -44,7 +45,7 @@ def _rooms(scene: FloorScene) -> int:
     return sum(room.kind not in ("stair", "elevator") for room in scene.rooms)
 
 
-def _entry(scene: FloorScene) -> FloorEntry:
+def _entry(scene: FloorScene, names: Mapping[str, str]) -> FloorEntry:
     folder = floor_directory(scene.floor)
     return FloorEntry(
         floor=scene.floor,
@@ -54,7 +55,7 @@ def _entry(scene: FloorScene) -> FloorEntry:
         area=round(sum(room.area for room in scene.rooms), 3),
         rooms=_rooms(scene),
         objects=len(scene.objects),
-        files={key: f"{folder}/{name}" for key, name in floor_file_names().items()},
+        files={key: f"{folder}/{name}" for key, name in names.items()},
     )
 
 

@@ -6,7 +6,7 @@ there the folder is renamed. A later run of the same request takes over what it 
 """
 
 import shutil
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from contextlib import ExitStack
 from pathlib import Path
 from types import TracebackType
@@ -33,6 +33,8 @@ class Workspace:
     target : Path
         The folder to be; may hold an older building, which is replaced at the end.
     request : BuildRequest
+    formats : sequence of str
+        Names of the formats that the build writes; one that writes others starts afresh.
     force : bool
         Replace a building even if robots have state in it.
 
@@ -42,10 +44,12 @@ class Workspace:
         ``CONFLICT`` when `target` holds something else, state of running worlds, or another build is at it.
     """
 
-    def __init__(self, target: Path, request: BuildRequest, *, force: bool = False) -> None:
+    def __init__(
+        self, target: Path, request: BuildRequest, *, formats: Sequence[str] = (), force: bool = False
+    ) -> None:
         self.target = _followed(target.absolute())
         self.partial = self.target.parent / f".{self.target.name}.partial"
-        self._key = encode_bytes({"version": __version__, "request": request})
+        self._key = encode_bytes({"version": __version__, "request": request, "formats": formats})
         _check_target(self.target, force=force)
 
     def __enter__(self) -> "Workspace":

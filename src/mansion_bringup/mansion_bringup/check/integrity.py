@@ -8,6 +8,7 @@ from typing import Any
 
 from mansion_bringup.check.fault import Fault
 from mansion_msgs_py.building import Building, BuildingReport
+from mansion_msgs_py.building_folder import floor_file
 from mansion_msgs_py.codec import decode, to_builtins
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.scene import FloorScene
@@ -56,9 +57,11 @@ def check_counts(building: Building, scenes: Sequence[FloorScene]) -> Iterator[F
 
 
 def check_maps(folder: Path, building: Building, scenes: list[FloorScene]) -> Iterator[Fault]:
-    """Yield floors whose occupancy image does not span the outline at 0.05 m a pixel."""
+    """Yield floors whose occupancy image does not span the outline at 0.05 m a pixel; one need not be there."""
     for entry, scene in zip(building.floors, scenes):
-        name = entry.files.get("map_image", "")
+        name = floor_file(entry, "map_image", "map.pgm")
+        if not (folder / name).exists():
+            continue
         try:
             header = (folder / name).read_bytes()[:64].split()
             width, height = int(header[1]) * 0.05, int(header[2]) * 0.05

@@ -1,8 +1,9 @@
 """Checks that every object is in its room, overlaps no other and rests on what carries it."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
+from typing import TypeAlias
 
-from shapely import LineString, Polygon, STRtree
+from shapely import LineString, Polygon, STRtree, prepare
 
 from mansion_bringup.check.fault import Fault
 from mansion_bringup.check.shapes import net_area, vertical
@@ -10,6 +11,9 @@ from mansion_geometry.object_footprints import footprint
 from mansion_msgs_py.scene import FloorScene, SceneObject, SceneRoom
 
 __all__ = ["carriers", "check_objects"]
+
+Placed: TypeAlias = tuple[SceneObject, Polygon]
+"""An object and its footprint."""
 
 AREA_SLACK = 1e-3
 """Square metres by which footprints may overlap or overhang from rounding."""
@@ -25,24 +29,33 @@ HEIGHT_SLACK = 0.03
 
 def check_objects(scene: FloorScene) -> Iterator[Fault]:
     """Yield faults of the objects' poses."""
-    rooms = {room.id: room for room in scene.rooms}
-    items = {item.id: item for item in scene.objects}
-    for item in scene.objects:
-        yield from _in_room(item, rooms)
+    furnished = {item.room for item in scene.objects}
+    rooms = {room.id: (room, _region(room)) for room in scene.rooms if room.id in furnished}
+    placed = [(item, footprint(item)) for item in scene.objects]
+    known = {item.id: (item, shape) for item, shape in placed}
+    for item, shape in placed:
+        yield from _in_room(item, shape, rooms)
         if item.mount in ("surface", "inside"):
-            yield from _on_parent(item, items)
+            yield from _on_parent(item, shape, known)
         elif item.mount == "floor" and abs(vertical(item)[0]) > HEIGHT_SLACK:
             yield Fault("OBJECT_FLOATS", item.id, f"its lower side is at {vertical(item)[0]:.2f} m")
-    yield from _overlaps(scene)
-    yield from _before_doors(scene)
+    yield from _overlaps(placed)
+    yield from _before_doors(scene, placed)
 
 
-def _in_room(item: SceneObject, rooms: dict[str, SceneRoom]) -> Iterator[Fault]:
-    room = rooms.get(item.room)
-    if room is None:
+def _region(room: SceneRoom) -> Polygon:
+    """Return where a room's objects may be, ready to be asked for many of them."""
+    region = net_area(room).buffer(2e-3)
+    prepare(region)
+    return region
+
+
+def _in_room(item: SceneObject, shape: Polygon, rooms: Mapping[str, tuple[SceneRoom, Polygon]]) -> Iterator[Fault]:
+    room, region = rooms.get(item.room, (None, None))
+    if room is None or region is None:
         yield Fault("OBJECT_ROOM", item.id, f"is in {item.room!r}, which does not exist")
         return
-    beyond = footprint(item).difference(net_area(room).buffer(2e-3)).area
+    beyond = 0.0 if region.covers(shape) else shape.difference(region).area
     if beyond > AREA_SLACK:
         yield Fault("OBJECT_OUTSIDE", item.id, f"{beyond:.3f} m2 extend beyond {room.id}")
     low, high = vertical(item)
@@ -50,13 +63,12 @@ def _in_room(item: SceneObject, rooms: dict[str, SceneRoom]) -> Iterator[Fault]:
         yield Fault("OBJECT_OUTSIDE", item.id, f"reaches from {low:.2f} m to {high:.2f} m")
 
 
-def _on_parent(item: SceneObject, items: dict[str, SceneObject]) -> Iterator[Fault]:
-    parent = items.get(item.parent or "")
-    if parent is None:
+def _on_parent(item: SceneObject, shape: Polygon, known: Mapping[str, Placed]) -> Iterator[Fault]:
+    if (item.parent or "") not in known:
         yield Fault("OBJECT_PARENT", item.id, f"is on {item.parent!r}, which does not exist")
         return
-    shared = footprint(item).intersection(footprint(parent)).area
-    if shared < 0.5 * footprint(item).area:
+    parent, below_it = known[item.parent or ""]
+    if shape.intersection(below_it).area < 0.5 * shape.area:
         yield Fault("OBJECT_PARENT", item.id, f"is not over {parent.id}")
     low, high = vertical(item)
     parent_low, parent_high = vertical(parent)
@@ -67,14 +79,14 @@ def _on_parent(item: SceneObject, items: dict[str, SceneObject]) -> Iterator[Fau
         yield Fault("OBJECT_FLOATS", item.id, f"its lower side is at {low:.2f} m, above the top of {parent.id}")
 
 
-def _overlaps(scene: FloorScene) -> Iterator[Fault]:
-    items = [item for item in scene.objects if item.size[2] > WALKABLE_HEIGHT]
+def _overlaps(placed: Sequence[Placed]) -> Iterator[Fault]:
+    items = [item for item, _ in placed if item.size[2] > WALKABLE_HEIGHT]
     if not items:
         return
-    shapes = [footprint(item) for item in items]
+    shapes = [shape for item, shape in placed if item.size[2] > WALKABLE_HEIGHT]
     tree = STRtree(shapes)
     first, second = tree.query(shapes, predicate="intersects")
-    known = {item.id: item for item in scene.objects}
+    known = {item.id: item for item, _ in placed}
     carried_by = [carriers(item, known) for item in items]
     for index, other in sorted(zip(first.tolist(), second.tolist())):
         if items[index].id in carried_by[other] or items[other].id in carried_by[index]:
@@ -104,20 +116,19 @@ def _collide(one: SceneObject, other: SceneObject, shape: Polygon, second: Polyg
     return in_height and shape.intersection(second).area > AREA_SLACK
 
 
-def _before_doors(scene: FloorScene) -> Iterator[Fault]:
+def _before_doors(scene: FloorScene, placed: Sequence[Placed]) -> Iterator[Fault]:
     standing = [
-        item
-        for item in scene.objects
+        (item, shape)
+        for item, shape in placed
         if item.mount in ("floor", "wall") and vertical(item)[0] < 1.9 and item.size[2] > WALKABLE_HEIGHT
     ]
     if not standing:
         return
-    shapes = [footprint(item) for item in standing]
-    tree = STRtree(shapes)
+    tree = STRtree([shape for _, shape in standing])
     for door in scene.doors:
         area = LineString(door.segment).buffer(DOOR_DEPTH, cap_style="flat")
         for index in sorted(tree.query(area)):
-            item = standing[index]
+            item, shape = standing[index]
             near = item.room in door.rooms
-            if near and area.intersection(shapes[index]).area > AREA_SLACK:
+            if near and area.intersection(shape).area > AREA_SLACK:
                 yield Fault("DOOR_BLOCKED", door.id, f"{item.id} stands in front of it")

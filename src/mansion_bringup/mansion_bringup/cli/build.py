@@ -1,14 +1,17 @@
 """``mansion build``: one sentence to a building folder."""
 
 import os
+from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Literal
+from typing import TYPE_CHECKING, Annotated, Final, Literal
 
 import typer
 
 from mansion_bringup.cli.console import EXIT_INTERRUPTED, err, out, progress_bar
 from mansion_bringup.cli.receipt_table import print_receipt, refuse_unmet
 from mansion_bringup.cli.text_argument import TextCommand
+from mansion_bringup.exporting import format_names
+from mansion_export.formats import ALL, export_formats, formats_of_build
 from mansion_msgs_py.building import Building, BuildingReport
 from mansion_msgs_py.building_folder import is_building_folder
 from mansion_msgs_py.codec import convert, decode
@@ -21,6 +24,8 @@ if TYPE_CHECKING:
     from mansion_bringup.pipeline.build import BuildResult
 
 __all__ = ["planner_name", "read_footprint", "register", "request_from_options"]
+
+FORMATS_HELP: Final = f"What to write beside plans and a picture: {ALL}, or some of {', '.join(export_formats())}."
 
 
 def register(app: typer.Typer) -> None:
@@ -75,6 +80,7 @@ def build(
     planner: Annotated[
         str, typer.Option(help="rules, or llm: a language model reads and plans, rules fill its gaps.")
     ] = "rules",
+    formats: Annotated[str, typer.Option(help=FORMATS_HELP)] = "",
     graph: Annotated[bool, typer.Option("--graph", help="Build through the node graph.")] = False,
     jobs: Annotated[int, typer.Option(min=0, help="Floors in work at once; 0: all cores.")] = 0,
     timeout: Annotated[float, typer.Option(min=1, help="Seconds, for --graph.")] = 900.0,
@@ -85,7 +91,8 @@ def build(
 ) -> None:
     """Build a furnished building from one sentence.
 
-    The folder appears whole or not at all; an interrupted build goes on where it was when run again.
+    The folder appears whole or not at all; an interrupted build goes on where it was when run again. It holds the
+    floors, their plans and a picture; maps and models come with --formats, or later from `mansion export`.
 
     Examples:
 
@@ -94,17 +101,20 @@ def build(
       mansion build "a small flat for two" --seed 7 -o out/flat
 
       mansion build "a library" --floors 3 --floor-area 400 --graph -o out/library
+
+      mansion build "a clinic" --formats mjcf,nav2 -o out/clinic
     """
     request = request_from_options(description, floors, area, floor_area, footprint, seed, planner_name(planner))
+    names = _prepared_formats(formats)
     if strict:
         _refuse_unmet_plan(request)
     if is_building_folder(output):
         err.print(f"{output} holds a building: it is replaced when this one is done")
     try:
         if graph:
-            result = _through_graph(request, output, timeout, force=force)
+            result = _through_graph(request, output, timeout, names, force=force)
         else:
-            result = _in_processes(request, output, jobs, force=force)
+            result = _in_processes(request, output, jobs, names, force=force)
     except KeyboardInterrupt:
         err.print("interrupted; the same command goes on from the floors that are done")
         raise typer.Exit(EXIT_INTERRUPTED) from None
@@ -133,14 +143,27 @@ def _refuse_unmet_plan(request: BuildRequest) -> None:
     refuse_unmet(receipt_of_plan(reply.program, reply.topologies))
 
 
-def _in_processes(request: BuildRequest, output: Path, jobs: int, *, force: bool) -> "BuildResult":
+def _prepared_formats(listed: str) -> list[str]:
+    """Return the names of the formats in a list, all known and what they need installed."""
+    from mansion_bringup.extras import ensure_extra
+
+    names = format_names(listed)
+    for each in formats_of_build(names):
+        if each.extra:
+            ensure_extra(each.extra)
+    return names
+
+
+def _in_processes(
+    request: BuildRequest, output: Path, jobs: int, formats: Sequence[str], *, force: bool
+) -> "BuildResult":
     from mansion_bringup.pipeline.build import build_building
     from mansion_bringup.pipeline.planning import prepare_planner
 
     prepare_planner(request)
     workers = jobs or min(os.cpu_count() or 1, 8)
     with progress_bar() as report:
-        return build_building(request, output, jobs=workers, report=report, force=force)
+        return build_building(request, output, jobs=workers, report=report, formats=formats, force=force)
 
 
 def planner_name(name: str) -> Literal["rules", "llm"]:
@@ -152,7 +175,9 @@ def planner_name(name: str) -> Literal["rules", "llm"]:
     raise MansionError(ErrorCode.INVALID_PAYLOAD, f"unknown planner {name!r}; use rules or llm", path="$.planner")
 
 
-def _through_graph(request: BuildRequest, output: Path, timeout: float, *, force: bool) -> "BuildResult":
+def _through_graph(
+    request: BuildRequest, output: Path, timeout: float, formats: Sequence[str], *, force: bool
+) -> "BuildResult":
     from mansion_bringup.graph.processes import graph_client
     from mansion_bringup.pipeline.build import BuildResult
     from mansion_msgs_py.stages import BuildJob, BuildReply
@@ -169,7 +194,7 @@ def _through_graph(request: BuildRequest, output: Path, timeout: float, *, force
                 report(progress)
 
         client.listen("progress", show)
-        job = BuildJob.of(request, output=str(output.absolute()), force=force)
+        job = BuildJob.of(request, output=str(output.absolute()), force=force, formats=formats)
         reply = client.call("build_building", job, reply=BuildReply, timeout=timeout)
     path = Path(reply.path)
     summary = decode(BuildingReport, (path / "report.json").read_bytes())

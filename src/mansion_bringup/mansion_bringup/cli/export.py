@@ -27,6 +27,9 @@ def export(
     output: Annotated[
         Path | None, typer.Option("--output", "-o", help="Folder; the building's own when absent.")
     ] = None,
+    articulated: Annotated[
+        bool, typer.Option("--articulated", help="Joints for doors, drawers, lids and lift leaves (mjcf, sdf, usd).")
+    ] = False,
 ) -> None:
     """Write a building in another program's format.
 
@@ -35,11 +38,13 @@ def export(
       mansion export out/office --to thor
 
       mansion export out/office --to sdf -o gazebo/office
+
+      mansion export out/office --to mjcf --articulated
     """
     chosen, target = format_named(to), output or building
     check_building_folder(building)
     check_output_folder(target)
-    files = write_export(building, chosen, output)
+    files = write_export(building, chosen, output, articulated=articulated)
     size = sum(file.stat().st_size for file in files) / 1e6
     err.print(f"wrote {counted(len(files), 'file')}, {size:.1f} MB, to {target}", highlight=False)
     for file in files:

@@ -72,6 +72,7 @@ class BuildingDirector(MansionNode):
                 exporter=self._working_exporter(),
                 jobs=self.get_parameter("floors_at_once").value or 1,
                 report=self._progress.publish,
+                formats=job.formats,
                 force=job.force,
                 cancelled=lambda: not self.context.ok(),
             )

@@ -17,10 +17,11 @@ from mansion_bringup.building.report import building_index, building_report
 from mansion_bringup.building.workspace import Workspace
 from mansion_bringup.check import Fault
 from mansion_bringup.check.building import in_order
+from mansion_bringup.extras import require_extra
 from mansion_bringup.pipeline.executors import BuildExecutors, local_executors, service_executors
 from mansion_bringup.pipeline.stages import LocalStages, Stages
 from mansion_bringup.verify import floor_faults, record_faults
-from mansion_export.formats import built_building_outputs
+from mansion_export.formats import Output, Outputs, formats_of_build, outputs_of_build
 from mansion_msgs_py.building import Building, BuildingReport
 from mansion_msgs_py.building_folder import INDEX, floor_directory
 from mansion_msgs_py.codec import decode, encode_bytes
@@ -55,6 +56,7 @@ class _Job:
     stages: Stages
     report: Report
     cancelled: Callable[[], bool]
+    outputs: Outputs
     done: int = 0
     total: int = 1
     seconds: dict[str, float] = field(default_factory=dict)
@@ -90,6 +92,7 @@ def build_building(
     jobs: int = 1,
     report: Report = lambda progress: None,
     cancelled: Callable[[], bool] = lambda: False,
+    formats: Sequence[str] = (),
     force: bool = False,
 ) -> BuildResult:
     """Build and write a building.
@@ -109,23 +112,28 @@ def build_building(
         Gets a `Progress` for each step, on the calling thread.
     cancelled : callable
         Asked between steps.
+    formats : sequence of str
+        Export formats to write beside those that every build writes; see `formats_of_build`.
     force : bool
         Replace a building that holds state of running worlds.
 
     Raises
     ------
     MansionError
-        With the stage that failed in ``details["stage"]``. What is done stays for a later run.
+        With the stage that failed in ``details["stage"]``; what is done stays for a later run. ``NOT_FOUND`` for a
+        format that does not exist, ``UNAVAILABLE`` for one whose extra is missing.
     """
     request = identified(request)
-    job = _Job(request, stages or LocalStages(), report, cancelled)
+    chosen, outputs = _formats(formats)
+    job = _Job(request, stages or LocalStages(), report, cancelled, outputs)
     started = time.perf_counter()
-    executors = local_executors(jobs) if stages is None else service_executors(stages, jobs, exporter)
-    with _told_of_killed_workers(), Workspace(output, request, force=force) as workspace, executors:
+    executors = local_executors(jobs, outputs) if stages is None else service_executors(stages, jobs, exporter)
+    folder = Workspace(output, request, formats=chosen, force=force)
+    with _told_of_killed_workers(), folder as workspace, executors:
         plan = _plan(job, workspace)
         layouts = _solve(job, workspace, executors, plan)
         scenes = _furnish(job, workspace, executors, plan, layouts)
-        index = building_index(request, plan, scenes)
+        index = building_index(request, plan, scenes, outputs)
         checking = executors.exporter.submit(floor_faults, index.building_id, scenes, plan.topologies)
         _write_building(job, workspace, executors, index, scenes)
         summary = building_report(plan, layouts, scenes, job.seconds)
@@ -137,6 +145,15 @@ def build_building(
         path = workspace.commit()
     job.step("done", f"wrote {path}", done=1)
     return BuildResult(path, index, summary)
+
+
+def _formats(names: Sequence[str]) -> tuple[list[str], Outputs]:
+    """Return the names of the formats that are written, and what they make."""
+    chosen = formats_of_build(names)
+    for each in chosen:
+        if each.extra:
+            require_extra(each.extra)
+    return [each.name for each in chosen], outputs_of_build(names)
 
 
 @contextmanager
@@ -203,7 +220,7 @@ def _furnish(
     futures: dict[int, Future[tuple[dict[str, bytes], float, float]]] = {}
     for index, floor in enumerate(plan.program.floors):
         if not workspace.floor_done(floor.index):
-            futures[index] = executors.furnish(_furnish_task, plan, layouts[index], index)
+            futures[index] = executors.furnish(_furnish_task, plan, layouts[index], index, job.outputs.floor)
     scenes = []
     for index, floor in enumerate(plan.program.floors):
         if index in futures:
@@ -220,13 +237,19 @@ def _furnish(
 
 
 def _furnish_task(
-    stages: Stages | None, exporter: Executor | None, plan: PlanReply, layout: FloorLayout, index: int
+    stages: Stages | None,
+    exporter: Executor | None,
+    plan: PlanReply,
+    layout: FloorLayout,
+    index: int,
+    outputs: Sequence[Output],
 ) -> tuple[dict[str, bytes], float, float]:
     started = time.perf_counter()
     scene = furnish(stages or LocalStages(), plan, layout, index)
     furnished = time.perf_counter()
     files = at_stage(
-        f"export (floor {scene.floor})", lambda: _call(exporter, floor_files, plan.topologies[index], layout, scene)
+        f"export (floor {scene.floor})",
+        lambda: _call(exporter, floor_files, plan.topologies[index], layout, scene, outputs),
     )
     return files, furnished - started, time.perf_counter() - furnished
 
@@ -249,9 +272,9 @@ def _result(futures: dict[int, Future[T]], index: int) -> T:
 def _write_building(
     job: _Job, workspace: Workspace, executors: BuildExecutors, index: Building, scenes: list[FloorScene]
 ) -> None:
-    job.step("export", "writing the 3D building")
+    job.step("export", "writing the building")
     started = time.perf_counter()
-    futures = [executors.exporter.submit(output.make, scenes) for output in built_building_outputs()]
+    futures = [executors.exporter.submit(output.make, scenes) for output in job.outputs.building]
     for made in futures:
         workspace.write(at_stage("export", made.result))
     workspace.write({INDEX: encode_bytes(index, indent=1)})

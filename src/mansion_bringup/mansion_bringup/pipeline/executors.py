@@ -12,7 +12,7 @@ from types import TracebackType
 from typing import Any, TypeVar
 
 from mansion_bringup.pipeline.stages import LocalStages, Stages
-from mansion_export.formats import built_building_outputs, built_floor_outputs
+from mansion_export.formats import Outputs, outputs_of_build
 from mansion_msgs_py.workers import worker_pool
 
 __all__ = ["BuildExecutors", "export_pool", "local_executors", "service_executors", "stage_pool"]
@@ -61,10 +61,10 @@ class BuildExecutors:
         return self.pool.submit(task, self.remote, exporter, *arguments)
 
 
-def local_executors(jobs: int) -> BuildExecutors:
-    """Return `jobs` forked processes (or this thread's helper thread for one) that run stages and exports."""
+def local_executors(jobs: int, outputs: Outputs) -> BuildExecutors:
+    """Return `jobs` forked processes (or this thread's helper thread for one) that run stages and make `outputs`."""
     if jobs > 1:
-        _import_stages()
+        _import_stages(outputs)
         pool = worker_pool(jobs, "fork")
         return BuildExecutors(pool, pool)
     thread = ThreadPoolExecutor(1)
@@ -78,8 +78,8 @@ def service_executors(stages: Stages, jobs: int, exporter: Executor | None) -> B
 
 
 def export_pool(workers: int) -> ProcessPoolExecutor:
-    """Return processes for exports that end with this one, made without forking it."""
-    return worker_pool(workers, "forkserver", preload=tuple(_export_modules()))
+    """Return processes for exports that end with this one, made without forking it; what all builds write is loaded."""
+    return worker_pool(workers, "forkserver", preload=tuple(_export_modules(outputs_of_build())))
 
 
 def stage_pool(workers: int) -> ProcessPoolExecutor:
@@ -87,13 +87,12 @@ def stage_pool(workers: int) -> ProcessPoolExecutor:
     return worker_pool(workers, "spawn")
 
 
-def _export_modules() -> list[str]:
-    """Return the modules of the formats that a build writes."""
-    return [output.module for output in (*built_floor_outputs(), *built_building_outputs())]
+def _export_modules(outputs: Outputs) -> list[str]:
+    return [output.module for output in (*outputs.floor, *outputs.building)]
 
 
-def _import_stages() -> None:
+def _import_stages(outputs: Outputs) -> None:
     """Import what the workers need before they are forked, once instead of in each."""
-    for module in _export_modules():
+    for module in _export_modules(outputs):
         import_module(module)
     import mansion_planner.solver  # noqa: F401

@@ -134,7 +134,7 @@ class SceneEditorNode(MansionNode):
 
     def _finish(self, store: BuildingStore) -> None:
         """Have the files that are made from scenes written, after the reply."""
-        if hasattr(self._hooks, "floor_files"):
+        if hasattr(self._hooks, "kept_files"):
             self._behind[str(store.folder.resolve())] = store
             self._wake.set()
 
@@ -145,7 +145,7 @@ class SceneEditorNode(MansionNode):
             for folder in list(self._behind):
                 store = self._behind.pop(folder)
                 try:
-                    floors = store.refresh(self._hooks.floor_files, self._hooks.building_files)
+                    floors = store.refresh(self._hooks.kept_files)
                 except (MansionError, OSError) as error:
                     self.get_logger().error(f"{folder}: derived files are behind: {error}")
                 else:

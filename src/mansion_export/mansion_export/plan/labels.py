@@ -242,6 +242,7 @@ def _share(sums: Floats, width: float, height: float, xs: Floats, ys: Floats) ->
     ry = max(1, ceil(height / 2 / float(ys[1] - ys[0]) - 0.5))
     i0, i1 = np.clip(np.arange(nx) - rx, 0, nx), np.clip(np.arange(nx) + rx + 1, 0, nx)
     j0, j1 = np.clip(np.arange(ny) - ry, 0, ny), np.clip(np.arange(ny) + ry + 1, 0, ny)
-    total = sums[np.ix_(j1, i1)] - sums[np.ix_(j0, i1)] - sums[np.ix_(j1, i0)] + sums[np.ix_(j0, i0)]
+    rows = sums[j1] - sums[j0]
+    total = rows[:, i1] - rows[:, i0]
     share: Floats = total / ((2 * ry + 1) * (2 * rx + 1))
     return share

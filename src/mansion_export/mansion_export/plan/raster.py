@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from PIL.Image import Image
     from PIL.ImageDraw import ImageDraw
 
-__all__ = ["load_font", "plan_png"]
+__all__ = ["drawing_png", "load_font", "plan_png"]
 
 LONGEST = 1600
 FINEST = 90.0
@@ -40,7 +40,11 @@ def plan_png(scene: FloorScene, longest: int = LONGEST) -> bytes:
     bytes
         The file, without dates or other metadata: the same bytes for the same scene.
     """
-    drawing = draw_plan(scene)
+    return drawing_png(draw_plan(scene), longest)
+
+
+def drawing_png(drawing: Drawing, longest: int = LONGEST) -> bytes:
+    """Draw a drawing as PNG; see `plan_png`."""
     scale = min(longest / max(drawing.width, drawing.height), FINEST)
     picture = _paint(drawing, scale)
     buffer = io.BytesIO()

@@ -9,7 +9,7 @@ from mansion_export.plan.shapes import Area, Canvas, Label, Shape
 from mansion_msgs_py.scene import FloorScene
 from mansion_msgs_py.shapes import Point
 
-__all__ = ["plan_svg"]
+__all__ = ["drawing_svg", "plan_svg"]
 
 SCREEN = 1400.0
 """Pixels of the longer side where a viewer does not scale the picture."""
@@ -30,7 +30,11 @@ def plan_svg(scene: FloorScene) -> str:
         The document; the same bytes for the same scene. Each room, wall, door, window, core and object is a group with
         its id in ``data-id`` and a ``<title>`` that browsers show when it is pointed at.
     """
-    drawing = draw_plan(scene)
+    return drawing_svg(draw_plan(scene))
+
+
+def drawing_svg(drawing: Drawing) -> str:
+    """Write a drawing as SVG; see `plan_svg`."""
     scale = SCREEN / max(drawing.width, drawing.height)
     parts = [
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{drawing.width * scale:.0f}" '

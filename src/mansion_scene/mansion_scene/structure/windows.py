@@ -1,5 +1,6 @@
 """Windows in outer walls, by room type."""
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -128,10 +129,40 @@ def _row(boundary: BoundarySegment, kind: WindowKind, low: float, high: float) -
         # A high toilet window is for air: one is enough.
         count = 1
     width = min(kind.width, room)
-    spare = (room - count * width - (count - 1) * kind.gap) / (count + 1)
-    row = []
-    for index in range(count):
-        start = low + spare + index * (width + kind.gap + spare)
-        segment = boundary.at(start), boundary.at(start + width)
-        row.append(WindowOpening(boundary.left, kind, boundary, segment))
-    return row
+    starts = _on_grid(boundary, kind, width, low, high, count)
+    if not starts:
+        spare = (room - count * width - (count - 1) * kind.gap) / (count + 1)
+        starts = [low + spare + index * (width + kind.gap + spare) for index in range(count)]
+    return [
+        WindowOpening(boundary.left, kind, boundary, (boundary.at(start), boundary.at(start + width)))
+        for start in starts
+    ]
+
+
+_MODULE = 0.6
+"""Metres between the lines of the facade's grid, on which the middles of windows stand on every storey."""
+
+
+def _on_grid(
+    boundary: BoundarySegment, kind: WindowKind, width: float, low: float, high: float, count: int
+) -> list[float]:
+    """Return where windows start whose middles stand on lines of the grid that all storeys share.
+
+    Nothing where the wall runs across the grid, or where fewer windows than `count` would find a line. Of the lines
+    that are far enough apart those are taken that windows of the same kind take on other storeys too.
+    """
+    dx, dy = boundary.direction
+    if min(abs(dx), abs(dy)) > 1e-6:
+        return []
+    origin = boundary.start[0] * dx + boundary.start[1] * dy
+    step = max(round((width + kind.gap) / _MODULE), math.ceil((width + _END) / _MODULE))
+    lines = range(
+        math.ceil((origin + low + width / 2) / _MODULE - 1e-9),
+        math.floor((origin + high - width / 2) / _MODULE + 1e-9) + 1,
+    )
+    sign = round(dx + dy)
+    phases = [[line for line in lines if sign * line % step == phase] for phase in range(step)]
+    row = max(phases, key=len)  # the first of the longest, so that rooms above each other choose alike
+    if len(row) < count:
+        return []
+    return [line * _MODULE - origin - width / 2 for line in (row if count > 1 else row[len(row) // 2 :][:1])]

@@ -26,7 +26,7 @@ class ThorGym(Robot, Closing):
     Parameters
     ----------
     building_dir : path
-        Folder that ``mansion build`` wrote, with the ``house.json`` of each floor.
+        Folder that ``mansion build`` wrote; a ``house.json`` that it does not have is made in memory.
     controller : Controller, optional
         One that runs; without it AI2-THOR is started (extra ``thor``) with `parameters`.
     session : str

@@ -8,10 +8,10 @@ from math import cos, radians, sin
 from typing import Any, TypeAlias
 
 from mansion_geometry.thor.house_format import AGENT_HEIGHT, object_nodes, thor_euler, thor_heading, thor_point, upright
-from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.shapes import Point3
 from mansion_msgs_py.world import ObjectState, Pose2D
 from mansion_skills.world.building import LoadedBuilding
+from mansion_skills.world.floor_exports import HOUSE, exported, made
 from mansion_skills.world.objects import placed_at
 from mansion_skills.world.world import World
 
@@ -24,7 +24,7 @@ HAND_AHEAD, HAND_HEIGHT = 0.45, 1.1
 
 
 class Houses:
-    """The exported houses of a building, and the objects that AI2-THOR has assets for.
+    """The houses of a building, exported or made here, and the objects that AI2-THOR has assets for.
 
     Parameters
     ----------
@@ -33,7 +33,7 @@ class Houses:
     Raises
     ------
     MansionError
-        ``NOT_FOUND`` when a floor has no ``house.json``.
+        ``NOT_FOUND`` when a floor has no ``house.json`` and none can be made here.
     """
 
     def __init__(self, building: LoadedBuilding) -> None:
@@ -103,15 +103,12 @@ class Houses:
 
 
 def _read(building: LoadedBuilding, floor: int) -> Json:
-    name = building.entry(floor).files.get("house", "")
-    file = building.path / name
-    if not name or not file.is_file():
-        raise MansionError(
-            ErrorCode.NOT_FOUND,
-            f"floor {floor} of {building.path} has no house.json; run `mansion export DIR --to thor`",
-            path="$.path",
-        )
-    house: Json = json.loads(file.read_bytes())
+    file = exported(building, floor, HOUSE)
+    if file is None:
+        (data,) = made(building.scene(floor), HOUSE).values()
+    else:
+        data = file.read_bytes()
+    house: Json = json.loads(data)
     return house
 
 

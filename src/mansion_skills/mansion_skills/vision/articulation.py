@@ -3,7 +3,6 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 from math import atan2, cos, degrees, hypot, radians, sin
-from pathlib import Path
 
 import numpy as np
 import numpy.typing as npt
@@ -146,11 +145,10 @@ def hinges_of(kind: SceneObject) -> tuple[Hinge, ...]:
     return (left, right) if w > DOUBLE else (left,)
 
 
-def read_stl(path: Path) -> Triangles:
+def read_stl(data: bytes) -> Triangles:
     """Return the triangles of a binary STL file."""
-    raw = path.read_bytes()
-    count = int.from_bytes(raw[80:84], "little")
-    corners = np.frombuffer(raw, _STL, count, offset=84)["corners"]
+    count = int.from_bytes(data[80:84], "little")
+    corners = np.frombuffer(data, _STL, count, offset=84)["corners"]
     return corners.astype(np.float64)
 
 

@@ -49,7 +49,7 @@ class Camera(Closing):
     ------
     MansionError
         ``UNAVAILABLE`` where MuJoCo or an OpenGL that renders offscreen is missing, ``NOT_FOUND`` when a floor of the
-        building has no ``model.xml``.
+        building has no ``model.xml`` and none can be made here.
 
     Examples
     --------

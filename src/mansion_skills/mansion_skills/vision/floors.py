@@ -3,7 +3,6 @@
 from collections import OrderedDict
 from dataclasses import dataclass
 from math import atan2, pi, radians, sin, tan
-from pathlib import Path
 
 import numpy as np
 
@@ -13,6 +12,7 @@ from mansion_skills.vision.mjcf_model import ModelFile, camera_model
 from mansion_skills.vision.portals import SEE_THROUGH, Portals, Wedge
 from mansion_skills.vision.renderer import CameraPose, Parts, Renderer
 from mansion_skills.vision.world_sync import WorldSync, guests_of
+from mansion_skills.world.floor_exports import MODEL, exported, made
 from mansion_skills.world.robot_body import RobotBody
 from mansion_skills.world.world import World
 
@@ -75,13 +75,14 @@ class Floors:
         loaded.sync.synchronise(robot)
 
     def _file(self, floor: int) -> ModelFile:
-        """Return a floor's model on disk; few are kept, since only loading needs them."""
+        """Return a floor's model, on disk or made here; few are kept, since only loading needs them."""
         if floor not in self._files:
             building = self.world.building
-            entry = building.entry(floor).files
-            scene = Path(entry["scene"])
-            path = building.path / entry.get("model", scene.with_name("model.xml").as_posix())
-            self._files[floor] = ModelFile.read(path)
+            path = exported(building, floor, MODEL)
+            if path is None:
+                self._files[floor] = ModelFile.made(made(building.scene(floor), MODEL))
+            else:
+                self._files[floor] = ModelFile.read(path)
         self._files.move_to_end(floor)
         while len(self._files) > KEPT:
             self._files.popitem(last=False)

@@ -1,17 +1,16 @@
-"""The MJCF model that the camera renders, from a floor's ``model.xml`` and what came from other floors."""
+"""The MJCF model that the camera renders, from a floor's exported model and what came from other floors."""
 
 from collections.abc import Container, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from io import BytesIO
 from math import atan2, degrees, hypot
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 from xml.etree import ElementTree
 from xml.etree.ElementTree import Element
 
 import numpy as np
 import numpy.typing as npt
 
-from mansion_geometry.building_models import COLLISION_GROUP
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import FloorScene, SceneCore, SceneObject, StairDetails
 from mansion_skills.vision.articulation import Triangles, hinges_of, part_of, read_stl
@@ -168,18 +167,20 @@ def _speckle(rng: np.random.Generator) -> _Grey:
 
 @dataclass(frozen=True)
 class ModelFile:
-    """A floor's model on disk.
+    """A floor's exported model, on disk or in memory.
 
     Attributes
     ----------
     bodies : dict
-        Name to element, without what is only collided with.
+        Name to element, without what is only collided with, which has no material.
     materials, meshes : dict
         Name to attributes.
     sky : dict
         Attributes of the sky's texture.
     folder : Path
-        Folder of the meshes.
+        Folder of the meshes on disk.
+    files : mapping of str to bytes
+        Meshes in memory by name; empty for a model on disk.
     """
 
     bodies: dict[str, Element]
@@ -187,6 +188,14 @@ class ModelFile:
     meshes: dict[str, dict[str, str]]
     sky: dict[str, str]
     folder: Path
+    files: Mapping[str, bytes]
+
+    @classmethod
+    def made(cls, files: Mapping[str, bytes]) -> "ModelFile":
+        """Return the model of files by path in the building's folder, one of them the document."""
+        (document,) = [data for path, data in files.items() if path.endswith(".xml")]
+        meshes = {PurePosixPath(path).name: data for path, data in files.items() if not path.endswith(".xml")}
+        return cls._of(ElementTree.fromstring(document), Path(), meshes)
 
     @classmethod
     def read(cls, path: Path) -> "ModelFile":
@@ -207,21 +216,26 @@ class ModelFile:
             ) from None
         except ElementTree.ParseError as error:
             raise MansionError(ErrorCode.INVALID_PAYLOAD, f"{path}: {error}") from None
+        compiler = root.find("compiler")
+        folder = compiler.get("meshdir", ".") if compiler is not None else "."
+        return cls._of(root, (path.parent / folder).resolve(), {})
+
+    @classmethod
+    def _of(cls, root: Element, folder: Path, files: Mapping[str, bytes]) -> "ModelFile":
         bodies = {}
         for body in root.iterfind("worldbody/body"):
             for geom in body.findall("geom"):
-                if geom.get("group") == str(COLLISION_GROUP):
+                if not geom.get("material"):
                     body.remove(geom)
             bodies[body.get("name", "")] = body
         texture = root.find("asset/texture")
-        compiler = root.find("compiler")
-        folder = compiler.get("meshdir", ".") if compiler is not None else "."
         return cls(
             bodies=bodies,
             materials={m.get("name", ""): dict(m.attrib) for m in root.iterfind("asset/material")},
             meshes={m.get("name", ""): dict(m.attrib) for m in root.iterfind("asset/mesh")},
             sky=dict(texture.attrib) if texture is not None else {},
-            folder=(path.parent / folder).resolve(),
+            folder=folder,
+            files=files,
         )
 
     def triangles(self, mesh: str) -> Triangles:
@@ -234,7 +248,7 @@ class ModelFile:
         """
         entry = self.meshes[mesh]
         try:
-            corners = read_stl(self.folder / entry["file"])
+            corners = read_stl(self.files.get(entry["file"]) or (self.folder / entry["file"]).read_bytes())
         except OSError as error:
             raise MansionError(ErrorCode.NOT_FOUND, f"{self.folder / entry['file']}: {error.strerror}") from None
         scale = np.array([float(v) for v in entry.get("scale", "1 1 1").split()])
@@ -298,7 +312,7 @@ def robot_body(number: int) -> str:
 
 @dataclass(frozen=True)
 class CameraModel:
-    """An MJCF document, and the pictures that it names."""
+    """An MJCF document, and the pictures and meshes in memory that it names."""
 
     document: str
     files: dict[str, bytes]
@@ -432,7 +446,10 @@ class _Writer:
         if name not in self._known:
             self._known.add(name)
             entry = dict(file.meshes[name])
-            entry["file"] = str(file.folder / entry["file"])
+            if entry["file"] in file.files:
+                self.files[entry["file"]] = file.files[entry["file"]]
+            else:
+                entry["file"] = str(file.folder / entry["file"])
             self._assets.append(Element("mesh", entry))
         return name
 

@@ -178,6 +178,7 @@ function start(building) {
   listen(canvas, camera, { redraw, hover, leave, approach, key, pick });
   addEventListener("resize", () => (camera.touched ? redraw() : frame()));
   show(every);
+  renderer.loadPictures(building).then(redraw);
   byId("loading").remove();
   window.mansion = { building, camera, show, frame, redraw, tell, under };
 }

@@ -5,13 +5,18 @@ layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in mat4 place;
 layout(location = 6) in float id;
+layout(location = 7) in vec2 coordinates;
 uniform mat4 camera;
 uniform float lift;
 out vec3 side;
 out float height;
+out vec3 spot;
+out vec2 tile;
 flat out float number;
 void main() {
   vec4 world = place * vec4(position, 1.0);
+  spot = world.xyz;
+  tile = coordinates;
   height = world.y;
   side = mat3(place) * (normal / vec3(dot(place[0].xyz, place[0].xyz), dot(place[1].xyz, place[1].xyz), dot(place[2].xyz, place[2].xyz)));
   number = id;
@@ -22,26 +27,43 @@ const FRAGMENT = `#version 300 es
 precision highp float;
 in vec3 side;
 in float height;
+in vec3 spot;
+in vec2 tile;
 flat in float number;
 uniform vec4 color;
+uniform sampler2D picture;
+uniform sampler2D relief;
+uniform vec2 textured;
 uniform vec3 emission;
 uniform float cut;
 uniform float picking;
 uniform float chosen;
 uniform vec3 eye;
 out vec4 shown;
+// The normal that the relief gives a face, with the axes of its tile from the derivatives of place and coordinates.
+vec3 bumped(vec3 n) {
+  vec3 px = dFdx(spot), py = dFdy(spot);
+  vec2 tx = dFdx(tile), ty = dFdy(tile);
+  vec3 a = cross(py, n), b = cross(n, px);
+  vec3 across = a * tx.x + b * ty.x, down = a * tx.y + b * ty.y;
+  float size = inversesqrt(max(max(dot(across, across), dot(down, down)), 1e-20));
+  vec3 m = texture(relief, tile).xyz * 2.0 - 1.0;
+  return normalize(across * size * m.x - down * size * m.y + n * m.z);
+}
 void main() {
+  vec3 smoothed = normalize(gl_FrontFacing ? side : -side);
+  vec3 n = textured.y > 0.5 ? bumped(smoothed) : smoothed;
+  vec3 base = textured.x > 0.5 ? color.rgb * texture(picture, tile).rgb : color.rgb;
   if (height > cut) discard;
   if (picking > 0.5) {
     shown = vec4(mod(number, 256.0), mod(floor(number / 256.0), 256.0), floor(number / 65536.0), 255.0) / 255.0;
     return;
   }
-  vec3 n = normalize(gl_FrontFacing ? side : -side);
   float sun = max(dot(n, normalize(vec3(-0.45, 0.95, 0.62))), 0.0);
   float sky = 0.5 + 0.5 * n.y;
   float front = max(dot(n, eye), 0.0);
   vec3 light = vec3(0.44, 0.46, 0.5) + 0.16 * sky + 0.30 * sun * vec3(1.0, 0.97, 0.92) + 0.16 * front;
-  vec3 lit = color.rgb * light + emission;
+  vec3 lit = base * light + (textured.x > 0.5 ? emission * base : emission);
   if (!gl_FrontFacing && cut < 4.9) lit *= 0.45;
   if (abs(number - chosen) < 0.5) lit = mix(lit, vec3(1.0, 0.55, 0.1), 0.6);
   shown = vec4(pow(lit, vec3(1.0 / 2.2)), color.a);
@@ -55,9 +77,10 @@ class Renderer {
     this.canvas = canvas;
     this.program = this.link();
     this.uniforms = {};
-    for (const name of ["camera", "lift", "color", "emission", "cut", "picking", "chosen", "eye"]) {
+    for (const name of ["camera", "lift", "color", "emission", "cut", "picking", "chosen", "eye", "textured", "picture", "relief"]) {
       this.uniforms[name] = gl.getUniformLocation(this.program, name);
     }
+    this.pictures = new Map();
     this.buffers = new Map();
     for (const floor of building.floors) floor.draws = floor.batches.map((batch) => this.upload(building, batch));
     this.ids = null;
@@ -112,6 +135,11 @@ class Renderer {
       gl.vertexAttribPointer(2 + slot, slot < 4 ? 4 : 1, gl.FLOAT, false, 68, slot * 16);
       gl.vertexAttribDivisor(2 + slot, 1);
     }
+    if (attributes.TEXCOORD_0 !== undefined) {
+      gl.bindBuffer(gl.ARRAY_BUFFER, this.buffer(building, attributes.TEXCOORD_0, gl.ARRAY_BUFFER));
+      gl.enableVertexAttribArray(7);
+      gl.vertexAttribPointer(7, 2, gl.FLOAT, false, 0, 0);
+    }
     gl.bindVertexArray(null);
     const elements = this.buffer(building, indices, gl.ELEMENT_ARRAY_BUFFER);
     gl.bindVertexArray(array);
@@ -122,7 +150,42 @@ class Renderer {
     return {
       array, count, group: batch.group, length: accessor.count, type: accessor.componentType,
       color: look.pbrMetallicRoughness.baseColorFactor, emission: look.emissiveFactor || [0, 0, 0],
+      picture: look.pbrMetallicRoughness.baseColorTexture, relief: look.normalTexture,
     };
+  }
+
+  // Decodes the pictures that are shown; until they are there, materials are plain.
+  async loadPictures(building) {
+    const gl = this.gl;
+    const wanted = new Map();
+    for (const floor of building.floors) {
+      for (const { picture, relief } of floor.draws) {
+        if (picture) wanted.set(picture.index, gl.SRGB8_ALPHA8);
+        if (relief) wanted.set(relief.index, gl.RGBA8);
+      }
+    }
+    const sharpen = gl.getExtension("EXT_texture_filter_anisotropic");
+    await Promise.all([...wanted].map(async ([index, format]) => {
+      const image = await createImageBitmap(building.picture(index), { colorSpaceConversion: "none" });
+      const texture = gl.createTexture();
+      gl.bindTexture(gl.TEXTURE_2D, texture);
+      gl.texImage2D(gl.TEXTURE_2D, 0, format, gl.RGBA, gl.UNSIGNED_BYTE, image);
+      gl.generateMipmap(gl.TEXTURE_2D);
+      gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.LINEAR_MIPMAP_LINEAR);
+      if (sharpen) gl.texParameterf(gl.TEXTURE_2D, sharpen.TEXTURE_MAX_ANISOTROPY_EXT, 8);
+      this.pictures.set(index, texture);
+    }));
+  }
+
+  // Binds a draw's pictures, as far as they are decoded.
+  dress(draw) {
+    const gl = this.gl;
+    const found = [draw.picture, draw.relief].map((entry) => (entry ? this.pictures.get(entry.index) : undefined));
+    found.forEach((texture, unit) => {
+      gl.activeTexture(gl.TEXTURE0 + unit);
+      gl.bindTexture(gl.TEXTURE_2D, texture || null);
+    });
+    gl.uniform2f(this.uniforms.textured, found[0] ? 1 : 0, found[1] ? 1 : 0);
   }
 
   draw(floors, options, picking = false) {
@@ -137,6 +200,8 @@ class Renderer {
     gl.uniform3fv(this.uniforms.eye, options.eye);
     gl.uniform1f(this.uniforms.picking, picking ? 1 : 0);
     gl.uniform1f(this.uniforms.chosen, options.chosen);
+    gl.uniform1i(this.uniforms.picture, 0);
+    gl.uniform1i(this.uniforms.relief, 1);
     for (const glass of [false, true]) {
       if (glass && picking) break;
       gl.depthMask(!glass);
@@ -153,6 +218,7 @@ class Renderer {
           gl.uniform1f(this.uniforms.cut, draw.group === "objects" ? 1e9 : options.cut);
           gl.uniform4fv(this.uniforms.color, draw.color);
           gl.uniform3fv(this.uniforms.emission, draw.emission);
+          this.dress(draw);
           gl.bindVertexArray(draw.array);
           gl.drawElementsInstanced(gl.TRIANGLES, draw.length, draw.type, 0, draw.count);
         }

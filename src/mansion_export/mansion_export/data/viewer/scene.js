@@ -15,16 +15,21 @@ function parseGlb(buffer) {
   const read = (index) => {
     const accessor = gltf.accessors[index];
     const bytes = gltf.bufferViews[accessor.bufferView];
-    const size = { SCALAR: 1, VEC3: 3 }[accessor.type];
+    const size = { SCALAR: 1, VEC2: 2, VEC3: 3 }[accessor.type];
     const Type = { 5126: Float32Array, 5123: Uint16Array, 5125: Uint32Array }[accessor.componentType];
-    return new Type(buffer, start + (bytes.byteOffset || 0), accessor.count * size);
+    return new Type(buffer, start + (bytes.byteOffset || 0) + (accessor.byteOffset || 0), accessor.count * size);
   };
-  return { gltf, read };
+  const picture = (index) => {
+    const { bufferView, mimeType } = gltf.images[gltf.textures[index].source];
+    const { byteOffset, byteLength } = gltf.bufferViews[bufferView];
+    return new Blob([new Uint8Array(buffer, start + (byteOffset || 0), byteLength)], { type: mimeType });
+  };
+  return { gltf, read, picture };
 }
 
 // floors: [{title, number, elevation, low, high, batches: [{primitive, group, matrices, ids}], labels: [...]}]; an id counts in items from 1]
 function readBuilding(buffer) {
-  const { gltf, read } = parseGlb(buffer);
+  const { gltf, read, picture } = parseGlb(buffer);
   const root = gltf.nodes[gltf.scenes[0].nodes[0]];
   const items = [];
   const floors = [];
@@ -61,7 +66,7 @@ function readBuilding(buffer) {
     floors.push(floor);
   }
   const rooms = new Map(items.filter((item) => item.label).map((item) => [item.id, item.label]));
-  return { gltf, read, floors, items, rooms, turns: (root.extras || {}).turns || 0 };
+  return { gltf, read, picture, floors, items, rooms, turns: (root.extras || {}).turns || 0 };
 }
 
 // Lowest and highest corner of a placed mesh, in the building's frame.

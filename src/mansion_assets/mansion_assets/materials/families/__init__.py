@@ -1,0 +1,1 @@
+"""Procedures by family; each draws the tile of a material on its canvas."""

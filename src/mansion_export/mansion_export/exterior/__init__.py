@@ -1,0 +1,10 @@
+"""What a building shows to the street: its roofs, the entrance and the plot around it.
+
+Nothing of it bears on a robot indoors: it is drawn, and never part of maps, physics or the check.
+"""
+
+from mansion_export.exterior.entrances import entrance_parts
+from mansion_export.exterior.plot import plot_parts
+from mansion_export.exterior.roofs import roof_parts
+
+__all__ = ["entrance_parts", "plot_parts", "roof_parts"]
