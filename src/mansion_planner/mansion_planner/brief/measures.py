@@ -351,7 +351,8 @@ def _of_unread_noun(reading: Reading, measure: Measure, phrases: list[Phrase]) -
     if not _TOTALS.isdisjoint(_after(reading, measure, 3)):
         return False
     clause = itertools.takewhile(
-        lambda at: not reading.breaks(at) and reading.word(at) not in (",", ":", "("), range(measure.first - 1, -1, -1)
+        lambda at: not reading.breaks(at) and reading.word(at) not in (",", ":", "("),
+        range(measure.first - 1, max(measure.first - 25, -1), -1),
     )
     if not _TOTALS.isdisjoint(map(reading.word, clause)):
         return False

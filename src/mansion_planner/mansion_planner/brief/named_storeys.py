@@ -160,6 +160,7 @@ class NamedStoreys:
         ):
             return [FloorRef("top")], index + 1
         over = reading.words(index - 1, index + 2) == ("on", "top", "of")
+        over = over and FLOOR_WORDS.isdisjoint(reading.words(index + 3, index + 7))  # "on top of it sit two floors"
         if over and reading.word(index + 2) in ("it", "that", "them", "this", "these"):
             return [FloorRef("top")], index + 3
         edge = reading.words(index - 2, index) == ("at", "the") and (
