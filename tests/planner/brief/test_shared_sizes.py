@@ -94,3 +94,33 @@ def test_furniture_that_stands_at_furniture_does_not_multiply_rooms() -> None:
 def test_lockers_with_a_number_are_furniture() -> None:
     facts = read("A hostel. Every dorm room gets four bunk beds and eight lockers. Men's and women's lockers.")
     assert [(thing.category, thing.count) for thing in facts.objects] == [("bunk_bed", 4), ("locker", 8)]
+
+
+def test_what_one_of_several_rooms_has_is_not_for_each() -> None:
+    facts = read("A music school with five practice rooms of 10 m2 each, one of them with a grand piano.")
+    assert [(thing.category, thing.count, thing.each) for thing in facts.objects] == [("grand_piano", 1, False)]
+    assert facts.unread == []
+
+
+@pytest.mark.parametrize(
+    ("brief", "expected"),
+    [
+        ("A hotel of 5 floors with 48 rooms, twelve rooms on each of floors 2 to 5.", [("room", 12)]),
+        (
+            "A radio station with two studios (Studio Red and Studio Blue, 20 m2 each).",
+            [("studio_red", 1), ("studio_blue", 1)],
+        ),
+        ("A lab building of 4 storeys. Wet labs on the odd storeys (three each).", [("wet_lab", 3)]),
+        (
+            "Office, G + 5. Ground: lobby. 1st to 4th: three meeting rooms each. 5th: gym.",
+            [("lobby", 1), ("meeting_room", 3), ("gym", 1)],
+        ),
+        ("A court with two courtrooms, of 120 m2 and 80 m2, on level 2.", [("courtroom", 1), ("courtroom", 1)]),
+        (
+            "A hospice. A nurse station between the resident rooms and the lounge.",
+            [("nurse_station", 1), ("resident_room", None), ("lounge", 1)],
+        ),
+    ],
+)
+def test_no_room_is_counted_twice(brief: str, expected: list[tuple[str, int | None]]) -> None:
+    assert [(room.name, room.count) for room in read(brief).rooms] == expected

@@ -10,7 +10,14 @@ from mansion_planner.brief.storey_attachment import Attachment
 from mansion_planner.brief.suites import read_suites
 from mansion_planner.brief.units import Households
 
-__all__ = ["read_counts_by_group", "read_counts_by_person", "read_counts_by_storey", "read_halves", "read_late_counts"]
+__all__ = [
+    "read_counts_by_group",
+    "read_counts_by_person",
+    "read_counts_by_storey",
+    "read_halves",
+    "read_late_counts",
+    "without_totals",
+]
 
 
 def read_late_counts(reading: Reading, phrases: list[Phrase]) -> None:
@@ -23,6 +30,12 @@ def read_late_counts(reading: Reading, phrases: list[Phrase]) -> None:
             phrases[following] = replace(phrases[following], count=int(token.value), counted=True)
             reading.take(index, index + 1)
             continue
+        apiece = reading.word(index - 1) == "(" and reading.words(index + 1, index + 3) in (
+            ("each", ")"),
+            ("apiece", ")"),
+        )
+        if apiece and _count_apiece(reading, phrases, index):
+            continue
         of_them = reading.words(index + 1, index + 3) == ("of", "them")
         corrects = not {"sorry", "mean", "correction"}.isdisjoint(reading.words(index - 3, index))
         if not of_them and not corrects:
@@ -32,6 +45,22 @@ def read_late_counts(reading: Reading, phrases: list[Phrase]) -> None:
         if several and phrases[before[-1]].counted == corrects:
             phrases[before[-1]] = replace(phrases[before[-1]], count=int(token.value), counted=True)
             reading.take(index, index + (3 if of_them else 1))
+
+
+def _count_apiece(reading: Reading, phrases: list[Phrase], index: int) -> bool:
+    """Read "wet labs on the odd storeys (three each)"; whether it was so."""
+    sentence = reading.sentence[index]
+    before = [n for n, p in enumerate(phrases) if p.last <= index and reading.sentence[p.first] == sentence]
+    if (
+        not before
+        or phrases[before[-1]].head != "room"
+        or phrases[before[-1]].counted
+        or not phrases[before[-1]].plural
+    ):
+        return False
+    phrases[before[-1]] = replace(phrases[before[-1]], count=int(reading.value(index)), counted=True)
+    reading.take(index, index + 1)
+    return True
 
 
 def _of_which(reading: Reading, phrases: list[Phrase], index: int) -> int | None:
@@ -169,6 +198,52 @@ def read_halves(
 def _is_other_half(reading: Reading, index: int) -> bool:
     """Whether a token says what the other of two halves is."""
     return reading.word(index) in ("half", "other", "rest", "others")
+
+
+def without_totals(
+    reading: Reading, phrases: list[Phrase], attached: Mapping[int, Attachment], rooms: Sequence[int]
+) -> None:
+    """Leave out totals that phrases of the same name share out: "48 rooms, twelve rooms on each of floors 2 to 5"."""
+    floors = int(reading.facts.floors[0].value) if reading.facts.floors else 0
+    for position, number in enumerate(rooms):
+        total = phrases[number]
+        if not total.counted or (total.count or 0) < 2 or number in attached:
+            continue
+        sentence = reading.sentence[total.first]
+        parts = [n for n in rooms[position + 1 :] if reading.sentence[phrases[n].first] == sentence]
+        placed = [n for n in parts if phrases[n].name == total.name and phrases[n].counted and n in attached]
+        named = [
+            n
+            for n, phrase in enumerate(phrases)
+            if total.last < phrase.first < _bracket_end(reading, total.last)
+            and phrase.name.startswith(f"{total.name}_")
+        ]
+        shared = sum((phrases[n].count or 0) * _storeys(attached[n], floors) for n in placed)
+        bracketed = len(named) == total.count
+        if placed and shared == total.count:
+            named = []
+        elif not bracketed:
+            continue
+        for n in named:
+            phrases[n] = replace(phrases[n], areas=phrases[n].areas or total.areas)
+        phrases[number] = replace(total, head="unknown")
+
+
+def _bracket_end(reading: Reading, index: int) -> int:
+    """Return where the bracket ends that opens at a token; the token itself where none does."""
+    if reading.word(index) != "(":
+        return index
+    return next((at for at in range(index, min(index + 40, len(reading.tokens))) if reading.word(at) == ")"), index)
+
+
+def _storeys(place: Attachment, floors: int) -> int:
+    """Return for how many storeys the number of a phrase holds."""
+    if not place.each:
+        return 1
+    ranged = [ref for ref in place.refs if ref.kind in ("number", "range")]
+    if len(ranged) < len(place.refs):
+        return floors if place.refs[0].kind == "every" else 0
+    return sum(ref.last - ref.first + 1 for ref in ranged)
 
 
 def read_counts_by_group(reading: Reading, phrases: list[Phrase], households: Households) -> None:

@@ -36,6 +36,7 @@ _AFTER = (
     ("is", "not", "needed"),
     ("are", "not", "wanted"),
     ("unnecessary",),
+    *[(verb, word) for verb in ("is", "are") for word in ("unnecessary", "superfluous", "unwanted", "undesired")],
     ("is", "not", "wanted"),
     ("are", "not", "needed"),
     ("we", "do", "not", "want"),

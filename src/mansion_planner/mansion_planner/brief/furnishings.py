@@ -270,8 +270,20 @@ def _owner(reading: Reading, phrases: list[Phrase], rooms: list[int], number: in
     ahead = reading.words(max(phrases[before].first - 3, 0), phrases[before].first)
     if ("each", "of") in itertools.pairwise(ahead):
         return before, True  # "in each of the five bedrooms a wardrobe"
+    some = _some_of_them(reading, phrases[before].last, phrase.first)
+    if some:
+        reading.take(some, some + 1)
+        return before, False
     each = not _EACH.isdisjoint(gap) or phrases[before].determiner in _EACH or bool({"each", "apiece"} & set(tail))
     return before, each or ((phrases[before].count or 2) > 1 and "with" in gap)
+
+
+def _some_of_them(reading: Reading, first: int, last: int) -> int:
+    """Return the token of "one" in "five practice rooms, one of them with a grand piano", or 0."""
+    for index in range(first, last - 2):
+        if reading.value(index) == 1 and reading.words(index + 1, index + 3) in (("of", "them"), ("of", "which")):
+            return index if _EACH.isdisjoint(reading.words(index, last)) else 0
+    return 0
 
 
 def _listed_with(reading: Reading, phrases: list[Phrase], rooms: list[int], before: int, number: int) -> int:

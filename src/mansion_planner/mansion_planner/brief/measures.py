@@ -7,7 +7,7 @@ from mansion_language.units import AREA, LENGTH
 from mansion_planner.brief.bounds import Limit, limit_of
 from mansion_planner.brief.facts import HeightFact, Quantity, Span
 from mansion_planner.brief.finishes import room_after
-from mansion_planner.brief.phrase import Phrase
+from mansion_planner.brief.phrase import FUNCTION_WORDS, Phrase
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
 
 __all__ = ["Measure", "find_measures", "give_measures", "read_heights"]
@@ -351,7 +351,8 @@ def _of_unread_noun(reading: Reading, measure: Measure, phrases: list[Phrase]) -
     if not _TOTALS.isdisjoint(_after(reading, measure, 3)):
         return False
     clause = itertools.takewhile(
-        lambda at: not reading.breaks(at) and reading.word(at) not in (",", ":", "("), range(measure.first - 1, -1, -1)
+        lambda at: not reading.breaks(at) and reading.word(at) not in (",", ":", "("),
+        range(measure.first - 1, max(measure.first - 25, -1), -1),
     )
     if not _TOTALS.isdisjoint(map(reading.word, clause)):
         return False
@@ -360,7 +361,7 @@ def _of_unread_noun(reading: Reading, measure: Measure, phrases: list[Phrase]) -
         index -= 1
     named = reading.kind(index) in ("word", "number")
     unread = index >= 0 and index not in reading.taken and reading.sentence[index] == reading.sentence[measure.first]
-    return unread and named and reading.word(index) not in _BUILDINGS
+    return unread and named and reading.word(index) not in _BUILDINGS | FUNCTION_WORDS
 
 
 _BUILDINGS = frozenset(

@@ -90,7 +90,7 @@ class NamedStoreys:
             return ground, index + 1
         if (
             word == "bottom"
-            and following in CLOSERS | COPULAS | {"with", "and"}
+            and (following in CLOSERS | COPULAS | {"with", "and", "a", "an"} or self._counts(index + 1))
             and reading.word(index - 1) in ("the", "at", "from")
         ):
             return None if reading.word(index - 2) == "from" else (ground, index + 1)
@@ -160,6 +160,7 @@ class NamedStoreys:
         ):
             return [FloorRef("top")], index + 1
         over = reading.words(index - 1, index + 2) == ("on", "top", "of")
+        over = over and FLOOR_WORDS.isdisjoint(reading.words(index + 3, index + 7))  # "on top of it sit two floors"
         if over and reading.word(index + 2) in ("it", "that", "them", "this", "these"):
             return [FloorRef("top")], index + 3
         edge = reading.words(index - 2, index) == ("at", "the") and (

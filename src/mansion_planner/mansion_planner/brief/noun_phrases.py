@@ -275,7 +275,7 @@ def _headed(reading: Reading, begin: int, end: int, *, whole: bool) -> Phrase | 
         return None  # "two kitchens, a meat one and a dairy one"
     category, size = furniture_of(reading.words(begin, end))
     if last == "screen" and all(word in PLAIN for word in reading.words(begin, end - 1)) and _in_cinema(reading):
-        return finished_phrase(reading, "room", begin, end, room="cinema_hall", known=False)
+        return finished_phrase(reading, "room", begin, end, room="cinema_hall")
     if last in _STAIRS | _LIFTS and size < 2:
         return finished_phrase(reading, "stair" if last in _STAIRS else "elevator", begin, end)
     mention = _mention_ending(reading, begin, end)

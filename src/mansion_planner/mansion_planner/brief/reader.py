@@ -23,6 +23,7 @@ from mansion_planner.brief.distant_counts import (
     read_counts_by_storey,
     read_halves,
     read_late_counts,
+    without_totals,
 )
 from mansion_planner.brief.exclusions import negated_phrases, read_completeness
 from mansion_planner.brief.facts import AdjacencyFact, BriefFacts, OccupantFact, Quantity
@@ -140,6 +141,7 @@ class _Reader:
         self._said_with_area()
         self._placed_later()
         self._placed_again()
+        without_totals(reading, self.phrases, self.attached, [n for n in self._wanted_rooms() if n not in self.same])
         read_counts_by_group(reading, self.phrases, self.households)
         rooms = [
             n

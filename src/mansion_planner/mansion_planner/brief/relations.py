@@ -150,6 +150,17 @@ _MUTUAL = [
     ("alongside",),
     ("beside",),
 ]
+
+
+def _by_first(patterns: list[tuple[str, ...]]) -> dict[str, list[tuple[str, ...]]]:
+    """Return patterns by their first word."""
+    found: dict[str, list[tuple[str, ...]]] = {}
+    for pattern in patterns:
+        found.setdefault(pattern[0], []).append(pattern)
+    return found
+
+
+_BESIDE_AT, _APART_AT, _MUTUAL_AT = _by_first(_BESIDE), _by_first(_APART), _by_first(_MUTUAL)
 _LEADS = frozenset({"between", "each", "to", "of", *(words[0] for words in (*_BESIDE, *_APART, *_MUTUAL))})
 """Words that a relation can begin with."""
 _NEGATIONS = frozenset({"none", "nothing", "not", "no", "never", "neither", "nor", "without", "nowhere", "avoid"})
@@ -227,8 +238,16 @@ def _relation_at(reading: Reading, phrases: list[Phrase], rooms: list[int], inde
         pairs = list(itertools.pairwise(before))
         if pairs:
             return Relation(tuple(a for a, _ in pairs), tuple(b for _, b in pairs), False, index, index + 5), index + 5
-    mutual = max((p for p in _MUTUAL if reading.words(index, index + len(p)) == p), key=len, default=None)
-    longer = max((p for p in _BESIDE if reading.words(index, index + len(p)) == p), key=len, default=())
+    mutual = max(
+        (p for p in _MUTUAL_AT.get(reading.word(index), ()) if reading.words(index, index + len(p)) == p),
+        key=len,
+        default=None,
+    )
+    longer = max(
+        (p for p in _BESIDE_AT.get(reading.word(index), ()) if reading.words(index, index + len(p)) == p),
+        key=len,
+        default=(),
+    )
     directed = mutual is not None and len(longer) > len(mutual) and _right(reading, phrases, rooms, index + len(longer))
     if mutual is not None and not directed and _closes(reading, index + len(mutual), phrases, rooms):
         found = _mutual(reading, phrases, rooms, index, index + len(mutual)) or _postposed(
@@ -238,8 +257,12 @@ def _relation_at(reading: Reading, phrases: list[Phrase], rooms: list[int], inde
             return found, index + len(mutual)
     if reading.words(index, index + 2) in (("to", "the"), ("of", "the")) and index not in reading.taken:
         return _belonging(reading, phrases, rooms, index)
-    apart = next((p for p in _APART if reading.words(index, index + len(p)) == p), None)
-    beside = apart or max((p for p in _BESIDE if reading.words(index, index + len(p)) == p), key=len, default=None)
+    apart = next((p for p in _APART_AT.get(reading.word(index), ()) if reading.words(index, index + len(p)) == p), None)
+    beside = apart or max(
+        (p for p in _BESIDE_AT.get(reading.word(index), ()) if reading.words(index, index + len(p)) == p),
+        key=len,
+        default=None,
+    )
     if reading.word(index) == "besides" and reading.word(index - 1) in ("nothing", "anything", "everything", ","):
         return None  # "in addition to"
     if beside is None or (index in reading.taken and reading.word(index) not in ("direct", "open")):

@@ -161,9 +161,10 @@ def with_designators(
         return [replace(phrase, count=count, counted=True, last=last)]
     if phrase.head not in ("room", "building") or phrase.counted or noun not in nouns:
         return [phrase]
-    if phrase.building and noun in HEAD_TYPES:
+    named = _designator(reading, phrase.noun_end) or _proper(reading, phrase.noun_end)
+    if phrase.building and noun in HEAD_TYPES and named:
         phrase = replace(phrase, head="room", building="", room_type=HEAD_TYPES[noun])
-    if counted.get(phrase.name, len(reading.tokens)) < phrase.first:
+    if counted.get(phrase.name, len(reading.tokens)) < phrase.first and not _proper(reading, phrase.noun_end):
         length = _designator(reading, phrase.noun_end)
         reading.take(phrase.noun_end, phrase.noun_end + length)
         return [replace(phrase, determiner="the", last=phrase.noun_end + length)]

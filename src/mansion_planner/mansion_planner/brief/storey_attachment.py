@@ -269,6 +269,12 @@ class _Walk:
         for number in reversed(left[:-1]):
             between = self.reading.words(self.phrases[number].last, self.phrases[chosen[-1]].first)
             joined = joined or "and" in between or "&" in between
+            sized = range(self.phrases[number].last, self.phrases[chosen[-1]].first)
+            between = tuple(
+                word
+                for at, word in zip(sized, between, strict=True)
+                if self.reading.kind(at) not in ("number", "unit") and word != "of"
+            )
             if not all(word in _JOINTS for word in between) or not joined or (opened and "," in between):
                 break
             if not self._suits(number, place):
@@ -300,6 +306,8 @@ class _Walk:
             "even",
             "not_top",
         )
+        distributed = not {"each", "every"}.isdisjoint(self.reading.words(place.first, place.last))
+        several = several or (place.refs[0].kind == "top" and place.refs[0].first > 1 and distributed)
         several = several or (place.refs[0].kind == "upper" and self._plural_upper(place))
         several = several and not (place.refs[0].kind == "middle" and not self._plural_upper(place))
         phrase = self.phrases[number]

@@ -239,7 +239,8 @@ class StoreyCounts:
             self._state(value, index, last, below=True)
             return last
         lead = reading.words(index - 4, index)
-        if "above" in lead and {"it", "that", "this", "them"} & set(lead) and self.places and not reading.facts.floors:
+        over = not {"above", "top"}.isdisjoint(lead) and not {"it", "that", "this", "them"}.isdisjoint(lead)
+        if over and self.places and not reading.facts.floors:
             base = self.previous.first - 1 if self.previous is not None and self.previous.kind == "number" else 1
             span = reading.span(index, last)
             self._state(value + max(base, 1), index, last)

@@ -45,7 +45,9 @@ def counts_above_ground(reading: Reading) -> bool:
     """Whether the storeys of "G+7" are numbered above the ground floor: the highest that is named is the seventh."""
     stated = [int(reading.value(i + 2)) for i in range(len(reading.tokens)) if reading.words(i, i + 2) == ("g", "+")]
     named = [
-        int(a.value) for a, b in itertools.pairwise(reading.tokens) if a.kind == "ordinal" and b.text in FLOOR_WORDS
+        int(a.value)
+        for a, b in itertools.pairwise(reading.tokens)
+        if a.kind == "ordinal" and b.text in FLOOR_WORDS | {":", "="}
     ]
     named += [
         int(reading.value(i + 1))
@@ -62,7 +64,7 @@ def _lists_ground_and_first(reading: Reading) -> bool:
     for index in range(len(reading.tokens)):
         word, opens = reading.word(index), reading.starts(index) or reading.word(index - 1) == ":"
         after = index + 1 + (reading.word(index + 1) in FLOOR_WORDS)
-        listed = reading.word(after) in marks
+        listed = reading.word(after) in (*marks, "to")
         ground = ground or (opens and _is_ground(reading, index) and listed)
         counts = (reading.kind(index) == "ordinal" and opens) or (
             reading.kind(index) == "level" and written_after(reading, index)

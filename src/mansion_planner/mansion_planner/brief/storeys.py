@@ -284,7 +284,9 @@ class _Scanner:
     def _set(self, index: int) -> tuple[list[FloorRef], int] | None:
         reading = self.reading
         word, last = reading.word(index), index + 1
-        if word in ("odd", "even") and reading.word(last) in FLOOR_WORDS | {"numbered"}:
+        if word in ("odd", "even") and (
+            reading.word(last) in FLOOR_WORDS | {"numbered"} or (reading.word(last) == "one" and reading.plural(last))
+        ):
             return [FloorRef("odd" if word == "odd" else "even")], last + 1 + (reading.word(last) == "numbered")
         if (
             word in ("both", "each", "all")
@@ -322,6 +324,12 @@ class _Scanner:
             numbered = self.numbered.numbered(last) if reading.word(last) in FLOOR_WORDS else None
             if numbered is not None:
                 return numbered  # "each of floors 2 and 3"
+            many = int(reading.value(last + 1)) if reading.kind(last + 1) == "number" else 0
+            end = last + 2 + (reading.word(last + 2) in FLOOR_WORDS)
+            if many and reading.word(last) in ("upper", "top", "uppermost"):
+                return [FloorRef("top", many, many)], end  # "each of the upper three"
+            if many and reading.word(last) in ("lower", "bottom", "lowest"):
+                return [FloorRef("range", 1, many)], end
         last += reading.word(last) in ("the", "our", "single", "one")
         counted = reading.kind(last) == "number" and reading.word(last + 1) in FLOOR_WORDS
         if counted and reading.value(last) > 1 and not reading.facts.floors:

@@ -76,7 +76,12 @@ def read_suites(
             phrases[owner].first - 3
         ) in ("number",):
             continue  # "two of the three bedrooms en suite"
-        if "," in gap and owner not in suites and _list_goes_on(phrases, owner, number, gap_words):
+        every = phrases[owner].determiner in ("each", "every") and reading.word(phrases[owner].last) in (
+            "get",
+            "has",
+            "need",
+        )
+        if "," in gap and owner not in suites and not every and _list_goes_on(phrases, owner, number, gap_words):
             continue
         if ("each", "group") in itertools.pairwise(gap_words) or ("per", "group") in itertools.pairwise(gap_words):
             continue  # "ten offices in two groups, each group with a kitchenette"

@@ -84,6 +84,8 @@ class UnitRooms:
         guests : bool
             The units are rooms for guests, which hold few other rooms.
         """
+        if self.reading.words(start, start + 2) == ("and", "the"):
+            return [], start  # "between the resident rooms and the lounge"
         index, linked, strong, placed = self._linked(start)
         rooms: list[Phrase] = []
         closed = trailing = False
