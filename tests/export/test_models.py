@@ -257,7 +257,8 @@ def test_glb_carries_each_texture_once_and_shows_tiles_in_true_size(building):
             accessor["type"]
         ]
         assert accessor["byteOffset"] + accessor["count"] * size <= view["byteLength"]
-    mesh = next(mesh for mesh in document["meshes"] if mesh["name"] == "F1/living_room_1")
+    node = next(node for node in document["nodes"] if node["name"] == "F1/living_room_1")
+    mesh = document["meshes"][node["mesh"]]
     floor = mesh["primitives"][0]["attributes"]
     places, normals, tiles = (_read(document, binary, floor[name]) for name in ("POSITION", "NORMAL", "TEXCOORD_0"))
     top = normals[:, 1] > 0.9

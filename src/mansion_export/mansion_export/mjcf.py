@@ -4,7 +4,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import NamedTuple
-from xml.sax.saxutils import quoteattr
+from xml.sax.saxutils import escape, quoteattr
 
 import numpy as np
 
@@ -193,17 +193,16 @@ class _Writer:
     def _geoms(self, name: str, node: Node, mesh: Mesh, solid: _Solid) -> list[str]:
         """Return what of a body is seen and what of it collides."""
         group = {"objects": OBJECT_GROUP, "ceiling": CEILING_GROUP}.get(node.group, STRUCTURE_GROUP)
-        parts = []
+        parts, called = [], escape(name, {'"': "&quot;"})
         for i, surface in enumerate(mesh.surfaces):
             parts.append(
-                f'<geom name={quoteattr(name if i == 0 else f"{name}/{i}")} type="mesh" '
+                f'<geom name="{called}{f"/{i}" if i else ""}" type="mesh" '
                 f"mesh={quoteattr(self.mesh(mesh.name, i, surface, node.scale))} "
                 f'group="{group}" contype="0" conaffinity="0" mass="0" '
                 f"material={quoteattr(self.material(surface.material))}/>"
             )
         for i, shape in enumerate(self._shapes(solid)):
-            called = f"{name}/collision{f'_{i}' if i else ''}"
-            parts.append(f'<geom name={quoteattr(called)} class="collision" {shape}/>')
+            parts.append(f'<geom name="{called}/collision{f"_{i}" if i else ""}" class="collision" {shape}/>')
         return parts
 
     def _shapes(self, solid: _Solid) -> list[str]:

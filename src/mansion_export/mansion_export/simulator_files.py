@@ -34,7 +34,9 @@ class SimulatorModel:
 def write_stl(surface: Surface | Hull) -> bytes:
     """Write a surface as binary STL, z up, metres; triangles without area are left out."""
     corners = surface.vertices[surface.faces]
-    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    ax, ay, az = (corners[:, 1] - corners[:, 0]).T
+    bx, by, bz = (corners[:, 2] - corners[:, 0]).T
+    normals = np.stack([ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx], axis=1)
     lengths = np.linalg.norm(normals, axis=1)
     keep = lengths > 1e-12
     triangles = np.zeros(int(keep.sum()), dtype=_TRIANGLE)

@@ -17,6 +17,8 @@ class Speller:
         What a mistake may have stood for, in the singular.
     favoured : set of str
         Those of the words that are taken before others at the same distance, and for words of four letters alone.
+    own : set of str
+        Those that are taken before all others at the same distance.
 
     Notes
     -----
@@ -24,8 +26,8 @@ class Speller:
     to the length of the word and not to the number of words.
     """
 
-    def __init__(self, words: Set[str], favoured: Set[str]) -> None:
-        self.words, self.favoured = frozenset(words), frozenset(favoured)
+    def __init__(self, words: Set[str], favoured: Set[str], own: Set[str] = frozenset()) -> None:
+        self.words, self.favoured, self.own = frozenset(words), frozenset(favoured), frozenset(own)
         self._index: dict[str, list[str]] = {}
         for word in sorted(self.words | self.favoured):
             if len(word) >= 4:
@@ -56,10 +58,29 @@ class Speller:
                 if len(word) < 5 and candidate not in self.favoured:
                     continue
                 distance = _edit_distance(word, candidate, limit)
-                rank = (distance, candidate not in self.favoured, candidate)
-                if rank < (best_distance, best not in self.favoured, best):
+                if (distance, *self._order(candidate)) < (best_distance, *self._order(best)):
                     best, best_distance = candidate, distance
         return best
+
+    def completed(self, word: str) -> str:
+        """Return the one word in which a vowel, or one of a double letter, was left out; else the word itself.
+
+        Examples
+        --------
+        >>> Speller({"apple", "plant"}, set()).completed("plnt")
+        'plant'
+        """
+        found = {
+            known
+            for letter in sorted({*"aeiou", *word})
+            for at in range(1, len(word))
+            for known in [word[:at] + letter + word[at:]]
+            if known in self.words and (letter in "aeiou" or letter in (word[at - 1], word[at]))
+        }
+        return found.pop() if len(found) == 1 else word
+
+    def _order(self, word: str) -> tuple[bool, bool, str]:
+        return word not in self.own, word not in self.favoured, word
 
 
 def _deletions(word: str) -> list[str]:

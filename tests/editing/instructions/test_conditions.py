@@ -54,3 +54,48 @@ def test_the_answer_to_a_question_decides(editor: SceneEditor) -> None:
 def test_to_check_whether_is_a_question(editor: SceneEditor) -> None:
     report = instruct(editor, "Check if the fridge is open")
     assert report.question and not report.edits and report.message.startswith("No")
+
+
+@pytest.mark.parametrize("answer", ["If so,", "If it is,", "If yes,", "If that is the case,"])
+def test_a_question_affirmed_is_a_condition(editor: SceneEditor, answer: str) -> None:
+    report = instruct(editor, f"Is the fridge closed? {answer} open it.")
+    assert report.done and report.object_ids == ["F1/kitchen/fridge_1"]
+
+
+@pytest.mark.parametrize("answer", ["If not,", "If it isn't,", "If no,"])
+def test_a_question_denied_is_a_condition(editor: SceneEditor, answer: str) -> None:
+    report = instruct(editor, f"Is the fridge closed? {answer} close it.")
+    assert report.done and report.object_ids == []
+
+
+def test_what_is_missing_is_brought(editor: SceneEditor) -> None:
+    report = instruct(editor, "Is there a plant in the kitchen? If there is none, put one there.")
+    assert report.done and len(report.object_ids) == 1 and "plant" in report.object_ids[0]
+
+
+def test_what_is_there_is_not_brought_again(editor: SceneEditor) -> None:
+    report = instruct(editor, "Is there a fridge in the kitchen? If not, put one there.")
+    assert report.done and report.object_ids == []
+
+
+@pytest.mark.parametrize("joint", [", otherwise", "; otherwise", ". Otherwise", ". If not,"])
+@pytest.mark.parametrize(("asked", "opened"), [("open", True), ("closed", False)])
+def test_what_is_done_otherwise_depends_too(editor: SceneEditor, joint: str, asked: str, opened: bool) -> None:
+    report = instruct(
+        editor, f"If the fridge is {asked}, put an apple in it{joint} put a mug on the dining table in the kitchen."
+    )
+    assert report.done and len(report.object_ids) == 1
+    assert ("mug" if opened else "apple") in report.object_ids[0]
+
+
+def test_a_condition_is_looked_at_once(editor: SceneEditor) -> None:
+    report = instruct(
+        editor, "Is there a plate on the dining table in the kitchen? If so, remove it, otherwise add one."
+    )
+    assert report.done and report.object_ids == ["F1/kitchen/plate_1"] and _number(editor, "plate", "F1/kitchen") == 0
+
+
+def test_what_happens_otherwise_is_no_condition(editor: SceneEditor) -> None:
+    report = instruct(editor, "Open the fridge, otherwise the mug goes bad.")
+    assert report.done and report.object_ids == ["F1/kitchen/fridge_1"]
+    assert not instruct(editor, "Close the fridge, otherwise remove the mug.").done

@@ -13,7 +13,7 @@ from mansion_editing.instructions.doing.answering import holds
 from mansion_editing.instructions.doing.carrying_out import carry
 from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.descriptions import things_of
-from mansion_editing.instructions.statements import Ask, History, Instruction, Keep, Mention, When
+from mansion_editing.instructions.statements import Ask, History, Instruction, Keep, Mention, Things, When
 from mansion_editing.runs.policies import Policy, Unmet, Verdict
 from mansion_editing.runs.run import run_policy
 from mansion_editing.state import SceneState
@@ -54,7 +54,11 @@ def carry_out(editor: SceneEditor, instruction: Instruction, text: str, *, partl
             return _undone_or_redone(editor, "Redo", first.times)
         if first.what == "amend":
             return _amended(editor, first, text)
-        if is_taken_back(first, editor):
+        try:
+            taken_back = is_taken_back(first, editor)
+        except MansionError as error:
+            return run_policy(editor, _refused_policy(error), text)
+        if taken_back:
             return _undone_or_redone(editor, "Undo", first.times)
     policy = statement_policy(editor, instruction, partly=partly)
     return run_policy(editor, policy, text, most_steps=MOST_STEPS, most_edits=MOST_EDITS)
@@ -137,12 +141,13 @@ def statement_policy(editor: SceneEditor, instruction: Instruction, *, partly: b
     steps: list[Step] = []
     replies: list[str] = []
     before = state.copied()
+    answers: list[tuple[Ask, bool]] = []
     context = replace(context_of(editor), kept=_kept(instruction, state))
     for statement in instruction.statements:
         mark = len(state.pending)
         try:
             if isinstance(statement, When):
-                if holds(statement.ask, state, context) != statement.holds:
+                if _answer(statement.ask, answers, state, context) != statement.holds:
                     replies.append(f"{statement.quote}: not so, nothing had to change")
                     continue
                 statement = statement.then
@@ -177,10 +182,25 @@ def statement_policy(editor: SceneEditor, instruction: Instruction, *, partly: b
     return Verdict("; ".join(replies) + told, replies)
 
 
+def _answer(ask: Ask, answers: list[tuple[Ask, bool]], state: SceneState, context: Context) -> bool:
+    """Return whether a condition holds; one that was looked at before ("if so ..., otherwise ...") as it was then."""
+    known = next((held for one, held in answers if one == ask), None)
+    if known is None:
+        known = holds(ask, state, context)
+        answers.append((ask, known))
+    return known
+
+
 def _kept(instruction: Instruction, state: SceneState) -> frozenset[str]:
     """Return the ids of what shall stay as it is, wherever in the instruction that is said."""
-    keeps = [s for s in instruction.statements if isinstance(s, Keep) and not s.things.refers]
+    keeps = [s for s in instruction.statements if isinstance(s, Keep) and not _refers(s.things)]
     return frozenset(item.id for keep in keeps for item in things_of(state, keep.things, Context()))
+
+
+def _refers(things: Things) -> bool:
+    """Whether words for what stays mean what was mentioned before, or what is in it."""
+    anchor = None if things.place is None else things.place.anchor
+    return bool(things.refers) or (anchor is not None and bool(anchor.refers))
 
 
 def _refused(error: Unmet | MansionError, quote: str) -> Verdict:

@@ -21,7 +21,7 @@ from mansion_editing.instructions.checking.numbers import (
 from mansion_editing.instructions.checking.places import check_move, check_shift, check_swap, check_turn
 from mansion_editing.instructions.doing.work import listed
 from mansion_editing.instructions.meaning.context import Context
-from mansion_editing.instructions.meaning.descriptions import all_at, things_of
+from mansion_editing.instructions.meaning.descriptions import all_at, rooms_of, things_of
 from mansion_editing.instructions.meaning.wording import thing_words
 from mansion_editing.instructions.statements import (
     Add,
@@ -33,6 +33,7 @@ from mansion_editing.instructions.statements import (
     Keep,
     Move,
     Paint,
+    Place,
     Reach,
     Remove,
     Rename,
@@ -173,7 +174,21 @@ def _lasting(statement: Statement, first: SceneState, last: SceneState, context:
     if isinstance(statement, Keep):
         kept = things_of(first, statement.things, context)
         touched = [item.id for item in kept if last.find(item.id) is None or last.get(item.id)[1] != item]
+        if not touched and not statement.things.noun and statement.things.place is not None:
+            touched_rooms = _changed_rooms(statement.things.place, first, last, context)
+            return f"{', '.join(touched_rooms)} is not as it was, though it shall stay" if touched_rooms else ""
         return (
             f"{listed(touched)} is not as it was, though {thing_words(statement.things)} shall stay" if touched else ""
         )
     return ""
+
+
+def _changed_rooms(place: Place, first: SceneState, last: SceneState, context: Context) -> list[str]:
+    """Return the rooms of a place without an anchor that are not as they were, or hold something else."""
+    if place.anchor is not None or place.rooms is None:
+        return []
+    return [name for name in rooms_of(first, place.rooms, context) if _of_room(first, name) != _of_room(last, name)]
+
+
+def _of_room(state: SceneState, name: str) -> tuple[object, list[object]]:
+    return state.room(name), [item for _, item in state.objects() if item.room == name]

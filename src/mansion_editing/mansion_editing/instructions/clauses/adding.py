@@ -32,6 +32,10 @@ class Adding(States, Colours):
         laid = self._laid(at, place)
         if laid is not None:
             return laid
+        if self.text(at) in ("lay", "prepare", "arrange") and place == at + 1:
+            table = self.holder_at(place)
+            if table is not None and table.phrase.definite and self.text(table.end) in (":", "for"):
+                return self._equip(at, place)
         door = self._door_between(at, place)
         if door is not None:
             return door
@@ -94,6 +98,7 @@ class Adding(States, Colours):
     def _joined_places(self, at: int) -> tuple[list[Place], int]:
         """Read ``and in the bathroom`` after a place: the same there."""
         out: list[Place] = []
+        start, listed = at, False
         while True:
             after = self.conjunction(at)
             read = read_place(self.words, after, self.lexicon, self.floors) if after else None
@@ -103,13 +108,15 @@ class Adding(States, Colours):
                 or self.text(after - 1) not in ("and", ",", "&")
                 or self.starts_clause(after)
             ):
-                return out, at
+                break
             places, end = self.places(after)
             place = joined_places(list(places))[0]
             if self.phrase(end) is not None or (place.anchor is None and place.rooms is None):
-                return out, at
+                break
+            listed = listed or self.text(after - 1) != ","
             out.append(place)
             at = end
+        return (out, at) if listed else ([], start)
 
     def _places_after_places(self, items: list[Item]) -> tuple[list[Item], list[Item]]:
         """Tell further places from things: in ``a mug on the table and the desk`` the desk is a place."""
@@ -183,7 +190,7 @@ class Adding(States, Colours):
 
     def _set(self, at: int, place: int) -> tuple[list[Statement], int]:
         """Read ``set the table with eight plates``; otherwise as ``put``."""
-        where = self.item(place)
+        where = self.holder_at(place)
         if where is not None and self.text(where.end) in ("with", ":", "for"):
             return self._equip(at, place)
         return self._add(at, place)

@@ -3,7 +3,7 @@
 from mansion_editing.instructions.clauses.items import Item, NotUnderstood
 from mansion_editing.instructions.clauses.outcomes import Outcomes
 from mansion_editing.instructions.phrases.places import ReadPlace, read_place
-from mansion_editing.instructions.statements import Statement
+from mansion_editing.instructions.statements import Add, Ensure, Statement
 
 __all__ = ["Giving"]
 
@@ -13,7 +13,16 @@ class Giving(Outcomes):
 
     def _equip(self, at: int, place: int) -> tuple[list[Statement], int]:
         """Read ``equip the office with two desks``, ``fill the basket with apples``."""
-        where = self.item(place)
+        where = self.holder_at(place)
+        served = False
+        if where is not None and self.text(where.end) == "for":
+            further = {w.text for w in self.words[where.end : where.end + 4]} & {
+                "more",
+                "extra",
+                "additional",
+                "another",
+            }
+            served = not further
         if where is not None and self.text(where.end) == "for":
             colon = next(
                 (k for k in range(where.end, min(where.end + 6, len(self.words))) if self.text(k) in (":", "with")),
@@ -38,7 +47,16 @@ class Giving(Outcomes):
         goal = self._receiver(where)
         each = where.phrase.each or where.phrase.amount.kind == "all" or (where.phrase.plural and where.phrase.definite)
         quote = self.quote(at, end)
-        return [self._given(item, goal, quote, each=each) for item in items], end
+        out = [self._given(item, goal, quote, each=each) for item in items]
+        return [_there(s) for s in out] if served else out, end
+
+    def holder_at(self, at: int) -> Item | None:
+        """Read what is laid or filled, without the ``for six`` that says for how many."""
+        item = self.item(at)
+        last = None if item is None or not item.places else item.places[-1]
+        if item is None or last is None or self.text(last.start) != "for":
+            return item
+        return Item(item.phrase, item.places[:-1], last.start)
 
     def _skip_storey(self, at: int) -> tuple[tuple[ReadPlace, ...], int]:
         """Read a storey that only tells where the thing before a colon is (``: 2nd floor, ...``)."""
@@ -46,3 +64,10 @@ class Giving(Outcomes):
         if read is None or read.place.rooms is None or read.place.rooms.words or self.text(read.end) != ",":
             return (), at
         return (read,), read.end + 1
+
+
+def _there(statement: Statement) -> Statement:
+    """Return that so many are there, those that lie there counted: ``set the table for six: six plates``."""
+    if not isinstance(statement, Add):
+        return statement
+    return Ensure(things=statement.things, place=statement.place, each=statement.each, quote=statement.quote)

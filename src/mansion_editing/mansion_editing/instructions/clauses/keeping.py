@@ -3,6 +3,7 @@
 from mansion_editing.instructions.clauses.adding import Adding
 from mansion_editing.instructions.clauses.items import NotUnderstood
 from mansion_editing.instructions.clauses.removing import Removing
+from mansion_editing.instructions.clauses.staying import Staying
 from mansion_editing.instructions.clauses.wishes import Wishes
 from mansion_editing.instructions.phrases.word_sets import ALL_THE_REST, KEPT_AS_IT_IS, LEFT_ALONE, LEFT_AS_IT_IS
 from mansion_editing.instructions.phrases.words import STATE_WORDS
@@ -11,13 +12,13 @@ from mansion_editing.instructions.statements import Keep, Mention, Statement
 __all__ = ["Keeping"]
 
 
-class Keeping(Wishes, Adding, Removing):
+class Keeping(Staying, Wishes, Adding, Removing):
     """Reads ``leave``, ``keep`` and ``let``."""
 
     def _staying(self, at: int) -> tuple[list[Statement], int] | None:
         """Read ``only the candles may stay on it``, an exception to what was cleared before."""
         staying = self._only_stays(at)
-        if staying is None:
+        if staying is None or self.places(staying[1])[0]:
             return None
         return [Keep(things=things, quote=self.quote(at, staying[1])) for things in staying[0]], staying[1]
 
@@ -50,7 +51,7 @@ class Keeping(Wishes, Adding, Removing):
             alone += 1
         if alone > end or (item.phrase.definite and not any(p.place.relation for p in item.places)):
             quote = self.quote(at, alone)
-            return [Keep(things=self._all(i.things()), quote=quote) for i in items if not i.is_room], alone
+            return [Keep(things=self._kept(i), quote=quote) for i in items], alone
         return self._add(at, place)
 
     def _keep(self, at: int, place: int) -> tuple[list[Statement], int]:
@@ -75,7 +76,7 @@ class Keeping(Wishes, Adding, Removing):
         ):
             items = self.items(place)
             quote = self.quote(at, items[-1].end)
-            return [Keep(things=self._all(i.things()), quote=quote) for i in items if not i.is_room], items[-1].end
+            return [Keep(things=self._kept(i), quote=quote) for i in items], items[-1].end
         if item.phrase.definite or item.phrase.refers:
             return self._leave(at, place)
         if not item.phrase.definite:

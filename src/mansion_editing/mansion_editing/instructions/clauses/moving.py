@@ -5,7 +5,7 @@ import msgspec
 from mansion_editing.instructions.clauses.items import Item, NotUnderstood, joined_places
 from mansion_editing.instructions.clauses.shifting import Shifting
 from mansion_editing.instructions.phrases.places import read_place, with_place
-from mansion_editing.instructions.statements import Add, Move, Place, Replace, Rooms, Statement, Swap
+from mansion_editing.instructions.statements import Add, Move, Place, Replace, Rooms, Statement, Swap, Things
 
 __all__ = ["Moving"]
 
@@ -66,8 +66,14 @@ class Moving(Shifting):
             first = (
                 one.things() if not shared else with_place(one.phrase.things(), joined_places(list(other.places))[0])
             )
-            return [Swap(one=first, other=other.things(), quote=quote)], end
+            return [Swap(one=self._within_frame(first), other=self._within_frame(other.things()), quote=quote)], end
         raise NotUnderstood(at, self.boundary(at))
+
+    def _within_frame(self, things: Things) -> Things:
+        """Return things that are in the room that the sentence began with, where they are in no other."""
+        rooms = self.frame.rooms
+        own = things.place is not None and things.place.rooms is not None
+        return things if rooms is None or own else with_place(things, Place(rooms=rooms))
 
     def _replaced_by(self, at: int, place: int, joint: int) -> tuple[list[Statement], int]:
         """Read ``X with Y``: an exchange of places where both are there, else something new for something old."""
@@ -81,7 +87,8 @@ class Moving(Shifting):
             return [Swap(one=old[0].rooms(), other=new[0].rooms(), quote=quote)], end
         swapped = self.text(at) in ("swap", "exchange", "trade", "interchange")
         if swapped and len(new) == 1 and new[0].phrase.definite and not new[0].phrase.refers:
-            return [Swap(one=old[0].things(), other=new[0].things(), quote=quote)], end
+            pair = [self._within_frame(item.things()) for item in (old[0], new[0])]
+            return [Swap(one=pair[0], other=pair[1], quote=quote)], end
         out: list[Statement] = []
         for item in old:
             things = item.things()

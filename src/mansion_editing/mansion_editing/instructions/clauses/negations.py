@@ -36,7 +36,7 @@ class Negations(States):
         if self.text(place) in DISTURBING:
             items = self.items(place + 1 + (self.text(place + 1) == "with"))
             end = items[-1].end
-            return [Keep(things=self._all(i.things()), quote=self.quote(at, end)) for i in items if not i.is_room], end
+            return [Keep(things=self._kept(i), quote=self.quote(at, end)) for i in items], end
         if verb is None:
             item = self.item(place) if self.words[place - 1].text == "not" else None
             read = read_place(self.words, place, self.lexicon, self.floors)

@@ -1,6 +1,7 @@
 """What items with their places amount to: things that are there, new, given, gone or elsewhere."""
 
 from collections.abc import Sequence
+from typing import Final
 
 import msgspec
 
@@ -21,7 +22,10 @@ from mansion_editing.instructions.statements import (
     Things,
 )
 
-__all__ = ["Outcomes", "named_as"]
+__all__ = ["Outcomes", "at_receiver", "everything_at", "named_as"]
+
+_RUBBISH: Final = frozenset("rubbish trash garbage dump skip tip landfill".split())
+"""Where things go that leave the building."""
 
 
 class Outcomes(Sentence):
@@ -77,8 +81,8 @@ class Outcomes(Sentence):
         if amount.kind == "fewer":
             fewer = msgspec.structs.replace(things, amount=Amount(number=amount.number), plural=False)
             return [Remove(things=with_place(fewer, goal) if goal != Place() else fewer, quote=quote)]
-        if negated and amount.kind == "at_most":
-            negated = False
+        if negated and amount.kind in ("at_most", "at_least"):
+            negated, things = False, _counted_otherwise(things)
         if amount.kind == "none" or negated:
             gone = with_place(things, goal) if goal != Place() else things
             return [Remove(things=msgspec.structs.replace(gone, amount=Amount(kind="all", number=0)), quote=quote)]
@@ -90,6 +94,8 @@ class Outcomes(Sentence):
         """Return the statement of ``put X at Y``: a move of what is there, else something new."""
         goal, each = self._framed(self._shared_goal(items, item))
         phrase = item.phrase
+        if goal.relation == "above" and self.lexicon.is_loose(phrase.noun.words):
+            goal = msgspec.structs.replace(goal, relation="on")  # "a blanket over the armchair"
         shared = item.places or not any(other.places for other in items)
         source = joined_places([p for p in item.places if p.source])[0] if shared else Place()
         whence = phrase.definite or phrase.refers or source != Place()
@@ -147,7 +153,7 @@ class Outcomes(Sentence):
 
     def _given(self, item: Item, goal: Place, quote: str, *, each: bool) -> Statement:
         own = item.goal()[0]
-        place = goal if own == Place() else merged(own, goal)
+        place = at_receiver(own, goal)
         if place.relation == "on" and place.anchor is not None and self.lexicon.stands(item.phrase.noun.words):
             place = msgspec.structs.replace(place, relation="around" if item.phrase.plural else "beside")
         if item.phrase.amount.kind in ("exactly", "at_least", "at_most"):
@@ -165,7 +171,7 @@ class Outcomes(Sentence):
         if number and things.amount.kind == "all":
             things = msgspec.structs.replace(things, amount=Amount(kind="all_but", number=number))
             besides = ()
-        told = next((b.place for b in besides if b.place is not None), None)
+        told = next((b.place for b in besides if b.place is not None and b.noun != things.noun), None)
         if place == Place() and told is not None:
             place = told
         if things.noun == "" and not things.refers:
@@ -182,6 +188,10 @@ class Outcomes(Sentence):
         where, _ = joined_places(list(item.places))
         return Place(relation="on", anchor=item.phrase.things(), rooms=where.rooms)
 
+    def _kept(self, item: Item) -> Things:
+        """Return what stays: the things of an item, all that is in a room."""
+        return everything_at(Place(rooms=item.rooms())) if item.is_room else self._all(item.things())
+
     def _gone_from(self, where: Item, gone: Sequence[Item], quote: str) -> list[Statement]:
         out: list[Statement] = []
         place = self._emptied(where)
@@ -194,6 +204,13 @@ class Outcomes(Sentence):
                 out.append(Remove(things=with_place(whole, place), quote=quote))
         return out
 
+    def _rubbish(self, at: int) -> int:
+        """Return the end of ``in the rubbish`` at a place, 0 where there is none."""
+        place = at + (self.text(at) in ("in", "into", "to", "on", "onto"))
+        place += place > at and self.text(place) in ("the", "a")
+        whole = self.text(place) in _RUBBISH and self.text(place + 1) not in ("bin", "can", "bag")
+        return place + 1 if place > at and whole else 0
+
     def _fronted(self, place: int) -> int:
         """Read a place before the object ("put on the desk two mugs") into the frame."""
         read = read_place(self.words, place, self.lexicon, self.floors)
@@ -205,6 +222,29 @@ class Outcomes(Sentence):
             return place
         self.frame, _ = joined_places(following)
         return end
+
+
+def _counted_otherwise(things: Things) -> Things:
+    """Return things with their limit denied: ``not more than two`` are at most two, ``not fewer`` at least."""
+    number = things.amount.number
+    more = things.amount.kind == "at_least"
+    denied = Amount(kind="at_most", number=number - 1) if more else Amount(kind="at_least", number=number + 1)
+    return msgspec.structs.replace(things, amount=denied)
+
+
+def at_receiver(own: Place, receiver: Place) -> Place:
+    """Return the place of what a subject has or is given: ``on it``, ``next to it`` mean the subject."""
+    it = own.anchor is not None and own.anchor.refers == "last" and not own.anchor.noun
+    if it and receiver.anchor is not None:
+        return msgspec.structs.replace(receiver, relation=own.relation)
+    if own == Place() or (it and own.relation == "in"):
+        return receiver
+    return merged(own, receiver)
+
+
+def everything_at(place: Place) -> Things:
+    """Return all that is at a place."""
+    return Things(amount=Amount(kind="all", number=0), definite=True, plural=True, place=place)
 
 
 def named_as(spared: Things, noun: str) -> Things:

@@ -3,10 +3,11 @@
 import msgspec
 
 from mansion_editing.instructions.clauses.colours import Colours
-from mansion_editing.instructions.clauses.items import Item
+from mansion_editing.instructions.clauses.items import Item, joined_places
+from mansion_editing.instructions.clauses.outcomes import at_receiver
 from mansion_editing.instructions.clauses.states import States
 from mansion_editing.instructions.clauses.ways import Ways
-from mansion_editing.instructions.phrases.places import merged, with_place
+from mansion_editing.instructions.phrases.places import with_place
 from mansion_editing.instructions.phrases.word_sets import (
     ANY_LONGER,
     BEFORE_PREDICATES,
@@ -16,9 +17,10 @@ from mansion_editing.instructions.phrases.word_sets import (
     STAYING_AS_IT_IS,
     WANTING,
 )
-from mansion_editing.instructions.phrases.words import BE, HAVE, MODALS
+from mansion_editing.instructions.phrases.words import BE, HAVE, MODALS, STATE_WORDS
 from mansion_editing.instructions.statements import (
     Amount,
+    AmountKind,
     Clear,
     Ensure,
     Furnish,
@@ -49,8 +51,9 @@ class Predicates(States, Colours, Ways):
         while self._is_before_predicate(place, end):
             place += 1
         negated = denied or any(word.text in ("not", "never", "no") for word in self.words[end:place])
-        for reader in (self._said_become, self._said_state, self._said_participle, self._said_having, self._said_gone,
-                       self._said_where, self._said_colour, self._said_good):  # fmt: skip
+        for reader in (self._said_become, self._said_missing, self._said_state, self._said_participle,
+                       self._said_having, self._said_enough, self._said_gone, self._said_where, self._said_colour,
+                       self._said_good):  # fmt: skip
             found = reader(item, place, at, negated)
             if found is not None:
                 return found
@@ -160,6 +163,7 @@ class Predicates(States, Colours, Ways):
         word = self.text(place)
         if word == "do" and self.text(place + 1) == "with":
             return self._said_having(item, place + 1, at, negated)
+        used = word == "use" and self.text(place - 1) in ("could", "can")
         if word in ("has", "have") and self.text(place + 1) == "no" and self.text(place + 2) in ("business", "place"):
             places, end = self.places(place + 3 + (self.text(place + 3) == "being"))
             gone = Item(item.phrase, (*item.places, *places), end).things()
@@ -168,6 +172,7 @@ class Predicates(States, Colours, Ways):
             word not in HAVE
             and word not in ("carry", "bear", "store")
             and not (word == "with" and self.text(place - 1) == "do")
+            and not used
             and word not in WANTING
         ):
             return None
@@ -190,15 +195,27 @@ class Predicates(States, Colours, Ways):
         if negated:
             return self._gone_from(item, new, quote), end
         each = item.phrase.each or item.phrase.amount.kind == "all" or (item.phrase.plural and item.phrase.definite)
+        if place == item.end and word in ("has", "have") and [n.phrase.amount.kind for n in new] == ["none"]:
+            lacking = msgspec.structs.replace(new[0].phrase.things(), amount=Amount(kind="more"), place=goal)
+            self.topic = lacking
+            return [Mention(quote=quote)], end
         out: list[Statement] = []
         for thing in new:
             own = thing.goal()[0]
-            where = goal if own == Place() else merged(own, goal)
+            where = at_receiver(own, goal)
             if thing.phrase.amount.kind == "none":
                 out += self._gone_from(item, [thing], quote)
             elif thing.phrase.definite and own != Place() and not thing.phrase.plural:
                 out.append(Move(things=thing.phrase.things(), place=where, or_new=True, quote=quote))
-            elif thing.phrase.amount.kind == "more" or word in ("need", "require", "get", "lack", "deserve", "miss"):
+            elif thing.phrase.amount.kind == "more" or word in (
+                "need",
+                "require",
+                "get",
+                "lack",
+                "deserve",
+                "miss",
+                "use",
+            ):
                 out.append(self._given(thing, goal, quote, each=each))
             else:
                 out.append(Ensure(things=thing.phrase.things(), place=where, each=each, quote=quote))
@@ -209,6 +226,10 @@ class Predicates(States, Colours, Ways):
         word = self.text(place)
         if word in ("stay", "remain") or (word == "be" and self.text(place + 1) == "left"):
             end = place + 1
+            if self.text(end) in STATE_WORDS and word in ("stay", "remain") and self.phrase(end + 1) is None:
+                return self._said_state(item, end, at, negated)
+            if item.phrase.amount.number and not item.phrase.definite and not negated:
+                return self._remaining(item, place + 1 + (word == "be"), at)
             places, after = self.places(end)
             end = after if places and not any(p.goal for p in places) else end
             while self.text(end) in STAYING_AS_IT_IS:
@@ -226,16 +247,63 @@ class Predicates(States, Colours, Ways):
                 whole = Item(item.phrase, (*item.places, *places), end)
                 return self._there(whole, whole.goal(), self.quote(at, end)), end
         if word in ("go", "disappear", "vanish", "leave") and not negated:
+            rubbish = self._rubbish(place + 1) if word == "go" else 0
+            if rubbish:
+                return [Remove(things=self._all_if_plural(item.things()), quote=self.quote(at, rubbish))], rubbish
+            left = self.item(place + 1) if word == "leave" else None
+            if left is not None and left.is_room:
+                gone = with_place(item.things(), Place(rooms=left.rooms()))
+                return [Remove(things=self._all_if_plural(gone), quote=self.quote(at, left.end))], left.end
             places, end = self.places(place + 1)
-            if not places:
+            if not places or all(p.source and not p.goal for p in places):
                 end += self.text(end) in ("away",)
-                return [Remove(things=self._all_if_plural(item.things()), quote=self.quote(at, end))], end
+                gone = Item(item.phrase, (*item.places, *places), end).things()
+                return [Remove(things=self._all_if_plural(gone), quote=self.quote(at, end))], end
             return [self._brought(item, places, self.quote(at, end))], end
         if word in BEING_SOMEWHERE and not negated:
             places, end = self.places(place + 1)
             if places:
                 return [self._brought(item, places, self.quote(at, end))], end
         return None
+
+    def _remaining(self, item: Item, after: int, at: int) -> tuple[list[Statement], int]:
+        """Read ``only two chairs should remain in the hall``: what is more than that goes."""
+        places, end = self.places(after)
+        whole = Item(item.phrase, (*item.places, *places), end)
+        kind: AmountKind = "at_most" if item.phrase.amount.kind == "exactly" else item.phrase.amount.kind
+        things = msgspec.structs.replace(
+            item.phrase.things(), amount=Amount(kind=kind, number=item.phrase.amount.number)
+        )
+        place, each = self._framed(whole.goal())
+        return [Ensure(things=things, place=place, each=each, quote=self.quote(at, end))], end
+
+    def _said_enough(self, item: Item, place: int, at: int, negated: bool) -> tuple[list[Statement], int] | None:
+        """Read ``two chairs are enough in the hall``, ``one lamp will do``: what is more than that goes."""
+        number = item.phrase.amount.number
+        place -= self.text(place - 1) == "do" and place > item.end + 1
+        enough = self.text(place) in ("enough", "sufficient", "plenty", "suffice") or self.text(place - 1) == "suffice"
+        does = self.text(place) == "do" and self.text(place - 1) in ("will", "would")
+        if negated or not number or item.phrase.definite or not (enough or does):
+            return None
+        places, end = self.places(place + 1)
+        whole = Item(item.phrase, (*item.places, *places), end)
+        things = msgspec.structs.replace(item.phrase.things(), amount=Amount(kind="at_most", number=number))
+        goal, each = self._framed(whole.goal())
+        if goal == Place() and not item.phrase.refers:
+            return None
+        return [Ensure(things=things, place=goal, each=each, quote=self.quote(at, end))], end
+
+    def _said_missing(self, item: Item, place: int, at: int, negated: bool) -> tuple[list[Statement], int] | None:
+        """Read ``a glass is missing on the table``, which tells what the next clause is about."""
+        told = not any(w.text in MODALS for w in self.words[item.end : place]) and not item.phrase.definite
+        if self.text(place) != "missing" or negated or not told:
+            return None
+        places, end = self.places(place + 1)
+        goal, _ = self._framed(joined_places([*item.places, *places]))
+        number = max(1, item.phrase.amount.number)
+        missing = msgspec.structs.replace(item.phrase.things(), amount=Amount(kind="more", number=number))
+        self.topic = msgspec.structs.replace(missing, place=goal if goal != Place() else None)
+        return [Mention(quote=self.quote(at, end))], end
 
     def _said_where(self, item: Item, place: int, at: int, negated: bool) -> tuple[list[Statement], int] | None:
         """Read ``should be on the desk``, ``should be reachable from the lobby``."""

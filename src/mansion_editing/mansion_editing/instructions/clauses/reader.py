@@ -1,15 +1,16 @@
 """The clause at a place: by its verb, its predicate, or its things alone."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 from mansion_editing.instructions.clauses.changing import Changing
 from mansion_editing.instructions.clauses.history import PastSteps
-from mansion_editing.instructions.clauses.items import NotUnderstood
+from mansion_editing.instructions.clauses.items import Item, NotUnderstood
 from mansion_editing.instructions.clauses.keeping import Keeping
 from mansion_editing.instructions.clauses.taking import Taking
+from mansion_editing.instructions.phrases.places import with_place
 from mansion_editing.instructions.phrases.verb_words import Deed
 from mansion_editing.instructions.phrases.verbs import verb_at
-from mansion_editing.instructions.statements import Place, Statement
+from mansion_editing.instructions.statements import Move, Place, Statement
 
 __all__ = ["ClauseReader"]
 
@@ -25,7 +26,7 @@ class ClauseReader(Keeping, Changing, Taking, PastSteps):
         NotUnderstood
             Where the words make no clause.
         """
-        staying = self._meant(at) or self._staying(at) or self._gone_up(at)
+        staying = self._meant(at) or self._staying(at) or self._stays_so(at) or self._gone_up(at)
         if staying is not None:
             return staying
         if self.words[at].kind == "ordinal" and verb_at(self.words, at + 1, self.lexicon) is not None:
@@ -36,6 +37,8 @@ class ClauseReader(Keeping, Changing, Taking, PastSteps):
             at += 1
         if at >= len(self.words):
             raise NotUnderstood(len(self.words) - 1, len(self.words))
+        if self.text(at) == "that" and {w.text for w in self.words[:at]} & {"sure", "ensure", "check", "certain"}:
+            return self._check(at, at + 1)
         for opening in (self._negated, self._existential, self._going, self._desired, self._of_persons, self._with_verb,
                         self._with_predicate):  # fmt: skip
             found = opening(at)
@@ -57,11 +60,42 @@ class ClauseReader(Keeping, Changing, Taking, PastSteps):
             "redo": self._undo, "restore": self._restore, "leave": self._leave, "tidy": self._tidy, "keep": self._keep,
             "let": self._let, "change": self._change, "give": self._give, "take": self._take, "go": self._go,
             "set": self._set, "want": self._want, "repeat": self._repeat, "connect": self._connect, "use": self._use,
+            "throw": self._throw,
         }  # fmt: skip
         reader = readers.get(deed)
         if reader is None:
             return None
         return reader(at, place)
+
+    def _carried_over(self, items: Sequence[Item], at: int) -> tuple[list[Statement], int] | None:
+        """Read ``the laptop from the study to the hall``, ``two chairs out of the hall and into the study``."""
+        if not items[-1].places or not items[-1].places[0].source or any(item.is_room for item in items):
+            return None
+        places, end = items[-1].places, items[-1].end
+        if not any(p.goal for p in places) and self.text(end) in ("and", ","):
+            more, stop = self.places(end + 1)
+            places, end = (*places, *more), stop
+        if not any(p.goal for p in places):
+            return None
+        source, goal, _ = self._source_and_goal(places)
+        quote = self.quote(at, end)
+        moved = [self._all_if_plural(with_place(item.phrase.things(), source)) for item in items]
+        return [Move(things=things, place=goal, quote=quote) for things in moved], end
+
+    def _is_counted_out(self, item: Item) -> bool:
+        """Whether an article or a number asks for so many more: ``two plants for the lobby``."""
+        phrase = item.phrase
+        first = self.words[phrase.start]
+        counted = first.text in ("a", "an") or (first.kind == "number" and phrase.amount.number > 0)
+        given = any(self.text(p.start) == "for" for p in item.places)
+        return given and counted and phrase.amount.kind == "some" and not phrase.definite and not phrase.refers
+
+    def _all_leave(self, items: Sequence[Item]) -> bool:
+        """Whether things without a verb only come out of a room or off furniture: ``all plants out of the hall``."""
+        places = items[-1].places
+        leaving = bool(places) and places[0].source and not any(p.goal for p in places)
+        counted = items[0].phrase.amount.kind in ("all", "all_but", "half", "some")
+        return leaving and counted and self.text(places[0].start) in ("out", "off") and not items[0].phrase.refers
 
     def _verbless(self, at: int) -> tuple[list[Statement], int]:
         """Read things with their places and no verb: ``three apples in a bowl on the table``."""
@@ -69,6 +103,12 @@ class ClauseReader(Keeping, Changing, Taking, PastSteps):
         if self._is_way(items[0].phrase):
             return self._way(at, items[0].phrase.end)
         end = items[-1].end
+        carried = self._carried_over(items, at)
+        if carried is not None:
+            return carried
+        if self._all_leave(items):
+            quote = self.quote(at, end)
+            return [self._removed(items, item, (), (), quote) for item in items], end
         out: list[Statement] = []
         found = self._state_after(items[-1], end, at) if len(items) == 1 else None
         if found is not None:
@@ -89,7 +129,7 @@ class ClauseReader(Keeping, Changing, Taking, PastSteps):
         quote = self.quote(at, end)
         out = []
         for item in items:
-            if item.phrase.amount.kind == "more":
+            if item.phrase.amount.kind == "more" or self._is_counted_out(item):
                 out.append(self._added(items, item, quote))
             else:
                 out += self._there(item, self._shared_goal(items, item), quote)

@@ -1,10 +1,12 @@
 """Things that go, and rooms and furniture that are cleared."""
 
+from collections.abc import Sequence
+
 from mansion_editing.instructions.clauses.items import Item, NotUnderstood
 from mansion_editing.instructions.clauses.moving import Moving
 from mansion_editing.instructions.phrases.word_sets import AWAY, STAYING_AS_IT_IS
 from mansion_editing.instructions.phrases.words import MODALS
-from mansion_editing.instructions.statements import Clear, Mention, Statement, Things
+from mansion_editing.instructions.statements import Amount, Clear, Mention, Place, Remove, Statement, Things
 
 __all__ = ["Removing"]
 
@@ -18,6 +20,10 @@ class Removing(Moving):
             place = self._fronted(place)
         items = self.items(place)
         end = items[-1].end
+        end = self._rubbish(end) or end
+        wholly = self.text(end) in ("completely", "totally", "entirely")
+        if self.text(at) == "clear" and self.text(at + 1) == "out" and wholly and all(i.is_room for i in items):
+            return self._cleared_out(at, items, end + 1)
         if taking and any(p.goal and not p.source for p in items[-1].places):
             return self._move(at, place)
         while self.text(end) in AWAY:
@@ -32,6 +38,18 @@ class Removing(Moving):
             if item.is_room:
                 raise NotUnderstood(place, end)
             out.append(self._removed(items, item, more, besides, quote))
+        return out, end
+
+    def _cleared_out(self, at: int, rooms: Sequence[Item], end: int) -> tuple[list[Statement], int]:
+        """Return that furniture leaves rooms, and with it what is loose: ``clear out the bedroom completely``."""
+        if self.exceptions(end)[1] or self._only_stays(end) is not None:
+            raise NotUnderstood(at, self.boundary(at))
+        quote = self.quote(at, end)
+        out: list[Statement] = []
+        for room in rooms:
+            place = Place(rooms=room.rooms())
+            whole = Things(noun="furniture", amount=Amount(kind="all", number=0), definite=True, place=place)
+            out += [Remove(things=whole, quote=quote), Clear(place=place, quote=quote)]
         return out, end
 
     def _clear(self, at: int, place: int) -> tuple[list[Statement], int]:
@@ -68,8 +86,10 @@ class Removing(Moving):
         if self.text(end) not in ("stay", "remain", "left", "kept", "stand", "lie"):
             return None
         end += 1
-        while self.text(end) in STAYING_AS_IT_IS:
+        while self.text(end) in STAYING_AS_IT_IS and not self.places(end)[0]:
             end += 1
+        if all(item.phrase.definite for item in items):
+            _, end = self.places(end)
         return tuple(self._all(item.phrase.things()) for item in items), end
 
     def _tidy(self, at: int, place: int) -> tuple[list[Statement], int]:

@@ -11,7 +11,7 @@ from mansion_editing.instructions.clauses.items import Item, NotUnderstood, join
 from mansion_editing.instructions.phrases.lexicon import Lexicon
 from mansion_editing.instructions.phrases.noun_phrases import NounPhrase, noun_phrase
 from mansion_editing.instructions.phrases.nouns import Noun
-from mansion_editing.instructions.phrases.places import ReadPlace, merged, read_place
+from mansion_editing.instructions.phrases.places import ReadPlace, merged, read_place, with_place
 from mansion_editing.instructions.phrases.verb_words import PARTICIPLES, Deed
 from mansion_editing.instructions.phrases.verbs import verb_at
 from mansion_editing.instructions.phrases.word_sets import (
@@ -30,7 +30,7 @@ from mansion_editing.instructions.phrases.words import (
     Word,
     text_at,
 )
-from mansion_editing.instructions.statements import Amount, Place, Statement, Things
+from mansion_editing.instructions.statements import Amount, Place, Rooms, Statement, Things
 
 __all__ = ["Sentence"]
 
@@ -40,6 +40,9 @@ _LYING: Final = frozenset("lying standing sitting hanging resting leaning".split
 
 _RESTS: Final = frozenset("is are lie lies stand stands sit sits hang hangs rest rests".split())
 """Verbs of a relative clause that say where something is."""
+
+_BESIDE: Final = frozenset("beside near left right behind front".split())
+"""Relations of small things to others on the same surface."""
 
 _THOSE: Final = frozenset("the these those my our your them".split())
 
@@ -136,8 +139,31 @@ class Sentence(ABC):
             if read is None:
                 return tuple(found), start
             owned = not found and self.text(read.start) == "of" and read.place.rooms is not None
-            found.append(replace(read, relative=True) if relative or owned else read)
+            if relative and found and read.place == Place(rooms=Rooms(same=True)):
+                at = read.end  # "next to the one that is already there"
+                continue
+            beside = self._beside_what_it_carries(found, read)
+            if beside is not None:
+                found = [*(p for p in found if p.source), beside]
+            else:
+                found.append(replace(read, relative=True) if relative or owned else read)
             at = read.end
+
+    def _beside_what_it_carries(self, found: Sequence[ReadPlace], near: ReadPlace) -> ReadPlace | None:
+        """Read ``on the desk next to the laptop`` as a place beside the laptop, which is on the desk."""
+        there = [p for p in found if not p.source]
+        if not there or near.source or any(p.relative or p.each for p in there):
+            return None
+        surface, _ = joined_places(there)
+        mark, holder = near.place.anchor, surface.anchor
+        if mark is None or holder is None or mark.place is not None or holder.refers:
+            return None
+        carried = surface.relation in ("on", "in") and near.place.relation in _BESIDE
+        small = not self.lexicon.stands(tuple(mark.noun.split())) and not mark.refers
+        if not carried or not small or not self.lexicon.stands(tuple(holder.noun.split())):
+            return None
+        inner = msgspec.structs.replace(near.place, anchor=with_place(mark, surface))
+        return replace(there[0], place=inner, end=near.end)
 
     def _place_after_comma(self, at: int, found: list[ReadPlace]) -> ReadPlace | None:
         """Read ``, ground floor`` and ``, in the kitchen`` where the place before lacks just that."""
@@ -149,7 +175,14 @@ class Sentence(ABC):
         if room is not None and own and bare and self.text(room.end) in ("", ",", ".", "please", ":", "-"):
             return ReadPlace(Place(rooms=room.rooms()), at + 1, room.end)
         nearer = read is not None and read.place.anchor is not None and place.anchor is None and place.rooms is not None
-        if read is not None and nearer and (read.end >= len(self.words) or self.text(read.end) in (",", ".", "please")):
+        nearer = nearer or (read is not None and self._beside_what_it_carries(found, read) is not None)
+        after = "" if read is None else self.text(read.end)
+        if read is not None and nearer and after in ("", ",", ".", "please", "that", "which"):
+            return read
+        apart = read is not None and (
+            read.place.facing is not None or read.place.within > 0 or (bool(read.place.spot) and not place.spot)
+        )
+        if read is not None and apart and (read.end >= len(self.words) or self.text(read.end) in (",", ".", "please")):
             return read
         if read is None or read.place.rooms is None or read.place.anchor is not None:
             return None
@@ -167,6 +200,8 @@ class Sentence(ABC):
         if not places:
             return Item(found, (), found.end)
         following, end = self.places(found.end)
+        if not following and self.text(end) == "there" and found.definite and found.noun.kind == "object":
+            following, end = (ReadPlace(Place(rooms=Rooms(same=True)), end, end + 1),), end + 1
         following = self._with_ones(following, found)
         counted = self.text(found.end - 1) in ("them", "those") and self.text(found.end) == ","
         if counted and not following:
@@ -180,8 +215,23 @@ class Sentence(ABC):
         Raises
         ------
         NotUnderstood
-            Where there is no noun phrase.
+            Where there is no noun phrase, or where it is not told which of several go where.
         """
+        return self._distributed(self._joined(at))
+
+    def _distributed(self, items: list[Item]) -> list[Item]:
+        """Return the shares of ``two lamps for the study, one on the desk and one on the shelf`` alone."""
+        shares = items[1:]
+        bare = [self.words[i.phrase.start].kind == "number" and i.phrase.end == i.phrase.start + 1 for i in shares]
+        whole = items[0].phrase.amount.number
+        if len(shares) < 2 or not all(bare) or sum(i.phrase.amount.number for i in shares) != whole:
+            return items
+        if items[0].phrase.definite:
+            raise NotUnderstood(items[0].phrase.start, items[-1].end)
+        rooms = tuple(p for p in items[0].places if p.place.anchor is None and p.place.rooms is not None)
+        return [Item(i.phrase, (*i.places, *rooms), i.end) for i in shares]
+
+    def _joined(self, at: int) -> list[Item]:
         found: list[Item] = []
         while True:
             item = self.item(at)
@@ -229,6 +279,8 @@ class Sentence(ABC):
 
     def _named(self, item: Item, before: Sequence[Item]) -> Item:
         """Put the noun that came before for ``one``: two red mugs and a blue one."""
+        if before and self._is_bare_number(item.phrase):
+            return self._of_the_same_kind(item, before[-1])
         last = next((i.phrase.noun for i in reversed(before) if i.phrase.noun.kind != "anything"), self.last_noun)
         if item.phrase.noun.words[-1:] != ("one",) or last is None:
             if item.phrase.noun.kind == "object":
@@ -240,6 +292,19 @@ class Sentence(ABC):
             raise NotUnderstood(item.phrase.start, item.end)
         noun = replace(item.phrase.noun, words=words, kind=last.kind)
         return Item(replace(item.phrase, noun=noun), item.places, item.end)
+
+    def _is_bare_number(self, phrase: NounPhrase) -> bool:
+        """Whether a phrase is only a number of what was named before: ``one``, ``two more``; not ``two of them``."""
+        counted = phrase.amount.number > 0 and phrase.amount.kind in ("some", "more")
+        pronoun = self.text(phrase.end - 1) in ("it", "them", "they", "those", "these", "both")
+        return phrase.refers == "last" and not phrase.noun.words and counted and not pronoun
+
+    def _of_the_same_kind(self, item: Item, before: Item) -> Item:
+        """Return so many others of a kind, from where those before come: ``two chairs from the hall ... and one``."""
+        noun = replace(before.phrase.noun, plural=item.phrase.amount.number > 1, ordinal=0, size="", number="")
+        phrase = replace(item.phrase, noun=noun, refers="", definite=False)
+        whence = () if any(p.source for p in item.places) else tuple(p for p in before.places if p.source)
+        return Item(phrase, (*whence, *item.places), item.end)
 
     def conjunction(self, at: int) -> int:
         """Return the place after a comma or a conjunction between noun phrases, 0 where there is none."""
@@ -311,6 +376,8 @@ class Sentence(ABC):
             if self.text(at) in ("thank", "thanks"):
                 while self.text(at + 1) in AFTER_THANKS:
                     at += 1
+            if self.words[at].raw in ("there's", "theres"):
+                break
             if self.text(at) == "there" and (self.text(at + 1) in BE or self.text(at + 1) in MODALS
                                              or self.text(at + 1) in ("need", "has", "have", "not")):  # fmt: skip
                 break

@@ -1,13 +1,19 @@
 """Things that are taken or looked for, for what comes next."""
 
+from typing import Final
+
 from mansion_editing.instructions.clauses.adding import Adding
 from mansion_editing.instructions.clauses.items import Item, NotUnderstood, joined_places
 from mansion_editing.instructions.clauses.removing import Removing
 from mansion_editing.instructions.phrases.places import read_place, with_place
 from mansion_editing.instructions.phrases.verbs import verb_at
+from mansion_editing.instructions.phrases.word_sets import AWAY
 from mansion_editing.instructions.statements import History, Mention, Move, Place, Statement, Things
 
 __all__ = ["Taking"]
+
+_BEFORE_HOLDERS: Final = frozenset("on onto in into inside off from under beneath of with".split())
+"""Before ``it`` they tell where something goes, so that ``it`` is not what goes."""
 
 
 class Taking(Adding, Removing):
@@ -27,7 +33,7 @@ class Taking(Adding, Removing):
             and read_place(self.words, end + 1, self.lexicon, self.floors) is not None
         ):
             return self._move(at, place)
-        away = self.text(end) in ("away", "out", "off")
+        away = self.text(end) in ("away", "out", "off", "down")
         if self._goes_on_with_it(end + away):
             if len(items) > 1:
                 return self._taken_and_put(at, items, end + away)
@@ -38,6 +44,11 @@ class Taking(Adding, Removing):
         if self.text(at) in ("grab", "pick") and not items[0].phrase.definite:
             return self._add(at, place)
         raise NotUnderstood(at, self.boundary(at))
+
+    def _throw(self, at: int, place: int) -> tuple[list[Statement], int]:
+        """Read ``throw the newspaper away``, ``throw it in the rubbish``, ``throw a blanket over the armchair``."""
+        end = self.items(place)[-1].end
+        return self._remove(at, place) if self._rubbish(end) or self.text(end) in AWAY else self._add(at, place)
 
     def _taken_and_put(self, at: int, items: list[Item], after: int) -> tuple[list[Statement], int]:
         """Read ``take the cup and the glass out of the cabinet and set them on the table``: each of them moves."""
@@ -64,8 +75,12 @@ class Taking(Adding, Removing):
     def _goes_on_with_it(self, at: int) -> bool:
         """Whether the next clause does something with what the one before took."""
         after = self.conjunction(at) or self.skip(at)
-        later = {w.text for w in self.words[after : after + 8]}
-        return self.starts_clause(after) and bool(later & {"it", "them", "that"})
+        objects = [
+            k
+            for k in range(after, min(after + 8, len(self.words)))
+            if self.text(k) in ("it", "them", "that") and self.text(k - 1) not in _BEFORE_HOLDERS
+        ]
+        return self.starts_clause(after) and bool(objects)
 
     def _gone_up(self, at: int) -> tuple[list[Statement], int] | None:
         """Read ``go up one floor from the cafe``, which tells where the rest of the sentence is."""

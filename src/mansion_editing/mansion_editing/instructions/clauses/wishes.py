@@ -1,8 +1,9 @@
 """What somebody wants, and what there should be."""
 
-from mansion_editing.instructions.clauses.items import NotUnderstood
+from mansion_editing.instructions.clauses.items import Item, NotUnderstood, joined_places
 from mansion_editing.instructions.clauses.negations import Negations
 from mansion_editing.instructions.clauses.subjects import Subjects
+from mansion_editing.instructions.phrases.places import with_place
 from mansion_editing.instructions.phrases.verbs import verb_at
 from mansion_editing.instructions.phrases.word_sets import (
     AFTER_CHECKS,
@@ -12,13 +13,15 @@ from mansion_editing.instructions.phrases.word_sets import (
     BEFORE_WISHES,
     EXISTENCE,
     OPINIONS,
+    PEOPLE,
+    PRAISE,
     SOMEBODY,
     THIRD_PERSON_WISHES,
     TOLD_EXISTENCE,
     WISHES,
 )
 from mansion_editing.instructions.phrases.words import BE, MODALS
-from mansion_editing.instructions.statements import Mention, Place, Statement
+from mansion_editing.instructions.statements import Mention, Place, Statement, Things
 
 __all__ = ["Wishes"]
 
@@ -39,17 +42,24 @@ class Wishes(Subjects, Negations):
         place = at + 1
         contracted = self.words[at].raw in ("there's", "theres")
         while self.text(place) in MODALS or self.text(place) in EXISTENCE:
+            if self.text(place) in ("no", "not") and self.text(place + 1) in ("more", "fewer", "less"):
+                break
             place += 1
         if place == at + 1 and not contracted:
             return None
         between = {w.text for w in self.words[at:place]}
         negated = "not" in between or "no" in between
+        past = bool(between & {"was", "were"}) and not asked
         told = not asked and between <= TOLD_EXISTENCE and (negated or self.text(place) == "no")
+        if self.text(place) == "too" and self.text(place + 1) in ("many", "much") and not asked:
+            much = self.items(place + 2)[-1]
+            self.topic = self._framed_things(much)
+            return [Mention(quote=self.quote(at, much.end))], much.end
         items = self.items(place)
         if self._is_way(items[0].phrase):
             return self._way(at, items[0].phrase.end)
         end = items[-1].end
-        if any(item.is_room for item in items):
+        if past or any(item.is_room for item in items):
             return [Mention(quote=self.quote(at, end))], end
         following = self._state_after(items[-1], end, at)
         if following is not None:
@@ -57,17 +67,22 @@ class Wishes(Subjects, Negations):
         only = {"there", "is", "are", "already", "still", "currently"}
         affirmed = not asked and not negated and len(items) == 1 and (between or {"is"}) <= only
         if affirmed and items[0].phrase.amount.kind == "some":
-            self.affirmed = items[0].things()
+            self.affirmed = self._framed_things(items[0])
         if told or (not asked and items[0].phrase.amount.kind == "none" and between <= {"there", "is", "are"}):
             goal, _ = self._shared_goal(items, items[0])
             self.frame = Place(rooms=goal.rooms) if goal.rooms is not None else self.frame
             return [Mention(quote=self.quote(at, end))], end
         if len(items) == 1 and between <= only:
-            self.topic = items[0].things()
+            self.topic = self._framed_things(items[0])
         out: list[Statement] = []
         for item in items:
             out += self._there(item, self._shared_goal(items, item), self.quote(at, end), negated=negated)
         return out, end
+
+    def _framed_things(self, item: Item) -> Things:
+        """Return things with their place and that which the sentence began with."""
+        place, _ = self._framed(joined_places(list(item.places)))
+        return item.phrase.things() if place == Place() else with_place(item.phrase.things(), place)
 
     def _desired(self, at: int) -> tuple[list[Statement], int] | None:
         """Read ``I want``, ``can you``, ``is it possible to``, ``let us`` and what follows."""
@@ -75,11 +90,13 @@ class Wishes(Subjects, Negations):
         who = self.text(place)
         if who in ("i", "we", "you", "one", "they"):
             return self._desired_by(at)
+        if who == "it":
+            return self._would_be_good(at)
         if who == "what" and self.text(place + 1) in ("i", "we") and self.text(place + 3) == "is":
             return self._wanted(at, place + 4)
         if who in MODALS and self.text(place + 1) == "it" and self.text(place + 3) == "possible":
             return self._wanted(at, place + 4 + (self.text(place + 4) == "for"))
-        if who in MODALS and self.text(place + 1) in ("you", "we", "i", "somebody", "someone"):
+        if who in MODALS and self.text(place + 1) in ("you", "we", "i", "somebody", "someone", "anybody", "anyone"):
             place += 2
             while self.text(place) in BEFORE_REQUESTS:
                 place += 1
@@ -98,6 +115,21 @@ class Wishes(Subjects, Negations):
             return self.read(place + 1 + (self.text(place + 1) != "there"))
         return None
 
+    def _would_be_good(self, at: int) -> tuple[list[Statement], int] | None:
+        """Read ``it would be nice if there was a bench``, ``it would be good to have two lamps``."""
+        place = at + 1
+        while self.text(place) in MODALS or self.text(place) in BE or self.text(place) in ("really", "very", "d"):
+            place += 1
+        if place == at + 1 or self.text(place) not in PRAISE or "not" in (w.text for w in self.words[at:place]):
+            return None
+        place += 1
+        if self.text(place) == "to":
+            return self._wanted(at, place)
+        if self.text(place) not in ("if", "that") or not self.words[place + 1 :]:
+            return None
+        asked = self.text(place + 1) in ("you", "we", "somebody", "someone") and self.text(place + 2) in MODALS
+        return self.read(place + 3) if asked else self._check(at, place + 1)
+
     def _desired_by(self, at: int) -> tuple[list[Statement], int] | None:
         """Read ``I want``, ``we do not need``, ``I think that`` and what follows."""
         place = at + 1
@@ -105,6 +137,11 @@ class Wishes(Subjects, Negations):
             place += 1
         if self.text(place) in OPINIONS:
             return self.read(place + 1 + (self.text(place + 1) in ("that", "you")) + (self.text(place + 2) == "to"))
+        disliked = self.text(place + 1) == "like" and "would" not in (w.text for w in self.words[at:place])
+        if self.text(place) == "not" and disliked:
+            items = self.items(place + 2)
+            self.topic = items[0].things()
+            return [Mention(quote=self.quote(at, items[-1].end))], items[-1].end
         if self.text(place) == "not" and self.text(place + 1) in ("want", "like", "wish"):
             return self._unwanted(at, place + 2)
         longer = {"anymore", "longer"} & {w.text for w in self.words} or "any more" in self.quote(at, len(self.words))
@@ -121,6 +158,10 @@ class Wishes(Subjects, Negations):
             return self._wanted(at, place + 2)
         if self.text(place) in WISHES:
             return self._wanted(at, place + 1)
+        if {"could", "can"} & {w.text for w in self.words[at:place]}:
+            with_it = self.text(place) == "do" and self.text(place + 1) == "with"
+            if self.text(place) == "use" or with_it:
+                return self._wanted(at, place + 1 + with_it)
         if self.text(at) == "you" and place > at + 1:
             return self.read(self.skip(place))
         return None
@@ -136,6 +177,9 @@ class Wishes(Subjects, Negations):
 
     def _of_persons(self, at: int) -> tuple[list[Statement], int] | None:
         """Read ``the officer on duty wants a phone on the desk``: what persons want, who are no part of the scene."""
+        wanted = self._of_persons_in_room(at)
+        if wanted is not None:
+            return wanted
         for place in range(at + 1, min(at + 8, len(self.words))):
             word = self.words[place]
             before = self.words[at:place]
@@ -156,6 +200,21 @@ class Wishes(Subjects, Negations):
             if word.raw in THIRD_PERSON_WISHES and self.item(at) is None:
                 return self._wanted(at, place + 1)
         return None
+
+    def _of_persons_in_room(self, at: int) -> tuple[list[Statement], int] | None:
+        """Read ``the guests in guest room 3 want two pillows on their bed``: what they want is in that room."""
+        place = at + (self.text(at) in ("the", "our", "my"))
+        if self.text(place) not in PEOPLE:
+            return None
+        places, end = self.places(place + 1)
+        rooms = joined_places(places)[0].rooms
+        verb = self.words[end].raw if end < len(self.words) else ""
+        would = verb == "would" and self.text(end + 1) in ("like", "love")
+        asked = self.text(end) in ("ask", "asked") and self.text(end + 1) == "for"
+        if rooms is None or not (would or asked or verb in THIRD_PERSON_WISHES | {"want", "need", "require"}):
+            return None
+        self.frame = Place(rooms=rooms)
+        return self._wanted(at, end + 1 + (would or asked))
 
     def _unwanted(self, at: int, place: int) -> tuple[list[Statement], int]:
         """Read ``we do not want any chairs in the lobby``: they are to go."""

@@ -14,7 +14,7 @@ from mansion_editing.instructions.doing.shifting import shift
 from mansion_editing.instructions.doing.work import Done, Work, listed
 from mansion_editing.instructions.meaning.choices import things_meant
 from mansion_editing.instructions.meaning.context import Context
-from mansion_editing.instructions.meaning.descriptions import rooms_of
+from mansion_editing.instructions.meaning.descriptions import rooms_of, things_of
 from mansion_editing.instructions.meaning.wording import place_words, thing_words
 from mansion_editing.instructions.statements import (
     Add,
@@ -37,6 +37,7 @@ from mansion_editing.instructions.statements import (
     Shift,
     Statement,
     Swap,
+    Things,
     Turn,
 )
 from mansion_editing.runs.policies import Action, Outcome, Unmet
@@ -78,6 +79,8 @@ def carry(statement: Statement, state: SceneState, context: Context) -> Generato
     if isinstance(statement, Ask):
         return answer(statement, state, context)
     if isinstance(statement, Keep):
+        if _is_bare(statement.things, state, context):
+            return Done("nothing to leave as it was", context)
         kept = things_meant(state, statement.things, replace(context, kept=frozenset()))
         rooms = tuple(dict.fromkeys(item.room for item in kept))
         reply = f"{listed(kept)} left as {'it was' if len(kept) == 1 else 'they were'}"
@@ -88,3 +91,11 @@ def carry(statement: Statement, state: SceneState, context: Context) -> Generato
         rooms = () if statement.rooms is None else tuple(rooms_of(state, statement.rooms, context))
         return Done("", context.followed((), rooms if len(rooms) == 1 else (), ""))
     raise Unmet("an earlier instruction is taken back, or done again, in an instruction of its own")
+
+
+def _is_bare(things: Things, state: SceneState, context: Context) -> bool:
+    """Whether all that is in a room of the building is meant, and nothing is."""
+    rooms = None if things.place is None or things.place.anchor is not None else things.place.rooms
+    if things.noun or things.refers or rooms is None or not rooms_of(state, rooms, context):
+        return False
+    return not things_of(state, things, replace(context, kept=frozenset()))

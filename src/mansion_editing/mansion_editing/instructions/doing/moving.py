@@ -37,7 +37,8 @@ def move(statement: Move, state: SceneState, context: Context) -> Work:
         raise Unmet(f"say where {thing_words(things)} shall go")
     if not found and statement.or_new:
         return (yield from add(Add(things=_new(things), place=place), state, context))
-    if not found and things.noun and things.place is not None:
+    told = things.place is not None and things.place.relation in ("", "on", "in")
+    if not found and things.noun and things.place is not None and told and (things.definite or things.plural):
         if things.place.rooms is not None:
             one_room_each(state, things.place.rooms, context, lambda room: True)
         kind = msgspec.structs.replace(things, place=None, amount=Amount(kind="all", number=0))
@@ -49,7 +50,7 @@ def move(statement: Move, state: SceneState, context: Context) -> Work:
             return Done(said, context.followed([item.id for item in arrived], rooms, things.noun))
     place = at_home(state, things, place, context)
     place, context = _on_other_storey(state, things, place, context)
-    targets = _targets(state, place, context)
+    targets = _targets(state, place, context, found if len(found) == 1 else ())
     there = {item.id for item in all_at(state, found, place, context)}
     away = [item for item in found if item.id not in there]
     single = not things.plural and things.amount.number <= 1 and things.amount.kind in ("some", "all")
@@ -95,12 +96,12 @@ def _new(things: Things) -> Things:
     return msgspec.structs.replace(things, definite=False, place=None, owned="")
 
 
-def _targets(state: SceneState, place: Place, context: Context) -> list[Target]:
+def _targets(state: SceneState, place: Place, context: Context, moving: Sequence[SceneObject]) -> list[Target]:
     if place.outside:
         raise Unmet(f"say where to, not only {place_words(place)}")
     if place.anchor is None and place.rooms is None:
         return []
-    targets = places_of(state, place, context)
+    targets = places_of(state, place, context, besides={item.id for item in moving})
     if not targets:
         raise Unmet(f"there is nothing {place_words(place)}: no such thing is there")
     return targets
@@ -138,17 +139,29 @@ def _moved_to_any(
     for target in targets[:MOST_CARRIERS] or [Target(item.room)]:
         for arguments in (yield from _ways(item, place, target, state, own=not targets)):
             answer = yield Action(f"{item.id} should go there.", "MoveObject", {"object_id": item.id, **arguments})
-            if answer.error is None:
-                return _id_after(item.id, answer.value.object_ids, state)
-            reasons.append(answer.error.info.message)
+            if answer.error is not None:
+                reasons.append(answer.error.info.message)
+                continue
+            new = _id_after(item.id, answer.value.object_ids, state)
+            if not _only_inside(new, place, target, state):
+                return new
+            (item,) = live(state, [new])
+            reasons.append(f"there is no free place on {arguments['receptacle_id']} for {item.id}, only in it")
     if len(targets) == 1 and targets[0].anchor is not None and place.relation in ("on", "in"):
         known = {other.id for _, other in state.objects()}
         anchor, info = targets[0].anchor.id, object_info(state, *state.get(item.id))
         reason = yield from move_after_clearing(info, anchor, reasons[-1], state)
         if not reason:
-            new = [other.id for _, other in state.objects() if other.id not in known and other.asset == item.asset]
-            return _id_after(item.id, new, state)
+            fresh = [other.id for _, other in state.objects() if other.id not in known and other.asset == item.asset]
+            return _id_after(item.id, fresh, state)
     raise Unmet("; ".join(dict.fromkeys(reasons)) or f"there is no place for {item.id}")
+
+
+def _only_inside(object_id: str, place: Place, target: Target, state: SceneState) -> bool:
+    """Whether an object went into a piece of furniture on whose top it should lie."""
+    asset = None if target.anchor is None else state.asset(target.anchor)
+    (item,) = live(state, [object_id])
+    return place.relation == "on" and asset is not None and bool(asset.surfaces) and item.mount == "inside"
 
 
 def _ways(

@@ -157,7 +157,8 @@ def clear(statement: Clear, state: SceneState, context: Context) -> Work:
     there = to_clear(statement, state, context)
     where = _from_words(statement.place)
     if not there:
-        return Done(f"there was nothing loose to clear {where}", context)
+        bare = () if statement.place.rooms is None else tuple(rooms_of(state, statement.place.rooms, context))
+        return Done(f"there was nothing loose to clear {where}", context.followed((), bare, ""))
     gone: list[str] = []
     for item in there:
         if live(state, [item.id]):

@@ -284,6 +284,9 @@ def anchors_of(state: SceneState, place: Place, context: Context) -> list[SceneO
         return _receptacles_meant(state, anchor, context)
     if place.rooms is not None and anchor.place is None:
         return things_of(state, msgspec.structs.replace(anchor, place=Place(rooms=place.rooms)), context)
+    if place.rooms is not None and anchor.place is not None and anchor.place.rooms is None:
+        within = msgspec.structs.replace(anchor.place, rooms=place.rooms)
+        anchor = msgspec.structs.replace(anchor, place=within)
     found = things_of(state, anchor, context)
     rooms = None if place.rooms is None else set(rooms_of(state, place.rooms, context))
     return [item for item in found if rooms is None or item.room in rooms]

@@ -1,6 +1,7 @@
 """Where things go: the places that words mean, one for each."""
 
 import math
+from collections.abc import Set
 from dataclasses import dataclass
 
 from mansion_assets.catalogue.vocabulary import stems
@@ -39,7 +40,13 @@ class Target:
 
 
 def places_of(
-    state: SceneState, place: Place, context: Context, *, each: bool = False, fits: Fit | None = None
+    state: SceneState,
+    place: Place,
+    context: Context,
+    *,
+    each: bool = False,
+    fits: Fit | None = None,
+    besides: Set[str] = frozenset(),
 ) -> list[Target]:
     """Return the places that words mean, each of which serves where the words mean one; empty where there is none.
 
@@ -49,6 +56,8 @@ def places_of(
         The words mean all of them ("on every desk").
     fits : callable, optional
         Tells rooms apart that the words fit equally well.
+    besides : set of str
+        Ids of what is no landmark where others are: what moves is not "the one that is already there".
 
     Raises
     ------
@@ -61,6 +70,7 @@ def places_of(
         rooms = [] if place.rooms is None else one_room_each(state, place.rooms, context, fits)
         return [_facing(state, place, Target(room), context) for room in rooms]
     anchor, found = place.anchor, anchors_of(state, place, context)
+    found = [item for item in found if item.id not in besides] or found
     if not found:
         if place.rooms is not None:
             one_room_each(state, place.rooms, context, fits)

@@ -68,7 +68,10 @@ def read_amount(words: Sequence[Word], at: int) -> Amounted:
     number = number_at(words, at)
     if first == "half" and text_at(words, at + 1) in ("of", "the", "our", "my", "these", "those", "all"):
         return _half(words, at + 1)
-    if first == "half" or (first in ("every", "each") and at + 1 < len(words) and words[at + 1].kind == "ordinal"):
+    nth = words[at + 1] if first in ("every", "each") and at + 1 < len(words) else None
+    if nth is not None and (nth.text == "other" or (nth.kind == "ordinal" and nth.value == 2)):
+        return Amount(kind="half", number=0), True, False, at + 2
+    if first == "half" or (nth is not None and nth.kind == "ordinal"):
         return Amount(number=0), False, False, len(words)  # no share of things can be asked for
     if first in WHOLES:
         return _all(words, at)

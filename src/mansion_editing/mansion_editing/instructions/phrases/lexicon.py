@@ -96,12 +96,23 @@ class Lexicon:
         kinds = vocabulary_of(self._state.catalogue).nouns(" ".join(words))
         return bool(kinds) and self._state.catalogue.by_category(kinds[0])[0].mount == "floor"
 
+    def is_loose(self, words: tuple[str, ...]) -> bool:
+        """Whether words name what lies on or in furniture."""
+        kinds = vocabulary_of(self._state.catalogue).nouns(" ".join(words))
+        return bool(kinds) and self._state.catalogue.by_category(kinds[0])[0].pickupable
+
+    def carries(self, words: tuple[str, ...]) -> bool:
+        """Whether words name what things lie on or in."""
+        kinds = vocabulary_of(self._state.catalogue).nouns(" ".join(words))
+        asset = self._state.catalogue.by_category(kinds[0])[0] if kinds else None
+        return asset is not None and bool(asset.volumes or asset.surfaces)
+
     @cached_property
     def speller(self) -> Speller:
         """Mends words to names of the building and the catalogue, and to the words of instructions."""
         own = {word for name in self._room_names | self._object_names for word in name}
         return Speller(
-            own | _catalogue_words(self._state.catalogue), FUNCTION_WORDS | VAGUE | VERB_WORDS | _STOREY_WORDS
+            own | _catalogue_words(self._state.catalogue), FUNCTION_WORDS | VAGUE | VERB_WORDS | _STOREY_WORDS, own
         )
 
     @cached_property

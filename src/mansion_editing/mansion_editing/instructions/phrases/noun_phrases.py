@@ -67,6 +67,8 @@ class NounPhrase:
     def rooms(self) -> Rooms:
         """Return the phrase as a description of rooms."""
         noun = self.noun
+        if self.refers == "last" and not noun.words and self.amount.kind == "some":
+            return Rooms(same=True)
         words = " ".join((*filter(None, [noun.owned]), *noun.words, *filter(None, [noun.number])))
         words = "" if words == "room" else words
         if noun.numbers:
@@ -137,6 +139,9 @@ def noun_phrase(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Sequen
         amount, definite, end = whole[0], True, whole[1]
     if amount.number == 0 and amount.kind == "some" and not definite and not found.plural:
         amount = Amount(number=1)
+    if amount.kind == "all":
+        amount, definite, end = _all_but(words, end, lexicon, amount, definite=definite)
+    end += text_at(words, end) in ("itself", "themselves")
     more, end = _further_numbers(words, found, end, lexicon)
     noun = replace(found, floors=storeys, numbers=more)
     return NounPhrase(noun, amount, definite, start, end, each=each)
@@ -180,10 +185,12 @@ def _whatever(words: Sequence[Word], at: int) -> NounPhrase | None:
     place = at + 1
     if text_at(words, at) not in ("whatever", "everything", "anything", "all"):
         return None
-    place += text_at(words, place) in ("that", "which")
-    if text_at(words, place) not in ("is", "are", "stand", "remain", "stay"):
+    relative = text_at(words, place) in ("that", "which")
+    contracted = relative and words[place].raw in ("that's", "which's")
+    place += relative
+    if text_at(words, place) not in ("is", "are", "stand", "remain", "stay") and not contracted:
         return None
-    place += 1
+    place += not contracted
     place += text_at(words, place) in ("still", "switched", "turned", "left", "currently")
     if text_at(words, place) not in STATE_WORDS:
         return None
@@ -219,6 +226,19 @@ def _number_after(words: Sequence[Word], at: int) -> tuple[int, int] | None:
     ):
         return number, place + 3
     return None
+
+
+def _all_but(
+    words: Sequence[Word], at: int, lexicon: Lexicon, amount: Amount, *, definite: bool
+) -> tuple[Amount, bool, int]:
+    """Read ``but two``, ``except for one`` after a noun of which all are meant."""
+    if text_at(words, at) not in ("but", "except"):
+        return amount, definite, at
+    place = at + 1 + (text_at(words, at + 1) == "for")
+    number = number_at(words, place)
+    if number is None or end_of_run(words, place + 1, lexicon) > place + 1 or text_at(words, place + 1) == "of":
+        return amount, definite, at
+    return Amount(kind="all_but", number=number), True, place + 1
 
 
 def _whole_after(words: Sequence[Word], at: int) -> tuple[Amount, int] | None:

@@ -63,6 +63,7 @@ _PREPOSITIONS: Final[tuple[tuple[tuple[str, ...], Relation], ...]] = (
     (("from", "inside"), "in"), (("from", "off"), "on"), (("away", "from"), ""), (("from", "in"), "in"),
     (("from", "behind"), "behind"), (("from", "the", "top", "of"), "on"), (("in", "the", "middle", "of"), "in"),
     (("back", "to"), ""), (("back", "in"), "in"), (("back", "on"), "on"), (("back", "into"), "in"),
+    (("over", "from"), ""), (("up", "from"), ""), (("down", "from"), ""), (("back", "from"), ""),
     (("over", "to"), ""), (("over", "in"), "in"), (("up", "to"), ""), (("down", "to"), ""), (("down", "in"), "in"),
     (("up", "in"), "in"), (("across", "from"), "front"), (("around",), "around"), (("round",), "around"),
     (("on",), "on"), (("onto",), "on"), (("atop",), "on"), (("in",), "in"), (("into",), "in"), (("inside",), "in"),
@@ -138,7 +139,7 @@ def _unbracketed(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Seque
     relative = _relative(words, at, lexicon, floors)
     if relative is not None:
         return relative
-    if text_at(words, at) in ("up", "over", "down", "in", "right") and text_at(words, at + 1) == "there":
+    if text_at(words, at) in ("up", "over", "down", "right") and text_at(words, at + 1) == "there":
         at += 1
     if text_at(words, at) in ("there", "here"):
         if text_at(words, at + 1) in _EXISTENCE or words[at].raw in ("there's", "theres"):
@@ -152,6 +153,9 @@ def _unbracketed(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Seque
         return _storey(words, at, at, floors)
     if text_at(words, at) in ("floor", "level"):
         return _storey(words, at, at, floors)
+    if text_at(words, at) == "same" and text_at(words, at + 1) in ("floor", "room"):
+        same = Rooms(same=True) if text_at(words, at + 1) == "room" else Rooms(floors=(SAME_FLOOR,))
+        return ReadPlace(Place(rooms=same), at, at + 2)
     if text_at(words, at) == "facing":
         target = noun_phrase(words, at + 1, lexicon, floors)
         if target is None:
@@ -163,6 +167,9 @@ def _unbracketed(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Seque
     if text_at(words, at) == "inside" and text_at(words, at + 1) in _ENDS:
         last = Things(refers="last", definite=True, amount=Amount(number=0))
         return ReadPlace(Place(relation="in", anchor=last), at, at + 1)
+    near = _no_further(words, at, lexicon, floors)
+    if near is not None:
+        return near
     for phrase, relation in _PREPOSITIONS:
         if tuple(w.text for w in words[at : at + len(phrase)]) != phrase:
             continue
@@ -189,13 +196,14 @@ def _after_preposition(
     lexicon: Lexicon,
     floors: Sequence[int],
 ) -> ReadPlace | None:
-    goal, source = phrase[0] in _GOALS, phrase[0] in _SOURCES
+    goal, source = _direction(phrase)
     if phrase == ("within",):
         near = _within(words, start, at, lexicon, floors)
         if near is not None:
             return near
     if text_at(words, at) in ("there", "here"):
-        return ReadPlace(Place(rooms=Rooms(same=True)), start, at + 1, goal, source)
+        held: Relation = relation if relation in ("on", "in") else ""
+        return ReadPlace(Place(relation=held, rooms=Rooms(same=True)), start, at + 1, goal, source)
     storeys = read_storeys(words, at, floors)
     if storeys is not None and not _goes_on(words, storeys[2], lexicon):
         numbers, every, end = storeys
@@ -217,11 +225,17 @@ def _after_preposition(
     if same:
         return ReadPlace(Place(rooms=Rooms(same=True)), start, same, goal, source)
     target = noun_phrase(words, at, lexicon, floors)
-    if target is None or target.noun.unknown:
+    if target is None or target.noun.unknown or target.amount.kind == "half":
         return None
     if relation == "between":
         return _between(words, start, target, lexicon, floors)
     return _at_noun(words, start, phrase, relation, target, lexicon, floors, goal=goal, source=source)
+
+
+def _direction(phrase: tuple[str, ...]) -> tuple[bool, bool]:
+    """Return whether a preposition tells where something goes, and whether it tells where it comes from."""
+    source = phrase[0] in _SOURCES or (phrase[0] in _GOALS and phrase[-1] == "from")
+    return phrase[0] in _GOALS and not source, source
 
 
 def _goes_on(words: Sequence[Word], at: int, lexicon: Lexicon) -> bool:
@@ -248,6 +262,7 @@ def _within(words: Sequence[Word], start: int, at: int, lexicon: Lexicon, floors
     if factor is None:
         return None
     place += 1
+    place += text_at(words, place) == "away"
     if text_at(words, place) in ("of", "from"):
         place += 1
     target = noun_phrase(words, place, lexicon, floors)
@@ -255,6 +270,15 @@ def _within(words: Sequence[Word], start: int, at: int, lexicon: Lexicon, floors
         return None
     near = Place(relation="near", anchor=target.things(), within=round(value * factor, 3))
     return ReadPlace(near, start, target.end)
+
+
+def _no_further(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Sequence[int]) -> ReadPlace | None:
+    """Read ``not further than 1 metre from the lectern``, ``no more than 50 cm away from the bed``."""
+    more = text_at(words, at) in ("not", "no") and text_at(words, at + 1) in ("further", "farther", "more")
+    if not more or text_at(words, at + 2) not in ("than", "away"):
+        return None
+    at_number = at + 3 + (text_at(words, at + 2) == "away")
+    return _within(words, at, at_number, lexicon, floors)
 
 
 _BUILDINGS: Final = frozenset("building house office school hotel hospital museum home flat apartment clinic".split())
@@ -298,7 +322,7 @@ def _spot(
     floors: Sequence[int],
 ) -> ReadPlace | None:
     """Read ``in the corner``, ``against the wall``, ``by the window``, ``in the middle of the room``."""
-    goal, source = phrase[0] in _GOALS, phrase[0] in _SOURCES
+    goal, source = _direction(phrase)
     if phrase == ("in", "the", "middle", "of"):
         inner = _after_preposition(words, start, at, ("in",), "in", lexicon, floors)
         if inner is None or inner.place.anchor is not None:
@@ -308,7 +332,13 @@ def _spot(
     while text_at(words, place) in BEFORE_SPOTS:
         place += 1
     word = text_at(words, place)
+    if text_at(words, place - 1) == "one" and word == "of":
+        place += 1 + (text_at(words, place + 1) == "the")
+        word = text_at(words, place)
     if word not in _SPOTS or (place == at and word not in ("middle",)):
+        return None
+    named = (word, text_at(words, place + 1))
+    if lexicon.is_room(named) or lexicon.is_object(named):
         return None
     spot = _SPOTS[word]
     ceiling_or_wall = phrase[0] in _ON and spot == "wall"

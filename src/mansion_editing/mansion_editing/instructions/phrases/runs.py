@@ -38,7 +38,9 @@ ENDS_RUN: Final = (
         "somewhere anywhere here now also as if so that facing exactly which upstairs downstairs each both all every "
         "ajar deleted reachable accessible where belong sit lie apart rather wherever whose whatever died broke fell "
         "short away does did look seem anew afresh want visible go disappear vanish put exceed trade untouched alone "
-        "starting next either if unless half closer nearer further farther forward forwards backward backwards".split()
+        "starting next either if unless half closer nearer further farther forward forwards backward backwards "
+        "wobble squeak smell leak flicker rattle creak stink drip "
+        "before after when while until today tonight tomorrow yesterday anyway though asap yet".split()
     )
 )  # fmt: skip
 
@@ -56,6 +58,8 @@ def end_of_run(words: Sequence[Word], at: int, lexicon: Lexicon) -> int:
         text = word.text
         if word.kind in ("mark", "unit") or (word.kind == "level"):
             break
+        if end > at and word.kind == "number" and _ends_before_verb(words, end, at, lexicon):
+            return end + 1
         if word.kind == "number" and is_compound(words, end):
             end += 2
             continue
@@ -80,6 +84,8 @@ def end_of_run(words: Sequence[Word], at: int, lexicon: Lexicon) -> int:
         if text == "other" and text_at(words, end + 1) == "than":
             break
         if end > at and text in ("more", "less", "fewer", "itself", "themselves"):
+            break
+        if end > at and text == "back" and text_at(words, end + 1) in PREPOSITIONS | {""}:
             break
         if end > at and text.endswith("ly") and _is_named(words, at, end, lexicon):
             break
@@ -128,6 +134,14 @@ def _starts_noun(words: Sequence[Word], end: int, at: int, lexicon: Lexicon) -> 
 def _is_last_of_run(words: Sequence[Word], end: int, at: int, lexicon: Lexicon) -> bool:
     """Whether ``one`` stands for a noun ("the red one"), and does not begin the next phrase ("the sofa one more")."""
     return not _is_named(words, at, end, lexicon) and not _starts_noun(words, end + 1, end + 1, lexicon)
+
+
+def _ends_before_verb(words: Sequence[Word], end: int, at: int, lexicon: Lexicon) -> bool:
+    """Whether the number of a room is followed by a verb with its object: ``in bedroom 1 switch on both lamps``."""
+    before = tuple(w.text for w in words[at:end])
+    room = words[end].raw.isdecimal() and any(lexicon.is_room(before[k:]) for k in range(len(before)))
+    following = text_at(words, end + 2)
+    return room and (text_at(words, end + 1),) in BY_WORDS and following in (DETERMINERS | PREPOSITIONS)
 
 
 def _names_number(words: Sequence[Word], end: int, lexicon: Lexicon, at: int) -> bool:

@@ -8,13 +8,13 @@ Deed: TypeAlias = Literal[
     "add", "bring", "remove", "take", "clear", "tidy", "go", "move", "swap", "replace", "switch", "open", "close",
     "paint", "rename", "furnish", "equip", "enlarge", "shrink", "number", "make", "turn", "check", "undo", "redo",
     "leave", "keep", "let", "change", "tell", "give", "set", "want", "restore", "repeat", "start", "stop", "connect",
-    "use",
+    "use", "throw",
 ]  # fmt: skip
 """What a verb asks for."""
 
 _VERBS: Final[dict[Deed, str]] = {
     "add": "add|put|place|lay|install|position|supply|provide|insert|drop|stick|deposit|park|stand|hang|mount|spawn|"
-           "create|include|store|hide|serve|spread|fix|arrange|distribute|rest|toss|shelve|line up|set up|"
+           "create|include|store|hide|serve|spread|fix|arrange|distribute|rest|shelve|line up|set up|"
            "set out|lay out|squeeze|tuck|fit|attach|introduce|order|buy|build in|throw in|lean|display|plug in|"
            "assemble|"
            "scatter|drape|put up|put down|put out|add in|put in|put back|place back|set down|put on|dock|situate|"
@@ -64,6 +64,7 @@ _VERBS: Final[dict[Deed, str]] = {
     "want": "want|need|require|have|like to have|love|wish for|expect|wish|fancy|prefer|go for|would like",
     "connect": "connect|join|link",
     "use": "use",
+    "throw": "throw|toss|fling",
 }  # fmt: skip
 
 BY_WORDS: Final[dict[tuple[str, ...], Deed]] = {

@@ -42,6 +42,7 @@ __all__ = [
     "BEGIN_CLAUSES",
     "BEING_SOMEWHERE",
     "BETWEEN_CLAUSES",
+    "CHANGED",
     "DIRECTIONS",
     "DISTURBING",
     "EARLIER_STEPS",
@@ -51,17 +52,20 @@ __all__ = [
     "GOING",
     "GOING_OR_WAYS",
     "GOING_SOMEWHERE",
+    "GOOD_AS_IT_IS",
     "HAVING",
     "HEADINGS",
     "JOINING",
     "KEPT_AS_IT_IS",
     "LEFT_ALONE",
     "LEFT_AS_IT_IS",
+    "LYING",
     "NEAR_SPOTS",
     "NO_FRONTED_PLACES",
     "OPEN_QUESTIONS",
     "OPINIONS",
     "PAST_VERBS",
+    "PEOPLE",
     "PRAISE",
     "PREDICATE_VERBS",
     "PROPERTIES",
@@ -87,9 +91,14 @@ BEFORE_REQUESTS: Final = frozenset("please maybe just also perhaps kindly possib
 AFTER_MODALS: Final = frozenset("be go get have stand move come face".split())
 ANY_LONGER: Final = frozenset("any more anymore at all there longer".split())
 AFTER_CHECKS: Final = frozenset("that whether if for to , :".split())
-EXISTENCE: Final = frozenset("be is are to need has have not also always ought supposed no longer".split())
+EXISTENCE: Final = frozenset("be is are was were to need has have not also always ought supposed no longer".split())
 TOLD_EXISTENCE: Final = frozenset("there is are no not currently still".split())
 PRAISE: Final = frozenset("nice good great lovely fine helpful appreciated perfect ideal welcome".split())
+PEOPLE: Final = frozenset(
+    "guest visitor client customer patient person staff user child nurse employee teacher student pupil colleague "
+    "manager boss director chef cook waiter tenant neighbour neighbor cleaner receptionist officer family grandma "
+    "grandpa mother father mum dad son daughter doctor".split()
+)
 SOMEBODY: Final = frozenset("robot agent i we one guest visitor people everyone whoever someone subject".split())
 
 # Clauses and subjects
@@ -104,7 +113,10 @@ BEFORE_PREDICATES: Final = frozenset(
 )
 WANTING: Final = frozenset("need require lack get want deserve miss missing keep".split())
 BEING_SOMEWHERE: Final = frozenset("belong come sit stand lie live rest hang".split())
-FAILING: Final = frozenset("died broke fell leaks squeaks smells wobbles cracked burst".split())
+FAILING: Final = frozenset(
+    "died broke fell leaks squeaks smells wobbles cracked burst wobble squeak smell leak flicker flickers rattle "
+    "rattles creak creaks stink stinks drip drips".split()
+)
 BEFORE_COLOURS: Final = frozenset("be is are in get painted have become turn made".split())
 BEFORE_STATES: Final = frozenset("switched turned left kept powered wide fully be always ,".split())
 DISTURBING: Final = frozenset("touch disturb alter bother affect move break mess".split())
@@ -119,6 +131,9 @@ KEPT_AS_IT_IS: Final = frozenset(
     "alone as where it they is are untouched in place be there unchanged exactly like that stand the way was".split()
 )
 STAYING_AS_IT_IS: Final = frozenset("put there here as it is where they are untouched alone in on place".split())
+CHANGED: Final = frozenset("change changed moved touched altered disturbed replaced modified rearranged".split())
+GOOD_AS_IT_IS: Final = frozenset("fine good ok okay alright perfect great".split())
+LYING: Final = frozenset("lying standing sitting hanging lie stand sit hang".split())
 BACK_IN_PLACE: Final = frozenset("where it they was were to its place there again".split())
 AWAY: Final = frozenset("away out off completely altogether entirely too".split())
 EARLIER_STEPS: Final = frozenset(
@@ -174,7 +189,7 @@ BEFORE_STOREYS: Final = frozenset("the all both each every our of".split())
 
 BETWEEN_CLAUSES: Final = frozenset(
     "also now then just simply finally afterwards again too meanwhile next first and but so quickly immediately "
-    "kindly maybe perhaps otherwise once still already today asap else as well there here back together instead "
+    "kindly maybe perhaps once still already today asap else as well there here back together instead "
     "carefully neatly nicely thus therefore yet while plus for".split()
 ) | frozenset([",", "-", "*", ":", ".", ")", "(", "!", '"', "\n", "?", ";"])
 RELATIVES: Final = frozenset("my our one somebody her his their daughter son mother father boss".split())

@@ -173,7 +173,19 @@ def split_words(text: str, speller: Speller, kept: frozenset[str]) -> list[Word]
         else _word(t, hidden, speller, kept)
         for t in tokenize(hidden)
     ]
-    return _join_codes(words)
+    return _without_pleas(_join_codes(words))
+
+
+def _without_pleas(words: list[Word]) -> list[Word]:
+    """Leave out a ``please`` that stands between a thing and its place: ``a plant please, in a corner``."""
+    out: list[Word] = []
+    for at, word in enumerate(words):
+        within = out and text_at(words, at + 1) == "," and text_at(words, at + 2) in PREPOSITIONS | {"same"}
+        if word.text == "please" and within:
+            out = out[:-1] if out[-1].text == "," else out
+            continue
+        out.append(word)
+    return out
 
 
 def _word(token: Token, text: str, speller: Speller, kept: frozenset[str]) -> Word:

@@ -110,16 +110,19 @@ def _is_left_out(said: Sequence[Word], at: int, group: Sequence[Statement], told
     if word.kind in ("number", "ordinal"):
         return text != "one" and word.value not in told.numbers and not _is_part(said, at)
     if text in _NEGATIONS:
-        return not (told.kinds & _LIMITING or "outside" in told.flags or any(isinstance(s, _DENYING) for s in group))
+        further = text_at(said, at + 1) in ("further", "farther", "more") and "within" in told.flags
+        return not (
+            further or told.kinds & _LIMITING or "outside" in told.flags or any(isinstance(s, _DENYING) for s in group)
+        )
     if text in _ALTERNATIVES:
         return not all(isinstance(s, _OF_ANY_OF_THEM) or _is_none(s) for s in group)
     if text == "half":
         return "half" not in told.kinds and 0.5 not in told.numbers and 180.0 not in told.numbers
     if text in _WHOLE:
-        several = told.flags & {"each", "every"} or told.kinds & {"all", "all_but", "none"}
+        several = told.flags & {"each", "every"} or told.kinds & {"all", "all_but", "none", "half"}
         return not (several or (text == "both" and (2.0 in told.numbers or len(group) > 1)) or len(group) > 1)
     if text in _OTHERS:
-        return not (told.flags & {"others", "spare"} or told.kinds & {"all_but", "more", "exactly"})
+        return not (told.flags & {"others", "spare"} or told.kinds & {"all_but", "more", "exactly", "half"})
     if text in COLOUR_WORDS:
         return COLOUR_WORDS[text] not in told.words and text not in SHADES
     if text in ("off", "open", "closed", "shut") and word.kind == "word":
@@ -165,6 +168,7 @@ def _told(group: Sequence[Statement]) -> _Told:
             flags.update([value] if name == "refers" else [])
         elif isinstance(value, int | float):
             numbers.update([float(value), abs(float(value))])
+            flags.update([name] if name == "within" and value else [])
         elif isinstance(value, dict):
             flags.update([name] if value else [])
         elif isinstance(value, tuple | list):

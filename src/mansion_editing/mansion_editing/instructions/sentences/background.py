@@ -1,13 +1,17 @@
 """Where sentences end, and words in them that ask for nothing: reasons, purposes, what was."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import Final
 
 from mansion_editing.instructions.phrases.word_sets import AFTER_PURPOSES, AFTER_REASONS, PAST_VERBS, RELATIVES
-from mansion_editing.instructions.phrases.words import PERSONS, Word
+from mansion_editing.instructions.phrases.words import ADVERBS, BE, PERSONS, PREPOSITIONS, Word
+from mansion_language.colours import COLOUR_WORDS
 
-__all__ = ["end_of_background", "is_background", "split_sentences"]
+__all__ = ["end_of_background", "is_background", "is_told", "split_sentences"]
 
+_CLAUSES: Final = frozenset("and but so then while or".split())
+_ASKING: Final = frozenset("not no never none without please should must want need half both every each all".split())
+_OFTEN: Final = frozenset("always often constantly forever usually mostly".split())
 _ENDS: Final = frozenset([".", "!", "?", ";", "\n"])
 
 
@@ -39,6 +43,9 @@ def end_of_background(words: Sequence[Word], at: int) -> int:
     if first in ("for", "before", "during", "after", "when") and at == 0:
         comma = next((k for k in range(at, min(len(words), at + 9)) if words[k].text in (",", ":")), None)
         return at if comma is None else comma
+    told = _end_of_aside(words, at)
+    if told > at:
+        return told
     words_after = [w.text for w in words[at : at + 9]]
     if (
         first == "if"
@@ -52,6 +59,53 @@ def end_of_background(words: Sequence[Word], at: int) -> int:
     while end < len(words) and not (words[end].kind == "mark" and words[end].text in (",", ";", ")")):
         end += 1
     return end
+
+
+def _end_of_aside(words: Sequence[Word], at: int) -> int:
+    """Return the end of ``for reading``, ``it is always in the way``.
+
+    Words with a number, a negation, a colour or another clause ask for something and are none.
+    """
+    end = next((k for k in range(at, len(words)) if words[k].kind == "mark" or words[k].text in _CLAUSES), len(words))
+    aside = words[at:end]
+    texts = [word.text for word in aside]
+    if any(w.kind in ("number", "ordinal") or w.text in _ASKING or w.text in COLOUR_WORDS for w in aside):
+        return at
+    purpose = len(aside) == 2 and at > 0 and texts[0] == "for" and aside[1].raw.endswith("ing")
+    joined = 2 + sum(word in ADVERBS or word in _OFTEN for word in texts[2:-3])
+    bothers = texts[:1] in (["it"], ["they"], ["that"], ["this"]) and texts[1:2] in (["is"], ["are"])
+    in_the_way = bothers and texts[-3:] == ["in", "the", "way"] and joined == len(texts) - 3
+    return end if purpose or in_the_way else at
+
+
+_GOING: Final = frozenset(
+    "go leave vanish disappear belong stay remain come move get make keep let may might can could would will shall "
+    "ought has have had one two both all other others rest same too instead only just more less enough plenty do "
+    "does".split()
+)
+"""Words of requests and of what refers to things, which a clause that only tells something has not."""
+
+
+def is_told(words: Sequence[Word], named: Callable[[Word], bool]) -> bool:
+    """Whether a clause with a subject and a verb only tells something: ``Grandma is visiting``, ``My back hurts``.
+
+    Parameters
+    ----------
+    named : callable
+        Tells whether a word names a thing or a room, which a clause that asks for something does.
+    """
+    texts = [word.text for word in words]
+    if len(words) < 2 or words[0].kind != "word" or texts[0] in PREPOSITIONS | {"there", "if", "unless"}:
+        return False
+    if any(w.text in _ASKING | _GOING or w.text in COLOUR_WORDS or named(w) for w in words):
+        return False
+    if any(word.kind in ("number", "ordinal", "level", "id") for word in words):
+        return False
+    return any(w.text in BE or _is_inflected(w) for w in words[1:])
+
+
+def _is_inflected(word: Word) -> bool:
+    return word.kind == "word" and (word.raw.endswith(("ed", "ing")) or (word.plural and not word.genitive))
 
 
 def is_background(words: Sequence[Word]) -> bool:

@@ -11,7 +11,7 @@ from mansion_editing.instructions.phrases.places import merged
 from mansion_editing.instructions.phrases.words import BE, STATE_WORDS, Word
 from mansion_editing.instructions.statements import Add, Amount, Ask, Ensure, Place, Statement, Things, When
 
-__all__ = ["Condition", "begins_condition", "on_condition", "read_condition"]
+__all__ = ["Condition", "begins_condition", "else_at", "on_condition", "read_answer", "read_condition"]
 
 _BEFORE: Final = frozenset("only but and just".split())
 _BETWEEN: Final = frozenset("already still currently yet really now switched turned".split())
@@ -42,6 +42,49 @@ def begins_condition(words: Sequence[Word], at: int) -> int:
         return place + 1
     pair = tuple(w.text for w in words[place : place + 2])
     return place + 2 if pair in (("in", "case"), ("provided", "that"), ("as", "long")) else 0
+
+
+def else_at(words: Sequence[Word]) -> tuple[int, int] | None:
+    """Return where a conditional sentence says what is to be done otherwise: the end before it, and its first word."""
+    texts = [word.text for word in words]
+    if not {"if", "unless"} & set(texts[:4]):
+        return None
+    for at in range(2, len(texts) - 1):
+        said = texts[at] == "otherwise" or (texts[at] == "else" and texts[at - 1] in (",", "or"))
+        if not said:
+            continue
+        end = at
+        while texts[end - 1] in (",", "or", "and"):
+            end -= 1
+        return end, at + 1 + (texts[at + 1] == ",")
+    return None
+
+
+def read_answer(words: Sequence[Word], at: int) -> tuple[bool, int] | None:
+    """Read ``if so``, ``if it is not``, ``if there is none`` after a question; None where the words say more.
+
+    Returns
+    -------
+    holds : bool
+        The answer to the question that lets the clause be carried out.
+    end : int
+    """
+    if at >= len(words) or words[at].text != "if":
+        return None
+    end = at + 1
+    while end < len(words) and words[end].text in _OF_ANSWERS:
+        end += 1
+    said = [w.text for w in words[at + 1 : end]]
+    ends = end >= len(words) or words[end].text in (",", "then", "please")
+    if not said or not (ends or said in (["not"], ["so"])):
+        return None
+    return not set(said) & _DENIALS, end + (end < len(words) and words[end].text in (",", "then"))
+
+
+_DENIALS: Final = frozenset("not no none".split())
+_OF_ANSWERS: Final = _DENIALS | frozenset(
+    "so yes it they there that this is are do does has have one any the case true yet already".split()
+)
 
 
 def read_condition(reader: ClauseReader, at: int, last: Things | None) -> tuple[Condition, int] | None:

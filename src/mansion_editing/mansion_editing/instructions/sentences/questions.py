@@ -8,6 +8,7 @@ import msgspec
 from mansion_editing.instructions.clauses.items import Item, NotUnderstood
 from mansion_editing.instructions.clauses.reader import ClauseReader
 from mansion_editing.instructions.phrases.places import merged
+from mansion_editing.instructions.phrases.verbs import verb_at
 from mansion_editing.instructions.phrases.word_sets import (
     AFTER_COUNTED,
     AFTER_WHAT,
@@ -19,7 +20,7 @@ from mansion_editing.instructions.phrases.word_sets import (
     HAVING,
     OPEN_QUESTIONS,
 )
-from mansion_editing.instructions.phrases.words import BE, MODALS, STATE_WORDS, Word
+from mansion_editing.instructions.phrases.words import BE, MODALS, PERSONS, STATE_WORDS, Word
 from mansion_editing.instructions.statements import Amount, Ask, Place, Rooms, Things
 
 __all__ = ["read_question"]
@@ -263,6 +264,13 @@ def _how_large(reader: ClauseReader, at: int, *, marked: bool, opened: bool) -> 
     return Ask(about="area", rooms=item.rooms()), end
 
 
+def _asks_somebody(reader: ClauseReader, at: int) -> bool:
+    """Whether somebody is asked to do something with a thing: ``could somebody move the laptop to the desk``."""
+    verb = verb_at(reader.words, at + 1, reader.lexicon)
+    item = None if verb is None or reader.text(at) not in PERSONS else reader.item(verb[1])
+    return item is not None and not item.is_room
+
+
 def _yes_or_no(reader: ClauseReader, at: int, *, marked: bool, opened: bool) -> tuple[Ask, int] | None:
     """Read ``is the fridge closed?``, ``are there chairs in the lobby?``, ``does the kitchen have a sink?``."""
     first = reader.text(at)
@@ -272,7 +280,7 @@ def _yes_or_no(reader: ClauseReader, at: int, *, marked: bool, opened: bool) -> 
     elif not (marked or opened):
         return None
     if first in ("can", "could"):
-        return _reach(reader, at)
+        return None if _asks_somebody(reader, at + 1) else _reach(reader, at)
     if (first in ("is", "are") and reader.text(at + 1) == "there") or first in ("there", "any"):
         place = at + 1 + (first in ("is", "are"))
         place -= first == "any"

@@ -2,7 +2,7 @@
 
 import re
 from collections.abc import Iterable, Sequence
-from typing import Any, Final, Literal
+from typing import Final, Literal
 
 import msgspec
 
@@ -14,18 +14,26 @@ from mansion_editing.instructions.phrases.places import merged, read_place, with
 from mansion_editing.instructions.phrases.storeys import read_storeys
 from mansion_editing.instructions.phrases.verbs import verb_at
 from mansion_editing.instructions.phrases.word_sets import AFTER_CLAUSES, HEADINGS, JOINING
-from mansion_editing.instructions.phrases.words import COURTESIES, FUNCTION_WORDS, STATE_WORDS, UNRECORDED, Word
+from mansion_editing.instructions.phrases.words import COURTESIES, STATE_WORDS, UNRECORDED, Word
 from mansion_editing.instructions.sentences.accounting import unaccounted
-from mansion_editing.instructions.sentences.background import end_of_background, is_background, split_sentences
-from mansion_editing.instructions.sentences.conditions import Condition, begins_condition, on_condition, read_condition
+from mansion_editing.instructions.sentences.background import end_of_background, is_background, is_told, split_sentences
+from mansion_editing.instructions.sentences.conditions import (
+    Condition,
+    begins_condition,
+    else_at,
+    on_condition,
+    read_condition,
+)
+from mansion_editing.instructions.sentences.depending import Depending
+from mansion_editing.instructions.sentences.owners import owners_named
 from mansion_editing.instructions.sentences.questions import read_question
-from mansion_editing.instructions.sentences.refinement import exactly, in_place_of, so_many, with_noun_at, with_storeys
+from mansion_editing.instructions.sentences.referring import Referring
+from mansion_editing.instructions.sentences.refinement import exactly, in_place_of, with_noun_at, with_storeys
 from mansion_editing.instructions.sentences.repeating import Repeating
 from mansion_editing.instructions.sentences.telling import Telling
 from mansion_editing.instructions.statements import (
     Add,
     Amount,
-    Ask,
     Clear,
     Ensure,
     Finish,
@@ -36,17 +44,20 @@ from mansion_editing.instructions.statements import (
     Paint,
     Place,
     Remove,
+    Replace,
     Rooms,
     SetState,
     Statement,
     Things,
     Turn,
+    When,
 )
 from mansion_editing.state import SceneState
 
 __all__ = ["read_instruction"]
 
 _EVERY_ONE: Final = (("every", "single", "one"), ("all", "of", "them"), ("each", "of", "them"), ("from", "now", "on"))
+_BEFORE_ASIDES: Final = frozenset("for before after when while until".split())
 _PAIRS_AFTER_CLAUSES: Final = (
     ("any", "more"), ("you", "find"), ("you", "see"), ("nothing", "else"), ("no", "other"), ("as", "well"),
     ("at", "all"), ("if", "possible"), ("for", "me"), ("for", "us"), ("for", "now"), ("right", "now"), ("for", "each"),
@@ -72,7 +83,7 @@ def read_instruction(text: str, state: SceneState, brief: str = "") -> Instructi
     return _Reader(text, state, brief).read()
 
 
-class _Reader(Telling, Repeating):
+class _Reader(Telling, Repeating, Referring, Depending):
     """Reads one instruction."""
 
     def read(self) -> Instruction:
@@ -80,7 +91,7 @@ class _Reader(Telling, Repeating):
         sentences = list(split_sentences(self.words))
         for number, (sentence, marked) in enumerate(sentences):
             self.is_last = number + 1 == len(sentences)
-            self._read_sentence(self._owners_named(sentence), marked=marked)
+            self._read_sentence(owners_named(sentence, self.lexicon), marked=marked)
         self.statements = [
             Mention(quote=s.quote) if self._introduces(s, self.statements[number + 1 :]) else s
             for number, s in enumerate(self.statements)
@@ -126,34 +137,20 @@ class _Reader(Telling, Repeating):
             statement = with_noun_at(statement, noun, place)
         return statement
 
-    def _owners_named(self, words: Sequence[Word]) -> list[Word]:
-        """Put the owner for a pronoun: the mayor's for ``his office``, the umbrella's for ``its stand``."""
-        out: list[Word] = []
-        for at, word in enumerate(words):
-            following = words[at + 1].text if at + 1 < len(words) else ""
-            if word.text in ("his", "her", "their", "its") and following:
-                owner = next((w for w in reversed(out) if self._owns(w, following)), None)
-                if owner is None and word.text == "its":
-                    word = Word("the", word.raw, "word", word.start, word.end)
-                if owner is not None:
-                    out.append(Word("the", "the", "word", word.start, word.start))
-                    word = Word(owner.text, owner.raw, "word", word.start, word.end)
-            out.append(word)
-        return out
-
-    def _owns(self, owner: Word, noun: str) -> bool:
-        """Whether two words make the name of a room of the building, or of an object that no room owns."""
-        if owner.kind != "word" or owner.text in FUNCTION_WORDS:
-            return False
-        pair = (owner.text, noun)
-        thing = self.lexicon.is_object(pair) and not self.lexicon.is_own_room((owner.text,))
-        return thing or self.lexicon.is_own_room(pair)
-
     def _read_sentence(self, words: Sequence[Word], *, marked: bool) -> None:
         reader = ClauseReader(words, self.lexicon, self.floors, lambda a, b: self._quote(words, a, b))
         self.frames = ()
         reader.last_noun = self.last_noun
-        self._read_words(reader, words, marked=marked)
+        first = len(self.statements)
+        if words[0].text in ("otherwise", "else") and self.statements and isinstance(self.statements[-1], When):
+            self._read_otherwise(words[1 + (reader.text(1) == ",") :], first - 1)
+            return
+        joint = else_at(words)
+        self._read_words(
+            reader if not joint else reader.until(joint[0]), words[: joint[0]] if joint else words, marked=marked
+        )
+        if joint:
+            self._read_otherwise(words[joint[1] :], first)
         self.last_noun = reader.last_noun
 
     def _read_words(self, reader: ClauseReader, words: Sequence[Word], *, marked: bool) -> None:
@@ -167,7 +164,11 @@ class _Reader(Telling, Repeating):
         if self._reads_scope(reader, at) or self._tells_of_person(reader, at):
             return
         conditional = begins_condition(words, at) and not marked
-        if not conditional and self._reads_question(reader, words, at, marked=marked):
+        if (
+            not conditional
+            and (marked or not reader.tells_what_stays(at))
+            and self._reads_question(reader, words, at, marked=marked)
+        ):
             return
         at = self._read_heading(reader, words, at)
         at = self._read_exception(reader, at)
@@ -179,6 +180,9 @@ class _Reader(Telling, Repeating):
         while at < len(words):
             at = reader.skip(at)
             if at >= len(words):
+                return
+            if words[at].text == "otherwise":
+                self._read_consequence(words, at)
                 return
             at, condition = self._read_condition(reader, words, at)
             first = len(self.statements)
@@ -193,35 +197,25 @@ class _Reader(Telling, Repeating):
                 continue
             at = self._read_clause(reader, words, at)
 
-    def _read_condition(self, reader: ClauseReader, words: Sequence[Word], at: int) -> tuple[int, Condition | None]:
-        """Read ``if the lamp is off,`` before a clause; of a question before it, ``if not,``."""
-        asked = self.statements[-1] if self.statements else None
-        start = at - 1 if at and words[at - 1].text in ("only", "but", "so") else at
-        if isinstance(asked, Ask) and tuple(w.text for w in words[at : at + 2]) in (("if", "not"), ("if", "so")):
-            end = at + 2 + (reader.text(at + 2) == ",")
-            self.statements[-1] = Mention(quote=asked.quote)
-            self.topic = self._asked_for(asked)
-            return end, Condition(asked, reader.text(at + 1) == "so")
-        found = read_condition(reader, start, None)
-        if found is None or found[0].ask is None or found[1] >= len(words):
-            return at, None
-        condition, end = found
-        things = condition.ask.things if condition.ask is not None else None
-        if things is not None and condition.ask is not None:
-            noun = reader.phrase_of(things.noun)
-            reader.last_noun = noun or reader.last_noun
-            self.topic = msgspec.structs.replace(
-                things, place=condition.ask.place or things.place, amount=Amount(number=1), definite=condition.holds
-            )
-        return end, condition
+    def _read_consequence(self, words: Sequence[Word], at: int) -> None:
+        """Read ``otherwise the milk gets warm`` after a request, which says why; an order would need a condition."""
+        quote = self._quote(words, at, len(words))
+        if verb_at(words, at + 1, self.lexicon) is not None:
+            self.unknown.append(quote)
+        else:
+            self.statements.append(Mention(quote=quote))
 
-    def _depend(self, condition: Condition, first: int, quote: str) -> None:
-        """Let the statements from a place on depend on a condition."""
-        for at in range(first, len(self.statements)):
-            statement = self.statements[at]
-            if not isinstance(statement, Mention):
-                told = statement if quote == "" else msgspec.structs.replace(statement, quote=quote)
-                self.statements[at] = on_condition(told, condition)
+    def _read_otherwise(self, words: Sequence[Word], first: int) -> None:
+        """Read what is to be done where the condition before does not hold."""
+        last = next((s for s in reversed(self.statements[first:]) if isinstance(s, When)), None)
+        if last is None:
+            self.unknown.append(self._quote(words, 0, len(words)))
+            return
+        condition = Condition(last.ask, not last.holds)
+        self.topic = self._topic_where(condition)
+        start = len(self.statements)
+        self._read_sentence(words, marked=False)
+        self._depend(condition, start, self._quote(words, 0, len(words)))
 
     def _read_heading(self, reader: ClauseReader, words: Sequence[Word], at: int) -> int:
         """Read what a sentence is about: ``The lamp: ...``, ``Too many chairs ...``."""
@@ -277,7 +271,12 @@ class _Reader(Telling, Repeating):
             more = self._more_of_the_same(reader, words, at)
             if more is not None:
                 return more
-            if is_background(words[at:stop]) or self._is_label(words, at, stop):
+            told = self._told_of_thing(reader, at)
+            if (told and reader.skip(told) < len(words)) or (told and not self.is_last):
+                self.statements.append(Mention(quote=self._quote(words, at, told)))
+                return told
+            only_told = verb_at(words, at, self.lexicon) is None and is_told(words[at:stop], self._is_named)
+            if only_told or is_background(words[at:stop]) or self._is_label(words, at, stop):
                 self.statements.append(Mention(quote=self._quote(words, at, stop)))
             else:
                 start = min(fault.start, at) if fault.start < len(words) else at
@@ -286,7 +285,7 @@ class _Reader(Telling, Repeating):
         if tuple(w.text for w in words[end : end + 2]) == ("instead", "of"):
             found, end = in_place_of(reader, found, end)
         topic, reader.topic = reader.topic, None
-        found = [self._about_topic(statement) for statement in found]
+        found = [self._referred(statement) for statement in found]
         if topic is not None or any(not isinstance(statement, Mention) for statement in found):
             self.topic = topic
         self.clause = found
@@ -294,6 +293,11 @@ class _Reader(Telling, Repeating):
         found = self.clause
         self._take([exactly(statement) for statement in found] if exact else found)
         return end
+
+    def _is_named(self, word: Word) -> bool:
+        """Whether a word names things, rooms or storeys."""
+        text = (word.text,)
+        return self.lexicon.is_object(text) or self.lexicon.is_room(text) or word.text in ("floor", *STATE_WORDS)
 
     def _same_of_others(self, reader: ClauseReader, words: Sequence[Word], at: int) -> int | None:
         """Read things without a verb after a state, a removal or the like: ``turn the TV on and the beer tap too``."""
@@ -349,42 +353,6 @@ class _Reader(Telling, Repeating):
         self.statements.append(msgspec.structs.replace(last, things=item.phrase.things(), quote=quote))
         return item.end
 
-    def _about_topic(self, statement: Statement) -> Statement:
-        """Put what the clause before was about for ``it``."""
-        if self.topic is None:
-            return statement
-        topic = self.topic
-        rooms = topic.place.rooms if topic.place is not None else None
-        numbered = (
-            isinstance(statement, Add | Ensure) and statement.things.refers == "last" and not statement.things.noun
-        )
-        if isinstance(statement, Add | Ensure) and numbered and statement.things.amount.number:
-            return so_many(statement, topic)
-        moved = isinstance(statement, Move) and statement.place == Place() and statement.things.refers == "last"
-        if isinstance(statement, Move) and moved and statement.things.amount.number > 1:
-            return so_many(Ensure(things=statement.things, place=Place(), quote=statement.quote), topic)
-
-        def named(value: Any) -> Any:
-            there = isinstance(value, Add | Ensure | Move) and value.place == Place(rooms=Rooms(same=True))
-            if there and topic.place is not None:
-                value = msgspec.structs.replace(value, place=topic.place)
-            if isinstance(value, Move) and value.things.refers == "last" and not topic.definite:
-                where = named(value.place)
-                return msgspec.structs.replace(value, things=topic, place=where, or_new=True)
-            if isinstance(value, Rooms) and value.same and not value.words and rooms:
-                return rooms
-            if isinstance(value, Things) and value.refers == "last" and not value.noun:
-                if value.amount.number and value.amount.kind == "some" and topic.amount.kind != "all":
-                    several = value.amount.number > 1
-                    return msgspec.structs.replace(topic, amount=value.amount, plural=several, definite=False)
-                return topic
-            if not isinstance(value, msgspec.Struct):
-                return tuple(named(part) for part in value) if isinstance(value, tuple) else value
-            return msgspec.structs.replace(value, **{f: named(getattr(value, f)) for f in value.__struct_fields__})
-
-        changed: Statement = named(statement)
-        return changed
-
     def _is_label(self, words: Sequence[Word], at: int, stop: int) -> bool:
         """Whether words before a colon are a heading: ``Initial state:``."""
         if stop >= len(words) or words[stop].text != ":" or stop - at > 9:
@@ -401,8 +369,17 @@ class _Reader(Telling, Repeating):
             if self.spared and isinstance(statement, Clear):
                 statement = msgspec.structs.replace(statement, spare=(*statement.spare, *self.spared))
                 self.spared = ()
+            if isinstance(statement, Keep):
+                statement = self._of_the_kind(statement)
+            if isinstance(statement, Keep) and _is_everything(statement.things):
+                self.statements.append(statement)
+                continue
             if isinstance(statement, Keep) and isinstance(last, Clear) and not statement.things.place:
                 self.statements[-1] = msgspec.structs.replace(last, spare=(*last.spare, statement.things))
+                continue
+            only = re.search(r"\b(only|just|nothing but)\b", statement.quote)
+            if isinstance(statement, Keep) and isinstance(last, Remove) and last.things.noun and only:
+                self.unknown.append(statement.quote)  # more than what was named would have to go
                 continue
             if isinstance(statement, Keep) and isinstance(last, Remove) and last.things.amount.kind == "all":
                 spared = msgspec.structs.replace(last.things, beside=(*last.things.beside, statement.things))
@@ -416,6 +393,16 @@ class _Reader(Telling, Repeating):
                 self.statements[-1] = msgspec.structs.replace(exactly(last), quote=self._from_to(last, statement))
                 continue
             self.statements.append(statement)
+
+    def _of_the_kind(self, keep: Keep) -> Keep:
+        """Return ``those in the corridor`` as things of the kind that was mentioned before."""
+        things = keep.things
+        before = next((getattr(s, "things", None) for s in reversed(self.statements) if hasattr(s, "things")), None)
+        bare = things.noun == "one" or (things.refers == "last" and not things.noun)
+        if not bare or things.place is None or not isinstance(before, Things) or not before.noun:
+            return keep
+        named = msgspec.structs.replace(things, noun=before.noun, refers="", definite=True, plural=True)
+        return msgspec.structs.replace(keep, things=named)
 
     def _from_to(self, first: Statement, last: Statement) -> str:
         """Return the words from one statement's to another's."""
@@ -446,10 +433,13 @@ class _Reader(Telling, Repeating):
                 continue
             text = words[end].text
             pair = (text, words[end + 1].text if end + 1 < len(words) else "")
-            depends = self._depends_on(reader, end + (text == ","))
+            fits = self._if_it_fits(words, end)
+            depends = 0 if fits else self._depends_on(reader, end + (text == ","))
             if depends:
                 end = depends
-            elif tuple(w.text for w in words[end : end + 3]) == ("from", "now", "on"):
+            elif fits:
+                end = fits
+            elif self._takes_its_place(words, end) or [w.text for w in words[end : end + 3]] == ["from", "now", "on"]:
                 end += 3
             elif pair in (("rather", "than"), ("instead", "of")) and self._contrasted(reader, end + 2):
                 end = self._contrasted(reader, end + 2)
@@ -464,11 +454,42 @@ class _Reader(Telling, Repeating):
         if end_of_background(words, end) > end or reader.starts_clause(end):
             return end, exact
         stop = reader.boundary(end)
-        if words[end].text == "for" and not self._names_anything(words[end:stop]):
+        aside = words[end].text in _BEFORE_ASIDES and not any(w.kind == "number" for w in words[end:stop])
+        if aside and not self._names_anything(words[end:stop]):
             self.statements.append(Mention(quote=self._quote(words, end, stop)))
             return stop, exact
         self.unknown.append(self._quote(words, end, stop))
         return stop, exact
+
+    def _if_it_fits(self, words: Sequence[Word], at: int) -> int:
+        """Return the end of ``if there is room for it``, ``if it fits``: so wherever it can be done; 0 for others."""
+        at += words[at].text == ","
+        texts = [w.text for w in words[at : at + 8]]
+        for said in (["if", "there", "is"], ["if", "it", "fit"], ["if", "they", "fit"]):
+            if texts[:3] != said:
+                continue
+            end = 3 + (said[1] == "there" and texts[3:4] in (["enough"], ["still"], ["any"]))
+            if said[1] == "there" and texts[end : end + 1] not in (["room"], ["space"]):
+                return 0
+            end += said[1] == "there"
+            if texts[end : end + 1] == ["for"] and texts[end + 1 : end + 2] in (["it"], ["them"], ["that"]):
+                end += 2
+            end += texts[end : end + 1] in (["there"], ["left"])
+            return at + end if at + end >= len(words) or words[at + end].kind == "mark" else 0
+        return 0
+
+    def _takes_its_place(self, words: Sequence[Word], at: int) -> bool:
+        """Read ``in its place`` after something new, which then stands where what was removed stood."""
+        last = self.statements[-1] if self.statements else None
+        said = [w.raw for w in words[at : at + 3]]
+        new = self.clause[0] if len(self.clause) == 1 else None
+        if said not in (["in", "its", "place"], ["in", "their", "place"]) or not isinstance(last, Remove):
+            return False
+        if not isinstance(new, Add | Ensure) or new.place != Place():
+            return False
+        self.statements.pop()
+        self.clause = [Replace(things=last.things, by=new.things, quote=self._from_to(last, new))]
+        return True
 
     def _depends_on(self, reader: ClauseReader, at: int) -> int:
         """Read a condition after a clause, on which its statements then depend; return its end, 0 where it is none."""
@@ -526,17 +547,6 @@ class _Reader(Telling, Repeating):
                 self.unknown.append(self._quote(words, end, len(words)))
         return True
 
-    def _asked_for(self, ask: Ask) -> Things | None:
-        """Return what a question was about, which ``it`` means in what comes next."""
-        if ask.things is None:
-            return None
-        number = max(1, ask.things.amount.number)
-        one = ask.things.amount.kind != "all" or not ask.things.plural
-        amount = Amount(number=number) if one else Amount(kind="all", number=0)
-        return msgspec.structs.replace(
-            ask.things, place=ask.place or ask.things.place, amount=amount, definite=True, plural=not one
-        )
-
     def _read_frame(self, reader: ClauseReader, at: int) -> int:
         """Read a place that the sentence begins with, up to its comma or the clause."""
         label = read_storeys(reader.words, at, self.floors)
@@ -562,13 +572,19 @@ class _Reader(Telling, Repeating):
             end = more.end
         comma = reader.text(end) in (",", ":", "-")
         after = reader.skip(end)
-        if not (comma or reader.starts_clause(after) or reader.phrase(after) is not None) or after >= len(reader.words):
+        begins = reader.starts_clause(after) or reader.text(after) == "there" or reader.phrase(after) is not None
+        if not (comma or begins) or after >= len(reader.words):
             return at
         place = Place()
         for read in places:
             place = read.place if place == Place() else merged(place, read.place)
         reader.frame = place
         return after if not comma else end + 1
+
+
+def _is_everything(things: Things) -> bool:
+    """Whether words mean all that is at a place, of whatever kind."""
+    return not things.noun and not things.refers and things.place is not None
 
 
 def _is_it(statement: Move) -> bool:

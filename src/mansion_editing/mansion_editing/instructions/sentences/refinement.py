@@ -9,7 +9,7 @@ from mansion_editing.instructions.clauses.reader import ClauseReader
 from mansion_editing.instructions.phrases.places import SAME_FLOOR, merged, with_place
 from mansion_editing.instructions.statements import Add, Amount, Ensure, Move, Place, Replace, Rooms, Statement, Things
 
-__all__ = ["exactly", "in_place_of", "is_open", "narrowed", "so_many", "with_noun_at", "with_storeys"]
+__all__ = ["exactly", "held_there", "in_place_of", "is_open", "narrowed", "so_many", "with_noun_at", "with_storeys"]
 
 
 def exactly(statement: Statement) -> Statement:
@@ -48,6 +48,16 @@ def is_open(statement: Statement) -> bool:
     return '"type":"Rooms"' not in msgspec.json.encode(statement).decode()
 
 
+def held_there(value: Any, holder: Things) -> Any:
+    """Return a statement in which ``in there`` and ``on there`` mean a piece of furniture that was mentioned."""
+    if isinstance(value, Place) and value.anchor is None and value.relation:
+        return Place(relation=value.relation, anchor=holder)
+    if not isinstance(value, msgspec.Struct):
+        return tuple(held_there(part, holder) for part in value) if isinstance(value, tuple) else value
+    changes = {f: held_there(getattr(value, f), holder) for f in value.__struct_fields__}
+    return msgspec.structs.replace(value, **changes)
+
+
 def with_storeys(statements: Sequence[Statement]) -> list[Statement]:
     """Return the statements with the storey that was named before in place of ``the same floor``."""
     last: list[tuple[int, ...]] = [()]
@@ -57,6 +67,8 @@ def with_storeys(statements: Sequence[Statement]) -> list[Statement]:
             return msgspec.structs.replace(value, floors=last[0], same=value.same or not last[0])
         if isinstance(value, Rooms) and value.floors:
             last[0] = value.floors
+        if isinstance(value, Place) and value.relation and value.anchor is None:
+            value = msgspec.structs.replace(value, relation="")
         if not isinstance(value, msgspec.Struct):
             return tuple(filled(part) for part in value) if isinstance(value, tuple) else value
         return msgspec.structs.replace(value, **{f: filled(getattr(value, f)) for f in value.__struct_fields__})
@@ -66,6 +78,8 @@ def with_storeys(statements: Sequence[Statement]) -> list[Statement]:
 
 def with_noun_at(value: Any, noun: str, place: Place) -> Any:
     """Return a statement in which things or rooms of a noun are at a place."""
+    if isinstance(value, Things) and value.noun == noun and value.place == place:
+        return value
     if isinstance(value, Things):
         changed = _replaced(value, noun, place)
         if changed.noun == noun and (changed.place is None or changed.place.rooms is None):

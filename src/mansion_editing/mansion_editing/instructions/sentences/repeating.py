@@ -1,14 +1,22 @@
 """Sentences that only repeat an earlier instruction: elsewhere, or with more."""
 
 from collections.abc import Sequence
+from typing import Final
+
+import msgspec
 
 from mansion_editing.instructions.clauses.reader import ClauseReader
 from mansion_editing.instructions.phrases.places import merged
-from mansion_editing.instructions.phrases.words import Word
+from mansion_editing.instructions.phrases.words import BE, MODALS, Word
 from mansion_editing.instructions.sentences.progress import Progress
-from mansion_editing.instructions.statements import History, Place, Rooms
+from mansion_editing.instructions.statements import History, Mention, Place, Reach, Rooms
 
 __all__ = ["Repeating"]
+
+_BLOCKING: Final = frozenset("block blocks blocking obstruct obstructs obstructing hinder hinders".split())
+_BLOCKED: Final = (("it",), ("that",), ("the", "way"), ("the", "path"), ("the", "route"), ("its", "way"),
+                   ("the", "robot"), ("this", "way"), ("that", "way"))  # fmt: skip
+_IN_THE_WAY: Final = (("in", "the", "way"), ("in", "its", "way"), ("stand", "in", "the", "way"))
 
 
 class Repeating(Progress):
@@ -17,7 +25,7 @@ class Repeating(Progress):
     def _repeats(self, reader: ClauseReader, words: Sequence[Word], at: int) -> bool:
         """Read what only repeats an earlier instruction: ``and in the bedroom too``, ``the same upstairs``."""
         if self.statements:
-            return False
+            return self._frees_way(reader, words, at)
         if reader.text(at) in ("same", "likewise", "ditto") or (
             reader.text(at) == "the" and reader.text(at + 1) == "same"
         ):
@@ -60,4 +68,22 @@ class Repeating(Progress):
             return False
         quote = self._quote(words, 0, len(words))
         self.statements.append(History(what="repeat", things=phrase.things(), quote=quote))
+        return True
+
+    def _frees_way(self, reader: ClauseReader, words: Sequence[Word], at: int) -> bool:
+        """Read ``make sure nothing blocks it`` after a way was asked for, which is then checked again."""
+        last = next((s for s in reversed(self.statements) if not isinstance(s, Mention)), None)
+        texts = [word.text for word in words[at:]]
+        if texts[:1] in (["make"], ["be"]) and texts[1:2] == ["sure"]:
+            texts = texts[2:]
+        elif texts[:1] == ["ensure"]:
+            texts = texts[1:]
+        texts = texts[1:] if texts[:1] == ["that"] else texts
+        if not isinstance(last, Reach) or texts[:1] != ["nothing"]:
+            return False
+        rest = [word for word in texts[1:] if word not in MODALS and word not in BE]
+        verb = len(rest) > 1 and rest[0] in _BLOCKING and tuple(rest[1:]) in _BLOCKED
+        if not verb and tuple(rest) not in _IN_THE_WAY:
+            return False
+        self.statements.append(msgspec.structs.replace(last, quote=self._quote(words, at, len(words))))
         return True

@@ -1,16 +1,27 @@
 """Sentences that ask for nothing themselves, but tell where something is or what the next one is about."""
 
+from collections.abc import Sequence
+from typing import Final
+
 import msgspec
 
 from mansion_editing.instructions.clauses.reader import ClauseReader
-from mansion_editing.instructions.phrases.places import merged, with_place
+from mansion_editing.instructions.phrases.places import merged, read_place, with_place
 from mansion_editing.instructions.phrases.storeys import read_storeys
-from mansion_editing.instructions.phrases.words import PERSONS
+from mansion_editing.instructions.phrases.verbs import verb_at
+from mansion_editing.instructions.phrases.word_sets import ANY_LONGER
+from mansion_editing.instructions.phrases.words import ADVERBS, BE, HAVE, MODALS, NEED, PERSONS, PREPOSITIONS, Word
 from mansion_editing.instructions.sentences.progress import Progress
 from mansion_editing.instructions.sentences.refinement import is_open, narrowed, with_noun_at
 from mansion_editing.instructions.statements import Amount, Mention, Place
 
 __all__ = ["Telling"]
+
+_WISHING: Final = frozenset(
+    "please not like love wish prefer expect fancy require appreciate ask insist demand recommend suggest propose "
+    "think believe order hope if when".split()
+)
+"""Words of sentences that ask for something."""
 
 
 class Telling(Progress):
@@ -87,7 +98,23 @@ class Telling(Progress):
     def _tells_what_was_left(self, reader: ClauseReader, at: int) -> bool:
         """Read ``A guest left a suitcase in room 4``, which says what the next sentence is about."""
         words = reader.words
-        verbs = ("left", "forgot", "lost", "dropped", "has", "have", "uses", "needs", "put")
+        if self._tells_what_people_do(reader, at):
+            return True
+        verbs = (
+            "left",
+            "forgot",
+            "lost",
+            "dropped",
+            "has",
+            "have",
+            "uses",
+            "needs",
+            "put",
+            "see",
+            "saw",
+            "found",
+            "notice",
+        )
         left = next((k for k in range(at, min(at + 8, len(words))) if words[k].raw in verbs), -1)
         if self.is_last:
             return False
@@ -103,6 +130,53 @@ class Telling(Progress):
             self.topic = msgspec.structs.replace(self.topic, definite=True)
         self.statements.append(Mention(quote=self._quote(words, 0, len(words))))
         return True
+
+    def _tells_what_people_do(self, reader: ClauseReader, at: int) -> bool:
+        """Read ``Nobody reads the newspaper any more``, ``We eat at the table``: what the next sentence is about."""
+        words = reader.words
+        end = 0 if self.is_last else self._told_of_thing(reader, at)
+        if end < len(words):
+            return False
+        self.statements.append(Mention(quote=self._quote(words, 0, len(words))))
+        return True
+
+    def _told_of_thing(self, reader: ClauseReader, at: int) -> int:
+        """Return the end of a clause that tells what somebody does with a thing, which is then the topic; else 0."""
+        words = reader.words
+        if verb_at(words, at, self.lexicon) is not None:
+            return 0
+        for verb in range(at + 1, min(at + 4, len(words) - 1)):
+            if self._is_named_within(words[at:verb]) or not self._is_told_by(words, at, verb):
+                continue
+            place = read_place(words, verb + 1, self.lexicon, self.floors)
+            item = reader.item(verb + 1)
+            about = (
+                item.things()
+                if item is not None and not item.is_room
+                else None
+                if place is None
+                else place.place.anchor
+            )
+            end = item.end if item is not None else len(words) if place is None else place.end
+            while reader.text(end) in ANY_LONGER or reader.text(end) in ADVERBS:
+                end += 1
+            asking = {w.text for w in words[at:end]} & (MODALS | NEED | BE | HAVE | _WISHING)
+            if about is None or asking or (end < len(words) and reader.text(end) not in (",", "so", "and", "but")):
+                continue
+            self.topic = about
+            return end
+        return 0
+
+    def _is_told_by(self, words: Sequence[Word], at: int, verb: int) -> bool:
+        """Whether a word is the verb of a clause that tells what somebody does or did."""
+        person = verb == at + 1 and words[at].text in PERSONS | {"nobody"}
+        past = words[verb].raw.endswith("ed") and words[verb].kind == "word"
+        third = words[verb].plural and not self._is_named_within(words[verb : verb + 1])
+        told = past or third or words[at].text in ("i", "we", "they", "people", "you", "guest", "visitor")
+        return words[verb].text not in PREPOSITIONS and (past or person or third) and told
+
+    def _is_named_within(self, words: Sequence[Word]) -> bool:
+        return any(self.lexicon.is_object((w.text,)) or self.lexicon.is_own_room((w.text,)) for w in words)
 
     def _tells_storeys(self, reader: ClauseReader, at: int) -> bool:
         """Read ``the top floor is 8``, which asks for nothing."""

@@ -1,0 +1,135 @@
+"""What is said to stay as it is: ``the treadmills are fine``, ``nothing on the third floor may change``."""
+
+from mansion_editing.instructions.clauses.items import joined_places
+from mansion_editing.instructions.clauses.outcomes import everything_at
+from mansion_editing.instructions.clauses.subjects import Subjects
+from mansion_editing.instructions.phrases.places import with_place
+from mansion_editing.instructions.phrases.storeys import read_storeys
+from mansion_editing.instructions.phrases.word_sets import CHANGED, GOOD_AS_IT_IS, JOINING, KEPT_AS_IT_IS, LYING
+from mansion_editing.instructions.phrases.words import BE, MODALS
+from mansion_editing.instructions.statements import Amount, Keep, Mention, Place, Rooms, Statement, Things
+
+__all__ = ["Staying"]
+
+
+class Staying(Subjects):
+    """Reads statements that something is to stay as it is."""
+
+    def tells_what_stays(self, at: int) -> bool:
+        """Whether words that begin like a question tell what stays: ``what's on the dresser is fine``."""
+        return self.text(at) == "what" and self._subject_stays(at) is not None
+
+    def _stays_so(self, at: int) -> tuple[list[Statement], int] | None:
+        """Read a clause that says of things, of a room or of a storey that they stay as they are."""
+        return self._all_else(at) or self._nothing_changes(at) or self._keeps_its_own(at) or self._subject_stays(at)
+
+    def _all_else(self, at: int) -> tuple[list[Statement], int] | None:
+        """Read ``everything else stays the same``, which is checked of every instruction."""
+        said = self.text(at) in ("everything", "all", "anything") and self.text(at + 1) == "else"
+        stop = self._as_it_is(at + 2) if said else 0
+        return ([Mention(quote=self.quote(at, stop))], stop) if stop else None
+
+    def _nothing_changes(self, at: int) -> tuple[list[Statement], int] | None:
+        """Read ``nothing in the kitchen may be moved`` and ``nothing may change on the third floor``."""
+        if self.text(at) != "nothing":
+            return None
+        before, end = self.places(at + 1)
+        while self.text(end) in MODALS or self.text(end) in BE or self.text(end) == "get":
+            end += 1
+        if self.text(end) not in CHANGED:
+            return None
+        after, end = self.places(end + 1)
+        place, _ = self._framed(joined_places([*before, *after]))
+        if place == Place() or place.outside or not self._clause_ends(end):
+            return None
+        return [Keep(things=everything_at(place), quote=self.quote(at, end))], end
+
+    def _keeps_its_own(self, at: int) -> tuple[list[Statement], int] | None:
+        """Read ``the dining room keeps its own`` and ``the bedroom keeps its lamps``."""
+        room = self.item(at)
+        if room is None or not room.is_room or self.text(room.end) != "keep":
+            return None
+        place = room.end + 1
+        own = place + 1 if self.text(place) in ("the", "their", "its") else place
+        if self.text(own) == "own" and self._clause_ends(own + 1):
+            if self.last_noun is None:
+                return None
+            noun, end = " ".join(self.last_noun.words), own + 1
+            kept = Things(noun=noun, amount=Amount(kind="all", number=0), definite=True, plural=True)
+        else:
+            item = self.item(place)
+            if item is None or item.is_room or item.places or not (item.phrase.definite or self.text(own) == "own"):
+                return None
+            kept, end = self._all(item.phrase.things()), item.end
+        if not self._clause_ends(end):
+            return None
+        return [Keep(things=with_place(kept, Place(rooms=room.rooms())), quote=self.quote(at, end))], end
+
+    def _subject_stays(self, at: int) -> tuple[list[Statement], int] | None:
+        found = self._subject(at)
+        if found is None:
+            return None
+        things, end = found
+        stop = self._as_it_is(end)
+        return None if not stop else ([Keep(things=things, quote=self.quote(at, stop))], stop)
+
+    def _subject(self, at: int) -> tuple[Things, int] | None:
+        """Read what stays: ``what is on the dresser``, ``the third floor``, ``the mug that is lying there``."""
+        if self.text(at) == "what":
+            places, end = self.places(at + 1 + (self.text(at + 1) in BE))
+            return (everything_at(joined_places(places)[0]), end) if places else None
+        own = self.text(at) in ("the", "its", "their")
+        if own and self.text(at + 1) == "content" and self.text(at + 2) not in ("of", "in"):
+            holder = Things(refers="last", definite=True)
+            return everything_at(Place(relation="in", anchor=holder)), at + 2
+        item = self.item(at)
+        if item is not None and item.is_room:
+            return everything_at(Place(rooms=item.rooms())), item.end
+        if item is not None and (item.phrase.definite or item.phrase.refers or item.phrase.amount.kind == "all"):
+            things = self._all(item.things())
+            return (things, self._lying_there(item.end)) if things.noun or things.place else None
+        storeys = read_storeys(self.words, at, self.floors)
+        if item is None and storeys is not None:
+            return everything_at(Place(rooms=Rooms(floors=storeys[0]))), storeys[2]
+        return None
+
+    def _lying_there(self, at: int) -> int:
+        """Return the end of ``that is lying there`` at a place, the place itself where there is none."""
+        end = at + (self.text(at) in ("that", "which"))
+        end += end > at and self.text(end) in BE
+        end += self.text(end) in ("already", "still")
+        end += self.text(end) in LYING
+        end += self.text(end) in ("already", "still")
+        return end + 1 if self.text(end) in ("there", "here") else at
+
+    def _as_it_is(self, at: int) -> int:
+        """Return the end of ``may stay as they are``, ``is fine``, ``must not be moved``; 0 where it is not said."""
+        end = at
+        while self.text(end) in MODALS or self.text(end) in BE or self.text(end) in ("all", "both", "just", "to"):
+            end += 1
+        said = [word.text for word in self.words[at:end]]
+        denied = self.text(end) in ("not", "never")
+        if denied:
+            end += 1
+            while self.text(end) in BE or self.text(end) == "get":
+                end += 1
+            must = bool(set(said) & MODALS) or "to" in said
+            return end + 1 if must and self.text(end) in CHANGED and self._clause_ends(end + 1) else 0
+        wished = set(said) & MODALS
+        good = bool(set(said) & BE) and not wished and self.text(end) in GOOD_AS_IT_IS
+        left = bool(set(said) & BE) and self.text(end) in ("left", "kept")
+        if not (good or left or set(said) & {"stay", "remain"}):
+            return 0
+        end += good or left
+        start = end
+        while self.text(end) in KEPT_AS_IT_IS or self.text(end) in ("put", "here", "inside", "so", "the", "same"):
+            end += 1
+        if left and end == start:
+            return 0
+        return end if self._clause_ends(end) else 0
+
+    def _clause_ends(self, at: int) -> bool:
+        """Whether a clause may end before a place."""
+        if at >= len(self.words) or self.words[at].kind == "mark" or self.text(at) in JOINING:
+            return True
+        return self.text(at) in ("please", "though", "anyway", "too", "because", "since", "for")

@@ -1,0 +1,116 @@
+"""What ``it``, ``there`` and ``in there`` stand for, told from what the clauses before were about."""
+
+from typing import Any
+
+import msgspec
+
+from mansion_editing.instructions.sentences.progress import Progress
+from mansion_editing.instructions.sentences.refinement import held_there, so_many
+from mansion_editing.instructions.statements import (
+    Add,
+    Ensure,
+    Finish,
+    Furnish,
+    Mention,
+    Move,
+    Place,
+    Rename,
+    Rooms,
+    Statement,
+    Things,
+)
+
+__all__ = ["Referring"]
+
+
+class Referring(Progress):
+    """Puts what was mentioned for the words that refer to it."""
+
+    def _referred(self, statement: Statement) -> Statement:
+        """Return a statement about what its pronouns stand for."""
+        told = self._about_topic(self._about_room(self._about_holder(statement)))
+        if isinstance(told, Ensure) and told.things.amount.kind == "at_most" and _is_bare_it(told.things, many=True):
+            return Mention(quote=told.quote)  # "eight is enough" of what nothing tells
+        return told
+
+    def _about_holder(self, statement: Statement) -> Statement:
+        """Put the furniture that was mentioned last for ``in there``, where it holds things."""
+        last = next((s for s in reversed(self.statements) if not isinstance(s, Mention)), None)
+        holder = self.topic if self.topic is not None else _mentioned_by(last)
+        thing = getattr(statement, "things", None)
+        if holder is None or not holder.noun or holder.refers or not isinstance(thing, Things):
+            return statement
+        if isinstance(statement, Add | Ensure | Move) and self.lexicon.stands(tuple(thing.noun.split())):
+            return statement
+        if not self.lexicon.carries(tuple(holder.noun.split())):
+            return statement
+        told = self.statements[-1] if self.statements else None
+        there = getattr(statement, "place", None) == Place(rooms=Rooms(same=True))
+        if there and isinstance(told, Mention) and holder is self.topic and told.quote.lower().startswith("there"):
+            self.unknown.append(statement.quote)  # on it, in it or only in its room
+            return statement
+        held: Statement = held_there(statement, msgspec.structs.replace(holder, definite=True))
+        return held
+
+    def _about_room(self, statement: Statement) -> Statement:
+        """Put the room that was renamed, painted or furnished just before for ``it``."""
+        last = next((s for s in reversed(self.statements) if not isinstance(s, Mention)), None)
+        if not isinstance(last, Rename | Finish | Furnish) or self.topic is not None:
+            return statement
+        place = getattr(statement, "place", None)
+        if not isinstance(place, Place) or place.relation not in ("in", "on") or not _is_bare_it(place.anchor):
+            return statement
+        return msgspec.structs.replace(statement, place=Place(rooms=Rooms(same=True), spot=place.spot))
+
+    def _about_topic(self, statement: Statement) -> Statement:
+        """Put what the clause before was about for ``it``."""
+        if self.topic is None:
+            return statement
+        topic = self.topic
+        rooms = topic.place.rooms if topic.place is not None else None
+        numbered = (
+            isinstance(statement, Add | Ensure) and statement.things.refers == "last" and not statement.things.noun
+        )
+        if isinstance(statement, Add | Ensure) and numbered and statement.things.amount.number:
+            return so_many(statement, topic)
+        moved = isinstance(statement, Move) and statement.place == Place() and statement.things.refers == "last"
+        if isinstance(statement, Move) and moved and statement.things.amount.number > 1:
+            return so_many(Ensure(things=statement.things, place=Place(), quote=statement.quote), topic)
+
+        def named(value: Any) -> Any:
+            there = isinstance(value, Add | Ensure | Move) and value.place == Place(rooms=Rooms(same=True))
+            if there and topic.place is not None:
+                value = msgspec.structs.replace(value, place=topic.place)
+            if isinstance(value, Move) and value.things.refers == "last" and not topic.definite:
+                where = named(value.place)
+                if topic.amount.kind == "more":  # told to be missing
+                    where = where if where.rooms or rooms is None else msgspec.structs.replace(where, rooms=rooms)
+                    return Add(things=msgspec.structs.replace(topic, place=None), place=where, quote=value.quote)
+                return msgspec.structs.replace(value, things=topic, place=where, or_new=True)
+            if isinstance(value, Rooms) and value.same and not value.words and rooms:
+                return rooms
+            if isinstance(value, Things) and value.refers == "last" and not value.noun:
+                if value.amount.number and value.amount.kind == "some" and topic.amount.kind != "all":
+                    several = value.amount.number > 1
+                    return msgspec.structs.replace(topic, amount=value.amount, plural=several, definite=False)
+                return topic
+            if not isinstance(value, msgspec.Struct):
+                return tuple(named(part) for part in value) if isinstance(value, tuple) else value
+            return msgspec.structs.replace(value, **{f: named(getattr(value, f)) for f in value.__struct_fields__})
+
+        changed: Statement = named(statement)
+        return changed
+
+
+def _is_bare_it(things: Things | None, *, many: bool = False) -> bool:
+    return things is not None and things.refers == "last" and not things.noun and (many or not things.plural)
+
+
+def _mentioned_by(statement: Statement | None) -> Things | None:
+    """Return the furniture that a statement named last: where something went or lay, else what it is about."""
+    if isinstance(statement, Add | Ensure | Move) and statement.place.anchor is not None:
+        return statement.place.anchor
+    things = getattr(statement, "things", None)
+    if isinstance(things, Things) and things.place is not None and things.place.anchor is not None:
+        return things.place.anchor
+    return things if isinstance(things, Things) else None
