@@ -113,8 +113,14 @@ class BuildingFolder:
         return list(self._entries)
 
     def entry(self, floor: int) -> FloorEntry:
-        """Return what ``building.json`` says of a floor."""
-        return self._entries[floor]
+        """Return what ``building.json`` says of a floor; ``NOT_FOUND`` where it has none of that number."""
+        try:
+            return self._entries[floor]
+        except KeyError:
+            known = ", ".join(map(str, self._entries))
+            raise MansionError(
+                ErrorCode.NOT_FOUND, f"{self.path / INDEX} has no floor {floor}; floors are {known}"
+            ) from None
 
     def scene(self, floor: int) -> FloorScene:
         """Return the scene of a floor."""
