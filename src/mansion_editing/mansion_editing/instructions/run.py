@@ -178,6 +178,8 @@ def statement_policy(editor: SceneEditor, instruction: Instruction, *, partly: b
     if partly and not steps:
         return Verdict("; ".join(missed), failed=missed)
     replies += [f"not done: {reason}" for reason in missed]
+    passed = [s.quote for s in instruction.statements if isinstance(s, Mention) and s.passed_over]
+    replies += [f"not acted on: {quote!r}" for quote in passed]
     told = f" (ignored, as scenes do not record it: {', '.join(instruction.ignored)})" if instruction.ignored else ""
     return Verdict("; ".join(replies) + told, replies)
 

@@ -416,9 +416,15 @@ class Mention(_Said, kw_only=True, frozen=True):
     ----------
     rooms : Rooms, optional
         What it tells of, which the next statement may be about ("the dining room is too dark").
+    passed_over : bool
+        It was not understood, but its form asks for nothing; the answer names it.
+    untouched : tuple of Things
+        What words that were passed over name, which must be as it was afterwards.
     """
 
     rooms: Rooms | None = None
+    passed_over: bool = False
+    untouched: tuple[Things, ...] = ()
 
 
 Statement: TypeAlias = (

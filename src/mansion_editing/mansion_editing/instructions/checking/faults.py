@@ -31,6 +31,7 @@ from mansion_editing.instructions.statements import (
     Forbid,
     Furnish,
     Keep,
+    Mention,
     Move,
     Paint,
     Place,
@@ -43,9 +44,11 @@ from mansion_editing.instructions.statements import (
     Shift,
     Statement,
     Swap,
+    Things,
     Turn,
 )
 from mansion_editing.state import SceneState
+from mansion_msgs_py.scene import SceneObject
 
 __all__ = ["Step", "fault", "faults", "faults_together", "moved_aside"]
 
@@ -171,6 +174,9 @@ def _lasting(statement: Statement, first: SceneState, last: SceneState, context:
         there = all_at(last, things_of(last, statement.things, context), statement.place, context)
         new = [item for item in there if item.id not in known]
         return f"{listed(new)} was added" if new else ""
+    if isinstance(statement, Mention):
+        found = (_touched(things, first, last, context) for things in statement.untouched)
+        return next((fault for fault in found if fault), "")
     if isinstance(statement, Keep):
         kept = things_of(first, statement.things, context)
         touched = [item.id for item in kept if last.find(item.id) is None or last.get(item.id)[1] != item]
@@ -181,6 +187,21 @@ def _lasting(statement: Statement, first: SceneState, last: SceneState, context:
             f"{listed(touched)} is not as it was, though {thing_words(statement.things)} shall stay" if touched else ""
         )
     return ""
+
+
+def _touched(things: Things, first: SceneState, last: SceneState, context: Context) -> str:
+    """Return why what was named beside a request is not as it was, with what it carries and holds."""
+    named = {item.id for item in things_of(first, things, context)}
+    old, new = (_with_carried(state, named) for state in (first, last))
+    differ = [name for name in sorted({*old, *new}) if old.get(name) != new.get(name)]
+    if differ:
+        return f"{listed(differ)} changed, which was only mentioned; say what shall become of it"
+    rooms = [] if things.noun or things.place is None else _changed_rooms(things.place, first, last, context)
+    return f"{', '.join(rooms)} changed, which was only mentioned; say what shall become of it" if rooms else ""
+
+
+def _with_carried(state: SceneState, names: set[str]) -> dict[str, SceneObject]:
+    return {item.id: item for _, item in state.objects() if item.id in names or item.parent in names}
 
 
 def _changed_rooms(place: Place, first: SceneState, last: SceneState, context: Context) -> list[str]:

@@ -16,6 +16,7 @@ from mansion_editing.instructions.phrases.verbs import verb_at
 from mansion_editing.instructions.phrases.word_sets import AFTER_CLAUSES, HEADINGS, JOINING
 from mansion_editing.instructions.phrases.words import COURTESIES, STATE_WORDS, UNRECORDED, Word
 from mansion_editing.instructions.sentences.accounting import unaccounted
+from mansion_editing.instructions.sentences.asides import Asides
 from mansion_editing.instructions.sentences.background import end_of_background, is_background, is_told, split_sentences
 from mansion_editing.instructions.sentences.conditions import (
     Condition,
@@ -83,7 +84,7 @@ def read_instruction(text: str, state: SceneState, brief: str = "") -> Instructi
     return _Reader(text, state, brief).read()
 
 
-class _Reader(Telling, Repeating, Referring, Depending):
+class _Reader(Asides, Telling, Repeating, Referring, Depending):
     """Reads one instruction."""
 
     def read(self) -> Instruction:
@@ -91,7 +92,8 @@ class _Reader(Telling, Repeating, Referring, Depending):
         sentences = list(split_sentences(self.words))
         for number, (sentence, marked) in enumerate(sentences):
             self.is_last = number + 1 == len(sentences)
-            self._read_sentence(owners_named(sentence, self.lexicon), marked=marked)
+            later = [] if self.is_last else sentences[number + 1][0]
+            self._read_beside_asides(owners_named(sentence, self.lexicon), later, marked=marked)
         self.statements = [
             Mention(quote=s.quote) if self._introduces(s, self.statements[number + 1 :]) else s
             for number, s in enumerate(self.statements)

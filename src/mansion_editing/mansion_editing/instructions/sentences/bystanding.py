@@ -1,0 +1,166 @@
+"""Clauses beside a request that ask for nothing themselves: how something is or was, an exclamation, a purpose."""
+
+from collections.abc import Sequence
+from typing import Final
+
+from mansion_editing.instructions.phrases.lexicon import Lexicon
+from mansion_editing.instructions.phrases.verb_words import BY_WORDS, PARTICIPLES
+from mansion_editing.instructions.phrases.verbs import verb_at
+from mansion_editing.instructions.phrases.word_sets import RELATIVES
+from mansion_editing.instructions.phrases.words import (
+    BE,
+    COURTESIES,
+    MODALS,
+    NEED,
+    PERSONS,
+    PREPOSITIONS,
+    STATE_WORDS,
+    Word,
+)
+from mansion_language.colours import COLOUR_WORDS
+
+__all__ = ["asks_for_nothing", "is_exclamation", "is_purpose", "is_rhetorical"]
+
+_ASKING: Final = MODALS | NEED | frozenset(
+    "please let make wish prefer like love fancy expect missing belong deserve instead only just another more less "
+    "fewer exactly least most each every all both half either or to too longer anymore if unless when until except "
+    "wrong same supposed due ready nice good great better best ask demand than unwanted superfluous surplus "
+    "unnecessary redundant enough".split()
+)  # fmt: skip
+"""Words of clauses that may ask for something, though their form only tells."""
+
+_LACKING: Final = frozenset("no none nothing not never without broken defective dirty dark bare empty old ugly".split())
+"""Words of complaints, which ask for something where no request follows that mends them."""
+
+_RESTING: Final = frozenset("stand sit lie hang rest live".split())
+_COUNTED: Final = frozenset("a an some any several".split())
+_SAID_BY_NOBODY: Final = frozenset("everything anything something all these those which that who".split())
+_PAST: Final = frozenset("was were had did came got said bought forgot left broke told gave".split())
+_HAVING: Final = frozenset("has have had".split())
+
+
+def asks_for_nothing(words: Sequence[Word], lexicon: Lexicon, *, followed: bool) -> bool:
+    """Whether a clause only tells how something is or was, or what somebody does.
+
+    Parameters
+    ----------
+    followed : bool
+        A request comes after it, for which a complaint is a reason.
+    """
+    words = _bare(words)
+    verb = _finite_verb(words, lexicon)
+    if verb is None or verb_at(words, 0, lexicon) is not None or not _is_subject(words[:verb], lexicon):
+        return False
+    texts = [word.text for word in words]
+    plenty = texts[verb] in _HAVING and ("enough" in texts or "plenty" in texts)
+    asking = set(texts) & (_ASKING - {"enough"} if plenty else _ASKING)
+    if asking or (set(texts) & _LACKING and not followed and not _denies_kind(texts, verb)):
+        return False
+    if any(word.kind in ("number", "ordinal", "unit") for word in words[verb:]):
+        return False
+    return _only_tells(words, verb, lexicon)
+
+
+def _bare(words: Sequence[Word]) -> Sequence[Word]:
+    """Return words without the marks and courtesies around them."""
+    start, end = 0, len(words)
+    while start < end and (words[start].kind == "mark" or words[start].text in COURTESIES):
+        start += 1
+    while end > start and words[end - 1].kind == "mark":
+        end -= 1
+    return words[start:end]
+
+
+def _denies_kind(texts: Sequence[str], verb: int) -> bool:
+    """Whether a clause says what something is not, or whose: ``this is not a night club``, ``the box isn't hers``."""
+    after = texts[verb + 1 : verb + 3]
+    return texts[verb] in BE and after[:1] == ["not"] and after[1:] != [] and after[1] in (
+        "a", "an", "part", "my", "mine", "ours", "hers", "his", "theirs", "yours", "concerned", "affected", "involved",
+    )  # fmt: skip
+
+
+def _is_subject(words: Sequence[Word], lexicon: Lexicon) -> bool:
+    """Whether words before a verb name somebody, or something that is there already."""
+    if not words or words[0].text in _SAID_BY_NOBODY or words[0].text in PREPOSITIONS | {"there", "not", "nothing"}:
+        return False
+    if any(word.kind == "mark" for word in words):
+        return False
+    counted = words[0].text in _COUNTED or words[0].kind == "number"
+    return not (counted and _names(words, lexicon))
+
+
+def _finite_verb(words: Sequence[Word], lexicon: Lexicon) -> int | None:
+    """Return the place of the verb of a declarative clause; None where there is none."""
+    for at in range(1, len(words)):
+        word, before = words[at], words[at - 1]
+        if word.kind != "word" or word.genitive:
+            continue
+        if word.text in BE - {"be", "being", "been"} or word.raw in _PAST | _HAVING:
+            return at
+        third = word.plural and not _names([word], lexicon) and before.text not in PREPOSITIONS | {"the", "and"}
+        person = at == 1 and before.text in ("i", "we", "you", "they") and word.text not in PREPOSITIONS
+        if third or person or (word.raw.endswith("ed") and before.kind == "word" and at + 1 < len(words)):
+            return at
+    return None
+
+
+def _only_tells(words: Sequence[Word], verb: int, lexicon: Lexicon) -> bool:
+    """Whether a verb and what follows it describe, rather than say what shall be."""
+    said = words[verb]
+    thing = _names(words[:verb], lexicon)
+    past = said.raw in _PAST or (said.raw.endswith("ed") and said.text not in BE)
+    rest = words[verb + 1 :]
+    if not past and said.text not in BE | _HAVING:
+        asked = (said.text,) in BY_WORDS and said.text not in _RESTING | {"get", "have"}
+        if asked or (thing and said.text in _RESTING):
+            return False
+    if said.text in ("get", "have") and not past and any(w.text in _COUNTED for w in rest):
+        return "already" in [w.text for w in rest]
+    if said.text == "get" and not any(w.text in ("no", "past") for w in rest):
+        return False
+    if thing and said.text in BE and not past:
+        told = rest[1:] if rest and rest[0].text in ("already", "still", "not", "now", "being") else rest
+        if any((w.text,) in PARTICIPLES or (w.raw,) in PARTICIPLES for w in told[:2]):
+            return False
+        if told and (told[0].text in PREPOSITIONS or told[0].text in _COUNTED):
+            return rest[0].text == "not" or "already" in [w.text for w in rest]
+    if any(w.text in STATE_WORDS for w in rest[-1:]) or any(w.text in COLOUR_WORDS for w in rest):
+        return False
+    return not any(w.text in STATE_WORDS and w.text not in ("on", "off") for w in rest)
+
+
+def _names(words: Sequence[Word], lexicon: Lexicon) -> bool:
+    return any(lexicon.is_object((w.text,)) or lexicon.is_own_room((w.text,)) for w in words if w.text not in PERSONS)
+
+
+def is_exclamation(words: Sequence[Word], lexicon: Lexicon) -> bool:
+    """Whether words without a verb call something out that is no thing of the building: ``World cup final``."""
+    words = _bare(words)
+    if not words or len(words) > 6 or verb_at(words, 0, lexicon) is not None or words[0].text in PREPOSITIONS:
+        return False
+    texts = [word.text for word in words]
+    timed = len(words) > 2 and texts[-2] == "at" and words[-1].kind == "number"
+    words = words[:-2] if timed else words
+    if {*texts} & (_ASKING | _LACKING | STATE_WORDS.keys() | COLOUR_WORDS.keys() | {"out", "away", "off"}):
+        return False
+    if any(word.kind != "word" for word in words) or texts[0] in _COUNTED | {"the"}:
+        return False
+    return not _names(words[-1:], lexicon)
+
+
+def is_rhetorical(words: Sequence[Word]) -> bool:
+    """Whether a question wants no answer: ``What is a cash register doing in a library?``."""
+    texts = [word.text for word in words]
+    return texts[:1] in (["what"], ["why"]) and texts[1:2] in (["is"], ["are"]) and "doing" in [w.raw for w in words]
+
+
+def is_purpose(words: Sequence[Word], lexicon: Lexicon) -> bool:
+    """Whether ``so that ...`` says what people or a thing can then do, and no number, state or thing that shall be."""
+    texts = [word.text for word in words]
+    if texts[:2] != ["so", "that"] or len(words) < 4:
+        return False
+    rest = words[2:]
+    people = rest[0].text in PERSONS | RELATIVES | {"it", "they", "you"}
+    if any(w.kind in ("number", "ordinal") or w.text in STATE_WORDS or w.text in COLOUR_WORDS for w in rest):
+        return False
+    return people and not ({*texts} & {"there", "only", "no", "not", "just", "all", "each", "every"})
