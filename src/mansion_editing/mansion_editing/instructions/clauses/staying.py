@@ -5,7 +5,16 @@ from mansion_editing.instructions.clauses.outcomes import everything_at
 from mansion_editing.instructions.clauses.subjects import Subjects
 from mansion_editing.instructions.phrases.places import with_place
 from mansion_editing.instructions.phrases.storeys import read_storeys
-from mansion_editing.instructions.phrases.word_sets import CHANGED, GOOD_AS_IT_IS, JOINING, KEPT_AS_IT_IS, LYING
+from mansion_editing.instructions.phrases.word_sets import (
+    AFTER_STAYING,
+    CHANGED,
+    DISTURBING,
+    GOOD_AS_IT_IS,
+    JOINING,
+    KEPT_AS_IT_IS,
+    LYING,
+    NOT_MEANT,
+)
 from mansion_editing.instructions.phrases.words import BE, MODALS
 from mansion_editing.instructions.statements import Amount, Keep, Mention, Place, Rooms, Statement, Things
 
@@ -18,6 +27,11 @@ class Staying(Subjects):
     def tells_what_stays(self, at: int) -> bool:
         """Whether words that begin like a question tell what stays: ``what's on the dresser is fine``."""
         return self.text(at) == "what" and self._subject_stays(at) is not None
+
+    def says_what_stays(self) -> bool:
+        """Whether all the words only say what stays as it is."""
+        found = self._stays_so(self.skip(0)) if self.words else None
+        return found is not None and self.skip(found[1]) >= len(self.words)
 
     def _stays_so(self, at: int) -> tuple[list[Statement], int] | None:
         """Read a clause that says of things, of a room or of a storey that they stay as they are."""
@@ -70,18 +84,24 @@ class Staying(Subjects):
         if found is None:
             return None
         things, end = found
-        stop = self._as_it_is(end)
-        return None if not stop else ([Keep(things=things, quote=self.quote(at, stop))], stop)
+        load = self.item(end + 1) if self.text(end) == "with" else None
+        end = end if load is None else load.end
+        stop = self._as_it_is(end) or self._not_part_of_it(end)
+        kept = [things] if load is None else [things, self._all(load.things())]
+        return None if not stop else ([Keep(things=one, quote=self.quote(at, stop)) for one in kept], stop)
 
     def _subject(self, at: int) -> tuple[Things, int] | None:
         """Read what stays: ``what is on the dresser``, ``the third floor``, ``the mug that is lying there``."""
         if self.text(at) == "what":
-            places, end = self.places(at + 1 + (self.text(at + 1) in BE))
+            places, end = self.places(at + 1 + (self.text(at + 1) in BE or self.text(at + 1) in LYING))
             return (everything_at(joined_places(places)[0]), end) if places else None
         own = self.text(at) in ("the", "its", "their")
         if own and self.text(at + 1) == "content" and self.text(at + 2) not in ("of", "in"):
             holder = Things(refers="last", definite=True)
             return everything_at(Place(relation="in", anchor=holder)), at + 2
+        framed, stop = self.places(at)
+        if framed and "everything" in (self.text(stop - 1), self.text(stop)):
+            return everything_at(joined_places(framed)[0]), stop + (self.text(stop) == "everything")
         item = self.item(at)
         if item is not None and item.is_room:
             return everything_at(Place(rooms=item.rooms())), item.end
@@ -100,6 +120,7 @@ class Staying(Subjects):
         end += self.text(end) in ("already", "still")
         end += self.text(end) in LYING
         end += self.text(end) in ("already", "still")
+        end += self.text(end) in ("up", "down", "in", "over") and self.text(end + 1) in ("there", "here")
         return end + 1 if self.text(end) in ("there", "here") else at
 
     def _as_it_is(self, at: int) -> int:
@@ -111,9 +132,9 @@ class Staying(Subjects):
         denied = self.text(end) in ("not", "never")
         if denied:
             end += 1
-            while self.text(end) in BE or self.text(end) == "get":
+            while self.text(end) in BE or self.text(end) in ("get", "to", "for"):
                 end += 1
-            must = bool(set(said) & MODALS) or "to" in said
+            must = bool(set(said) & MODALS) or bool({"to", "for"} & {self.text(k) for k in range(at, end)})
             return end + 1 if must and self.text(end) in CHANGED and self._clause_ends(end + 1) else 0
         wished = set(said) & MODALS
         good = bool(set(said) & BE) and not wished and self.text(end) in GOOD_AS_IT_IS
@@ -122,11 +143,39 @@ class Staying(Subjects):
             return 0
         end += good or left
         start = end
-        while self.text(end) in KEPT_AS_IT_IS or self.text(end) in ("put", "here", "inside", "so", "the", "same"):
+        while self.text(end) in KEPT_AS_IT_IS or self.text(end) in AFTER_STAYING:
             end += 1
         if left and end == start:
             return 0
         return end if self._clause_ends(end) else 0
+
+    def _not_part_of_it(self, at: int) -> int:
+        """Return the end of what says that something is not meant, or still needed: ``don't touch``, ``we do need``."""
+        end = at + (self.text(at) in ("-", ",", ":"))
+        end += self.text(end) in ("please", "you", "do")
+        contracted = end < len(self.words) and self.words[end].raw in ("isn't", "aren't")
+        if self.text(end) in ("not", "never") and not contracted:
+            end += 1 + (self.text(end + 1) in ("to", "be"))
+            return end + 1 if self.text(end) in DISTURBING and self._clause_ends(end + 1) else 0
+        end = at
+        if contracted or (self.text(end) in BE and self.text(end + 1) == "not"):
+            end += 1 if contracted else 2
+            if self.text(end) in NOT_MEANT and self._clause_ends(end + 1):
+                return end + 1
+            part = [self.text(k) for k in range(end, end + 3)]
+            ours = part[:2] == ["part", "of"] and part[2] in ("it", "this", "that")
+            return end + 3 if ours and self._clause_ends(end + 3) else 0
+        if self.text(end) in ("we", "i", "they", "you"):
+            end += 1 + (self.text(end + 1) in ("do", "still", "will"))
+            end += self.text(end) == "still"
+            return end + 1 if self.text(end) in ("need", "use", "keep") and self._clause_ends(end + 1) else 0
+        if self.text(end) in ("should", "must", "shall", "will") and self.text(end + 1) == "still":
+            end += 2
+            there = self.text(end) in LYING or self.text(end) == "be"
+            end += 1 + (self.text(end + 1) == "there") if there else 0
+            end += self.text(end) in ("afterward", "after", "then", "later")
+            return end if there and self._clause_ends(end) else 0
+        return 0
 
     def _clause_ends(self, at: int) -> bool:
         """Whether a clause may end before a place."""

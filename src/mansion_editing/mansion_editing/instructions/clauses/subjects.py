@@ -46,6 +46,7 @@ class Subjects(Predicates):
                 break
             place = after
         shared = all(s.phrase.definite or s.phrase.noun.plural or s.is_room for s in subjects)
+        shared = shared or self.text(subjects[-1].end) in ("stay", "remain")
         if len(subjects) > 1 and not (self.predicate_follows(subjects[-1].end) and (shared or joined)):
             return None
         out: list[Statement] = []

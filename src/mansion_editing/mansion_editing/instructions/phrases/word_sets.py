@@ -11,6 +11,7 @@ __all__ = [
     "AFTER_NEGATED",
     "AFTER_PURPOSES",
     "AFTER_REASONS",
+    "AFTER_STAYING",
     "AFTER_THANKS",
     "AFTER_WHAT",
     "AFTER_WHERE",
@@ -62,6 +63,7 @@ __all__ = [
     "LYING",
     "NEAR_SPOTS",
     "NO_FRONTED_PLACES",
+    "NOT_MEANT",
     "OPEN_QUESTIONS",
     "OPINIONS",
     "PAST_VERBS",
@@ -131,8 +133,12 @@ KEPT_AS_IT_IS: Final = frozenset(
     "alone as where it they is are untouched in place be there unchanged exactly like that stand the way was".split()
 )
 STAYING_AS_IT_IS: Final = frozenset("put there here as it is where they are untouched alone in on place".split())
-CHANGED: Final = frozenset("change changed moved touched altered disturbed replaced modified rearranged".split())
+CHANGED: Final = frozenset(
+    "change changed moved touched altered disturbed replaced modified rearranged moving touching changing".split()
+)
 GOOD_AS_IT_IS: Final = frozenset("fine good ok okay alright perfect great".split())
+AFTER_STAYING: Final = frozenset("put here inside so the same dark locked empty dry now still always".split())
+NOT_MEANT: Final = frozenset("affected concerned included involved meant touched".split())
 LYING: Final = frozenset("lying standing sitting hanging lie stand sit hang".split())
 BACK_IN_PLACE: Final = frozenset("where it they was were to its place there again".split())
 AWAY: Final = frozenset("away out off completely altogether entirely too".split())

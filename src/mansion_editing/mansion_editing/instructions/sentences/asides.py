@@ -2,26 +2,31 @@
 
 from abc import abstractmethod
 from collections.abc import Sequence
-from typing import Final
+from typing import Any, Final
 
 import msgspec
 
 from mansion_editing.instructions.clauses.outcomes import everything_at
 from mansion_editing.instructions.clauses.reader import ClauseReader
+from mansion_editing.instructions.phrases.verbs import verb_at
 from mansion_editing.instructions.phrases.words import Word
 from mansion_editing.instructions.sentences.bystanding import (
     asks_for_nothing,
+    asks_for_one_each,
     is_exclamation,
     is_purpose,
     is_rhetorical,
 )
 from mansion_editing.instructions.sentences.progress import Progress
-from mansion_editing.instructions.statements import Amount, Mention, Place, Things
+from mansion_editing.instructions.statements import Add, Amount, Ensure, Mention, Place, Remove, Things
 
 __all__ = ["Asides"]
 
 _CUTS: Final = frozenset([",", "(", ")", "-", ":"])
 _JOINTS: Final = frozenset("and but so as since".split())
+_MOST_CUTS: Final = 8
+"""In longer sentences only beginnings and ends are tried."""
+
 _TAKING_UP: Final = frozenset("it its them they one there that this those these another ones".split())
 """Words by which a sentence goes on with what the one before it told of."""
 
@@ -45,24 +50,45 @@ class Asides(Progress):
         self._read_sentence(words, marked=marked)
         if len(self.unknown) == len(first["unknown"]):
             return
+        if asks_for_one_each(words) and self._once_each(words, first):
+            return
         whole = self._so_far()
         for start, end in _parts(words):
             part, rest = words[start:end], [*words[:start], *words[end:]]
             before = start == 0
+            staying = bool(rest) and not before and end == len(words) and self._reader(_trimmed(part)).says_what_stays()
+            if staying:
+                self._go_back(first)
+                self._read_sentence(_trimmed(rest), marked=marked)
+                self._read_sentence(_trimmed(part), marked=False)
+                if len(self.unknown) == len(first["unknown"]):
+                    return
             if not self._is_aside(part, followed=before and bool(rest or later), marked=marked):
                 continue
             self._go_back(first)
             if before:
                 self._pass_over(part, rest or later)
             if rest:
-                self._read_sentence(_trimmed(rest), marked=marked and before)
+                again = self._with_subject(part, _trimmed(rest)) if before else _trimmed(rest)
+                self._read_sentence(again, marked=marked and before)
             if len(self.unknown) == len(first["unknown"]):
                 if not before:
                     self._pass_over(part, later if end == len(words) else [])
                 return
         self._go_back(whole)
 
+    def _with_subject(self, told: Sequence[Word], rest: Sequence[Word]) -> Sequence[Word]:
+        """Return ``stays off`` after ``The shredder is broken`` with its subject."""
+        if not rest or rest[0].text not in ("stay", "remain"):
+            return rest
+        item = self._reader(told).item(0)
+        return rest if item is None else [*told[: item.end], *rest]
+
     def _is_aside(self, words: Sequence[Word], *, followed: bool, marked: bool) -> bool:
+        words = _trimmed(words)
+        joints = [at for at, word in enumerate(words) if at and word.text in _CUTS | _JOINTS | {"then", "or"}]
+        if any(verb_at(words, at + 1, self.lexicon) is not None for at in joints):
+            return False
         if marked or is_rhetorical(words):
             return is_rhetorical(words)
         last = words[-1].end if words else 0
@@ -72,20 +98,42 @@ class Asides(Progress):
     def _pass_over(self, words: Sequence[Word], later: Sequence[Word]) -> None:
         """Note a clause that asks for nothing, with what it names unless the next one goes on with that."""
         words = _trimmed(words)
-        reader = ClauseReader(words, self.lexicon, self.floors, lambda a, b: self._quote(words, a, b))
-        named = _named(reader)
+        named = _named(self._reader(words))
         nouns = {text for things in named for text in things.noun.split()}
         taken_up = any(word.text in _TAKING_UP or word.text in nouns for word in later)
+        rooms = None
         if taken_up and named:
-            self.topic = named[0] if named[0].noun else self.topic
+            self.topic = named[0] if named[0].noun else self._lacking(words)
+            rooms = None if named[0].noun or named[0].place is None else named[0].place.rooms
         quote = self._quote(words, 0, len(words))
-        self.statements.append(Mention(quote=quote, passed_over=True, untouched=() if taken_up else named))
+        untouched = () if taken_up else named
+        self.statements.append(Mention(quote=quote, rooms=rooms, passed_over=True, untouched=untouched))
 
-    def _so_far(self) -> dict[str, object]:
+    def _lacking(self, words: Sequence[Word]) -> Things | None:
+        """Return what was mentioned last where words say of a room that it has none."""
+        last = next((s.things for s in reversed(self.statements) if isinstance(s, Remove | Add | Ensure)), None)
+        if last is None or not last.noun or not any(word.text == "none" for word in words):
+            return self.topic
+        return msgspec.structs.replace(last, place=None, amount=Amount(), definite=False, plural=False, refers="")
+
+    def _once_each(self, words: Sequence[Word], first: dict[str, Any]) -> bool:
+        """Count what is there already in the request before: ``those which have one need no other``."""
+        self._go_back(first)
+        last = self.statements[-1] if self.statements else None
+        if not isinstance(last, Add | Ensure) or not last.each:
+            return False
+        ensured = Ensure(things=last.things, place=last.place, each=True, quote=last.quote)
+        self.statements[-1:] = [ensured, Mention(quote=self._quote(words, 0, len(words)))]
+        return True
+
+    def _reader(self, words: Sequence[Word]) -> ClauseReader:
+        return ClauseReader(words, self.lexicon, self.floors, lambda a, b: self._quote(words, a, b))
+
+    def _so_far(self) -> dict[str, Any]:
         """Return how far the instruction is read, to come back to it."""
         return {name: list(value) if isinstance(value, list) else value for name, value in vars(self).items()}
 
-    def _go_back(self, so_far: dict[str, object]) -> None:
+    def _go_back(self, so_far: dict[str, Any]) -> None:
         for name, value in so_far.items():
             setattr(self, name, list(value) if isinstance(value, list) else value)
 
@@ -96,7 +144,7 @@ def _parts(words: Sequence[Word]) -> list[tuple[int, int]]:
     cuts = [at for at in range(1, count) if words[at].text in _CUTS | _JOINTS]
     ends = [(at, count) for at in cuts]
     beginnings = [(0, at) for at in reversed(cuts)]
-    inner = [(one, other) for one in cuts for other in reversed(cuts) if one < other]
+    inner = [] if len(cuts) > _MOST_CUTS else [(one, other) for one in cuts for other in reversed(cuts) if one < other]
     return [(0, count), *ends, *beginnings, *inner]
 
 
@@ -117,6 +165,9 @@ def _named(reader: ClauseReader) -> tuple[Things, ...]:
     while at < len(reader.words):
         item = reader.item(at)
         if item is None or item.end <= at:
+            noun = reader.text(at + 1)
+            if reader.text(at) == "the" and reader.lexicon.is_object((noun,)):
+                found.append(Things(noun=noun, amount=Amount(kind="all", number=0), definite=True, plural=True))
             at += 1
             continue
         if item.is_room:

@@ -19,7 +19,7 @@ from mansion_editing.instructions.phrases.words import (
 )
 from mansion_language.colours import COLOUR_WORDS
 
-__all__ = ["asks_for_nothing", "is_exclamation", "is_purpose", "is_rhetorical"]
+__all__ = ["asks_for_nothing", "asks_for_one_each", "is_exclamation", "is_purpose", "is_rhetorical"]
 
 _ASKING: Final = MODALS | NEED | frozenset(
     "please let make wish prefer like love fancy expect missing belong deserve instead only just another more less "
@@ -32,6 +32,8 @@ _ASKING: Final = MODALS | NEED | frozenset(
 _LACKING: Final = frozenset("no none nothing not never without broken defective dirty dark bare empty old ugly".split())
 """Words of complaints, which ask for something where no request follows that mends them."""
 
+_NOT_OURS: Final = frozenset("a an part my mine ours hers his theirs yours concerned affected involved".split())
+_CONTRACTED: Final = frozenset("isn't aren't wasn't weren't".split())
 _RESTING: Final = frozenset("stand sit lie hang rest live".split())
 _COUNTED: Final = frozenset("a an some any several".split())
 _SAID_BY_NOBODY: Final = frozenset("everything anything something all these those which that who".split())
@@ -48,7 +50,8 @@ def asks_for_nothing(words: Sequence[Word], lexicon: Lexicon, *, followed: bool)
         A request comes after it, for which a complaint is a reason.
     """
     words = _bare(words)
-    verb = _finite_verb(words, lexicon)
+    words = words[:-2] if [word.text for word in words[-2:]] == ["at", "all"] else words
+    verb = None if any(word.text == "," for word in words) else _finite_verb(words, lexicon)
     if verb is None or verb_at(words, 0, lexicon) is not None or not _is_subject(words[:verb], lexicon):
         return False
     texts = [word.text for word in words]
@@ -73,17 +76,15 @@ def _bare(words: Sequence[Word]) -> Sequence[Word]:
 
 def _denies_kind(texts: Sequence[str], verb: int) -> bool:
     """Whether a clause says what something is not, or whose: ``this is not a night club``, ``the box isn't hers``."""
-    after = texts[verb + 1 : verb + 3]
-    return texts[verb] in BE and after[:1] == ["not"] and after[1:] != [] and after[1] in (
-        "a", "an", "part", "my", "mine", "ours", "hers", "his", "theirs", "yours", "concerned", "affected", "involved",
-    )  # fmt: skip
+    denied = next((at for at in range(verb, len(texts)) if texts[at] == "not"), len(texts))
+    return texts[verb] in BE | {"not"} and " ".join(texts[denied + 1 : denied + 2]) in _NOT_OURS
 
 
 def _is_subject(words: Sequence[Word], lexicon: Lexicon) -> bool:
     """Whether words before a verb name somebody, or something that is there already."""
     if not words or words[0].text in _SAID_BY_NOBODY or words[0].text in PREPOSITIONS | {"there", "not", "nothing"}:
         return False
-    if any(word.kind == "mark" for word in words):
+    if any(word.kind == "mark" and word.text != "-" for word in words):
         return False
     counted = words[0].text in _COUNTED or words[0].kind == "number"
     return not (counted and _names(words, lexicon))
@@ -95,7 +96,7 @@ def _finite_verb(words: Sequence[Word], lexicon: Lexicon) -> int | None:
         word, before = words[at], words[at - 1]
         if word.kind != "word" or word.genitive:
             continue
-        if word.text in BE - {"be", "being", "been"} or word.raw in _PAST | _HAVING:
+        if word.text in BE - {"be", "being", "been"} or word.raw in _PAST | _HAVING | _CONTRACTED:
             return at
         third = word.plural and not _names([word], lexicon) and before.text not in PREPOSITIONS | {"the", "and"}
         person = at == 1 and before.text in ("i", "we", "you", "they") and word.text not in PREPOSITIONS
@@ -110,8 +111,9 @@ def _only_tells(words: Sequence[Word], verb: int, lexicon: Lexicon) -> bool:
     thing = _names(words[:verb], lexicon)
     past = said.raw in _PAST or (said.raw.endswith("ed") and said.text not in BE)
     rest = words[verb + 1 :]
-    if not past and said.text not in BE | _HAVING:
-        asked = (said.text,) in BY_WORDS and said.text not in _RESTING | {"get", "have"}
+    if not past and said.text not in BE | _HAVING and said.raw not in _CONTRACTED:
+        own = said.text == "keep" and bool(rest) and rest[0].text in ("its", "their", "the", "his", "her")
+        asked = (said.text,) in BY_WORDS and said.text not in _RESTING | {"get", "have"} and not own
         if asked or (thing and said.text in _RESTING):
             return False
     if said.text in ("get", "have") and not past and any(w.text in _COUNTED for w in rest):
@@ -131,6 +133,17 @@ def _only_tells(words: Sequence[Word], verb: int, lexicon: Lexicon) -> bool:
 
 def _names(words: Sequence[Word], lexicon: Lexicon) -> bool:
     return any(lexicon.is_object((w.text,)) or lexicon.is_own_room((w.text,)) for w in words if w.text not in PERSONS)
+
+
+def asks_for_one_each(words: Sequence[Word]) -> bool:
+    """Whether what has one already is to get no other: ``who has one has one``, ``those with one need no second``."""
+    texts = [word.text for word in words if word.text not in ("already", "got", ",")]
+    owner = texts[:1] in (["who"], ["whoever"]) or "which" in texts or "that" in texts or "with" in texts
+    has = "one" in texts and bool({"has", "have", "with"} & set(texts[: texts.index("one")]))
+    after = texts[texts.index("one") + 1 :] if has else []
+    enough = after in (["has", "one"], ["have", "one"], ["is", "fine"], ["are", "fine"])
+    none = len(after) <= 5 and bool({"not", "no"} & set(after)) and bool({"need", "get", "require"} & set(after))
+    return owner and has and (enough or (none and bool({"another", "second", "more", "one"} & set(after))))
 
 
 def is_exclamation(words: Sequence[Word], lexicon: Lexicon) -> bool:
@@ -157,7 +170,7 @@ def is_rhetorical(words: Sequence[Word]) -> bool:
 def is_purpose(words: Sequence[Word], lexicon: Lexicon) -> bool:
     """Whether ``so that ...`` says what people or a thing can then do, and no number, state or thing that shall be."""
     texts = [word.text for word in words]
-    if texts[:2] != ["so", "that"] or len(words) < 4:
+    if texts[:2] != ["so", "that"] or len(words) < 4 or "," in texts:
         return False
     rest = words[2:]
     people = rest[0].text in PERSONS | RELATIVES | {"it", "they", "you"}

@@ -29,7 +29,15 @@ from mansion_editing.instructions.sentences.depending import Depending
 from mansion_editing.instructions.sentences.owners import owners_named
 from mansion_editing.instructions.sentences.questions import read_question
 from mansion_editing.instructions.sentences.referring import Referring
-from mansion_editing.instructions.sentences.refinement import exactly, in_place_of, with_noun_at, with_storeys
+from mansion_editing.instructions.sentences.refinement import (
+    exactly,
+    in_place_of,
+    is_everything,
+    moves_it,
+    removes_all_of_it,
+    with_noun_at,
+    with_storeys,
+)
 from mansion_editing.instructions.sentences.repeating import Repeating
 from mansion_editing.instructions.sentences.telling import Telling
 from mansion_editing.instructions.statements import (
@@ -371,9 +379,11 @@ class _Reader(Asides, Telling, Repeating, Referring, Depending):
             if self.spared and isinstance(statement, Clear):
                 statement = msgspec.structs.replace(statement, spare=(*statement.spare, *self.spared))
                 self.spared = ()
+            if isinstance(last, Clear) and removes_all_of_it(statement):
+                continue
             if isinstance(statement, Keep):
                 statement = self._of_the_kind(statement)
-            if isinstance(statement, Keep) and _is_everything(statement.things):
+            if isinstance(statement, Keep) and is_everything(statement.things):
                 self.statements.append(statement)
                 continue
             if isinstance(statement, Keep) and isinstance(last, Clear) and not statement.things.place:
@@ -387,7 +397,7 @@ class _Reader(Asides, Telling, Repeating, Referring, Depending):
                 spared = msgspec.structs.replace(last.things, beside=(*last.things.beside, statement.things))
                 self.statements[-1] = msgspec.structs.replace(last, things=spared)
                 continue
-            if isinstance(last, Remove) and isinstance(statement, Move) and last.things.noun and _is_it(statement):
+            if isinstance(last, Remove) and isinstance(statement, Move) and last.things.noun and moves_it(statement):
                 moved = Move(things=last.things, place=statement.place, quote=self._from_to(last, statement))
                 self.statements[-1] = moved
                 continue
@@ -401,6 +411,9 @@ class _Reader(Asides, Telling, Repeating, Referring, Depending):
         things = keep.things
         before = next((getattr(s, "things", None) for s in reversed(self.statements) if hasattr(s, "things")), None)
         bare = things.noun == "one" or (things.refers == "last" and not things.noun)
+        last = self.statements[-1] if self.statements else None
+        if bare and things.place is None and isinstance(last, Move) and last.place.rooms is not None:
+            things = msgspec.structs.replace(things, place=Place(rooms=last.place.rooms))  # "the one already up there"
         if not bare or things.place is None or not isinstance(before, Things) or not before.noun:
             return keep
         named = msgspec.structs.replace(things, noun=before.noun, refers="", definite=True, plural=True)
@@ -582,13 +595,3 @@ class _Reader(Asides, Telling, Repeating, Referring, Depending):
             place = read.place if place == Place() else merged(place, read.place)
         reader.frame = place
         return after if not comma else end + 1
-
-
-def _is_everything(things: Things) -> bool:
-    """Whether words mean all that is at a place, of whatever kind."""
-    return not things.noun and not things.refers and things.place is not None
-
-
-def _is_it(statement: Move) -> bool:
-    """Whether a statement moves only what was mentioned last."""
-    return statement.things.refers == "last" and not statement.things.noun

@@ -7,9 +7,32 @@ import msgspec
 
 from mansion_editing.instructions.clauses.reader import ClauseReader
 from mansion_editing.instructions.phrases.places import SAME_FLOOR, merged, with_place
-from mansion_editing.instructions.statements import Add, Amount, Ensure, Move, Place, Replace, Rooms, Statement, Things
+from mansion_editing.instructions.statements import (
+    Add,
+    Amount,
+    Ensure,
+    Move,
+    Place,
+    Remove,
+    Replace,
+    Rooms,
+    Statement,
+    Things,
+)
 
-__all__ = ["exactly", "held_there", "in_place_of", "is_open", "narrowed", "so_many", "with_noun_at", "with_storeys"]
+__all__ = [
+    "exactly",
+    "held_there",
+    "in_place_of",
+    "is_everything",
+    "is_open",
+    "moves_it",
+    "narrowed",
+    "removes_all_of_it",
+    "so_many",
+    "with_noun_at",
+    "with_storeys",
+]
 
 
 def exactly(statement: Statement) -> Statement:
@@ -125,3 +148,22 @@ def narrowed(statement: Statement, place: Place) -> Statement:
     if isinstance(things, Things):
         return msgspec.structs.replace(statement, things=with_place(things, place))
     return statement
+
+
+def is_everything(things: Things) -> bool:
+    """Whether words mean all that is at a place, of whatever kind."""
+    return not things.noun and not things.refers and things.place is not None
+
+
+def moves_it(statement: Move) -> bool:
+    """Whether a statement moves only what was mentioned last."""
+    return statement.things.refers == "last" and not statement.things.noun
+
+
+def removes_all_of_it(statement: Statement) -> bool:
+    """Whether a statement says of what is cleared only that all of it goes."""
+    if not isinstance(statement, Remove):
+        return False
+    things = statement.things
+    bare = not things.noun and not things.refers and things.place is None and not things.beside
+    return bare and things.amount.kind == "all"
