@@ -3,7 +3,7 @@
 import pytest
 
 from mansion_editing.instructions.sentences.reader import read_instruction
-from mansion_editing.instructions.statements import Add, Ensure, Mention, Remove, SetState
+from mansion_editing.instructions.statements import Add, Ensure, Mention, Remove, SetState, Swap
 from mansion_editing.state import SceneState
 
 
@@ -103,3 +103,17 @@ def test_the_same_is_done_with_what_is_joined(state: SceneState) -> None:
 )
 def test_words_that_belong_to_no_statement_are_named(state: SceneState, text: str, words: str) -> None:
     assert any(words in part for part in read_instruction(text, state).not_understood)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Let the fridge and the dining table change places.",
+        "The fridge and the dining table should swap places.",
+        "The kitchen and the hall trade places, please.",
+    ],
+)
+def test_subjects_that_change_places_are_swapped(furnished_state: SceneState, text: str) -> None:
+    instruction = read_instruction(text, furnished_state)
+    assert instruction.not_understood == []
+    assert [type(s) for s in instruction.statements] == [Swap]

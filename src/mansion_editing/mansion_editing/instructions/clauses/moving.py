@@ -5,6 +5,7 @@ import msgspec
 from mansion_editing.instructions.clauses.items import Item, NotUnderstood, joined_places
 from mansion_editing.instructions.clauses.shifting import Shifting
 from mansion_editing.instructions.phrases.places import read_place, with_place
+from mansion_editing.instructions.phrases.words import MODALS
 from mansion_editing.instructions.statements import Add, Move, Place, Replace, Rooms, Statement, Swap, Things
 
 __all__ = ["Moving"]
@@ -68,6 +69,30 @@ class Moving(Shifting):
             )
             return [Swap(one=self._within_frame(first), other=self._within_frame(other.things()), quote=quote)], end
         raise NotUnderstood(at, self.boundary(at))
+
+    def _change_places(self, at: int) -> tuple[list[Statement], int] | None:
+        """Read ``the sofa and the desk change places``, ``let the sofa and the desk trade places``."""
+        place = at + (self.text(at) == "let")
+        stop = next((k for k in range(place, len(self.words)) if self.text(k + 1) == "place"), 0)
+        if self.text(stop) not in ("change", "swap", "exchange", "trade", "switch"):
+            return None
+        subjects = self.until(stop)  # "change" is no noun here
+        subjects.frame = self.frame
+        one = subjects.item(place)
+        if one is None or self.text(one.end) != "and":
+            return None
+        other = subjects.item(one.end + 1)
+        if other is None or one.is_room != other.is_room or not (one.phrase.definite and other.phrase.definite):
+            return None
+        end = other.end
+        while self.text(end) in MODALS or self.text(end) in ("to", "please"):
+            end += 1
+        if end != stop:
+            return None
+        quote = self.quote(at, end + 2)
+        if one.is_room:
+            return [Swap(one=one.rooms(), other=other.rooms(), quote=quote)], end + 2
+        return [Swap(one=self._within_frame(one.things()), other=self._within_frame(other.things()), quote=quote)], end + 2
 
     def _within_frame(self, things: Things) -> Things:
         """Return things that are in the room that the sentence began with, where they are in no other."""
