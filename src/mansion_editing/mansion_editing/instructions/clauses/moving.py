@@ -92,7 +92,9 @@ class Moving(Shifting):
         quote = self.quote(at, end + 2)
         if one.is_room:
             return [Swap(one=one.rooms(), other=other.rooms(), quote=quote)], end + 2
-        return [Swap(one=self._within_frame(one.things()), other=self._within_frame(other.things()), quote=quote)], end + 2
+        return [
+            Swap(one=self._within_frame(one.things()), other=self._within_frame(other.things()), quote=quote)
+        ], end + 2
 
     def _within_frame(self, things: Things) -> Things:
         """Return things that are in the room that the sentence began with, where they are in no other."""

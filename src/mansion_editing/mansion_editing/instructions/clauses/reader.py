@@ -26,7 +26,9 @@ class ClauseReader(Keeping, Changing, Taking, PastSteps):
         NotUnderstood
             Where the words make no clause.
         """
-        staying = self._meant(at) or self._staying(at) or self._stays_so(at) or self._gone_up(at) or self._change_places(at)
+        staying = (
+            self._meant(at) or self._staying(at) or self._stays_so(at) or self._gone_up(at) or self._change_places(at)
+        )
         if staying is not None:
             return staying
         if self.words[at].kind == "ordinal" and verb_at(self.words, at + 1, self.lexicon) is not None:
