@@ -151,7 +151,7 @@ def read_suites(
 
 
 def _of_storeys(reading: Reading, index: int) -> bool:
-    """Whether the sentence speaks of several storeys before a token, which then share out what has "each" at its end."""
+    """Whether the sentence speaks of several storeys before a token: they share out what has "each" at its end."""
     return any(
         reading.word(at) in FLOOR_WORDS and reading.plural(at)
         for at in range(index)
