@@ -10,7 +10,15 @@ import pytest
 
 from mansion_bringup.exporting import write_export
 from mansion_export import formats
-from mansion_export.formats import Format, Output, export_formats, formats_of_build, outputs_of_build, register
+from mansion_export.formats import (
+    ExportOptions,
+    Format,
+    Output,
+    export_formats,
+    formats_of_build,
+    outputs_of_build,
+    register,
+)
 from mansion_msgs_py.building_folder import BuildingFolder, floor_directory
 from mansion_msgs_py.errors import MansionError
 from sample_building import write_building
@@ -20,7 +28,7 @@ PAGE = (Path(__file__).parents[2] / "docs" / "exports.md").read_text()
 FORMAT = '''
 """The names of rooms, a line for each."""
 
-from mansion_export.formats import Format, Output, register
+from mansion_export.formats import ExportOptions, Format, Output, register
 
 
 def floor_names(scene):
@@ -147,6 +155,17 @@ def test_every_format_can_be_imported_and_stands_on_the_page(entry):
 
 
 def test_joints_are_made_where_a_format_has_them_and_refused_elsewhere(tmp_path):
-    assert [name for name, entry in export_formats().items() if entry.jointed] == ["mjcf", "sdf", "usd"]
+    assert [name for name, entry in export_formats().items() if entry.takes("articulated")] == ["mjcf", "sdf", "usd"]
     with pytest.raises(MansionError, match="plan has no joints; use one of mjcf, sdf, usd"):
-        write_export(tmp_path, export_formats()["plan"], articulated=True)
+        write_export(tmp_path, export_formats()["plan"], options=ExportOptions(articulated=True))
+
+
+def test_the_plot_is_left_out_where_it_is_not_wanted(building):
+    sited = [name for name, entry in export_formats().items() if entry.takes("site")]
+    assert sited == ["glb", "overview", "html", "sdf", "usd"]
+    for name in ("glb", "sdf"):
+        data = [
+            b"".join(export_formats()[name].make(building, ExportOptions(site=site)).values()) for site in (True, False)
+        ]
+        assert b"/plot/lawn" in data[0]
+        assert b"/plot/lawn" not in data[1]

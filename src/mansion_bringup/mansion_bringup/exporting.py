@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from mansion_bringup.extras import ensure_extra
-from mansion_export.formats import Format, export_formats
+from mansion_export.formats import PLAIN, ExportOptions, Format, export_formats
 from mansion_geometry.sound_shapes import require_sound_shapes
 from mansion_msgs_py.building_folder import BuildingFolder, file_in
 from mansion_msgs_py.errors import ErrorCode, MansionError
@@ -43,7 +43,7 @@ def format_names(listed: str | Sequence[str]) -> list[str]:
     return [name.strip() for name in given if name.strip()]
 
 
-def write_export(building: Path, to: Format, output: Path | None = None, *, articulated: bool = False) -> list[Path]:
+def write_export(building: Path, to: Format, output: Path | None = None, options: ExportOptions = PLAIN) -> list[Path]:
     """Write a building in a format, and return the files, those of the whole building first.
 
     Parameters
@@ -52,34 +52,33 @@ def write_export(building: Path, to: Format, output: Path | None = None, *, arti
         The building's folder.
     output : Path, optional
         Folder to write; the building's own when absent.
-    articulated : bool
-        With joints for doors, drawers and lids.
+    options : ExportOptions
 
     Raises
     ------
     MansionError
-        ``UNAVAILABLE`` where the format has no joints.
+        ``UNAVAILABLE`` where joints are asked for and the format has none.
     """
-    if articulated and not to.jointed:
-        known = ", ".join(name for name, each in export_formats().items() if each.jointed)
+    if options.articulated and not to.takes("articulated"):
+        known = ", ".join(name for name, each in export_formats().items() if each.takes("articulated"))
         raise MansionError(ErrorCode.UNAVAILABLE, f"{to.name} has no joints; use one of {known}", path="$.to")
     read, target = BuildingFolder(building), output or building
     if to.extra:
         ensure_extra(to.extra)
     scenes = read.scenes()
     require_sound_shapes(scenes)
-    files = to.make(scenes, articulated=articulated)
+    files = to.make(scenes, options)
     for name, data in files.items():
         write_atomic(file_in(target, name), data)
     return [target / name for name in files]
 
 
-def write_page(building: Path, output: Path | None = None) -> Path:
+def write_page(building: Path, output: Path | None = None, *, site: bool = True) -> Path:
     """Write the self-contained page with the 3D building, ``view.html`` in its folder when no file is named."""
     from mansion_export.html import view_page
 
     page = output or building / PAGE
     scenes = BuildingFolder(building).scenes()
     require_sound_shapes(scenes)
-    write_atomic(page, view_page(scenes).encode())
+    write_atomic(page, view_page(scenes, site=site).encode())
     return page

@@ -16,6 +16,8 @@ from mansion_msgs_py.scene import FloorScene
 
 __all__ = [
     "ALL",
+    "PLAIN",
+    "ExportOptions",
     "Format",
     "Output",
     "Outputs",
@@ -31,6 +33,25 @@ ALL: Final = "all"
 
 
 @dataclass(frozen=True, slots=True)
+class ExportOptions:
+    """What of a building is exported, beyond the format.
+
+    Attributes
+    ----------
+    articulated : bool
+        With joints for parts that move.
+    site : bool
+        With the plot around the building, and what stands before its doors.
+    """
+
+    articulated: bool = False
+    site: bool = True
+
+
+PLAIN: Final = ExportOptions()
+
+
+@dataclass(frozen=True, slots=True)
 class Output:
     """Files that one function makes, of a floor or of a building.
 
@@ -43,26 +64,24 @@ class Output:
         Their names in the folder of the floor, or of the building; meshes are left out.
     keys : tuple of str
         Their keys in ``building.json``; empty for what it does not name.
-    jointed : bool
-        Whether the function takes ``articulated=True``, for parts that move.
+    options : tuple of str
+        Names of the fields of `ExportOptions` that the function takes as keywords.
     """
 
     function: str
     files: tuple[str, ...]
     keys: tuple[str, ...] = ()
-    jointed: bool = False
+    options: tuple[str, ...] = ()
 
     @property
     def module(self) -> str:
         """Name of the module that defines the function."""
         return self.function.partition(":")[0]
 
-    def make(self, scenes: FloorScene | Sequence[FloorScene], *, articulated: bool = False) -> dict[str, bytes]:
-        """Return the files by path in the building's folder, with joints where they are asked for and can be had."""
+    def make(self, scenes: FloorScene | Sequence[FloorScene], options: ExportOptions = PLAIN) -> dict[str, bytes]:
+        """Return the files by path in the building's folder, with the options that the function takes."""
         function: Any = resolve_name(self.function)
-        files: dict[str, bytes] = (
-            function(scenes, articulated=True) if articulated and self.jointed else function(scenes)
-        )
+        files: dict[str, bytes] = function(scenes, **{name: getattr(options, name) for name in self.options})
         return files
 
 
@@ -91,15 +110,14 @@ class Format:
     extra: str = ""
     always: bool = False
 
-    @property
-    def jointed(self) -> bool:
-        """Whether the format has joints for parts that move."""
-        return any(output is not None and output.jointed for output in (self.building, self.floor))
+    def takes(self, option: str) -> bool:
+        """Whether a field of `ExportOptions` makes a difference to the format."""
+        return any(output is not None and option in output.options for output in (self.building, self.floor))
 
-    def make(self, scenes: Sequence[FloorScene], *, articulated: bool = False) -> dict[str, bytes]:
+    def make(self, scenes: Sequence[FloorScene], options: ExportOptions = PLAIN) -> dict[str, bytes]:
         """Return all files of the format, those of the whole building first, by path in the building's folder."""
-        made = [self.building.make(scenes, articulated=articulated)] if self.building else []
-        made += [self.floor.make(scene, articulated=articulated) for scene in scenes] if self.floor else []
+        made = [self.building.make(scenes, options)] if self.building else []
+        made += [self.floor.make(scene, options) for scene in scenes] if self.floor else []
         return {path: data for files in made for path, data in files.items()}
 
 
@@ -203,14 +221,16 @@ register(
 )
 register(
     Format(
-        "mjcf", "MuJoCo model", floor=Output("mansion_export.mjcf:mjcf_files", ("model.xml",), ("model",), jointed=True)
+        "mjcf",
+        "MuJoCo model",
+        floor=Output("mansion_export.mjcf:mjcf_files", ("model.xml",), ("model",), ("articulated",)),
     )
 )
 register(
     Format(
         "glb",
         "binary glTF",
-        building=Output("mansion_export.glb:building_files", ("building.glb",), ("model",)),
+        building=Output("mansion_export.glb:building_files", ("building.glb",), ("model",), ("site",)),
         floor=Output("mansion_export.glb:floor_files", ("floor.glb",)),
     )
 )
@@ -218,19 +238,29 @@ register(
     Format(
         "overview",
         "picture of the building",
-        building=Output("mansion_export.overview:overview_files", ("building.png",), ("picture",)),
+        building=Output("mansion_export.overview:overview_files", ("building.png",), ("picture",), ("site",)),
         always=True,
     )
 )
-register(Format("html", "page with a 3D view", building=Output("mansion_export.html:page_files", ("view.html",))))
 register(
-    Format("sdf", "Gazebo world", building=Output("mansion_export.sdf:sdf_files", ("building.sdf",), jointed=True))
+    Format(
+        "html",
+        "page with a 3D view",
+        building=Output("mansion_export.html:page_files", ("view.html",), options=("site",)),
+    )
+)
+register(
+    Format(
+        "sdf",
+        "Gazebo world",
+        building=Output("mansion_export.sdf:sdf_files", ("building.sdf",), options=("articulated", "site")),
+    )
 )
 register(
     Format(
         "usd",
         "OpenUSD stage",
-        building=Output("mansion_export.usd:usd_files", ("building.usdc",), jointed=True),
+        building=Output("mansion_export.usd:usd_files", ("building.usdc",), options=("articulated", "site")),
         extra="usd",
     )
 )

@@ -66,9 +66,9 @@ def floor_glb(scene: FloorScene, *, ceilings: bool = True, catalogue: Catalogue 
     )
 
 
-def building_files(scenes: Sequence[FloorScene]) -> dict[str, bytes]:
+def building_files(scenes: Sequence[FloorScene], *, site: bool = True) -> dict[str, bytes]:
     """Return ``building.glb`` by its path in the building's folder."""
-    return {"building.glb": building_glb(scenes)}
+    return {"building.glb": building_glb(scenes, site=site)}
 
 
 def floor_files(scene: FloorScene) -> dict[str, bytes]:

@@ -15,13 +15,15 @@ __all__ = ["page_files", "view_page"]
 SCRIPTS = ("matrix.js", "scene.js", "renderer.js", "camera.js", "labels.js", "input.js", "main.js")
 
 
-def view_page(building: bytes | Sequence[FloorScene]) -> str:
+def view_page(building: bytes | Sequence[FloorScene], *, site: bool = True) -> str:
     """Make the page that ``mansion view`` writes.
 
     Parameters
     ----------
     building : bytes or sequence of FloorScene
         A building's ``building.glb``, or its floors.
+    site : bool
+        With the plot around the building, where its floors are given.
 
     Returns
     -------
@@ -29,7 +31,7 @@ def view_page(building: bytes | Sequence[FloorScene]) -> str:
         An HTML document with the model inside (gzip, base64) and a viewer in plain JavaScript over WebGL 2: floors
         shown and hidden, spread and cut open, room names, what is pointed at.
     """
-    glb = building if isinstance(building, bytes) else building_glb(building)
+    glb = building if isinstance(building, bytes) else building_glb(building, site=site)
     parts = {
         "title": html.escape(_name(glb).replace("_", " ")),
         "style": _text("style.css"),
@@ -42,9 +44,9 @@ def view_page(building: bytes | Sequence[FloorScene]) -> str:
     return page
 
 
-def page_files(scenes: Sequence[FloorScene]) -> dict[str, bytes]:
+def page_files(scenes: Sequence[FloorScene], *, site: bool = True) -> dict[str, bytes]:
     """Return ``view.html`` by its path in the building's folder."""
-    return {"view.html": view_page(scenes).encode()}
+    return {"view.html": view_page(scenes, site=site).encode()}
 
 
 def _text(name: str) -> str:

@@ -72,6 +72,7 @@ def overview_png(
     scenes: Sequence[FloorScene],
     width: int = WIDTH,
     *,
+    site: bool = True,
     catalogue: Catalogue | None = None,
     models: Sequence[Model] | None = None,
 ) -> bytes:
@@ -82,6 +83,8 @@ def overview_png(
     scenes : sequence of FloorScene
     width : int
         Of the picture, pixels.
+    site : bool
+        With the plot around the building, unless the models are given.
     catalogue : Catalogue, optional
         Where the assets are, when they are not all in the shipped one.
     models : sequence of Model, optional
@@ -96,7 +99,7 @@ def overview_png(
 
     ordered = sorted(scenes, key=lambda scene: scene.floor)
     if models is None:
-        models = building_models(ordered, catalogue=catalogue)
+        models = building_models(ordered, site=site, catalogue=catalogue)
     turns = quarter_turns(ordered)
     floors = [_cut_open(model, scene, turns) for model, scene in zip(models, ordered)]
     layout = _layout(floors, width)
@@ -126,9 +129,9 @@ def overview_png(
     return buffer.getvalue()
 
 
-def overview_files(scenes: Sequence[FloorScene]) -> dict[str, bytes]:
+def overview_files(scenes: Sequence[FloorScene], *, site: bool = True) -> dict[str, bytes]:
     """Return ``building.png`` by its path in the building's folder."""
-    return {"building.png": overview_png(scenes)}
+    return {"building.png": overview_png(scenes, site=site)}
 
 
 def _layout(floors: Sequence[Triangles], width: int) -> _Sheet:

@@ -30,6 +30,7 @@ def world_sdf(
     catalogue: Catalogue | None = None,
     *,
     articulated: bool = False,
+    site: bool = True,
 ) -> SimulatorModel:
     """Make a Gazebo world of all floors.
 
@@ -42,6 +43,8 @@ def world_sdf(
         Where the assets are, when they are not all in the shipped one.
     articulated : bool
         Make what has doors, drawers or lids, and each leaf, a model of its own whose parts have joints.
+    site : bool
+        With the plot around the building.
 
     Returns
     -------
@@ -52,15 +55,15 @@ def world_sdf(
     writer = _Writer(mesh_dir, catalogue, articulated)
     ordered = sorted(scenes, key=lambda scene: scene.floor)
     models: list[str] = []
-    for model, scene in zip(building_models(ordered, catalogue=catalogue), ordered):
+    for model, scene in zip(building_models(ordered, site=site, catalogue=catalogue), ordered):
         models += writer.models(model, scene)
     name = ordered[0].building_id if ordered else "building"
     return SimulatorModel(_world(name, models), dict(sorted(writer.files.items())))
 
 
-def sdf_files(scenes: Sequence[FloorScene], *, articulated: bool = False) -> dict[str, bytes]:
+def sdf_files(scenes: Sequence[FloorScene], *, articulated: bool = False, site: bool = True) -> dict[str, bytes]:
     """Return ``building.sdf`` and its meshes by their paths in the building's folder."""
-    world = world_sdf(scenes, articulated=articulated)
+    world = world_sdf(scenes, articulated=articulated, site=site)
     return {"building.sdf": world.xml.encode(), **{f"meshes/{name}": data for name, data in world.meshes.items()}}
 
 

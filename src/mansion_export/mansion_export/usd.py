@@ -25,7 +25,7 @@ __all__ = ["building_usd", "usd_files"]
 
 
 def building_usd(
-    scenes: Sequence[FloorScene], catalogue: Catalogue | None = None, *, articulated: bool = False
+    scenes: Sequence[FloorScene], catalogue: Catalogue | None = None, *, articulated: bool = False, site: bool = True
 ) -> bytes:
     """Make a USD stage of all floors, in the binary crate format (``.usdc``), z up, metres.
 
@@ -67,7 +67,7 @@ def building_usd(
     writer.friction(root.GetPrim())
     if articulated:
         UsdPhysics.Scene.Define(stage, "/building/physics").CreateGravityDirectionAttr(Gf.Vec3f(0.0, 0.0, -1.0))
-    for model, scene in zip(building_models(ordered, catalogue=catalogue), ordered):
+    for model, scene in zip(building_models(ordered, site=site, catalogue=catalogue), ordered):
         moving = assemblies(scene, {node.id: node for node in model.nodes}, catalogue) if articulated else {}
         writer.floor(model, Colliders(scene, catalogue), moving)
     with tempfile.TemporaryDirectory() as folder:
@@ -76,9 +76,9 @@ def building_usd(
         return path.read_bytes()
 
 
-def usd_files(scenes: Sequence[FloorScene], *, articulated: bool = False) -> dict[str, bytes]:
+def usd_files(scenes: Sequence[FloorScene], *, articulated: bool = False, site: bool = True) -> dict[str, bytes]:
     """Return ``building.usdc`` by its path in the building's folder."""
-    return {"building.usdc": building_usd(scenes, articulated=articulated)}
+    return {"building.usdc": building_usd(scenes, articulated=articulated, site=site)}
 
 
 class _Writer:

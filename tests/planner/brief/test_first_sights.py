@@ -284,3 +284,24 @@ def test_rooms_that_have_their_own_areas_keep_them() -> None:
 def test_each_of_some_storeys_means_these_storeys(text: str, refs: list[tuple[str, int, int]]) -> None:
     (room,) = read(text).rooms
     assert (room.count, room.each, where(room.floors)) == (10, True, refs)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A clinic of four storeys. Levels 3 and 4 are equal: ten patient rooms and a nurses' station each.",
+        "A clinic of four storeys. Floors 3 and 4: ten patient rooms and a nurse station each.",
+        "A clinic of four storeys. The storeys 3 and 4 have ten patient rooms and one nurse station each.",
+    ],
+)
+def test_each_at_the_end_of_what_several_storeys_have_shares_out_over_them(text: str) -> None:
+    facts = read(text)
+    station = next(room for room in facts.rooms if room.room_type == "nurse_station")
+    assert station.count == 1 and station.each
+    assert not any(room.suite for room in facts.rooms)
+
+
+def test_each_at_the_end_of_a_room_with_another_gives_it_to_every_room() -> None:
+    facts = read("A hotel of four storeys. Floors 3 and 4: ten guest rooms with a bathroom each.")
+    (rooms,) = facts.rooms
+    assert [part.room_type for part in rooms.suite] == ["bathroom"]

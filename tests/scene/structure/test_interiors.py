@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from shapely.geometry import LineString, Polygon
 
 from mansion_scene.structure import build_structure
-from mansion_scene.structure.dimensions import INTERIOR_THICKNESS
+from mansion_scene.structure.dimensions import CLEAR_WIDTH, INTERIOR_THICKNESS
 
 
 def net(room) -> Polygon:
@@ -56,6 +56,23 @@ def test_an_open_structural_wall_keeps_its_ends(sample_floors: ModuleType) -> No
     ends = [wall for wall in structure.walls if wall.structural]
     assert len(ends) == 2
     assert structure.doors[0].width == pytest.approx(5 - 2 * 0.3)
+
+
+@pytest.mark.parametrize("front", [1.2, 1.3, 1.5, 1.62, 1.7, 2.2])
+def test_an_open_structural_front_leaves_room_to_pass_however_short_it_is(
+    sample_floors: ModuleType, front: float
+) -> None:
+    rooms = {
+        "lobby": ("lobby", sample_floors.box(0, 0, 6, 2)),
+        "desk": ("checkout_area", sample_floors.box(0, 2, front, 4)),
+        "store": ("storage", sample_floors.box(front, 2, 6, 4)),
+    }
+    edges = [("lobby", "desk"), ("lobby", "store")]
+    request = sample_floors.request(
+        rooms, edges, open_rooms=["desk"], structural_walls=[((0.0, 2.0), (6.0, 2.0))]
+    )  # fmt: skip
+    (opening,) = [door for door in build_structure(request).doors if door.kind == "open"]
+    assert opening.width >= CLEAR_WIDTH
 
 
 @settings(max_examples=30, deadline=None)

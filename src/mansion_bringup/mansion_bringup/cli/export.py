@@ -9,7 +9,7 @@ import typer
 from mansion_bringup.cli.console import check_output_file, check_output_folder, err
 from mansion_bringup.exporting import PAGE, format_named, write_export, write_page
 from mansion_bringup.long_work import model_seconds, notice
-from mansion_export.formats import export_formats
+from mansion_export.formats import ExportOptions, export_formats
 from mansion_msgs_py.building_folder import check_building_folder
 from mansion_msgs_py.wording import counted
 
@@ -31,6 +31,7 @@ def export(
     articulated: Annotated[
         bool, typer.Option("--articulated", help="Joints for doors, drawers, lids and lift leaves (mjcf, sdf, usd).")
     ] = False,
+    site: Annotated[bool, typer.Option("--site/--no-site", help="With the plot around the building.")] = True,
 ) -> None:
     """Write a building in another program's format.
 
@@ -41,11 +42,13 @@ def export(
       mansion export out/office --to sdf -o gazebo/office
 
       mansion export out/office --to mjcf --articulated
+
+      mansion export out/office --to glb --no-site -o models
     """
     chosen, target = format_named(to), output or building
     check_building_folder(building)
     check_output_folder(target)
-    files = write_export(building, chosen, output, articulated=articulated)
+    files = write_export(building, chosen, output, ExportOptions(articulated=articulated, site=site))
     size = sum(file.stat().st_size for file in files) / 1e6
     err.print(f"wrote {counted(len(files), 'file')}, {size:.1f} MB, to {target}", highlight=False)
     for file in files:
@@ -58,6 +61,7 @@ def view(
     output: Annotated[
         Path | None, typer.Option("--output", "-o", help="Page to write; DIR/view.html if absent.")
     ] = None,
+    site: Annotated[bool, typer.Option("--site/--no-site", help="With the plot around the building.")] = True,
     show: Annotated[bool, typer.Option("--open", help="Open it in the browser.")] = False,
 ) -> None:
     """Write a self-contained page with the 3D building, floor by floor.
@@ -70,7 +74,7 @@ def view(
     check_output_file(output or building / PAGE)
     if told := notice(building, "the page", model_seconds):
         err.print(told, highlight=False)
-    page = write_page(building, output)
+    page = write_page(building, output, site=site)
     typer.echo(str(page))
     if show:
         webbrowser.open(page.absolute().as_uri())

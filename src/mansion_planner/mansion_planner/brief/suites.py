@@ -5,7 +5,7 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 
 from mansion_planner.brief.phrase import Phrase
-from mansion_planner.brief.reading import Reading
+from mansion_planner.brief.reading import FLOOR_WORDS, Reading
 
 __all__ = ["Suites", "read_suites"]
 
@@ -140,12 +140,23 @@ def read_suites(
                 continue
         if tail == ("each",) and reading.word(phrases[owner].last) == "each":
             continue  # "floors with 30 desks each and 4 offices each"
+        if tail == ("each",) and not has and "and" in gap and _of_storeys(reading, phrases[owner].begin):
+            continue  # "levels 3 and 4: ten patient rooms and a nurses' station each"
         postposed = not gap_words and phrase.room_type == "ensuite_bathroom"  # "three bedrooms en suite"
         shared_out = several and (distributive or tail == ("each",))
         if shared_out or both or postposed or own or plain:
             suites[number] = owner
     twin_rooms |= {n: others for n, others in twins_of.items() if n in suites and len(others) > 1}
     return Suites({n: o for n, o in suites.items() if n not in same}, twin_rooms)
+
+
+def _of_storeys(reading: Reading, index: int) -> bool:
+    """Whether the sentence speaks of several storeys before a token: they share out what has "each" at its end."""
+    return any(
+        reading.word(at) in FLOOR_WORDS and reading.plural(at)
+        for at in range(index)
+        if reading.sentence[at] == reading.sentence[index]
+    )
 
 
 def _measures_each(reading: Reading, first: int, last: int) -> bool:

@@ -111,7 +111,8 @@ def _longest_first(gaps: _Gaps, clear: Sequence[Segment | None]) -> list[tuple[B
 
 def _with_nibs(boundary: BoundarySegment) -> tuple[list[BoundarySegment], BoundarySegment]:
     """Keep a short wall at both ends of an open structural boundary, which carries the beam above."""
-    if not boundary.structural or boundary.length < 2 * NIB + _SHORTEST_OPEN:
+    # Walls that meet an end take half their thickness of the opening as well.
+    if not boundary.structural or boundary.length < 2 * NIB + CLEAR_WIDTH + INTERIOR_THICKNESS:
         return [], boundary
     low, high = boundary.at(NIB), boundary.at(boundary.length - NIB)
     nibs = [replace(boundary, end=low), replace(boundary, start=high)]
