@@ -64,7 +64,8 @@ def test_robots_of_one_building_meet_in_one_world(copy: mansion.Building) -> Non
     one, other = copy.robot("one"), copy.robot("other")
     assert one.go_to("F1/kitchen/fridge_1").status is SkillStatus.SUCCESS
     assert one.open_object("F1/kitchen/fridge_1").status is SkillStatus.SUCCESS
-    other.go_to("kitchen")
+    assert one.go_to("bathroom").status is SkillStatus.SUCCESS
+    assert other.go_to("F1/kitchen/fridge_1").status is SkillStatus.SUCCESS
     seen = {item.id: item.states for item in other.list_visible().objects}
     assert seen["F1/kitchen/fridge_1"]["open"] is True
     with pytest.raises(mansion.MansionError, match="sessions one") as caught:

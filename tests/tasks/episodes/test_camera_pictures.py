@@ -4,9 +4,12 @@ from io import BytesIO
 from pathlib import Path
 
 import numpy as np
+import pytest
 from PIL import Image
 
 from episode_tasks import mug_task
+from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_skills import vision
 from mansion_tasks.agents.interface import Access
 from mansion_tasks.episodes.camera_pictures import CameraPictures, marked_view
 from mansion_tasks.episodes.contact_sheet import draw_plan
@@ -29,7 +32,13 @@ def test_a_mark_is_drawn_on_its_object_and_nowhere_else() -> None:
     assert low[1] >= 95 and high[1] < 145
 
 
-def test_a_building_without_models_is_seen_without_pictures(building: Path) -> None:
+def test_where_nothing_can_render_a_building_is_seen_without_pictures(
+    building: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def unavailable(*_: object) -> None:
+        raise MansionError(ErrorCode.UNAVAILABLE, "no OpenGL that renders offscreen")
+
+    monkeypatch.setattr(vision, "Camera", unavailable)
     with episode_folder(building) as folder, CameraPictures() as pictures:
         port = LocalPort()
         port.load(folder)
