@@ -37,7 +37,7 @@ def test_environment(environment: Mapping[str, str]) -> dict[str, str]:
     Parameters
     ----------
     environment : mapping
-        The caller's; its own choices stay, but for how far nodes look.
+        The caller's; its own choices stay, but for how far nodes look and for settings of commands.
     """
     kept = {name: value for name, value in environment.items() if name not in CHOICES}
     return {
@@ -45,6 +45,7 @@ def test_environment(environment: Mapping[str, str]) -> dict[str, str]:
         "OPENBLAS_NUM_THREADS": "1",
         "MPLBACKEND": "Agg",
         **kept,
+        "MANSION_CONFIG": os.devnull,
         **loopback_variables(kept),
     }
 

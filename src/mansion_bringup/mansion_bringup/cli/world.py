@@ -8,7 +8,7 @@ from typing import Annotated
 
 import typer
 
-from mansion_bringup.cli.console import EXIT_INTERRUPTED, check_output_folder, err, out
+from mansion_bringup.cli.console import EXIT_INTERRUPTED, AsJson, check_output_folder, err, out, print_json
 from mansion_msgs_py.wording import counted
 from mansion_world.making import WorldProgress
 
@@ -30,6 +30,7 @@ def make(
     seed: Annotated[int, typer.Option(min=0, help="Same seed and mixture, same world.")] = 0,
     mix: Annotated[Path | None, typer.Option(help="TOML file of kinds and shares; MansionWorld's own if none.")] = None,
     jobs: Annotated[int, typer.Option(min=0, help="Buildings in work at once; 0: all cores.")] = 0,
+    as_json: AsJson = False,
 ) -> None:
     """Make a world of buildings, or go on with one.
 
@@ -63,6 +64,9 @@ def make(
     except KeyboardInterrupt:
         err.print("interrupted; the same command goes on from the buildings that are done")
         raise typer.Exit(EXIT_INTERRUPTED) from None
+    if as_json:
+        print_json(made)
+        raise typer.Exit(1 if made.missing else 0)
     missing = f", {made.missing} places left empty" if made.missing else ""
     out.print(f"{output}: {counted(made.done, 'building')}, {made.set_aside} set aside{missing}", highlight=False)
     if made.missing:
@@ -93,6 +97,7 @@ def _reporter() -> Callable[[WorldProgress], None]:
 def stats(
     world: Annotated[Path, typer.Argument(help="Folder that `mansion world make` wrote.")],
     page: Annotated[bool, typer.Option(help="Also write statistics.html into the folder.")] = True,
+    as_json: AsJson = False,
 ) -> None:
     """Describe a world: its mixture against the asked one, floors, areas, rooms, objects.
 
@@ -107,8 +112,11 @@ def stats(
 
     folder = WorldFolder(world)
     statistics = world_statistics(folder)
-    for title, rows in statistics.tables().items():
-        if rows:
+    tables = {title: rows for title, rows in statistics.tables().items() if rows}
+    if as_json:
+        print_json({title: dict(rows) for title, rows in tables.items()})
+    else:
+        for title, rows in tables.items():
             typer.echo(title)
             width = max(len(name) for name, _ in rows)
             for name, value in rows:
@@ -118,7 +126,9 @@ def stats(
         err.print(f"wrote {world / 'statistics.html'}", highlight=False)
 
 
-def check(world: Annotated[Path, typer.Argument(help="Folder that `mansion world make` wrote.")]) -> None:
+def check(
+    world: Annotated[Path, typer.Argument(help="Folder that `mansion world make` wrote.")], as_json: AsJson = False
+) -> None:
     """Verify a world: manifest, hashes, and each building; exit status 1 and a line for each fault.
 
     Examples:
@@ -128,15 +138,19 @@ def check(world: Annotated[Path, typer.Argument(help="Folder that `mansion world
     from mansion_bringup.worlds import check_for_world
     from mansion_world.verification import verify_world
 
-    checked = faults = 0
+    checked = 0
+    faults: list[dict[str, str]] = []
 
     def count(buildings: int) -> None:
         nonlocal checked
         checked = buildings
 
     for where, fault in verify_world(world, check_for_world, count):
-        faults += 1
-        typer.echo(f"{where}: {fault}")
-    err.print(f"{world}: {counted(checked, 'building')}, {counted(faults, 'fault')}", highlight=False)
+        faults.append({"building": str(where), "fault": str(fault)})
+        if not as_json:
+            typer.echo(f"{where}: {fault}")
+    if as_json:
+        print_json({"buildings": checked, "faults": faults})
+    err.print(f"{world}: {counted(checked, 'building')}, {counted(len(faults), 'fault')}", highlight=False)
     if faults:
         raise typer.Exit(1)
