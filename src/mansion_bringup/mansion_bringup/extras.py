@@ -25,6 +25,7 @@ EXTRAS: Final[dict[str, tuple[str, ...]]] = {
     "embeddings": ("sentence_transformers",),
     "lint": ("codespell_lib", "importlinter", "mypy", "ruff"),
     "llm": ("openai",),
+    "record": ("mcap", "mcap_ros2"),
     "sim": ("gymnasium", "mujoco"),
     "test": ("coverage", "hypothesis", "pytest", "xdist"),
     "thor": ("ai2thor",),

@@ -17,6 +17,7 @@ from mansion_bringup.cli import (
     look,
     plan,
     quality,
+    record,
     schema,
     skill,
     solve,
@@ -76,5 +77,21 @@ def _pass_on(settings: SettingsFile) -> None:
         os.environ.setdefault(setting_variable(name), value)
 
 
-for module in (build, bench, plan, edit, export, graph, solve, schema, quality, skill, look, task, world, config):
+for module in (
+    build,
+    bench,
+    plan,
+    edit,
+    export,
+    graph,
+    solve,
+    schema,
+    quality,
+    skill,
+    look,
+    task,
+    world,
+    config,
+    record,
+):
     module.register(app)
