@@ -148,5 +148,6 @@ def test_the_shell_completes_commands_and_options(typed: str, offered: list[str]
 
 
 def test_the_completion_of_a_shell_is_printed(tmp_path: Path) -> None:
-    done = mansion(tmp_path, "--show-completion", "zsh")
-    assert done.returncode == 0 and "_MANSION_COMPLETE" in done.stdout
+    done = mansion(tmp_path, _MANSION_COMPLETE="source_zsh")
+    assert done.returncode == 0
+    assert "#compdef mansion" in done.stdout and "_MANSION_COMPLETE=complete_zsh" in done.stdout

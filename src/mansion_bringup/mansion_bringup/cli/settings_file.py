@@ -226,8 +226,14 @@ class _Reader:
                 known = [each for each in setting_names() if each != "api_key"]
                 raise self._unknown(place, name, known, "settings of the language model")
             self._refuse_unless_named(LLM, name)
-            checked_setting(name, value, f"{self.path}, table [{LLM}],")
-            found[name] = ",".join(value) if isinstance(value, list) else str(value)
+            items = value if isinstance(value, list) else [value]
+            if not all(isinstance(item, str | int | float) and not isinstance(item, bool) for item in items):
+                raise self._fault(place, "must be a text, a number, or a list of them")
+            text = ",".join(str(item) for item in items)
+            if "\0" in text:
+                raise self._fault(place, "has a character that no variable can hold")
+            checked_setting(name, text, f"{self.path}, table [{LLM}],")
+            found[name] = text
         return found
 
     def _refuse_unless_named(self, table: str, name: str) -> None:
