@@ -1,5 +1,6 @@
 """What is said to stay as it is: ``the treadmills are fine``, ``nothing on the third floor may change``."""
 
+from mansion_editing.instructions.clauses.coordination import is_for_one
 from mansion_editing.instructions.clauses.items import joined_places
 from mansion_editing.instructions.clauses.outcomes import everything_at
 from mansion_editing.instructions.clauses.subjects import Subjects
@@ -79,16 +80,29 @@ class Staying(Subjects):
             return None
         return [Keep(things=with_place(kept, Place(rooms=room.rooms())), quote=self.quote(at, end))], end
 
+    def _stays_after(self, at: int) -> bool:
+        return bool(self._as_it_is(at) or self._not_part_of_it(at))
+
     def _subject_stays(self, at: int) -> tuple[list[Statement], int] | None:
-        found = self._subject(at)
-        if found is None:
-            return None
-        things, end = found
-        load = self.item(end + 1) if self.text(end) == "with" else None
-        end = end if load is None else load.end
-        stop = self._as_it_is(end) or self._not_part_of_it(end)
-        kept = [things] if load is None else [things, self._all(load.things())]
-        return None if not stop else ([Keep(things=one, quote=self.quote(at, stop)) for one in kept], stop)
+        """Read one subject or several that stay: ``the vase, the lamp and the phone are fine``."""
+        kept: list[Things] = []
+        place = at
+        while (found := self._subject(place)) is not None:
+            things, end = found
+            load = self.item(end + 1) if self.text(end) == "with" else None
+            end = end if load is None else load.end
+            kept += [things] if load is None else [things, self._all(load.things())]
+            stop = self._as_it_is(end) or self._not_part_of_it(end)
+            if stop and place > at and is_for_one(self.words[end]):
+                return None
+            if stop:
+                return [Keep(things=one, quote=self.quote(at, stop)) for one in kept], stop
+            place = self.conjunction(end)
+            item = self.item(at)
+            directed = item is not None and any(p.goal or p.source for p in item.places)
+            if not place or directed or self.starts_clause(place):
+                return None
+        return None
 
     def _subject(self, at: int) -> tuple[Things, int] | None:
         """Read what stays: ``what is on the dresser``, ``the third floor``, ``the mug that is lying there``."""
@@ -126,6 +140,10 @@ class Staying(Subjects):
     def _as_it_is(self, at: int) -> int:
         """Return the end of ``may stay as they are``, ``is fine``, ``must not be moved``; 0 where it is not said."""
         end = at
+        if self.text(at) == "as" and self.text(at + 1) in ("it", "they"):
+            while self.text(end) in KEPT_AS_IT_IS:
+                end += 1
+            return end if self._clause_ends(end) else 0
         while self.text(end) in MODALS or self.text(end) in BE or self.text(end) in ("all", "both", "just", "to"):
             end += 1
         said = [word.text for word in self.words[at:end]]

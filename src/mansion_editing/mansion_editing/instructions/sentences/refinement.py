@@ -29,6 +29,7 @@ __all__ = [
     "moves_it",
     "narrowed",
     "removes_all_of_it",
+    "removes_what_went",
     "so_many",
     "with_noun_at",
     "with_storeys",
@@ -167,3 +168,12 @@ def removes_all_of_it(statement: Statement) -> bool:
     things = statement.things
     bare = not things.noun and not things.refers and things.place is None and not things.beside
     return bare and things.amount.kind == "all"
+
+
+def removes_what_went(statement: Statement) -> bool:
+    """Whether a statement only says once more of what was removed just before that it goes: ``take them off``."""
+    if not isinstance(statement, Remove):
+        return False
+    things = statement.things
+    bare = things.refers == "last" and not things.noun and things.place is None and not things.beside
+    return bare and not things.amount.number
