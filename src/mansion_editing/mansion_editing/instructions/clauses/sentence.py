@@ -363,7 +363,7 @@ class Sentence(ABC):
         word = self.text(at)
         if word in (",", "-", ":"):
             return False
-        if word in MODALS or word in PREDICATE_VERBS:
+        if word in MODALS or word in PREDICATE_VERBS or (word == "keep" and self.text(at + 1) in STATE_WORDS):
             return True
         if word in STATE_WORDS:
             nominal = word in ("on", "off") and self.phrase(at + 1) is not None

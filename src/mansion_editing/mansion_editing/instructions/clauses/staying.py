@@ -15,6 +15,8 @@ from mansion_editing.instructions.phrases.word_sets import (
     KEPT_AS_IT_IS,
     LYING,
     NOT_MEANT,
+    SO_DOING,
+    STAYING,
 )
 from mansion_editing.instructions.phrases.words import BE, MODALS
 from mansion_editing.instructions.statements import Amount, Keep, Mention, Place, Rooms, Statement, Things
@@ -36,7 +38,24 @@ class Staying(Subjects):
 
     def _stays_so(self, at: int) -> tuple[list[Statement], int] | None:
         """Read a clause that says of things, of a room or of a storey that they stay as they are."""
-        return self._all_else(at) or self._nothing_changes(at) or self._keeps_its_own(at) or self._subject_stays(at)
+        return (
+            self._so_does(at)
+            or self._all_else(at)
+            or self._nothing_changes(at)
+            or self._keeps_its_own(at)
+            or self._subject_stays(at)
+        )
+
+    def _so_does(self, at: int) -> tuple[list[Statement], int] | None:
+        """Read ``so does the table in the mail room`` after what stays."""
+        at_verb = at + (self.text(at) == "so")
+        before = {word.text for word in self.words[:at]}
+        if not before & STAYING or "so" not in (self.text(at), self.text(at - 1)) or self.text(at_verb) not in SO_DOING:
+            return None
+        item = self.item(at_verb + 1)
+        if item is None or item.is_room or not item.phrase.definite or not self._clause_ends(item.end):
+            return None
+        return [Keep(things=self._all(item.things()), quote=self.quote(at, item.end))], item.end
 
     def _all_else(self, at: int) -> tuple[list[Statement], int] | None:
         """Read ``everything else stays the same``, which is checked of every instruction."""
@@ -89,6 +108,8 @@ class Staying(Subjects):
         place = at
         while (found := self._subject(place)) is not None:
             things, end = found
+            if things.place is None and self.frame.rooms is not None:
+                things = with_place(things, Place(rooms=self.frame.rooms))
             load = self.item(end + 1) if self.text(end) == "with" else None
             end = end if load is None else load.end
             kept += [things] if load is None else [things, self._all(load.things())]

@@ -57,7 +57,8 @@ def remove(statement: Remove, state: SceneState, context: Context) -> Work:
         reply += f"; {before - len(chosen)} of {before} left"
     rooms = tuple(dict.fromkeys(item.room for item in chosen))
     holders = tuple(dict.fromkeys(item.parent for item in chosen if item.parent and live(state, [item.parent])))
-    return Done(reply, replace(context.followed((), rooms, things.noun, holders), things=()))
+    told = context.followed((), rooms, things.noun, holders)
+    return Done(reply, replace(told, things=tuple(item.id for item in chosen)))
 
 
 def _chosen(things: Things, state: SceneState, context: Context) -> list[SceneObject]:

@@ -2,7 +2,7 @@
 
 import re
 from collections.abc import Iterable, Sequence
-from typing import Literal
+from typing import Final, Literal
 
 import msgspec
 
@@ -59,6 +59,9 @@ from mansion_editing.instructions.statements import (
 from mansion_editing.state import SceneState
 
 __all__ = ["read_instruction"]
+
+_ASKED_OF_ALL: Final = frozenset("everything all anything nothing none no not out away gone".split()) | set(STATE_WORDS)
+"""Words by which a heading asks for something itself: ``All off: ...``."""
 
 
 def read_instruction(text: str, state: SceneState, brief: str = "") -> Instruction:
@@ -167,6 +170,7 @@ class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending):
             and self._reads_question(reader, words, at, marked=marked)
         ):
             return
+        at = self._read_label(words, at)
         at = self._read_heading(reader, words, at)
         at = self._read_exception(reader, at)
         at = self._read_frame(reader, at)
@@ -283,8 +287,7 @@ class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending):
                 start = min(fault.start, at) if fault.start < len(words) else at
                 self.unknown.append(self._quote(words, start, stop))
             return stop
-        if tuple(w.text for w in words[end : end + 2]) == ("instead", "of"):
-            found, end = in_place_of(reader, found, end)
+        found, end = in_place_of(reader, found, end)
         topic, reader.topic = reader.topic, None
         found = [self._referred(statement) for statement in found]
         if topic is not None or any(not isinstance(statement, Mention) for statement in found):
@@ -353,6 +356,25 @@ class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending):
         quote = self._quote(words, at, item.end)
         self.statements.append(msgspec.structs.replace(last, things=item.phrase.things(), quote=quote))
         return item.end
+
+    def _end_of_occasion(self, reader: ClauseReader, at: int) -> int:
+        """Return the colon after ``, evening mode`` of a room; the place itself where no such words follow."""
+        stop = next((k for k in range(at, min(at + 5, len(reader.words))) if reader.text(k) == ":"), at)
+        occasion = reader.words[at + 1 : stop]
+        plain = reader.text(at) == "," and bool(occasion) and all(word.kind == "word" for word in occasion)
+        plain = plain and not _ASKED_OF_ALL & {word.text for word in occasion}
+        return at if not plain or self._names_anything(occasion) or verb_at(occasion, 0, self.lexicon) else stop
+
+    def _read_label(self, words: Sequence[Word], at: int) -> int:
+        """Read ``Preparing the workshop:``, a heading that names nothing of the building."""
+        stop = next((k for k in range(at, len(words)) if words[k].text == ":"), len(words))
+        verb = verb_at(words, at, self.lexicon)
+        asks = verb is not None and not words[at].raw.endswith("ing")
+        asks = asks or bool(_ASKED_OF_ALL & {word.text for word in words[at:stop]})
+        if stop == at or asks or stop + 1 >= len(words) or not self._is_label(words, at, stop):
+            return at
+        self.statements.append(Mention(quote=self._quote(words, at, stop)))
+        return stop + 1
 
     def _is_label(self, words: Sequence[Word], at: int, stop: int) -> bool:
         """Whether words before a colon are a heading: ``Initial state:``."""
@@ -446,6 +468,7 @@ class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending):
         room = reader.item(at, places=False)
         if room is not None and room.phrase.noun.kind in ("room", "both"):
             places, end = reader.places(room.end)
+            end = self._end_of_occasion(reader, end)
             if reader.text(end) in (":", "-") and self.lexicon.is_own_room(room.phrase.noun.words):
                 rooms = room.phrase.rooms()
                 for read in places:

@@ -11,6 +11,7 @@ from mansion_editing.instructions.phrases.words import COURTESIES, Word
 from mansion_editing.instructions.sentences.background import end_of_background
 from mansion_editing.instructions.sentences.conditions import on_condition, read_condition
 from mansion_editing.instructions.sentences.progress import Progress
+from mansion_editing.instructions.sentences.refinement import counting_those_there
 from mansion_editing.instructions.statements import (
     Add,
     Ensure,
@@ -31,7 +32,8 @@ _BEFORE_ASIDES: Final = frozenset("for before after when while until".split())
 _PAIRS_AFTER_CLAUSES: Final = (
     ("any", "more"), ("you", "find"), ("you", "see"), ("nothing", "else"), ("no", "other"), ("as", "well"),
     ("at", "all"), ("if", "possible"), ("for", "me"), ("for", "us"), ("for", "now"), ("right", "now"), ("for", "each"),
-    ("from", "now"), ("now", "on"), ("of", "course"), ("as", "usual"), ("in", "total"), ("or", "so"),
+    ("from", "now"), ("now", "on"), ("at", "once"), ("right", "away"), ("straight", "away"),
+    ("of", "course"), ("as", "usual"), ("in", "total"), ("or", "so"),
 )  # fmt: skip
 
 
@@ -58,11 +60,16 @@ class Tails(Progress):
                 end, exact = end + comma + 3, True
                 continue
             limit = tuple(w.text for w in words[end + comma : end + comma + 2])
-            if limit in (("no", "more"), ("no", "less"), ("not", "more"), ("no", "fewer")):
+            if limit[:1] in (("no",), ("not",)) and limit[1:] in (("more",), ("less",), ("fewer",)):
                 end, exact = end + comma + 2, True
                 continue
             text = words[end].text
             pair = (text, words[end + 1].text if end + 1 < len(words) else "")
+            counted = self._counts_those_there(words, end)
+            if counted:
+                self.clause = [counting_those_there(statement) for statement in self.clause]
+                end = counted
+                continue
             fits = self._if_it_fits(words, end)
             depends = 0 if fits else self._depends_on(reader, end + (text == ","))
             if depends:
@@ -90,6 +97,16 @@ class Tails(Progress):
             return stop, exact
         self.unknown.append(self._quote(words, end, stop))
         return stop, exact
+
+    def _counts_those_there(self, words: Sequence[Word], at: int) -> int:
+        """Return the end of ``, counting the ones already there``; 0 where it is not said."""
+        at += words[at].text == ","
+        if at >= len(words) or words[at].raw not in ("counting", "including"):
+            return 0
+        end = next((k for k in range(at, len(words)) if words[k].kind == "mark"), len(words))
+        said = [word.text for word in words[at + 1 : end]]
+        those = said[:1] in (["what"], ["those"]) or said[:2] in (["the", "one"], ["the", "existing"])
+        return end if those and len(said) <= 6 and {"already", "there", "existing"} & set(said) else 0
 
     def _if_it_fits(self, words: Sequence[Word], at: int) -> int:
         """Return the end of ``if there is room for it``, ``if it fits``: so wherever it can be done; 0 for others."""
