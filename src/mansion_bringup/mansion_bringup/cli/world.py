@@ -9,6 +9,7 @@ from typing import Annotated
 import typer
 
 from mansion_bringup.cli.console import EXIT_INTERRUPTED, check_output_folder, err, out
+from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.wording import counted
 from mansion_world.making import WorldProgress
 
@@ -29,6 +30,8 @@ def make(
     count: Annotated[int, typer.Option("--count", "-n", min=1, max=1_000_000, help="Buildings.")],
     seed: Annotated[int, typer.Option(min=0, help="Same seed and mixture, same world.")] = 0,
     mix: Annotated[Path | None, typer.Option(help="TOML file of kinds and shares; MansionWorld's own if none.")] = None,
+    tasks: Annotated[int, typer.Option(min=0, max=100, help="Tasks for each building, done by the oracle.")] = 3,
+    parquet: Annotated[bool, typer.Option(help="Write the manifest in Parquet too (extra world).")] = True,
     jobs: Annotated[int, typer.Option(min=0, help="Buildings in work at once; 0: all cores.")] = 0,
 ) -> None:
     """Make a world of buildings, or go on with one.
@@ -39,14 +42,17 @@ def make(
 
       mansion world make -o out/world -n 100 --seed 7
 
-      mansion world make -o out/flats -n 20 --mix flats.toml --jobs 2
+      mansion world make -o out/flats -n 20 --mix flats.toml --tasks 0 --jobs 2
     """
-    from mansion_bringup.worlds import build_for_world, check_for_world, world_workers
+    from mansion_bringup.worlds import build_for_world, check_for_world, tasks_for_world, world_workers
+    from mansion_world.attempts import TaskStep
     from mansion_world.making import make_world
     from mansion_world.mixture import load_mixture
 
     mixture = load_mixture(mix)
     check_output_folder(output)
+    if parquet:
+        _need_parquet()
     workers = jobs or min(os.cpu_count() or 1, 64)
     try:
         made = make_world(
@@ -58,15 +64,36 @@ def make(
             check=check_for_world,
             workers=world_workers(workers),
             jobs=workers,
+            tasks=TaskStep(tasks, tasks_for_world),
             report=_reporter(),
         )
     except KeyboardInterrupt:
         err.print("interrupted; the same command goes on from the buildings that are done")
         raise typer.Exit(EXIT_INTERRUPTED) from None
+    if parquet:
+        _write_parquet(output)
     missing = f", {made.missing} places left empty" if made.missing else ""
     out.print(f"{output}: {counted(made.done, 'building')}, {made.set_aside} set aside{missing}", highlight=False)
     if made.missing:
         raise typer.Exit(1)
+
+
+def _need_parquet() -> None:
+    from mansion_bringup.extras import ensure_extra
+
+    try:
+        ensure_extra("world")
+    except MansionError as error:
+        raise error.with_message(f"{error.info.message}; or leave the Parquet out: --no-parquet") from None
+
+
+def _write_parquet(output: Path) -> None:
+    from mansion_world.parquet import write_parquet
+    from mansion_world.world_folder import WorldFolder
+
+    world = WorldFolder(output)
+    with world.locked():
+        write_parquet(world)
 
 
 def _reporter() -> Callable[[WorldProgress], None]:
@@ -119,13 +146,13 @@ def stats(
 
 
 def check(world: Annotated[Path, typer.Argument(help="Folder that `mansion world make` wrote.")]) -> None:
-    """Verify a world: manifest, hashes, and each building; exit status 1 and a line for each fault.
+    """Verify a world: manifest, hashes, each building and its tasks; exit status 1 and a line for each fault.
 
     Examples:
 
       mansion world check out/world
     """
-    from mansion_bringup.worlds import check_for_world
+    from mansion_bringup.worlds import check_for_world, redo_tasks
     from mansion_world.verification import verify_world
 
     checked = faults = 0
@@ -134,7 +161,7 @@ def check(world: Annotated[Path, typer.Argument(help="Folder that `mansion world
         nonlocal checked
         checked = buildings
 
-    for where, fault in verify_world(world, check_for_world, count):
+    for where, fault in verify_world(world, check_for_world, count, redo=redo_tasks):
         faults += 1
         typer.echo(f"{where}: {fault}")
     err.print(f"{world}: {counted(checked, 'building')}, {counted(faults, 'fault')}", highlight=False)
