@@ -29,12 +29,12 @@ _FLOOR: Final = 4.0
 _OBJECTS: Final = 60.0
 
 
-def split_of(seed: int, request: WorldRequest) -> Split:
-    """Return the split of a request, by a hash of its sentence: requests in the same words are never apart.
+def split_of(seed: int, description: str) -> Split:
+    """Return the split of a building, by a hash of its sentence: requests in the same words are never apart.
 
     It depends on nothing else, so that a larger world only adds to each split.
     """
-    place = item_seed(seed, "split", request.request.description) / 2**64
+    place = item_seed(seed, "split", description) / 2**64
     for split, share in _SHARES:
         if place < share:
             return split
@@ -83,7 +83,7 @@ def measure_building(seed: int, request: WorldRequest, folder: Path, made: MadeT
     digest, size, count = folder_digest(folder)
     objects = sum(len(scene.objects) for scene in scenes)
     rooms = sum(len(scene.rooms) for scene in scenes)
-    split = split_of(seed, request)
+    split = split_of(seed, request.request.description)
     row = BuildingRow(
         index=request.index,
         id=building.building_id,

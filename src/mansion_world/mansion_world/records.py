@@ -20,12 +20,23 @@ __all__ = [
     "Split",
     "TaskRow",
     "WorldIndex",
+    "WorldSource",
 ]
 
 Split: TypeAlias = Literal["train", "val", "test"]
 Difficulty: TypeAlias = Literal["easy", "medium", "hard", "expert"]
 
 SPLITS: tuple[Split, ...] = ("train", "val", "test")
+
+
+class WorldSource(msgspec.Struct, frozen=True, kw_only=True):
+    """A world that became part of another, as its own ``world.json`` had it, and how many buildings it had."""
+
+    seed: int
+    mix: str
+    versions: dict[str, str]
+    tasks: int
+    buildings: int
 
 
 class WorldIndex(msgspec.Struct, frozen=True, kw_only=True):
@@ -37,12 +48,15 @@ class WorldIndex(msgspec.Struct, frozen=True, kw_only=True):
         The mixture as JSON.
     tasks : int
         Tasks that were asked for each building.
+    sources : list of WorldSource
+        The worlds that this one was joined from; all else is then that of the first. None for a world that was made.
     """
 
     seed: int
     mix: str
     versions: dict[str, str]
     tasks: int = 0
+    sources: list[WorldSource] = []
     schema_version: Literal[1] = 1
 
 

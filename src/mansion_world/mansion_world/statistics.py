@@ -7,7 +7,7 @@ from typing import Final
 
 from mansion_msgs_py.codec import decode
 from mansion_world.mixture import Mixture
-from mansion_world.records import SPLITS, Record
+from mansion_world.records import SPLITS, Record, WorldIndex
 from mansion_world.world_folder import WorldFolder
 
 __all__ = ["CLASSES", "Mean", "WorldStatistics", "world_statistics"]
@@ -172,12 +172,24 @@ def world_statistics(world: WorldFolder) -> WorldStatistics:
     MansionError
         ``NOT_FOUND`` when there is no world.
     """
-    statistics = WorldStatistics(decode(Mixture, world.index().mix).shares())
+    statistics = WorldStatistics(_asked(world.index()))
     for record in world.records():
         _add_building(statistics, record)
         _add_tasks(statistics, record)
     statistics.aside.update((entry.request.sub_kind, entry.reason) for entry in world.aside())
     return statistics
+
+
+def _asked(index: WorldIndex) -> dict[tuple[str, str], float]:
+    """Return the shares that were asked: of a joined world the mean over its sources, by their buildings."""
+    if not index.sources:
+        return decode(Mixture, index.mix).shares()
+    whole = sum(source.buildings for source in index.sources) or 1
+    asked: dict[tuple[str, str], float] = {}
+    for source in index.sources:
+        for name, share in decode(Mixture, source.mix).shares().items():
+            asked[name] = asked.get(name, 0.0) + share * source.buildings / whole
+    return asked
 
 
 def _add_building(statistics: WorldStatistics, record: Record) -> None:

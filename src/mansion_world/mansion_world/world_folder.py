@@ -133,6 +133,11 @@ class WorldFolder:
         write_atomic(self._record_file(row.index), encode_bytes(record))
         self._built_file(row.index, row.attempt).unlink(missing_ok=True)
 
+    def take_over(self, record: Record, folder: Path) -> None:
+        """Copy a building of another world to its place in this one."""
+        shutil.copytree(folder, self.building(record.building.index))
+        write_atomic(self._record_file(record.building.index), encode_bytes(record))
+
     def discard(self, index: int, attempt: int) -> None:
         """Remove what is left of an attempt."""
         self._built_file(index, attempt).unlink(missing_ok=True)

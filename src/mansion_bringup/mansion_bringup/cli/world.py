@@ -9,19 +9,22 @@ from typing import Annotated
 import typer
 
 from mansion_bringup.cli.console import EXIT_INTERRUPTED, check_output_folder, err, out
+from mansion_bringup.cli.world_products import merge, pack, show
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.wording import counted
 from mansion_world.making import WorldProgress
 
-__all__ = ["register"]
+__all__ = ["need_parquet", "register", "write_parquet_tables"]
 
 
 def register(app: typer.Typer) -> None:
     """Add the commands to `app`."""
-    group = typer.Typer(help="Worlds of many buildings: make, describe, check.", no_args_is_help=True)
+    group = typer.Typer(help="Worlds of many buildings: make, describe, check, show, pack, join.", no_args_is_help=True)
     group.command("make", no_args_is_help=True)(make)
     group.command("stats", no_args_is_help=True)(stats)
     group.command("check", no_args_is_help=True)(check)
+    for command in (show, pack, merge):
+        group.command(command.__name__, no_args_is_help=True)(command)
     app.add_typer(group, name="world")
 
 
@@ -52,7 +55,7 @@ def make(
     mixture = load_mixture(mix)
     check_output_folder(output)
     if parquet:
-        _need_parquet()
+        need_parquet()
     workers = jobs or min(os.cpu_count() or 1, 64)
     try:
         made = make_world(
@@ -71,14 +74,15 @@ def make(
         err.print("interrupted; the same command goes on from the buildings that are done")
         raise typer.Exit(EXIT_INTERRUPTED) from None
     if parquet:
-        _write_parquet(output)
+        write_parquet_tables(output)
     missing = f", {made.missing} places left empty" if made.missing else ""
     out.print(f"{output}: {counted(made.done, 'building')}, {made.set_aside} set aside{missing}", highlight=False)
     if made.missing:
         raise typer.Exit(1)
 
 
-def _need_parquet() -> None:
+def need_parquet() -> None:
+    """Have the extra for Parquet, or say how to do without."""
     from mansion_bringup.extras import ensure_extra
 
     try:
@@ -87,7 +91,8 @@ def _need_parquet() -> None:
         raise error.with_message(f"{error.info.message}; or leave the Parquet out: --no-parquet") from None
 
 
-def _write_parquet(output: Path) -> None:
+def write_parquet_tables(output: Path) -> None:
+    """Write the manifest of a world in Parquet."""
     from mansion_world.parquet import write_parquet
     from mansion_world.world_folder import WorldFolder
 
