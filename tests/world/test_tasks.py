@@ -8,7 +8,7 @@ import msgspec
 import pytest
 
 from mansion_bringup.worlds import redo_tasks, tasks_for_world
-from mansion_msgs_py.building_folder import BuildingFolder
+from mansion_msgs_py.building_folder import TASKS, BuildingFolder
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.task import TaskSet, read_task_set
@@ -17,7 +17,7 @@ from mansion_world.mixture import load_mixture
 from mansion_world.records import MadeTasks
 from mansion_world.sampling import sample
 from mansion_world.verification import verify_world
-from mansion_world.world_folder import TASKS, WorldFolder
+from mansion_world.world_folder import WorldFolder
 
 Build = Callable[[BuildRequest, Path], None]
 

@@ -8,11 +8,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from mansion_bringup.check import Fault
+from mansion_msgs_py.building_folder import TASKS
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.task import Task, read_task_set
 from mansion_world.records import DoneTask, MadeTasks
-from mansion_world.world_folder import TASKS
 
 if TYPE_CHECKING:
     from mansion_tasks.tasks.sandbox import Sandbox

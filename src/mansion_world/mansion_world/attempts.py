@@ -8,7 +8,7 @@ from typing import Final
 
 import msgspec
 
-from mansion_msgs_py.building_folder import BuildingFolder, is_building_folder
+from mansion_msgs_py.building_folder import TASKS, BuildingFolder, is_building_folder
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import write_atomic
@@ -18,7 +18,7 @@ from mansion_world.measures import measure_building
 from mansion_world.mixture import MOST_FLOOR_AREA
 from mansion_world.records import MadeTasks, Record, SetAside
 from mansion_world.sampling import WorldRequest
-from mansion_world.world_folder import TASKS, WorldFolder
+from mansion_world.world_folder import WorldFolder
 
 __all__ = ["NO_TASKS", "Build", "Check", "Outcome", "TaskStep", "attempt_building"]
 

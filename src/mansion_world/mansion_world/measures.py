@@ -100,6 +100,7 @@ def measure_building(seed: int, request: WorldRequest, folder: Path, made: MadeT
         attempt=request.attempt,
         floors=len(scenes),
         rooms=rooms,
+        landmarks=max(len(scene.rooms) + len(scene.cores) for scene in scenes),
         objects=objects,
         area=round(sum(floor.area for floor in building.floors), 2),
         floor_areas=[floor.area for floor in building.floors],

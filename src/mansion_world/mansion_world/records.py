@@ -71,6 +71,8 @@ class BuildingRow(msgspec.Struct, frozen=True, kw_only=True):
         Of the floors from below, m2; `area` is their sum.
     wishes, wishes_met : int
         What its sentence asks for, and how much of that the building meets.
+    landmarks : int
+        Rooms, stairs and lifts of the floor that has most.
     tasks : int
         Tasks in its ``tasks.json``.
     tasks_undone : int
@@ -98,6 +100,7 @@ class BuildingRow(msgspec.Struct, frozen=True, kw_only=True):
     attempt: int
     floors: int
     rooms: int
+    landmarks: int
     objects: int
     area: float
     floor_areas: list[float]

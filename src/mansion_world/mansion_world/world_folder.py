@@ -22,13 +22,10 @@ from mansion_world.records import BuildingRow, Record, RoomRow, SetAside, TaskRo
 
 Row: TypeAlias = BuildingRow | RoomRow | TaskRow
 
-__all__ = ["TABLES", "TASKS", "WorldFolder", "building_path", "table_rows"]
+__all__ = ["TABLES", "WorldFolder", "building_path", "table_rows"]
 
 TABLES: Final[Mapping[str, type[Row]]] = {"buildings": BuildingRow, "rooms": RoomRow, "tasks": TaskRow}
 """The tables of the manifest."""
-
-TASKS: Final = "tasks.json"
-"""The tasks of a building, in its folder."""
 
 _INDEX: Final = "world.json"
 _SHARD: Final = 1000
