@@ -1,8 +1,10 @@
 """Statistics of a world, from its records in one pass."""
 
+from bisect import bisect_right
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from itertools import pairwise
 from typing import Final
 
 from mansion_msgs_py.codec import decode
@@ -12,8 +14,12 @@ from mansion_world.world_folder import WorldFolder
 
 __all__ = ["CLASSES", "Mean", "WorldStatistics", "world_statistics"]
 
-CLASSES: Final = {"Floor areas, m2": 50, "Objects a building": 100, "Ways of the oracle, m": 10}
-"""Widths of the classes of values."""
+CLASSES: Final = {
+    "Floor areas, m2": tuple(range(0, 1001, 50)),
+    "Objects a building": (0, *(100 * 2**power for power in range(12))),
+    "Ways of the oracle, m": (0, *(10 * 2**power for power in range(10))),
+}
+"""Bounds of the classes of values; those with a long tail double."""
 
 
 @dataclass
@@ -52,7 +58,7 @@ class WorldStatistics:
     rooms_by_type : Counter
     areas, held, ways : Counter of int
         Floors by area, buildings by objects, and plans of tasks by the metres that the robot drives: each under the
-        least value of its class, whose width is in `CLASSES`.
+        number of its class in `CLASSES`.
     task_kinds, task_levels, task_floors : Counter
         Tasks by kind, difficulty and number of floors.
     without_tasks : int
@@ -97,7 +103,7 @@ class WorldStatistics:
     def distributions(self) -> dict[str, dict[str, int]]:
         """Return counts by value or class of values, titled."""
         classes = zip(CLASSES.items(), (self.areas, self.held, self.ways), strict=True)
-        areas, held, ways = ({title: _classes(counts, width)} for (title, width), counts in classes)
+        areas, held, ways = ({title: _classes(counts, bounds)} for (title, bounds), counts in classes)
         return {
             "Floors": {str(floors): self.floors[floors] for floors in sorted(self.floors)},
             **areas,
@@ -148,16 +154,16 @@ def _rows(counts: Mapping[str, int]) -> list[tuple[str, str]]:
     return [(name, f"{count} ({_share(count, whole)})") for name, count in counts.items()]
 
 
-def _classes(counts: Mapping[int, int], width: int) -> dict[str, int]:
-    """Return counts of classes by their bounds, empty ones in between included."""
+def _classes(counts: Mapping[int, int], bounds: Sequence[int]) -> dict[str, int]:
+    """Return counts of classes by their bounds, from the first that holds something to the last."""
     if not counts:
         return {}
-    lows = range(min(counts), max(counts) + width, width)
-    return {f"{low} to {low + width}": counts.get(low, 0) for low in lows}
+    named = [*(f"{low} to {high}" for low, high in pairwise(bounds)), f"{bounds[-1]} and more"]
+    return {named[number]: counts.get(number, 0) for number in range(min(counts), max(counts) + 1)}
 
 
 def _class(title: str, value: float) -> int:
-    return int(value // CLASSES[title]) * CLASSES[title]
+    return bisect_right(CLASSES[title], value) - 1
 
 
 def _share(count: int, whole: int) -> str:
