@@ -31,6 +31,7 @@ EXTRAS: Final[dict[str, tuple[str, ...]]] = {
     "thor": ("ai2thor",),
     "usd": ("pxr",),
     "vectors": ("wordllama",),
+    "world": ("pyarrow",),
 }
 """Modules by which the presence of each extra is recognised."""
 
