@@ -5,7 +5,7 @@ from typing import Annotated
 
 import typer
 
-from mansion_bringup.cli.console import check_output_folder, err, out
+from mansion_bringup.cli.console import AsJson, check_output_folder, err, out, print_json
 from mansion_msgs_py.wording import counted
 
 __all__ = ["merge", "pack", "show"]
@@ -18,6 +18,7 @@ def pack(
     world: Annotated[Path, typer.Argument(help="Folder that `mansion world make` wrote.")],
     output: Annotated[Path, typer.Option("--output", "-o", help="New folder for the shards.")],
     shard_size: Annotated[float, typer.Option(min=0.1, help="Greatest size of a shard, megabytes.")] = 500.0,
+    as_json: AsJson = False,
 ) -> None:
     """Write a world as WebDataset shards with its manifest and a data card.
 
@@ -32,6 +33,9 @@ def pack(
 
     check_output_folder(output)
     shards = pack_world(WorldFolder(world), output, shard_bytes=int(shard_size * 1e6), report=_report)
+    if as_json:
+        print_json(shards)
+        return
     buildings, size = sum(shard.samples for shard in shards), sum(shard.bytes for shard in shards) / 1e6
     told = f"{counted(buildings, 'building')} in {counted(len(shards), 'shard')}, {size:.1f} MB"
     out.print(f"{output}: {told}", highlight=False)
@@ -41,6 +45,7 @@ def merge(
     worlds: Annotated[list[Path], typer.Argument(help="Folders that `mansion world make` wrote.")],
     output: Annotated[Path, typer.Option("--output", "-o", help="New folder for the world of all.")],
     parquet: Annotated[bool, typer.Option(help="Write the manifest in Parquet too (extra world).")] = True,
+    as_json: AsJson = False,
 ) -> None:
     """Join worlds that were made apart; a line for each building that is there already and is left out.
 
@@ -57,13 +62,18 @@ def merge(
     merged = merge_worlds(worlds, output, _report)
     if parquet:
         write_parquet_tables(output)
+    if as_json:
+        print_json(merged)
+        return
     for line in merged.dropped:
         typer.echo(f"left out: {line}")
     told = f"{counted(merged.buildings, 'building')} of {counted(len(worlds), 'world')}, {len(merged.dropped)} left out"
     out.print(f"{output}: {told}", highlight=False)
 
 
-def show(world: Annotated[Path, typer.Argument(help="Folder that `mansion world make` wrote.")]) -> None:
+def show(
+    world: Annotated[Path, typer.Argument(help="Folder that `mansion world make` wrote.")], as_json: AsJson = False
+) -> None:
     """Write gallery.html into a world: a picture of each building, filtered by kind, split, difficulty and words.
 
     Examples:
@@ -76,7 +86,10 @@ def show(world: Annotated[Path, typer.Argument(help="Folder that `mansion world 
 
     page = world / "gallery.html"
     write_atomic(page, gallery_page(WorldFolder(world)).encode())
-    out.print(f"wrote {page}; open it in a browser", highlight=False)
+    if as_json:
+        print_json({"page": str(page)})
+    else:
+        out.print(f"wrote {page}; open it in a browser", highlight=False)
 
 
 def _report(buildings: int) -> None:
