@@ -171,7 +171,8 @@ class Place(msgspec.Struct, frozen=True, kw_only=True):
     Attributes
     ----------
     relation : str
-        To `anchor`; ``between`` has `other` too, or an anchor in the plural.
+        To `anchor`, empty for on or in it ("from the dresser"); ``between`` has `other` too, or an anchor in the
+        plural.
     within : float
         Greatest distance to the anchor in metres; 0 where none is given.
     spot : {"", "wall", "corner", "window", "door", "middle"}

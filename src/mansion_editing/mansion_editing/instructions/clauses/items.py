@@ -9,7 +9,7 @@ from mansion_editing.instructions.phrases.noun_phrases import NounPhrase
 from mansion_editing.instructions.phrases.places import ReadPlace, merged, with_place
 from mansion_editing.instructions.statements import Place, Rooms, Things
 
-__all__ = ["Item", "NotUnderstood", "joined_places"]
+__all__ = ["Item", "NotUnderstood", "TwoReadings", "joined_places"]
 
 
 class NotUnderstood(Exception):
@@ -24,6 +24,10 @@ class NotUnderstood(Exception):
     def __init__(self, start: int, end: int) -> None:
         super().__init__(start, end)
         self.start, self.end = start, end
+
+
+class TwoReadings(NotUnderstood):
+    """A list that belongs to the clause before it or to the one after it, as one likes."""
 
 
 @dataclass(frozen=True)

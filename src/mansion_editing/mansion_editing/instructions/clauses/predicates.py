@@ -62,6 +62,8 @@ class Predicates(States, Colours, Ways):
     def _is_before_predicate(self, at: int, end: int) -> bool:
         """Whether a word between a subject, whose end is given, and what is said of it only joins them."""
         word = self.text(at)
+        if word == "keep" and self.text(at + 1) in STATE_WORDS:
+            return True
         if not (word in MODALS or word in BEFORE_PREDICATES or word in BE - {"stay", "remain"}):
             return False
         having = word in ("has", "have", "get") and self.text(at + 1) not in ("to", "be")

@@ -7,7 +7,8 @@ from typing import Final, Self
 
 import msgspec
 
-from mansion_editing.instructions.clauses.items import Item, NotUnderstood, joined_places
+from mansion_editing.instructions.clauses.coordination import first_subject
+from mansion_editing.instructions.clauses.items import Item, NotUnderstood, TwoReadings, joined_places
 from mansion_editing.instructions.phrases.lexicon import Lexicon
 from mansion_editing.instructions.phrases.noun_phrases import NounPhrase, noun_phrase
 from mansion_editing.instructions.phrases.nouns import Noun
@@ -241,15 +242,43 @@ class Sentence(ABC):
                 raise NotUnderstood(at, self.boundary(at))
             placed = self._participle(item.phrase.end)
             new = placed is not None and placed[0] == "add" and not item.phrase.definite
-            if found and (self.predicate_follows(item.end) or self._is_way(item.phrase) or new):
+            if found and (self._is_way(item.phrase) or new):
                 return found
-            if found and self.text(item.end) == "as" and self.text(item.end + 1) in ("it", "they"):
-                return found  # "switch on the lamp, the others as they are"
+            if found and self.is_subject(item):
+                return self._objects(found, item)
             found.append(self._beside_it(self._as_before(self._named(item, found), found), found))
             after = self.conjunction(item.end)
             if not after or self.starts_clause(after) or self.text(after) in ("only", "just"):
                 return found
             at = after
+
+    def is_subject(self, item: Item) -> bool:
+        """Whether a clause follows of which an item is the subject: ``the others as they are`` is one too."""
+        as_it_is = self.text(item.end) == "as" and self.text(item.end + 1) in ("it", "they")
+        return as_it_is or self.predicate_follows(item.end) or self._stays_after(item.end)
+
+    def _stays_after(self, at: int) -> bool:
+        """Whether the words at a place say that what is before them stays as it is."""
+        return False
+
+    def _objects(self, found: list[Item], subject: Item) -> list[Item]:
+        """Return those of a list that are no subjects of the clause after it."""
+        first = first_subject(self.words, [*found, subject])
+        if first is None:
+            raise TwoReadings(found[0].phrase.start, self.boundary(subject.end))
+        return found[:first]
+
+    def subjects(self, at: int) -> list[Item]:
+        """Read the list of things that a clause begins with; empty where no clause follows it."""
+        found: list[Item] = []
+        while (item := self.item(at)) is not None:
+            found.append(item)
+            if self.is_subject(item):
+                return found
+            at = self.conjunction(item.end)
+            if not at or self.starts_clause(at):
+                break
+        return []
 
     def _beside_it(self, item: Item, before: Sequence[Item]) -> Item:
         """Put the thing before for ``it``: the table or anything on it."""
@@ -334,7 +363,7 @@ class Sentence(ABC):
         word = self.text(at)
         if word in (",", "-", ":"):
             return False
-        if word in MODALS or word in PREDICATE_VERBS:
+        if word in MODALS or word in PREDICATE_VERBS or (word == "keep" and self.text(at + 1) in STATE_WORDS):
             return True
         if word in STATE_WORDS:
             nominal = word in ("on", "off") and self.phrase(at + 1) is not None
@@ -357,10 +386,18 @@ class Sentence(ABC):
             word = self.words[place]
             if word.kind == "mark" and word.text in (",", ".", ";", "\n", "(", ")", ":", "!"):
                 break
-            if word.text in ("and", "but", "then") and self.starts_clause(place + 1):
+            joint = word.text in ("and", "but", "then", "so") and self.text(place + 1) != "that"
+            if joint and self.begins_request(place + 1):
                 break
             place += 1
         return place
+
+    def begins_request(self, at: int) -> bool:
+        """Whether a clause begins with a verb that asks for something, or with things of which something is said."""
+        return self.starts_clause(at) or any(self._is_known_thing(item) for item in self.subjects(at))
+
+    def _is_known_thing(self, item: Item) -> bool:
+        return item.phrase.definite and bool(item.phrase.noun.words) and item.phrase.noun.kind == "object"
 
     def taken_affirmed(self) -> Things | None:
         """Return what the clause just read said to be there, and forget it."""

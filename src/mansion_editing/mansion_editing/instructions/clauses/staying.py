@@ -1,5 +1,6 @@
 """What is said to stay as it is: ``the treadmills are fine``, ``nothing on the third floor may change``."""
 
+from mansion_editing.instructions.clauses.coordination import is_for_one
 from mansion_editing.instructions.clauses.items import joined_places
 from mansion_editing.instructions.clauses.outcomes import everything_at
 from mansion_editing.instructions.clauses.subjects import Subjects
@@ -14,6 +15,8 @@ from mansion_editing.instructions.phrases.word_sets import (
     KEPT_AS_IT_IS,
     LYING,
     NOT_MEANT,
+    SO_DOING,
+    STAYING,
 )
 from mansion_editing.instructions.phrases.words import BE, MODALS
 from mansion_editing.instructions.statements import Amount, Keep, Mention, Place, Rooms, Statement, Things
@@ -35,7 +38,24 @@ class Staying(Subjects):
 
     def _stays_so(self, at: int) -> tuple[list[Statement], int] | None:
         """Read a clause that says of things, of a room or of a storey that they stay as they are."""
-        return self._all_else(at) or self._nothing_changes(at) or self._keeps_its_own(at) or self._subject_stays(at)
+        return (
+            self._so_does(at)
+            or self._all_else(at)
+            or self._nothing_changes(at)
+            or self._keeps_its_own(at)
+            or self._subject_stays(at)
+        )
+
+    def _so_does(self, at: int) -> tuple[list[Statement], int] | None:
+        """Read ``so does the table in the mail room`` after what stays."""
+        at_verb = at + (self.text(at) == "so")
+        before = {word.text for word in self.words[:at]}
+        if not before & STAYING or "so" not in (self.text(at), self.text(at - 1)) or self.text(at_verb) not in SO_DOING:
+            return None
+        item = self.item(at_verb + 1)
+        if item is None or item.is_room or not item.phrase.definite or not self._clause_ends(item.end):
+            return None
+        return [Keep(things=self._all(item.things()), quote=self.quote(at, item.end))], item.end
 
     def _all_else(self, at: int) -> tuple[list[Statement], int] | None:
         """Read ``everything else stays the same``, which is checked of every instruction."""
@@ -79,16 +99,31 @@ class Staying(Subjects):
             return None
         return [Keep(things=with_place(kept, Place(rooms=room.rooms())), quote=self.quote(at, end))], end
 
+    def _stays_after(self, at: int) -> bool:
+        return bool(self._as_it_is(at) or self._not_part_of_it(at))
+
     def _subject_stays(self, at: int) -> tuple[list[Statement], int] | None:
-        found = self._subject(at)
-        if found is None:
-            return None
-        things, end = found
-        load = self.item(end + 1) if self.text(end) == "with" else None
-        end = end if load is None else load.end
-        stop = self._as_it_is(end) or self._not_part_of_it(end)
-        kept = [things] if load is None else [things, self._all(load.things())]
-        return None if not stop else ([Keep(things=one, quote=self.quote(at, stop)) for one in kept], stop)
+        """Read one subject or several that stay: ``the vase, the lamp and the phone are fine``."""
+        kept: list[Things] = []
+        place = at
+        while (found := self._subject(place)) is not None:
+            things, end = found
+            if things.place is None and self.frame.rooms is not None:
+                things = with_place(things, Place(rooms=self.frame.rooms))
+            load = self.item(end + 1) if self.text(end) == "with" else None
+            end = end if load is None else load.end
+            kept += [things] if load is None else [things, self._all(load.things())]
+            stop = self._as_it_is(end) or self._not_part_of_it(end)
+            if stop and place > at and is_for_one(self.words[end]):
+                return None
+            if stop:
+                return [Keep(things=one, quote=self.quote(at, stop)) for one in kept], stop
+            place = self.conjunction(end)
+            item = self.item(at)
+            directed = item is not None and any(p.goal or p.source for p in item.places)
+            if not place or directed or self.starts_clause(place):
+                return None
+        return None
 
     def _subject(self, at: int) -> tuple[Things, int] | None:
         """Read what stays: ``what is on the dresser``, ``the third floor``, ``the mug that is lying there``."""
@@ -126,6 +161,10 @@ class Staying(Subjects):
     def _as_it_is(self, at: int) -> int:
         """Return the end of ``may stay as they are``, ``is fine``, ``must not be moved``; 0 where it is not said."""
         end = at
+        if self.text(at) == "as" and self.text(at + 1) in ("it", "they"):
+            while self.text(end) in KEPT_AS_IT_IS:
+                end += 1
+            return end if self._clause_ends(end) else 0
         while self.text(end) in MODALS or self.text(end) in BE or self.text(end) in ("all", "both", "just", "to"):
             end += 1
         said = [word.text for word in self.words[at:end]]

@@ -1,5 +1,6 @@
 """What somebody wants, and what there should be."""
 
+from mansion_editing.instructions.clauses.coordination import is_one_list
 from mansion_editing.instructions.clauses.items import Item, NotUnderstood, joined_places
 from mansion_editing.instructions.clauses.negations import Negations
 from mansion_editing.instructions.clauses.subjects import Subjects
@@ -262,6 +263,9 @@ class Wishes(Subjects, Negations):
             found = self._existential(place, asked=True)
             if found is not None:
                 return found
+        several = self._several_subjects(place)
+        if several is not None and not {self.text(several[0]), self.words[several[0]].raw} & (MODALS | {"is", "are"}):
+            return several[1]
         item = self.item(place)
         if item is None:
             raise NotUnderstood(place, self.boundary(place))
@@ -300,6 +304,9 @@ class Wishes(Subjects, Negations):
         existential = self._existential(place, asked=True)
         if existential is not None:
             return existential
+        several = self._several_subjects(place)
+        if several is not None:
+            return several[1]
         item = self.item(place)
         if item is not None:
             found = self._predicate(item, item.end, at)
@@ -315,6 +322,14 @@ class Wishes(Subjects, Negations):
                 return self._way(at, each.phrase.end)
             out += self._there(each, self._shared_goal(items, each), self.quote(at, end))
         return out, end
+
+    def _several_subjects(self, at: int) -> tuple[int, tuple[list[Statement], int]] | None:
+        """Read ``the lamp and the fan are off``, where all of the list is the subject; and where its verb is."""
+        subjects = self.subjects(at)
+        if len(subjects) < 2 or not is_one_list(self.words, subjects):
+            return None
+        found = self._of_subjects(at)
+        return None if found is None else (subjects[-1].end, found)
 
     def _found_by_somebody(self, at: int, place: int) -> tuple[list[Statement], int] | None:
         """Read ``the robot will find a stapler on the desk``."""

@@ -1,6 +1,7 @@
 """Remove and Clear: things leave, exactly those that words mean."""
 
 from collections.abc import Callable, Generator, Sequence
+from dataclasses import replace
 
 import msgspec
 
@@ -56,7 +57,8 @@ def remove(statement: Remove, state: SceneState, context: Context) -> Work:
         reply += f"; {before - len(chosen)} of {before} left"
     rooms = tuple(dict.fromkeys(item.room for item in chosen))
     holders = tuple(dict.fromkeys(item.parent for item in chosen if item.parent and live(state, [item.parent])))
-    return Done(reply, context.followed((), rooms, things.noun, holders))
+    told = context.followed((), rooms, things.noun, holders)
+    return Done(reply, replace(told, things=tuple(item.id for item in chosen)))
 
 
 def _chosen(things: Things, state: SceneState, context: Context) -> list[SceneObject]:
@@ -106,7 +108,7 @@ def _nothing_to_remove(things: Things, state: SceneState, context: Context) -> D
 
 def _instead(state: SceneState, place: Place, context: Context) -> str:
     """Return in words what is there instead, of what a piece of furniture carries."""
-    if place.relation not in ("on", "in"):
+    if place.relation not in ("on", "in", ""):
         return ""
     there = [item for holder in anchors_of(state, place, context) for item in carried_by(state, holder, place.relation)]
     return f"; there is {listed(there)}" if there else "; nothing is there"

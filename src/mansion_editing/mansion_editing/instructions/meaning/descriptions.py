@@ -210,7 +210,7 @@ class _Placed:
         self.facing = None if place.facing is None else things_of(state, place.facing, context)
         self.carried = (
             {item.id for anchor in self.anchors for item in carried_by(state, anchor, place.relation)}
-            if place.relation in ("on", "in")
+            if place.relation in ("on", "in", "")
             else set()
         )
 
@@ -231,7 +231,7 @@ class _Placed:
 
     def _is_related(self, item: SceneObject) -> bool:
         relation, within = self.place.relation, self.place.within or None
-        if relation in ("on", "in"):
+        if relation in ("on", "in", ""):
             return item.id in self.carried
         near = [anchor for anchor in self.anchors if anchor.id != item.id and anchor.room == item.room]
         if relation == "between":
@@ -242,7 +242,7 @@ class _Placed:
                 for other in ends
                 if one.id != other.id
             )
-        side: Side = "" if relation in ("", "near") else relation  # type: ignore[assignment]
+        side: Side = "" if relation == "near" else relation  # type: ignore[assignment]
         return any(relation_holds(self.state, item, side, anchor.id, within=within) for anchor in near)
 
 
@@ -258,18 +258,18 @@ def all_at(state: SceneState, items: Sequence[SceneObject], place: Place, contex
 
 
 def carried_by(state: SceneState, holder: SceneObject, relation: str) -> list[SceneObject]:
-    """Return what is on or in an object; either where its kind cannot tell them apart (a bookshelf)."""
+    """Return what is on or in an object; either without a relation, or where its kind cannot tell them apart."""
     found = state.find(holder.id)
     if found is None:
         return []
     floor, index, asset = found[0], state.index(found[0]), state.asset(holder)
     surfaces, volumes = (bool(asset.surfaces), bool(asset.volumes)) if asset is not None else (True, True)
     out: list[SceneObject] = []
-    if relation == "on" or not volumes:
+    if relation != "in" or not volumes:
         out += on_top(index, holder, asset)
-    if relation == "in" or not surfaces:
+    if relation != "on" or not surfaces:
         out += contents(index, holder, asset)
-    mounts = {"on": ("surface",), "in": ("inside",)}.get(relation, ())
+    mounts = {"on": ("surface",), "in": ("inside",)}.get(relation, ("surface", "inside"))
     children = state.index(floor).children.get(holder.id, [])
     out += [item for item in children if item.mount in mounts or not (surfaces and volumes)]
     return list({item.id: item for item in out if item.mount not in ("ceiling", "wall")}.values())

@@ -27,7 +27,7 @@ __all__ = [
 _RELATIONS: Final = {
     "beside": "beside", "left": "to the left of", "right": "to the right of", "front": "in front of",
     "around": "around", "near": "near", "behind": "behind", "between": "between", "on": "on", "in": "in",
-    "under": "under", "above": "above", "": "at",
+    "under": "under", "above": "above", "": "on or in",
 }  # fmt: skip
 
 

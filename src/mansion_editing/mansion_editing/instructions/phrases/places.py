@@ -418,7 +418,7 @@ def _at_noun(
         elif relation in ("beside", "near", "front") and phrase[0] != "at" and phrase[0] != "by":
             rooms = Rooms(next_to=rooms.words, floors=rooms.floors)
         return ReadPlace(Place(rooms=rooms), start, target.end, goal, source, each=target.each or rooms.every)
-    own: Relation = relation or "on"
+    own: Relation = "" if phrase == ("from",) else relation or "on"
     outside = phrase == ("away", "from")
     place = Place(relation=own, anchor=target.things(), outside=outside)
     return ReadPlace(place, start, target.end, goal, source, each=target.each)

@@ -73,6 +73,8 @@ __all__ = [
     "PROPERTIES",
     "RELATIVES",
     "SOMEBODY",
+    "SO_DOING",
+    "STAYING",
     "STAYING_AS_IT_IS",
     "THIRD_PERSON_WISHES",
     "TOLD_EXISTENCE",
@@ -140,6 +142,8 @@ GOOD_AS_IT_IS: Final = frozenset("fine good ok okay alright perfect great".split
 AFTER_STAYING: Final = frozenset("put here inside so the same dark locked empty dry now still always".split())
 NOT_MEANT: Final = frozenset("affected concerned included involved meant touched".split())
 LYING: Final = frozenset("lying standing sitting hanging lie stand sit hang".split())
+SO_DOING: Final = frozenset("do does is are shall should may".split())
+STAYING: Final = frozenset("stay remain fine untouched unchanged alone".split())
 BACK_IN_PLACE: Final = frozenset("where it they was were to its place there again".split())
 AWAY: Final = frozenset("away out off completely altogether entirely too".split())
 EARLIER_STEPS: Final = frozenset(

@@ -48,7 +48,7 @@ class Asides(Progress):
         """
         first = self._so_far()
         self._read_sentence(words, marked=marked)
-        if len(self.unknown) == len(first["unknown"]):
+        if len(self.unknown) == len(first["unknown"]) or self.undecided:
             return
         if asks_for_one_each(words) and self._once_each(words, first):
             return

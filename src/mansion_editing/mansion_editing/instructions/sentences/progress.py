@@ -32,6 +32,7 @@ class Progress:
         self.told: list[tuple[str, Place]] = []
         self.clause: list[Statement] = []
         self.is_last = False
+        self.undecided = False
 
     def _quote(self, words: Sequence[Word], start: int, end: int) -> str:
         if start >= end:

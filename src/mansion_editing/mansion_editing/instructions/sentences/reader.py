@@ -7,24 +7,18 @@ from typing import Final, Literal
 import msgspec
 
 from mansion_assets.catalogue.descriptions import hypernyms_of
-from mansion_editing.instructions.clauses.items import NotUnderstood
+from mansion_editing.instructions.clauses.items import NotUnderstood, TwoReadings
 from mansion_editing.instructions.clauses.reader import ClauseReader
 from mansion_editing.instructions.phrases.lexicon import HYPERNYMS
 from mansion_editing.instructions.phrases.places import merged, read_place, with_place
 from mansion_editing.instructions.phrases.storeys import read_storeys
 from mansion_editing.instructions.phrases.verbs import verb_at
-from mansion_editing.instructions.phrases.word_sets import AFTER_CLAUSES, HEADINGS, JOINING
-from mansion_editing.instructions.phrases.words import COURTESIES, STATE_WORDS, UNRECORDED, Word
+from mansion_editing.instructions.phrases.word_sets import HEADINGS
+from mansion_editing.instructions.phrases.words import STATE_WORDS, UNRECORDED, Word
 from mansion_editing.instructions.sentences.accounting import unaccounted
 from mansion_editing.instructions.sentences.asides import Asides
-from mansion_editing.instructions.sentences.background import end_of_background, is_background, is_told, split_sentences
-from mansion_editing.instructions.sentences.conditions import (
-    Condition,
-    begins_condition,
-    else_at,
-    on_condition,
-    read_condition,
-)
+from mansion_editing.instructions.sentences.background import is_background, is_told, split_sentences
+from mansion_editing.instructions.sentences.conditions import Condition, begins_condition, else_at
 from mansion_editing.instructions.sentences.depending import Depending
 from mansion_editing.instructions.sentences.owners import owners_named
 from mansion_editing.instructions.sentences.questions import read_question
@@ -35,10 +29,12 @@ from mansion_editing.instructions.sentences.refinement import (
     is_everything,
     moves_it,
     removes_all_of_it,
+    removes_what_went,
     with_noun_at,
     with_storeys,
 )
 from mansion_editing.instructions.sentences.repeating import Repeating
+from mansion_editing.instructions.sentences.tails import Tails
 from mansion_editing.instructions.sentences.telling import Telling
 from mansion_editing.instructions.statements import (
     Add,
@@ -53,7 +49,6 @@ from mansion_editing.instructions.statements import (
     Paint,
     Place,
     Remove,
-    Replace,
     Rooms,
     SetState,
     Statement,
@@ -65,13 +60,8 @@ from mansion_editing.state import SceneState
 
 __all__ = ["read_instruction"]
 
-_EVERY_ONE: Final = (("every", "single", "one"), ("all", "of", "them"), ("each", "of", "them"), ("from", "now", "on"))
-_BEFORE_ASIDES: Final = frozenset("for before after when while until".split())
-_PAIRS_AFTER_CLAUSES: Final = (
-    ("any", "more"), ("you", "find"), ("you", "see"), ("nothing", "else"), ("no", "other"), ("as", "well"),
-    ("at", "all"), ("if", "possible"), ("for", "me"), ("for", "us"), ("for", "now"), ("right", "now"), ("for", "each"),
-    ("from", "now"), ("now", "on"), ("of", "course"), ("as", "usual"), ("in", "total"), ("or", "so"),
-)  # fmt: skip
+_ASKED_OF_ALL: Final = frozenset("everything all anything nothing none no not out away gone".split()) | set(STATE_WORDS)
+"""Words by which a heading asks for something itself: ``All off: ...``."""
 
 
 def read_instruction(text: str, state: SceneState, brief: str = "") -> Instruction:
@@ -92,7 +82,7 @@ def read_instruction(text: str, state: SceneState, brief: str = "") -> Instructi
     return _Reader(text, state, brief).read()
 
 
-class _Reader(Asides, Telling, Repeating, Referring, Depending):
+class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending):
     """Reads one instruction."""
 
     def read(self) -> Instruction:
@@ -180,6 +170,7 @@ class _Reader(Asides, Telling, Repeating, Referring, Depending):
             and self._reads_question(reader, words, at, marked=marked)
         ):
             return
+        at = self._read_label(words, at)
         at = self._read_heading(reader, words, at)
         at = self._read_exception(reader, at)
         at = self._read_frame(reader, at)
@@ -200,7 +191,7 @@ class _Reader(Asides, Telling, Repeating, Referring, Depending):
                 at = self._read_clause(reader, words, reader.skip(at)) if at < len(words) else at
                 self._depend(condition, first, self._quote(words, 0, at))
                 continue
-            end = end_of_background(words, at)
+            end = self._end_of_reason(reader, at)
             if end > at:
                 self.statements.append(Mention(quote=self._quote(words, at, end)))
                 at = end
@@ -278,6 +269,10 @@ class _Reader(Asides, Telling, Repeating, Referring, Depending):
                 reader.frame = first
         except NotUnderstood as fault:
             stop = max(fault.end, at + 1)
+            if isinstance(fault, TwoReadings):
+                self.undecided = True
+                self.unknown.append(f"which things belong to which part of: {self._quote(words, at, stop)}")
+                return stop
             more = self._more_of_the_same(reader, words, at)
             if more is not None:
                 return more
@@ -292,8 +287,7 @@ class _Reader(Asides, Telling, Repeating, Referring, Depending):
                 start = min(fault.start, at) if fault.start < len(words) else at
                 self.unknown.append(self._quote(words, start, stop))
             return stop
-        if tuple(w.text for w in words[end : end + 2]) == ("instead", "of"):
-            found, end = in_place_of(reader, found, end)
+        found, end = in_place_of(reader, found, end)
         topic, reader.topic = reader.topic, None
         found = [self._referred(statement) for statement in found]
         if topic is not None or any(not isinstance(statement, Mention) for statement in found):
@@ -321,7 +315,7 @@ class _Reader(Asides, Telling, Repeating, Referring, Depending):
         if words[at - 1].text not in ("and", "also", ",", "plus"):
             return None
         item = reader.item(at)
-        if item is None or item.is_room or reader.predicate_follows(item.end) or item.phrase.amount.kind == "none":
+        if item is None or item.is_room or reader.subjects(at) or item.phrase.amount.kind == "none":
             return None
         end = item.end + (reader.text(item.end) in ("too", "also"))
         if end < len(words) and words[end].text not in ("and", ",", ".", "please"):
@@ -354,7 +348,7 @@ class _Reader(Asides, Telling, Repeating, Referring, Depending):
         if not isinstance(last, Add | Ensure) or at == 0 or words[at - 1].text not in ("and", "also", ",", "plus"):
             return None
         item = reader.item(at)
-        if item is None or item.is_room or item.phrase.definite or item.places:
+        if item is None or item.is_room or item.phrase.definite or item.places or reader.subjects(at):
             return None
         after = reader.skip(item.end)
         if after < len(words) and not reader.starts_clause(after) and words[item.end].text not in ("and", ","):
@@ -362,6 +356,25 @@ class _Reader(Asides, Telling, Repeating, Referring, Depending):
         quote = self._quote(words, at, item.end)
         self.statements.append(msgspec.structs.replace(last, things=item.phrase.things(), quote=quote))
         return item.end
+
+    def _end_of_occasion(self, reader: ClauseReader, at: int) -> int:
+        """Return the colon after ``, evening mode`` of a room; the place itself where no such words follow."""
+        stop = next((k for k in range(at, min(at + 5, len(reader.words))) if reader.text(k) == ":"), at)
+        occasion = reader.words[at + 1 : stop]
+        plain = reader.text(at) == "," and bool(occasion) and all(word.kind == "word" for word in occasion)
+        plain = plain and not _ASKED_OF_ALL & {word.text for word in occasion}
+        return at if not plain or self._names_anything(occasion) or verb_at(occasion, 0, self.lexicon) else stop
+
+    def _read_label(self, words: Sequence[Word], at: int) -> int:
+        """Read ``Preparing the workshop:``, a heading that names nothing of the building."""
+        stop = next((k for k in range(at, len(words)) if words[k].text == ":"), len(words))
+        verb = verb_at(words, at, self.lexicon)
+        asks = verb is not None and not words[at].raw.endswith("ing")
+        asks = asks or bool(_ASKED_OF_ALL & {word.text for word in words[at:stop]})
+        if stop == at or asks or stop + 1 >= len(words) or not self._is_label(words, at, stop):
+            return at
+        self.statements.append(Mention(quote=self._quote(words, at, stop)))
+        return stop + 1
 
     def _is_label(self, words: Sequence[Word], at: int, stop: int) -> bool:
         """Whether words before a colon are a heading: ``Initial state:``."""
@@ -380,6 +393,8 @@ class _Reader(Asides, Telling, Repeating, Referring, Depending):
                 statement = msgspec.structs.replace(statement, spare=(*statement.spare, *self.spared))
                 self.spared = ()
             if isinstance(last, Clear) and removes_all_of_it(statement):
+                continue
+            if isinstance(last, Remove) and removes_what_went(statement):
                 continue
             if isinstance(statement, Keep):
                 statement = self._of_the_kind(statement)
@@ -419,124 +434,6 @@ class _Reader(Asides, Telling, Repeating, Referring, Depending):
         named = msgspec.structs.replace(things, noun=before.noun, refers="", definite=True, plural=True)
         return msgspec.structs.replace(keep, things=named)
 
-    def _from_to(self, first: Statement, last: Statement) -> str:
-        """Return the words from one statement's to another's."""
-        return self.text[self.text.find(first.quote) : self.text.rfind(last.quote) + len(last.quote)]
-
-    def _read_tail(self, reader: ClauseReader, words: Sequence[Word], end: int) -> tuple[int, bool]:
-        """Read what may follow a clause: ``please``, ``if possible``; the rest must begin a new clause.
-
-        Returns
-        -------
-        end : int
-        exact : bool
-            The number that was named is meant exactly ("two forks, no more").
-        """
-        exact = False
-        while end < len(words):
-            comma = words[end].text in (",", "and")
-            rest = tuple(w.text for w in words[end + comma : end + comma + 3])
-            if rest in _EVERY_ONE:
-                end += comma + 3
-                continue
-            if rest == ("not", "one", "more"):
-                end, exact = end + comma + 3, True
-                continue
-            limit = tuple(w.text for w in words[end + comma : end + comma + 2])
-            if limit in (("no", "more"), ("no", "less"), ("not", "more"), ("no", "fewer")):
-                end, exact = end + comma + 2, True
-                continue
-            text = words[end].text
-            pair = (text, words[end + 1].text if end + 1 < len(words) else "")
-            fits = self._if_it_fits(words, end)
-            depends = 0 if fits else self._depends_on(reader, end + (text == ","))
-            if depends:
-                end = depends
-            elif fits:
-                end = fits
-            elif self._takes_its_place(words, end) or [w.text for w in words[end : end + 3]] == ["from", "now", "on"]:
-                end += 3
-            elif pair in (("rather", "than"), ("instead", "of")) and self._contrasted(reader, end + 2):
-                end = self._contrasted(reader, end + 2)
-            elif pair in _PAIRS_AFTER_CLAUSES:
-                end += 2
-            elif text in COURTESIES or text in AFTER_CLAUSES:
-                end += 1
-            else:
-                break
-        if end >= len(words) or words[end].kind == "mark" or words[end].text in JOINING:
-            return end, exact
-        if end_of_background(words, end) > end or reader.starts_clause(end):
-            return end, exact
-        stop = reader.boundary(end)
-        aside = words[end].text in _BEFORE_ASIDES and not any(w.kind == "number" for w in words[end:stop])
-        if aside and not self._names_anything(words[end:stop]):
-            self.statements.append(Mention(quote=self._quote(words, end, stop)))
-            return stop, exact
-        self.unknown.append(self._quote(words, end, stop))
-        return stop, exact
-
-    def _if_it_fits(self, words: Sequence[Word], at: int) -> int:
-        """Return the end of ``if there is room for it``, ``if it fits``: so wherever it can be done; 0 for others."""
-        at += words[at].text == ","
-        texts = [w.text for w in words[at : at + 8]]
-        for said in (["if", "there", "is"], ["if", "it", "fit"], ["if", "they", "fit"]):
-            if texts[:3] != said:
-                continue
-            end = 3 + (said[1] == "there" and texts[3:4] in (["enough"], ["still"], ["any"]))
-            if said[1] == "there" and texts[end : end + 1] not in (["room"], ["space"]):
-                return 0
-            end += said[1] == "there"
-            if texts[end : end + 1] == ["for"] and texts[end + 1 : end + 2] in (["it"], ["them"], ["that"]):
-                end += 2
-            end += texts[end : end + 1] in (["there"], ["left"])
-            return at + end if at + end >= len(words) or words[at + end].kind == "mark" else 0
-        return 0
-
-    def _takes_its_place(self, words: Sequence[Word], at: int) -> bool:
-        """Read ``in its place`` after something new, which then stands where what was removed stood."""
-        last = self.statements[-1] if self.statements else None
-        said = [w.raw for w in words[at : at + 3]]
-        new = self.clause[0] if len(self.clause) == 1 else None
-        if said not in (["in", "its", "place"], ["in", "their", "place"]) or not isinstance(last, Remove):
-            return False
-        if not isinstance(new, Add | Ensure) or new.place != Place():
-            return False
-        self.statements.pop()
-        self.clause = [Replace(things=last.things, by=new.things, quote=self._from_to(last, new))]
-        return True
-
-    def _depends_on(self, reader: ClauseReader, at: int) -> int:
-        """Read a condition after a clause, on which its statements then depend; return its end, 0 where it is none."""
-        last = [self._said_before(statement) for statement in self.clause]
-        things = next((s.things for s in last if isinstance(s, Add | Ensure | Move | SetState)), None)
-        found = read_condition(reader, at, things)
-        if found is None or not last:
-            return 0
-        start = self.text.find(last[0].quote)
-        quote = self.text[max(0, start) : reader.words[found[1] - 1].end]
-        self.clause = [on_condition(msgspec.structs.replace(s, quote=quote), found[0]) for s in last]
-        return found[1]
-
-    def _said_before(self, statement: Statement) -> Statement:
-        """Return what the clause before said should be there for ``add one``."""
-        last = self.statements[-1] if self.statements else None
-        bare = isinstance(statement, Add | Ensure | Move) and statement.things.refers == "last"
-        if bare and isinstance(last, Ensure) and not getattr(statement, "things", Things()).noun:
-            return msgspec.structs.replace(last, quote=statement.quote)
-        return statement
-
-    def _contrasted(self, reader: ClauseReader, at: int) -> int:
-        """Return the end of what is not meant: ``than two``, ``of on the shelf``; 0 where it is a thing."""
-        if at < len(reader.words) and reader.words[at].kind == "number":
-            return at + 1
-        places, end = reader.places(at)
-        return end if places else 0
-
-    def _names_anything(self, words: Sequence[Word]) -> bool:
-        """Whether words name an object or a room of the building."""
-        return any(self.lexicon.is_object((w.text,)) or self.lexicon.is_own_room((w.text,)) for w in words)
-
     def _reads_question(self, reader: ClauseReader, words: Sequence[Word], at: int, *, marked: bool) -> bool:
         try:
             found = read_question(reader, words, at, marked=marked)
@@ -571,6 +468,7 @@ class _Reader(Asides, Telling, Repeating, Referring, Depending):
         room = reader.item(at, places=False)
         if room is not None and room.phrase.noun.kind in ("room", "both"):
             places, end = reader.places(room.end)
+            end = self._end_of_occasion(reader, end)
             if reader.text(end) in (":", "-") and self.lexicon.is_own_room(room.phrase.noun.words):
                 rooms = room.phrase.rooms()
                 for read in places:

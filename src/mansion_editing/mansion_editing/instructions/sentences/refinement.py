@@ -1,7 +1,7 @@
 """Statements that later words tell more of: their places, storeys and numbers."""
 
 from collections.abc import Sequence
-from typing import Any
+from typing import Any, Final
 
 import msgspec
 
@@ -21,6 +21,7 @@ from mansion_editing.instructions.statements import (
 )
 
 __all__ = [
+    "counting_those_there",
     "exactly",
     "held_there",
     "in_place_of",
@@ -29,6 +30,7 @@ __all__ = [
     "moves_it",
     "narrowed",
     "removes_all_of_it",
+    "removes_what_went",
     "so_many",
     "with_noun_at",
     "with_storeys",
@@ -44,9 +46,21 @@ def exactly(statement: Statement) -> Statement:
     return statement
 
 
+def counting_those_there(statement: Statement) -> Statement:
+    """Return that so many are there, those that are there already among them."""
+    if isinstance(statement, Add) and statement.things.amount.kind == "some":
+        return Ensure(things=statement.things, place=statement.place, each=statement.each, quote=statement.quote)
+    return statement
+
+
+_INSTEAD: Final = (("instead", "of"), ("in", "exchange", "for"), ("in", "return", "for"))
+
+
 def in_place_of(reader: ClauseReader, found: list[Statement], end: int) -> tuple[list[Statement], int]:
     """Return that something new comes for what is there: ``a round table instead of the desk``."""
-    old = reader.item(end + 2)
+    after = (tuple(word.text for word in reader.words[end : end + len(words)]) == words for words in _INSTEAD)
+    joint = next((len(words) for words, said in zip(_INSTEAD, after, strict=True) if said), 0)
+    old = reader.item(end + joint) if joint else None
     new = found[-1]
     if old is None or old.is_room or not isinstance(new, Add | Ensure):
         return found, end
@@ -167,3 +181,12 @@ def removes_all_of_it(statement: Statement) -> bool:
     things = statement.things
     bare = not things.noun and not things.refers and things.place is None and not things.beside
     return bare and things.amount.kind == "all"
+
+
+def removes_what_went(statement: Statement) -> bool:
+    """Whether a statement only says once more of what was removed just before that it goes: ``take them off``."""
+    if not isinstance(statement, Remove):
+        return False
+    things = statement.things
+    bare = things.refers == "last" and not things.noun and things.place is None and not things.beside
+    return bare and not things.amount.number

@@ -11,6 +11,7 @@ from mansion_editing.instructions.phrases.storeys import read_storeys
 from mansion_editing.instructions.phrases.verbs import verb_at
 from mansion_editing.instructions.phrases.word_sets import ANY_LONGER
 from mansion_editing.instructions.phrases.words import ADVERBS, BE, HAVE, MODALS, NEED, PERSONS, PREPOSITIONS, Word
+from mansion_editing.instructions.sentences.background import end_of_background
 from mansion_editing.instructions.sentences.progress import Progress
 from mansion_editing.instructions.sentences.refinement import is_open, narrowed, with_noun_at
 from mansion_editing.instructions.statements import Amount, Mention, Place
@@ -22,6 +23,9 @@ _WISHING: Final = frozenset(
     "think believe order hope if when".split()
 )
 """Words of sentences that ask for something."""
+
+_BECOMING: Final = frozenset("go stay remain disappear vanish".split())
+"""Verbs that say what shall become of their subject."""
 
 
 class Telling(Progress):
@@ -139,6 +143,32 @@ class Telling(Progress):
             return False
         self.statements.append(Mention(quote=self._quote(words, 0, len(words))))
         return True
+
+    def _end_of_reason(self, reader: ClauseReader, at: int) -> int:
+        """Return the end of a reason or a purpose at a place, which a request after it is no part of."""
+        words = reader.words
+        end = end_of_background(words, at)
+        purpose = words[at].text in ("so", "in")
+        for joint in range(at + 1, end if at else at):
+            if words[joint].text not in ("and", "but") or not self._asks_at(reader, joint + 1):
+                continue
+            if purpose:  # "so that they come and open the window": what they do, or a request
+                self.unknown.append(self._quote(words, at, end))
+                return end
+            return joint
+        return end
+
+    def _asks_at(self, reader: ClauseReader, at: int) -> bool:
+        """Whether words ask for something: a verb with its object, or things that must go or stay."""
+        verb = verb_at(reader.words, at, self.lexicon)
+        if verb is not None:
+            item = reader.item(verb[1] + (reader.text(verb[1]) in ("on", "off", "up", "down", "out")))
+            return item is not None and item.phrase.noun.kind != "anything"
+        subjects = reader.subjects(at)
+        if not subjects or not subjects[-1].phrase.definite:
+            return False
+        said = reader.text(subjects[-1].end)
+        return said in MODALS - {"can", "could", "may", "might"} or said in _BECOMING
 
     def _told_of_thing(self, reader: ClauseReader, at: int) -> int:
         """Return the end of a clause that tells what somebody does with a thing, which is then the topic; else 0."""

@@ -1,0 +1,174 @@
+"""What may follow a clause in its sentence: courtesies, limits of its number, conditions, what is not meant."""
+
+from collections.abc import Sequence
+from typing import Final
+
+import msgspec
+
+from mansion_editing.instructions.clauses.reader import ClauseReader
+from mansion_editing.instructions.phrases.word_sets import AFTER_CLAUSES, JOINING
+from mansion_editing.instructions.phrases.words import COURTESIES, Word
+from mansion_editing.instructions.sentences.background import end_of_background
+from mansion_editing.instructions.sentences.conditions import on_condition, read_condition
+from mansion_editing.instructions.sentences.progress import Progress
+from mansion_editing.instructions.sentences.refinement import counting_those_there
+from mansion_editing.instructions.statements import (
+    Add,
+    Ensure,
+    Mention,
+    Move,
+    Place,
+    Remove,
+    Replace,
+    SetState,
+    Statement,
+    Things,
+)
+
+__all__ = ["Tails"]
+
+_EVERY_ONE: Final = (("every", "single", "one"), ("all", "of", "them"), ("each", "of", "them"), ("from", "now", "on"))
+_BEFORE_ASIDES: Final = frozenset("for before after when while until".split())
+_PAIRS_AFTER_CLAUSES: Final = (
+    ("any", "more"), ("you", "find"), ("you", "see"), ("nothing", "else"), ("no", "other"), ("as", "well"),
+    ("at", "all"), ("if", "possible"), ("for", "me"), ("for", "us"), ("for", "now"), ("right", "now"), ("for", "each"),
+    ("from", "now"), ("now", "on"), ("at", "once"), ("right", "away"), ("straight", "away"),
+    ("of", "course"), ("as", "usual"), ("in", "total"), ("or", "so"),
+)  # fmt: skip
+
+
+class Tails(Progress):
+    """Reads what follows a clause and is none itself."""
+
+    def _read_tail(self, reader: ClauseReader, words: Sequence[Word], end: int) -> tuple[int, bool]:
+        """Read what may follow a clause: ``please``, ``if possible``; the rest must begin a new clause.
+
+        Returns
+        -------
+        end : int
+        exact : bool
+            The number that was named is meant exactly ("two forks, no more").
+        """
+        exact = False
+        while end < len(words):
+            comma = words[end].text in (",", "and")
+            rest = tuple(w.text for w in words[end + comma : end + comma + 3])
+            if rest in _EVERY_ONE:
+                end += comma + 3
+                continue
+            if rest == ("not", "one", "more"):
+                end, exact = end + comma + 3, True
+                continue
+            limit = tuple(w.text for w in words[end + comma : end + comma + 2])
+            if limit[:1] in (("no",), ("not",)) and limit[1:] in (("more",), ("less",), ("fewer",)):
+                end, exact = end + comma + 2, True
+                continue
+            text = words[end].text
+            pair = (text, words[end + 1].text if end + 1 < len(words) else "")
+            counted = self._counts_those_there(words, end)
+            if counted:
+                self.clause = [counting_those_there(statement) for statement in self.clause]
+                end = counted
+                continue
+            fits = self._if_it_fits(words, end)
+            depends = 0 if fits else self._depends_on(reader, end + (text == ","))
+            if depends:
+                end = depends
+            elif fits:
+                end = fits
+            elif self._takes_its_place(words, end) or [w.text for w in words[end : end + 3]] == ["from", "now", "on"]:
+                end += 3
+            elif pair in (("rather", "than"), ("instead", "of")) and self._contrasted(reader, end + 2):
+                end = self._contrasted(reader, end + 2)
+            elif pair in _PAIRS_AFTER_CLAUSES:
+                end += 2
+            elif text in COURTESIES or text in AFTER_CLAUSES:
+                end += 1
+            else:
+                break
+        if end >= len(words) or words[end].kind == "mark" or words[end].text in JOINING:
+            return end, exact
+        if end_of_background(words, end) > end or reader.starts_clause(end):
+            return end, exact
+        stop = reader.boundary(end)
+        aside = words[end].text in _BEFORE_ASIDES and not any(w.kind == "number" for w in words[end:stop])
+        if aside and not self._names_anything(words[end:stop]):
+            self.statements.append(Mention(quote=self._quote(words, end, stop)))
+            return stop, exact
+        self.unknown.append(self._quote(words, end, stop))
+        return stop, exact
+
+    def _counts_those_there(self, words: Sequence[Word], at: int) -> int:
+        """Return the end of ``, counting the ones already there``; 0 where it is not said."""
+        at += words[at].text == ","
+        if at >= len(words) or words[at].raw not in ("counting", "including"):
+            return 0
+        end = next((k for k in range(at, len(words)) if words[k].kind == "mark"), len(words))
+        said = [word.text for word in words[at + 1 : end]]
+        those = said[:1] in (["what"], ["those"]) or said[:2] in (["the", "one"], ["the", "existing"])
+        return end if those and len(said) <= 6 and {"already", "there", "existing"} & set(said) else 0
+
+    def _if_it_fits(self, words: Sequence[Word], at: int) -> int:
+        """Return the end of ``if there is room for it``, ``if it fits``: so wherever it can be done; 0 for others."""
+        at += words[at].text == ","
+        texts = [w.text for w in words[at : at + 8]]
+        for said in (["if", "there", "is"], ["if", "it", "fit"], ["if", "they", "fit"]):
+            if texts[:3] != said:
+                continue
+            end = 3 + (said[1] == "there" and texts[3:4] in (["enough"], ["still"], ["any"]))
+            if said[1] == "there" and texts[end : end + 1] not in (["room"], ["space"]):
+                return 0
+            end += said[1] == "there"
+            if texts[end : end + 1] == ["for"] and texts[end + 1 : end + 2] in (["it"], ["them"], ["that"]):
+                end += 2
+            end += texts[end : end + 1] in (["there"], ["left"])
+            return at + end if at + end >= len(words) or words[at + end].kind == "mark" else 0
+        return 0
+
+    def _takes_its_place(self, words: Sequence[Word], at: int) -> bool:
+        """Read ``in its place`` after something new, which then stands where what was removed stood."""
+        last = self.statements[-1] if self.statements else None
+        said = [w.raw for w in words[at : at + 3]]
+        new = self.clause[0] if len(self.clause) == 1 else None
+        if said not in (["in", "its", "place"], ["in", "their", "place"]) or not isinstance(last, Remove):
+            return False
+        if not isinstance(new, Add | Ensure) or new.place != Place():
+            return False
+        self.statements.pop()
+        self.clause = [Replace(things=last.things, by=new.things, quote=self._from_to(last, new))]
+        return True
+
+    def _depends_on(self, reader: ClauseReader, at: int) -> int:
+        """Read a condition after a clause, on which its statements then depend; return its end, 0 where it is none."""
+        last = [self._said_before(statement) for statement in self.clause]
+        things = next((s.things for s in last if isinstance(s, Add | Ensure | Move | SetState)), None)
+        found = read_condition(reader, at, things)
+        if found is None or not last:
+            return 0
+        start = self.text.find(last[0].quote)
+        quote = self.text[max(0, start) : reader.words[found[1] - 1].end]
+        self.clause = [on_condition(msgspec.structs.replace(s, quote=quote), found[0]) for s in last]
+        return found[1]
+
+    def _said_before(self, statement: Statement) -> Statement:
+        """Return what the clause before said should be there for ``add one``."""
+        last = self.statements[-1] if self.statements else None
+        bare = isinstance(statement, Add | Ensure | Move) and statement.things.refers == "last"
+        if bare and isinstance(last, Ensure) and not getattr(statement, "things", Things()).noun:
+            return msgspec.structs.replace(last, quote=statement.quote)
+        return statement
+
+    def _contrasted(self, reader: ClauseReader, at: int) -> int:
+        """Return the end of what is not meant: ``than two``, ``of on the shelf``; 0 where it is a thing."""
+        if at < len(reader.words) and reader.words[at].kind == "number":
+            return at + 1
+        places, end = reader.places(at)
+        return end if places else 0
+
+    def _names_anything(self, words: Sequence[Word]) -> bool:
+        """Whether words name an object or a room of the building."""
+        return any(self.lexicon.is_object((w.text,)) or self.lexicon.is_own_room((w.text,)) for w in words)
+
+    def _from_to(self, first: Statement, last: Statement) -> str:
+        """Return the words from one statement's to another's."""
+        return self.text[self.text.find(first.quote) : self.text.rfind(last.quote) + len(last.quote)]
