@@ -96,6 +96,16 @@ def test_doors_to_cores_stay_shut_and_their_poses_are_told(made):
     assert {core["type"] for core in cores} == {"stair", "elevator"}
 
 
+def test_a_room_whose_hole_touches_its_outline_keeps_all_its_floor(ground):
+    ring = [(0.0, 0.0), (10.0, 0.0), (10.0, 10.0), (2.0, 10.0), (2.0, 8.0), (0.0, 8.0)]
+    hole = [(2.0, 8.0), (6.0, 8.0), (6.0, 4.0), (2.0, 4.0)]
+    room = msgspec.structs.replace(ground.rooms[0], polygon=ring, holes=[hole])
+    scene = msgspec.structs.replace(ground, rooms=[room], doors=[], windows=[], objects=[])
+    floor = Polygon([(p["x"], p["z"]) for p in house(scene)["rooms"][0]["floorPolygon"]])
+    assert floor.is_valid
+    assert floor.area == pytest.approx(Polygon(ring, [hole]).area, abs=1e-3)
+
+
 def test_a_room_with_a_hole_becomes_one_simple_polygon(ground):
     index, hub = next((i, room) for i, room in enumerate(ground.rooms) if room.id == "F1/hub")
     ground.rooms[index] = msgspec.structs.replace(hub, holes=[[(4.0, 4.5), (5.0, 4.5), (5.0, 5.5), (4.0, 5.5)]])

@@ -12,6 +12,7 @@ from mansion_export.thor.layers import room_layers
 from mansion_export.thor.reachability import ENOUGH_POSITIONS, GRID, connected_positions
 from mansion_export.thor.vocabulary import AGENT_MODES, LAYERS, SCHEMA, ceiling_material, floor_material, room_type, sky
 from mansion_export.thor.walls import build_structure
+from mansion_geometry.rings import polygon_parts
 from mansion_geometry.thor.house_format import AGENT_HEIGHT, thor_euler, thor_heading, thor_point, upright
 from mansion_msgs_py.building_folder import floor_directory
 from mansion_msgs_py.codec import encode_bytes
@@ -93,17 +94,22 @@ def _room(room: SceneRoom, layer: str) -> Json:
 
 
 def _without_holes(ring: Sequence[Point], holes: Sequence[Sequence[Point]]) -> Sequence[Point]:
-    """Cut a slit from each hole to the right until it meets the outside."""
+    """Cut a slit from each hole to the right until it meets the outside, or open it where it touches that."""
     if not holes:
         return ring
     polygon = Polygon(ring, holes)
     for hole in holes:
+        touched = shapely.get_coordinates(Polygon(ring).exterior.intersection(shapely.LinearRing(hole)))
+        if len(touched):
+            # A slit elsewhere would cut the room in two.
+            polygon = polygon.difference(shapely.Point(touched[0]).buffer(SLIT, cap_style="square"))
+            continue
         x, y = max(hole)
         ray = shapely.intersection(shapely.LineString([(x, y), (polygon.bounds[2] + 1.0, y)]), Polygon(ring))
         first = min((part for part in shapely.get_parts(ray)), key=lambda part: float(part.bounds[0]))
         slit = box(x - SLIT, y - SLIT, float(first.bounds[2]) + SLIT, y)
         polygon = polygon.difference(slit)
-    outer = polygon.exterior if polygon.geom_type == "Polygon" else polygon.geoms[0].exterior
+    outer = max(polygon_parts(polygon), key=lambda part: float(part.area)).exterior
     return list(shapely.geometry.polygon.orient(Polygon(outer)).exterior.coords)[:-1]
 
 
