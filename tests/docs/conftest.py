@@ -16,6 +16,7 @@ from mansion_msgs_py.request import BuildRequest, identified
 from mansion_msgs_py.stages import FurnishRequest
 from mansion_world.making import make_world
 from mansion_world.mixture import load_mixture
+from mansion_world.requests import Sampled
 
 FLATS = Path(__file__).parents[2] / "examples" / "small_world.toml"
 
@@ -32,8 +33,7 @@ def stock(tmp_path_factory: pytest.TempPathFactory) -> Path:
     make_world(
         folder / "out" / "flats",
         1,
-        seed=7,
-        mix=load_mixture(FLATS),
+        requests=Sampled(7, load_mixture(FLATS)),
         build=build_for_world,
         check=check_for_world,
         workers=lambda: ThreadPoolExecutor(1),

@@ -2,6 +2,7 @@
 
 import errno
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
@@ -9,14 +10,13 @@ import msgspec
 
 from mansion_msgs_py.building_folder import BuildingFolder, is_building_folder
 from mansion_msgs_py.errors import ErrorCode, MansionError
-from mansion_msgs_py.request import BuildRequest
+from mansion_msgs_py.request import BuildRequest, building_id_of
 from mansion_world.measures import measure_building
-from mansion_world.mixture import MOST_FLOOR_AREA
 from mansion_world.records import Record, SetAside
 from mansion_world.sampling import WorldRequest
 from mansion_world.world_folder import WorldFolder
 
-__all__ = ["Build", "Check", "Outcome", "attempt_building"]
+__all__ = ["Assignment", "Build", "Check", "Outcome", "WorkersGone", "WorkerLost", "attempt_building"]
 
 Build = Callable[[BuildRequest, Path], object]
 """Builds a request into a folder, which appears whole or not at all; raises `MansionError`."""
@@ -30,6 +30,14 @@ _NOT_OF_THE_REQUEST: Final = (ErrorCode.CONFLICT, ErrorCode.UNAVAILABLE)
 """Errors of the place that is written to: another request would meet them too."""
 
 
+class WorkerLost(Exception):
+    """A worker ended while an attempt was in work; others go on."""
+
+
+class WorkersGone(Exception):
+    """Nobody can be asked to build any more; the message says why."""
+
+
 class Outcome(msgspec.Struct, frozen=True, kw_only=True):
     """What became of an attempt: its record, or why it was set aside, or why nothing can be written."""
 
@@ -38,10 +46,21 @@ class Outcome(msgspec.Struct, frozen=True, kw_only=True):
     full: str = ""
 
 
-def attempt_building(world: WorldFolder, seed: int, request: WorldRequest, build: Build, check: Check) -> Outcome:
+@dataclass(frozen=True)
+class Assignment:
+    """What a worker knows: the world's folder and seed, the greatest area of a floor, how to build and how to check."""
+
+    world: WorldFolder
+    seed: int
+    floor_area: float
+    build: Build
+    check: Check
+
+
+def attempt_building(assignment: Assignment, request: WorldRequest) -> Outcome:
     """Build, check and measure one request of a world, in the folder for work."""
     try:
-        return _attempt(world, seed, request, build, check)
+        return _attempt(assignment, request)
     except (OSError, MansionError) as error:
         if full := _no_space(error):
             return Outcome(full=full)
@@ -50,20 +69,25 @@ def attempt_building(world: WorldFolder, seed: int, request: WorldRequest, build
         return Outcome(aside=SetAside(request=request, reason="refused", details=[str(error)]))
 
 
-def _attempt(world: WorldFolder, seed: int, request: WorldRequest, build: Build, check: Check) -> Outcome:
-    folder = world.work(request.index, request.attempt)
-    if not is_building_folder(folder):
+def _attempt(assignment: Assignment, request: WorldRequest) -> Outcome:
+    folder = assignment.world.work(request.index, request.attempt)
+    if not _is_built(folder, request):
         folder.parent.mkdir(parents=True, exist_ok=True)
-        build(request.request, folder)
-    if faults := check(folder):
+        assignment.build(request.request, folder)
+    if faults := assignment.check(folder):
         return Outcome(aside=SetAside(request=request, reason="faults", details=[str(fault) for fault in faults]))
     areas = [entry.area for entry in BuildingFolder(folder).building.floors]
-    if max(areas) > MOST_FLOOR_AREA:
-        details = [f"a floor of {max(areas):.1f} m2; at most {MOST_FLOOR_AREA:.0f} m2"]
+    if max(areas) > assignment.floor_area:
+        details = [f"a floor of {max(areas):.1f} m2; at most {assignment.floor_area:.0f} m2"]
         return Outcome(aside=SetAside(request=request, reason="floor too large", details=details))
-    record = measure_building(seed, request, folder)
-    world.save_built(record)
+    record = measure_building(assignment.seed, request, folder)
+    assignment.world.save_built(record)
     return Outcome(record=record)
+
+
+def _is_built(folder: Path, request: WorldRequest) -> bool:
+    """Whether an interrupted run left the building of this very request."""
+    return is_building_folder(folder) and BuildingFolder(folder).building.building_id == building_id_of(request.request)
 
 
 def _no_space(error: BaseException | None) -> str:

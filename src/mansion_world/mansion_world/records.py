@@ -25,7 +25,13 @@ SPLITS: tuple[Split, ...] = ("train", "val", "test")
 
 
 class WorldIndex(msgspec.Struct, frozen=True, kw_only=True):
-    """The content of ``world.json``: what all buildings of a world follow from."""
+    """The content of ``world.json``: what all buildings of a world follow from.
+
+    Attributes
+    ----------
+    mix : str
+        The mixture as JSON; empty where the buildings are those of a list.
+    """
 
     seed: int
     mix: str

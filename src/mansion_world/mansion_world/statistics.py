@@ -39,7 +39,7 @@ class WorldStatistics:
     Attributes
     ----------
     asked : mapping of (str, str) to float
-        Share of each kind and sub-kind in the mixture.
+        Share of each kind and sub-kind in the mixture; empty for a list of briefs.
     found : Counter of (str, str)
         Buildings of each.
     floor_area : Mean
@@ -114,7 +114,8 @@ def world_statistics(world: WorldFolder) -> WorldStatistics:
     MansionError
         ``NOT_FOUND`` when there is no world.
     """
-    statistics = WorldStatistics(decode(Mixture, world.index().mix).shares())
+    mix = world.index().mix
+    statistics = WorldStatistics(decode(Mixture, mix).shares() if mix else {})
     for record in world.records():
         row = record.building
         statistics.found[row.kind, row.sub_kind] += 1

@@ -10,10 +10,12 @@
 
 import fcntl
 import shutil
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Final
+
+import msgspec
 
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.errors import ErrorCode, MansionError
@@ -26,15 +28,15 @@ _INDEX: Final = "world.json"
 _SHARD: Final = 1000
 
 
-def building_path(index: int) -> str:
+def building_path(index: int, name: str = "") -> str:
     """Return the folder of a building, relative to the world's.
 
     Examples
     --------
-    >>> building_path(1234)
-    'buildings/001/001234'
+    >>> building_path(1234), building_path(2, "office")
+    ('buildings/001/001234', 'buildings/office')
     """
-    return f"buildings/{_shard(index)}"
+    return f"buildings/{name or _shard(index)}"
 
 
 def _shard(index: int) -> str:
@@ -117,7 +119,7 @@ class WorldFolder:
     def settle(self, record: Record) -> None:
         """Give an attempt its place in the world."""
         row = record.building
-        target = self.building(row.index)
+        target = self.path / row.path
         shutil.rmtree(target, ignore_errors=True)
         target.parent.mkdir(parents=True, exist_ok=True)
         self.work(row.index, row.attempt).rename(target)
@@ -131,10 +133,10 @@ class WorldFolder:
         shutil.rmtree(work, ignore_errors=True)
         shutil.rmtree(work.with_name(f".{work.name}.partial"), ignore_errors=True)
 
-    def forget(self, index: int) -> None:
+    def forget(self, record: Record) -> None:
         """Take a building out of the world, to make it anew."""
-        self._record_file(index).unlink(missing_ok=True)
-        shutil.rmtree(self.building(index), ignore_errors=True)
+        self._record_file(record.building.index).unlink(missing_ok=True)
+        shutil.rmtree(self.path / record.building.path, ignore_errors=True)
 
     def set_aside(self, entry: SetAside) -> None:
         """Keep a request that came to nothing, and remove what is left of it."""
@@ -142,9 +144,21 @@ class WorldFolder:
         write_atomic(self._aside_file(request.index, request.attempt), encode_bytes(entry, indent=1))
         self.discard(request.index, request.attempt)
 
-    def was_set_aside(self, index: int, attempt: int) -> bool:
-        """Whether an attempt came to nothing."""
-        return self._aside_file(index, attempt).exists()
+    def set_aside_at(self, index: int, attempt: int) -> SetAside | None:
+        """Return what is kept of an attempt that came to nothing, ``None`` where it did not."""
+        file = self._aside_file(index, attempt)
+        return read_payload(SetAside, file) if file.exists() else None
+
+    def move_records(self, indices: Mapping[str, int]) -> None:
+        """Give the records of buildings the indices that are said of their paths, and drop all others."""
+        found = list(self.records())
+        moved = [record for record in found if indices.get(record.building.path) != record.building.index]
+        for record in moved:
+            self._record_file(record.building.index).unlink()
+        for record in moved:
+            index = indices.get(record.building.path)
+            if index is not None:
+                write_atomic(self._record_file(index), encode_bytes(_at_index(record, index)))
 
     def aside(self) -> Iterator[SetAside]:
         """Yield what was set aside, by index and attempt."""
@@ -191,6 +205,14 @@ class WorldFolder:
 
     def _aside_file(self, index: int, attempt: int) -> Path:
         return self.path / "set_aside" / f"{index:06d}-{attempt}.json"
+
+
+def _at_index(record: Record, index: int) -> Record:
+    return msgspec.structs.replace(
+        record,
+        building=msgspec.structs.replace(record.building, index=index),
+        rooms=[msgspec.structs.replace(room, index=index) for room in record.rooms],
+    )
 
 
 def _line(row: RoomRow) -> bytes:
