@@ -67,7 +67,7 @@ def test_a_scheduler_that_goes_away_ends_the_command_and_the_same_command_goes_o
 
         def away(progress: WorldProgress) -> None:
             if progress.done == 2:
-                local.loop.add_callback(local.scheduler.close)
+                local.close()
 
         with pytest.raises(MansionError, match=r"scheduler at tcp://127\S+ does not answer any more; \d of 5") as gone:
             make(tmp_path / "w", 5, build_slowly, Cluster(local.scheduler_address), report=away)

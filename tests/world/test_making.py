@@ -157,7 +157,7 @@ def test_damaged_and_unfinished_buildings_are_made_anew(tmp_path: Path, build: B
     sound_contents = contents(tmp_path / "w")
     world = WorldFolder(tmp_path / "w")
     (world.building(1) / "building.json").write_text("{}")
-    (tmp_path / "w/records/000/000002.json").unlink()
+    (tmp_path / "w/records/000/000002.json").write_text("")
     shutil.copytree(world.building(3), world.work(3, 0))
     made = make(tmp_path / "w", 4, build, threads)
     assert made.kept == 2

@@ -13,7 +13,7 @@ import shutil
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Final
+from typing import Final, TypeVar
 
 import msgspec
 
@@ -26,6 +26,8 @@ __all__ = ["WorldFolder", "building_path"]
 
 _INDEX: Final = "world.json"
 _SHARD: Final = 1000
+
+T = TypeVar("T")
 
 
 def building_path(index: int, name: str = "") -> str:
@@ -97,9 +99,8 @@ class WorldFolder:
         return self.path / "work" / f"{index:06d}-{attempt}"
 
     def record(self, index: int) -> Record | None:
-        """Return the record of a building, ``None`` where it is not finished."""
-        file = self._record_file(index)
-        return read_payload(Record, file) if file.exists() else None
+        """Return the record of a building, ``None`` where it is not finished or the record is damaged."""
+        return _read(Record, self._record_file(index))
 
     def records(self) -> Iterator[Record]:
         """Yield the records by ascending index, one in memory at a time."""
@@ -108,8 +109,7 @@ class WorldFolder:
 
     def built(self, index: int, attempt: int) -> Record | None:
         """Return the record of an attempt that is built but has no place in the world yet."""
-        file = self._built_file(index, attempt)
-        return read_payload(Record, file) if file.exists() else None
+        return _read(Record, self._built_file(index, attempt))
 
     def save_built(self, record: Record) -> None:
         """Say that an attempt is built, checked and measured."""
@@ -146,8 +146,7 @@ class WorldFolder:
 
     def set_aside_at(self, index: int, attempt: int) -> SetAside | None:
         """Return what is kept of an attempt that came to nothing, ``None`` where it did not."""
-        file = self._aside_file(index, attempt)
-        return read_payload(SetAside, file) if file.exists() else None
+        return _read(SetAside, self._aside_file(index, attempt))
 
     def move_records(self, indices: Mapping[str, int]) -> None:
         """Give the records of buildings the indices that are said of their paths, and drop all others."""
@@ -213,6 +212,14 @@ def _at_index(record: Record, index: int) -> Record:
         building=msgspec.structs.replace(record.building, index=index),
         rooms=[msgspec.structs.replace(room, index=index) for room in record.rooms],
     )
+
+
+def _read(kind: type[T], file: Path) -> T | None:
+    """Return what a file holds, ``None`` where it is missing or holds something else: it is then made anew."""
+    try:
+        return read_payload(kind, file)
+    except MansionError:
+        return None
 
 
 def _line(row: RoomRow) -> bytes:
