@@ -16,7 +16,7 @@ from mansion_msgs_py import __version__
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.request import building_id_of
 from mansion_world.attempts import Assignment, Build, Check, Outcome, WorkerLost, WorkersGone, attempt_building
-from mansion_world.likeness import nearly_the_same
+from mansion_world.likeness import likeness_cells, nearly_the_same
 from mansion_world.measures import folder_digest
 from mansion_world.records import Record, SetAside, WorldIndex
 from mansion_world.requests import Requests
@@ -79,7 +79,7 @@ class _Run:
     again: list[WorldRequest] = field(default_factory=list)
     waiting: dict[int, Record | None] = field(default_factory=dict)
     crashes: dict[tuple[int, int], int] = field(default_factory=dict)
-    graphs: dict[str, list[int]] = field(default_factory=dict)
+    alike: dict[tuple[str, tuple[int, int]], list[int]] = field(default_factory=dict)
     working: dict[Future[Outcome], WorldRequest] = field(default_factory=dict)
 
     def progress(self) -> WorldProgress:
@@ -296,12 +296,13 @@ def _place(run: _Run, record: Record) -> bool:
         return False
     if not placed:
         run.world.settle(record)
-    run.graphs.setdefault(record.graph, []).append(row.index)
+    run.alike.setdefault((record.graph, likeness_cells(record.likeness)[0]), []).append(row.index)
     return True
 
 
 def _twin(run: _Run, record: Record) -> int | None:
-    for index in run.graphs.get(record.graph, []):
+    cells = likeness_cells(record.likeness)
+    for index in sorted(index for cell in cells for index in run.alike.get((record.graph, cell), [])):
         other = run.world.record(index)
         if other is not None and nearly_the_same(record.likeness, other.likeness):
             return index
