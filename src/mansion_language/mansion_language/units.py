@@ -15,6 +15,7 @@ LENGTH = {"m": 1.0, "cm": 0.01, "ft": FOOT}
 _SQUARE = r"(?:square|sq)\b[.]?[ ]?"
 AREA_PATTERN = (
     rf"(?P<m2>{_SQUARE}m(?:et(?:er|re)s?|trs?|ts?)?\b|m(?:ts?|trs?)?(?:²|\^?2\b|[ ]2(?=[ .,;:)]|$))"
+    r"|m(?:et(?:er|re)s?)?[ ]square[sd]?\b(?![ ]?(?:room|garden|court|table|plan|building|hall))"
     r"|㎡|sqm\b|qm\b|sq[.]m\b|m[.]?sq\b)"
     rf"|(?P<ft2>{_SQUARE}f(?:ee|oo)?t\b|(?:ft|f)(?:²|\^?2\b)|sqft\b|sf\b|sq[.]ft\b)"
 )

@@ -45,6 +45,7 @@ class EllipticStoreys:
         return (
             self._from_top(index, previous)
             or self._first_of(index, previous)
+            or self._next(index, previous)
             or self._edge(index)
             or self._ordinal(index)
             or self._entered(index)
@@ -101,6 +102,18 @@ class EllipticStoreys:
         if previous is None or not ranged or reading.word(index) != "first" or not alone:
             return None
         return [FloorRef("number", previous.first, previous.first)], index + 1
+
+    def _next(self, index: int, previous: FloorRef | None) -> tuple[list[FloorRef], int] | None:
+        """Read "three guest rooms on the next;", "the next one: ...": the storey above the one named last."""
+        reading = self.reading
+        if reading.word(index) != "next" or reading.word(index - 1) != "the" or previous is None:
+            return None
+        last = index + 1 + (reading.word(index + 1) == "one")
+        placed = reading.word(index - 2) == "on" and reading.word(last) in CLOSERS | {"and"}
+        heads = reading.starts(index - 1) and reading.word(last) == ":"
+        if not (placed or heads) or previous.kind not in ("number", "range"):
+            return None
+        return [FloorRef("number", previous.last + 1, previous.last + 1)], last
 
     def _from_top(self, index: int, previous: FloorRef | None) -> tuple[list[FloorRef], int] | None:
         """Read "counting from the top: ... on the first, ... on the next, ... on the one after that"."""

@@ -25,6 +25,10 @@ _PHRASES = (
     ("ruled", "out"),
     ("nobody", "want"),
     ("nobody", "need"),
+    ("nobody", "get"),
+    ("nobody", "have"),
+    ("no", "one", "get"),
+    ("no", "one", "need"),
     ("no", "one", "want"),
     ("not", "want", "any"),
 )

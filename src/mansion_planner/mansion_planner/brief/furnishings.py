@@ -66,7 +66,9 @@ def read_furnishings(
                 words=phrase.label,
                 category=phrase.category,
                 span=reading.span(phrase.first, last),
-                count=phrase.count and phrase.count * _sets(reading, phrases, number),
+                count=phrase.count and phrase.count * _sets(reading, phrases, number)
+                if phrase.counted
+                else people_served(reading, phrases, number) or phrase.count,
                 room=room.name if room is not None else "",
                 room_type=room.room_type if room is not None else "",
                 each=each or (room is None and number in attached and attached[number].each),
@@ -77,6 +79,19 @@ def read_furnishings(
             )
         )
     return found
+
+
+def people_served(reading: Reading, phrases: list[Phrase], number: int) -> int:
+    """Return how many people furniture in the plural is for, one piece each ("desks for 8 students"); 0 if unsaid."""
+    phrase = phrases[number]
+    after = phrases[number + 1] if number + 1 < len(phrases) else None
+    one_each = phrase.head == "object" and phrase.plural and not phrase.counted and phrase.category in _ONE_EACH
+    if after is None or not one_each or after.head != "people" or reading.words(phrase.last, after.first) != ("for",):
+        return 0
+    return (after.count or 0) if after.counted else 0
+
+
+_ONE_EACH = frozenset({"desk", "workstation", "office_chair", "chair", "stool", "bed", "single_bed", "locker"})
 
 
 def _sets(reading: Reading, phrases: list[Phrase], number: int) -> int:

@@ -1,6 +1,7 @@
 """Read areas and heights, and tell whose they are: a room's, a storey's or the whole building's."""
 
 import itertools
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from mansion_language.units import AREA, LENGTH
@@ -515,7 +516,15 @@ def _described(reading: Reading, measure: Measure, phrases: list[Phrase]) -> lis
     people = len(gap) >= 3 and gap[0] == "for" and gap[-1] == "," and len(gap) <= 5
     above = gap[:1] in (("above",), ("below",), ("upstairs",), ("downstairs",)) and set(gap[1:]) <= _FILLERS
     relative = gap[:2] == (",", "which") and gap[-1] == "," and "room" in gap and ";" not in gap
-    return rooms[-1:] if people or above or relative else []
+    return rooms[-1:] if people or above or relative or _is_clause_of_room(gap) else []
+
+
+def _is_clause_of_room(gap: Sequence[str]) -> bool:
+    """Whether only a relative clause stands between a room and its area: "the kitchen where we eat, 25 m2"."""
+    words = list(gap)
+    while words and words[-1] in _ABOUT:
+        words.pop()
+    return 3 <= len(words) <= 9 and words[0] in ("where", "that", "who") and words[-1] == "," and words.count(",") == 1
 
 
 def _is_building(reading: Reading, phrase: Phrase) -> bool:

@@ -50,7 +50,8 @@ class NamedStoreys:
         if reading.word(index - 1) in ("wine", "beer", "root", "coal", "finished"):
             return None
         if word in ("underground", "subterranean") and following not in FLOOR_WORDS:
-            return None
+            predicate = reading.word(index - 1) in COPULAS | {"lie", "go", "all"} and following in CLOSERS
+            return ([FloorRef("basement")], last) if predicate else None
         return [FloorRef("basement")], last
 
     def ground(self, index: int) -> tuple[list[FloorRef], int] | None:

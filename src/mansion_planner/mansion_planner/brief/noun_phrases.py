@@ -273,6 +273,8 @@ def _headed(reading: Reading, begin: int, end: int, *, whole: bool) -> Phrase | 
     one = reading.word(end) == "one" and reading.word(end + 1) not in FLOOR_WORDS | {"flight"}
     if one and reading.word(begin - 1) in ("a", "an"):
         return None  # "two kitchens, a meat one and a dairy one"
+    if _is_figurative(reading, begin, end):
+        return None
     category, size = furniture_of(reading.words(begin, end))
     if last == "screen" and all(word in PLAIN for word in reading.words(begin, end - 1)) and _in_cinema(reading):
         return finished_phrase(reading, "room", begin, end, room="cinema_hall")
@@ -285,6 +287,8 @@ def _headed(reading: Reading, begin: int, end: int, *, whole: bool) -> Phrase | 
         return finished_phrase(reading, "object", begin, end, category=category)
     if mention is not None and mention.building and not whole and _are_people(reading, end):
         return None  # "wind farm technicians"
+    if mention is not None and _are_book_stacks(reading, begin, end):
+        return finished_phrase(reading, "object", begin, end, category="bookshelf")  # "30 book stacks"
     if mention is not None and (mention.room or mention.building):
         room = mention.room or room_of_building(mention.building, reading.knowledge)
         if (
@@ -325,6 +329,28 @@ def _headed(reading: Reading, begin: int, end: int, *, whole: bool) -> Phrase | 
     if category:
         return finished_phrase(reading, "object", begin, end, category=category)
     return None
+
+
+def _is_figurative(reading: Reading, begin: int, end: int) -> bool:
+    """Whether a noun names nothing to build: "see table", "ten sofas on display", "they sold the car"."""
+    noun, lead = reading.word(begin), reading.word(begin - 1)
+    if end - begin > 1:
+        return False
+    if lead in ("the", "our", "my", "their") and reading.word(begin - 2) in ("sold", "sell"):
+        return True
+    if lead in ("they", "we", "you", "people"):
+        return True  # "they slide down a pole": a verb
+    if noun == "table" and not reading.plural(begin):
+        return lead == "see" or (lead == "the" and reading.word(begin - 2) in ("see", "per"))
+    return noun == "display" and lead == "on"
+
+
+def _are_book_stacks(reading: Reading, begin: int, end: int) -> bool:
+    return (
+        reading.plural(end - 1)
+        and reading.words(end - 2, end) == ("book", "stack")
+        and bool(count_before(reading, begin, end)[2])
+    )
 
 
 def _are_people(reading: Reading, index: int) -> bool:

@@ -10,6 +10,7 @@ from mansion_planner.brief.storey_numbering import (
     counts_above_ground,
     counts_from_ground,
     levels_above_ground,
+    numbers_above_ground,
     written_after,
 )
 
@@ -46,6 +47,7 @@ class NumberedStoreys:
             )
             for i in range(len(reading.tokens))
         )
+        self.numbers_above = numbers_above_ground(reading)
         if counts_above_ground(reading):
             self.british = self.zero_based = True
         self.numbered_headings = sum(
@@ -84,7 +86,7 @@ class NumberedStoreys:
         if reading.kind(index) != kind or index in reading.taken or reading.tokens[index].soft:
             return None
         value = reading.value(index)
-        shift = int(self.zero_based and kind == "number")
+        shift = int((self.zero_based or self.numbers_above) and kind == "number")
         return int(value) + shift if value == int(value) and abs(value) <= 1000 else None
 
     def numbered(self, index: int) -> tuple[list[FloorRef], int] | None:
@@ -156,6 +158,14 @@ class NumberedStoreys:
         if ranged and len(numbers) == 2:
             return [FloorRef("range", min(numbers), max(numbers))], last
         return [FloorRef("number", value, value) for value in numbers], last
+
+    def bare_number(self, index: int) -> tuple[list[FloorRef], int] | None:
+        """Read "the canteen on 2", where the brief has a word for storeys."""
+        reading = self.reading
+        number = self._number(index, "number")
+        if number is None or not self.has_floors or reading.word(index - 1) != "on" or not 1 <= number <= 200:
+            return None
+        return ([FloorRef("number", number, number)], index + 1) if reading.word(index + 1) in CLOSERS else None
 
     def _bare_ordinal(self, index: int, last: int) -> bool:
         """Whether an ordinal without "floor" means one: a heading, or the end of "on the second"."""

@@ -28,7 +28,7 @@ from mansion_planner.brief.distant_counts import (
 from mansion_planner.brief.exclusions import negated_phrases, read_completeness
 from mansion_planner.brief.facts import AdjacencyFact, BriefFacts, OccupantFact, Quantity
 from mansion_planner.brief.finishes import read_materials, read_style
-from mansion_planner.brief.furnishings import read_furnishings
+from mansion_planner.brief.furnishings import people_served, read_furnishings
 from mansion_planner.brief.furniture_words import furniture_of
 from mansion_planner.brief.households import read_households
 from mansion_planner.brief.measures import Measure, find_measures, give_measures, read_heights
@@ -322,6 +322,9 @@ class _Reader:
                 continue
             if named is None:
                 continue
+            if self._stands_in_apposition(phrase, named):
+                self.phrases[number] = replace(phrase, head="unknown")  # "a guest house, victorian house, ..."
+                continue
             if self.reading.word(named.last) == "for" and 0 < phrase.first - named.last <= 2:
                 self.phrases[number] = replace(phrase, head="unknown")  # "a hostel for an engineering college"
                 continue
@@ -331,6 +334,14 @@ class _Reader:
             same_family = buildings[phrase.building].family == buildings[named.building].family
             if same_family or phrase.first < named.first:
                 self.phrases[number] = replace(phrase, head="unknown")
+
+    def _stands_in_apposition(self, phrase: Phrase, named: Phrase) -> bool:
+        """Whether a home named right after the building, with no article and between commas, is the building again."""
+        reading = self.reading
+        bare = phrase.head == "building" and not phrase.determiner and reading.starts(named.first)
+        after = reading.word(named.last) == "," and phrase.first == named.last + 1
+        last = reading.word(phrase.noun_end - 1)
+        return bare and after and last in ("house", "home", "building") and reading.word(phrase.last) in (",", ":", ".")
 
     def _holds_all(self, phrase: Phrase, named: Phrase) -> bool:
         """Whether "inside one flat" speaks of the building, as "in an old factory" does of where it is."""
@@ -447,7 +458,8 @@ class _Reader:
                 p.head == "room" and n != self.building and 0 <= phrase.first - p.last <= 3
                 for n, p in enumerate(self.phrases[:number])
             )
-            if phrase.counted and phrase.count and not after_room and number not in self.attached:
+            furnished = number and people_served(reading, self.phrases, number - 1)
+            if phrase.counted and phrase.count and not (after_room or furnished or number in self.attached):
                 self.facts.occupants.append(OccupantFact(phrase.count, noun, reading.span(phrase.first, phrase.last)))
         for index in range(len(reading.tokens)):
             if (

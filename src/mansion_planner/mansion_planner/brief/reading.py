@@ -12,7 +12,8 @@ from mansion_planner.brief.furniture_words import furniture_vocabulary
 from mansion_planner.brief.lexicon import Mention, lexicon_of
 from mansion_planner.brief.spelling import corrected
 from mansion_planner.brief.storey_forms import storey_forms
-from mansion_planner.brief.token_forms import compounds, foreign_storeys, open_decks
+from mansion_planner.brief.storey_tables import storey_tables
+from mansion_planner.brief.token_forms import capacities, compounds, foreign_storeys, open_decks
 
 __all__ = ["FLOOR_WORDS", "Place", "Reading", "start_reading"]
 
@@ -153,10 +154,9 @@ class Reading:
 def start_reading(text: str, knowledge: KnowledgeBase, cancelled: Callable[[], bool] = lambda: False) -> Reading:
     """Tokenise `text`, correct misspelt words and find the phrases of the knowledge base."""
     lexicon = lexicon_of(knowledge)
-    tokens = compounds(
-        corrected(count_forms(storey_forms(text, tokenize(text))), lexicon.words, furniture_vocabulary()), lexicon.words
-    )
-    tokens = foreign_storeys(open_decks(tokens))
+    tokens = count_forms(storey_forms(text, storey_tables(tokenize(text), FLOOR_WORDS)))
+    tokens = compounds(corrected(tokens, lexicon.words, furniture_vocabulary()), lexicon.words)
+    tokens = capacities(foreign_storeys(open_decks(tokens)))
     mentions = lexicon.find(tokens)
     reading = Reading(
         text=text,

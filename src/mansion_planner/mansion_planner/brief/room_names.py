@@ -402,10 +402,19 @@ _SEXES = {
 }  # fmt: skip
 
 
+def _is_name(reading: Reading, index: int) -> bool:
+    """Whether what follows "of" tells whose it is, rather than how much: "the office of the director"."""
+    return reading.kind(index) == "word" and reading.word(index) not in _MEASURING
+
+
+_MEASURING = frozenset("about around approximately approx roughly nearly at up over under several some".split())
+
+
 def with_purpose(reading: Reading, phrase: Phrase) -> Phrase:
     """Add what a room is for to its name: "a room for the bicycles" is a bicycle room."""
     last = phrase.last
-    if phrase.head == "building" and phrase.name == "office" and reading.word(last) == "of":
+    owned = reading.word(last) == "of" and _is_name(reading, last + 1)
+    if phrase.head == "building" and phrase.name == "office" and owned:
         phrase = replace(phrase, head="room", building="", room_type="private_office")  # "the office of the director"
     if (
         phrase.head != "room"

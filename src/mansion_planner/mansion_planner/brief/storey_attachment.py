@@ -34,9 +34,11 @@ _MANY = 10
 """Rooms of a kind that no storey is likely to have each."""
 _JOINTS = frozenset(
     """
-    and a an the & one , large small its own as well plus both another two three
+    and a an the & + one , large small its own as well plus both another two three
     """.split()
 )
+
+_AND = frozenset({"and", "&", "+"})
 
 
 def _several(place: Place) -> bool:
@@ -268,7 +270,7 @@ class _Walk:
         joined = False
         for number in reversed(left[:-1]):
             between = self.reading.words(self.phrases[number].last, self.phrases[chosen[-1]].first)
-            joined = joined or "and" in between or "&" in between
+            joined = joined or not _AND.isdisjoint(between)
             sized = range(self.phrases[number].last, self.phrases[chosen[-1]].first)
             between = tuple(
                 word
@@ -285,7 +287,7 @@ class _Walk:
     def _asyndetic(self, left: list[int]) -> bool:
         """Whether commas alone part a list, so that what follows is of its last entry: "shop, cafe upstairs"."""
         joints = [self.reading.words(self.phrases[a].last, self.phrases[b].first) for a, b in itertools.pairwise(left)]
-        return len(left) > 2 and not any("and" in words or "&" in words for words in joints)
+        return len(left) > 2 and all(_AND.isdisjoint(words) for words in joints)
 
     def _suits(self, number: int, place: Place) -> bool:
         phrase = self.phrases[number]

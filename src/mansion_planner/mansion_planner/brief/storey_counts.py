@@ -217,17 +217,12 @@ class StoreyCounts:
         if ground or (reading.word(last) == "above" and reading.word(last + 1) in ("ground", "grade")):
             self._state(value, index, last)
             return last
-        if above and self.previous is None and not reading.facts.floors:
-            self._state(value + 1, index, last + 2)
-            low = 2
-            self.places.append(
-                Place(
-                    index,
-                    last + 2,
-                    (FloorRef("range", low, low + int(value) - 1, reading.span(index, last + 2)),),
-                    False,
-                )
-            )
+        base = self._storey_below()
+        if above and base and not reading.facts.floors:
+            span = reading.span(index, last + 2)
+            self._state(base + value, index, last + 2)
+            storeys = FloorRef("range", base + 1, base + int(value), span)
+            self.places.append(Place(index, last + 2, (storeys,), led=False))
             return last + 2
         below = bool(_BELOW & set(adjectives)) or (
             reading.word(last) in ("below", "underground", "under")
@@ -254,6 +249,12 @@ class StoreyCounts:
             return index
         self._state(value, index, last)
         return last
+
+    def _storey_below(self) -> int:
+        """Return the storey that "above it" counts from: the last one named, else the first; 0 if not numbered."""
+        if self.previous is None:
+            return 1
+        return self.previous.last if self.previous.kind in ("number", "range") else 0
 
     def _included_basement(self, last: int) -> int:
         """Return where "4 levels if you count the basement", "3 floors incl. cellar" end, or 0."""

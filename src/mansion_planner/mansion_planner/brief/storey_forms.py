@@ -24,6 +24,8 @@ _GROUND = (
     ("begane", "grond"),
     ("terreo",),
     ("erdgeschoss",),
+    ("parter",),
+    ("parterre",),
 )
 _GROUND_SHORT = frozenset({"eg", "rdc", "pb", "rch", "gf"})
 _BASEMENT = (("sous", "sol"), ("sotano",), ("subsolo",), ("untergeschoss",), ("kellergeschoss",), ("keller",))

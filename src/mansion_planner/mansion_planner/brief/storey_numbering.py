@@ -5,7 +5,7 @@ import itertools
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
 from mansion_planner.brief.storey_forms import ABOVE_GROUND
 
-__all__ = ["counts_above_ground", "counts_from_ground", "levels_above_ground", "written_after"]
+__all__ = ["counts_above_ground", "counts_from_ground", "levels_above_ground", "numbers_above_ground", "written_after"]
 
 
 def counts_from_ground(reading: Reading) -> bool:
@@ -59,7 +59,7 @@ def counts_above_ground(reading: Reading) -> bool:
 
 def _lists_ground_and_first(reading: Reading) -> bool:
     """Whether "Ground: ... 1st: ..." or "GF: ... 1F: ..." count the storeys of a list from the one above the ground."""
-    marks = (":", "=", "-", "–", "\n", "&", "and", ",", "for", "has", "hold")
+    marks = (":", "=", "-", "–", "\n", "&", "and", ",", "for", "has", "hold", "above")
     ground = first = False
     for index in range(len(reading.tokens)):
         word, opens = reading.word(index), reading.starts(index) or reading.word(index - 1) == ":"
@@ -104,6 +104,41 @@ def levels_above_ground(reading: Reading) -> bool:
         and reading.word(i + 1) in marks
         for i in heads
     )
+
+
+def numbers_above_ground(reading: Reading) -> bool:
+    """Whether "floor one" is the storey above the ground floor: the brief speaks of both as two, as in lifts.
+
+    "The ground floor (level 1)" names one storey twice; and where the highest number is the count of the storeys, the
+    ground floor is the first.
+    """
+    singular = FLOOR_WORDS - {"storie"}
+    grounds = [
+        i
+        for i in range(len(reading.tokens))
+        if reading.word(i) in ("ground", "street", "entrance") and reading.word(i + 1) in singular
+    ]
+    named = {
+        i: int(reading.value(i + 1))
+        for i in range(len(reading.tokens))
+        if reading.word(i) in singular and reading.kind(i + 1) == "number" and reading.kind(i + 2) != "unit"
+    }
+    firsts = [i for i, value in named.items() if value == 1]
+    if not grounds or not firsts:
+        return False
+    if any(_in_apposition(reading, ground, first) for ground in grounds for first in firsts):
+        return False
+    stated = [
+        int(a.value) for a, b in itertools.pairwise(reading.tokens) if a.kind == "number" and b.text in FLOOR_WORDS
+    ]
+    return not (stated and max(stated) == max(named.values()) > 1)
+
+
+def _in_apposition(reading: Reading, ground: int, first: int) -> bool:
+    """Whether nothing but brackets, commas and "is the" stand between two names of storeys."""
+    low, high = min(ground, first) + 2, max(ground, first)
+    marks = ("(", ",", "the", "is", "=", "or", "-", "/")
+    return high - low <= 3 and all(reading.word(i) in marks for i in range(low, high))
 
 
 def _is_ground(reading: Reading, index: int) -> bool:

@@ -149,6 +149,7 @@ class _Scanner:
             self.numbered.numbered,
             self.numbered.ordinal,
             self.numbered.heading,
+            self.numbered.bare_number,
         ):
             found = read(index)
             if found is not None:

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 from mansion_language import Token
 
-__all__ = ["compounds", "foreign_storeys", "open_decks"]
+__all__ = ["capacities", "compounds", "foreign_storeys", "open_decks"]
 
 
 def compounds(tokens: list[Token], words: frozenset[str]) -> list[Token]:
@@ -36,6 +36,18 @@ _APART = frozenset(
     {("work", "station"), ("class", "room"), ("bed", "room"), ("bath", "room"), ("book", "shelf"), ("ware", "house")}
 )
 """Nouns that are one word, and that people write as two."""
+
+
+def capacities(tokens: list[Token]) -> list[Token]:
+    """Read "a canteen with room for 150" as "a canteen for 150": the room is no room of its own."""
+    texts = [token.text for token in tokens]
+    left_out: set[int] = set()
+    for index in range(len(tokens) - 3):
+        spacious = texts[index] == "with" and texts[index + 1] in ("room", "space") and not tokens[index + 1].plural
+        if spacious and texts[index + 2] == "for" and tokens[index + 3].kind == "number":
+            left_out |= {index, index + 1}
+    return [token for index, token in enumerate(tokens) if index not in left_out]
+
 
 _FOREIGN_STOREYS = {"etage": "floor", "niveau": "level", "niveaux": "level", "planta": "floor", "plant": "floor"}
 _FOREIGN_SIDES = {"low": "ground", "high": "upper", "superior": "upper", "principal": "ground", "inferior": "ground"}

@@ -9,9 +9,10 @@ from mansion_knowledge import BuildingType, KnowledgeBase
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.program import Downgrade, RequestedObject, TraceEntry
 from mansion_msgs_py.request import BuildRequest
-from mansion_msgs_py.wording import with_article
+from mansion_msgs_py.wording import counted, with_article
 from mansion_planner.brief.facts import BriefFacts, FloorRef, Quantity, Span
 from mansion_planner.program.footprint import check_footprint, is_rectangle
+from mansion_planner.program.program_size import ProgramSize, size_of_program
 
 __all__ = ["AREA_CAP", "Decisions", "MOST_FLOORS", "conflict", "decide", "note", "quoted"]
 
@@ -87,7 +88,8 @@ def decide(
     given_way: list[Downgrade] = []
     stated, facts = facts, _settled(facts, given_way)
     building = _building(facts, knowledge, trace)
-    floors, facts = _floors(request, facts, building, trace, generator, given_way)
+    size = size_of_program(facts, building, knowledge)
+    floors, facts = _floors(request, facts, building, size, trace, generator, given_way)
     basements = _basements(facts, trace)
     style = building.style
     if facts.styles:
@@ -103,7 +105,7 @@ def decide(
     if request.footprint is not None:
         _area_of_footprint(request, decisions)
     else:
-        _settle_area(request, decisions, generator)
+        _settle_area(request, decisions, size if not facts.floors and request.floors is None else None, generator)
     return decisions
 
 
@@ -158,7 +160,12 @@ def _names_two_storeys(facts: BriefFacts) -> bool:
 
 
 def _infer_floors(
-    facts: BriefFacts, building: BuildingType, needed: int, trace: list[TraceEntry], generator: np.random.Generator
+    facts: BriefFacts,
+    building: BuildingType,
+    size: ProgramSize | None,
+    needed: int,
+    trace: list[TraceEntry],
+    generator: np.random.Generator,
 ) -> int:
     """Return a number of storeys that suits the type, the sizes named and the storeys that rooms are put on."""
     usual, most = building.floors
@@ -179,6 +186,8 @@ def _infer_floors(
     elif facts.area and facts.area[0].value > 1.25 * building.floor_area[1]:
         count = min(max(-(-int(facts.area[0].value) // int(max(building.floor_area[1], 150))), 1), max(most, 1))
         reason = "the stated area"
+    elif size is not None:
+        count, reason = size.storeys, f'enough for "{size.words}"'
     elif any(word == "small" for word, _ in facts.size):
         count = max(1, usual - 1) if usual > 2 else usual
     elif usual > 2 and generator.random() < 0.3:
@@ -206,11 +215,13 @@ def _infer_floors(
     result = max(count, needed, floor_least)
     if result > count:
         reason = "the highest storey that is named"
-    note(trace, sized[1] if sized else None, f"{result} storeys: {reason}")
+    note(trace, sized[1] if sized else None, f"{counted(result, 'storey')}: {reason}")
     return result
 
 
-def _settle_area(request: BuildRequest, decisions: Decisions, generator: np.random.Generator) -> None:
+def _settle_area(
+    request: BuildRequest, decisions: Decisions, size: ProgramSize | None, generator: np.random.Generator
+) -> None:
     """Set the area of a storey from what the request and the brief state, or from what is usual.
 
     The request's own fields win over the text, and a total over the area of a storey that does not agree with it.
@@ -239,10 +250,10 @@ def _settle_area(request: BuildRequest, decisions: Decisions, generator: np.rand
         whole = request.area if request.area is not None else _kept(total)  # type: ignore[arg-type]
         decisions.area = whole / storeys
         decisions.area_span = quoted(total.span) if total else f"$.area = {whole:g}"
-        note(trace, total.span if total else None, f"{whole:.0f} m2 over {storeys} storeys, as stated")
+        note(trace, total.span if total else None, f"{whole:.0f} m2 over {counted(storeys, 'storey')}, as stated")
         decisions.area_stated = True
     else:
-        _infer_area(decisions, generator)
+        _infer_area(decisions, size, generator)
 
 
 def _kept(area: Quantity) -> float:
@@ -317,7 +328,7 @@ def _area_of_footprint(request: BuildRequest, decisions: Decisions) -> None:
     note(decisions.trace, None, f"{area:.0f} m2 a storey, as the footprint gives")
 
 
-def _infer_area(decisions: Decisions, generator: np.random.Generator) -> None:
+def _infer_area(decisions: Decisions, size: ProgramSize | None, generator: np.random.Generator) -> None:
     facts, building = decisions.facts, decisions.building
     least, usual = building.floor_area
     area = usual * float(generator.uniform(0.92, 1.08))
@@ -330,6 +341,10 @@ def _infer_area(decisions: Decisions, generator: np.random.Generator) -> None:
         people = sum(o.count for o in facts.occupants)
         area = min(max(people * building.people / decisions.floors, least), AREA_CAP)
         note(decisions.trace, facts.occupants[0].span, f"{building.people:g} m2 for each of {people} people")
+    if size is not None:
+        decisions.area = min(size.area, AREA_CAP)
+        note(decisions.trace, None, f"about {decisions.area:.0f} m2 a storey, for the rooms that are counted")
+        return
     decisions.area = min(max(area, least), AREA_CAP)
     note(decisions.trace, None, f"about {decisions.area:.0f} m2 a storey, usual for {with_article(building.name)}")
 
@@ -386,6 +401,7 @@ def _floors(
     request: BuildRequest,
     facts: BriefFacts,
     building: BuildingType,
+    size: ProgramSize | None,
     trace: list[TraceEntry],
     generator: np.random.Generator,
     given_way: list[Downgrade],
@@ -403,16 +419,16 @@ def _floors(
     if request.floors is not None:
         count = request.floors
         if stated is not None and int(stated.value) != count:
-            given_way.append(conflict(stated.span.words, f"{count} storeys", "the request's own field says so"))
-        note(trace, None, f"{count} storeys, as the request states")
+            given_way.append(conflict(stated.span.words, counted(count, "storey"), "the request's own field says so"))
+        note(trace, None, f"{counted(count, 'storey')}, as the request states")
     elif stated is not None:
         count = int(stated.value)
-        note(trace, stated.span, f"{count} storeys")
+        note(trace, stated.span, counted(count, "storey"))
         for other in facts.floors[1:]:
             why = "is the larger number" if stated.value >= other.value else "was read first"
-            given_way.append(conflict(other.span.words, f"{count} storeys", f'"{stated.span.words}" {why}'))
+            given_way.append(conflict(other.span.words, counted(count, "storey"), f'"{stated.span.words}" {why}'))
     else:
-        return _infer_floors(facts, building, needed, trace, generator), facts
+        return _infer_floors(facts, building, size, needed, trace, generator), facts
     if place is not None and needed > count:
         reason = f"the building has {count} {'storeys' if count > 1 else 'storey'}"
         given_way.append(conflict(place.span.words, f"storey {count}", reason, count))
@@ -441,5 +457,5 @@ def _basements(facts: BriefFacts, trace: list[TraceEntry]) -> int:
             details={"stage": "program"},
         )
     if count:
-        note(trace, stated.span if stated else None, f"{count} basement storeys")
+        note(trace, stated.span if stated else None, counted(count, "basement storey"))
     return count

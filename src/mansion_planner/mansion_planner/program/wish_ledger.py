@@ -277,9 +277,9 @@ class _Ledger:
 
     def _object(self, wanted: ObjectFact) -> None:
         kind: WishKind = "no_object" if wanted.excluded else "object"
-        name = wanted.words.lower().replace(" ", "_")
+        words = wanted.noun if wanted.words.lower().startswith(("for ", "seating ", "seat ")) else wanted.words
         value = WishValue(
-            name=name,
+            name=words.lower().replace(" ", "_"),
             type=wanted.category,
             count=None if wanted.excluded else wanted.count,
             unwanted=wanted.excluded,

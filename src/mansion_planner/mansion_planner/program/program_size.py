@@ -1,0 +1,49 @@
+"""Size a building by the rooms that the brief counts, where it states neither storeys nor areas."""
+
+from typing import NamedTuple
+
+from mansion_knowledge import BuildingType, KnowledgeBase
+from mansion_planner.brief.facts import BriefFacts, RoomFact
+
+__all__ = ["ProgramSize", "size_of_program"]
+
+_GROSS = 1.8
+"""Gross area for each square metre of counted rooms: walls, corridors, baths and the lesser rooms beside them."""
+_ENTRANCE = 80.0
+"""Square metres of reception, toilets and stairs that a building has whatever its size."""
+
+
+class ProgramSize(NamedTuple):
+    """How large a building is that holds the rooms asked for: storeys, and square metres of each."""
+
+    storeys: int
+    area: float
+    words: str
+
+
+def size_of_program(facts: BriefFacts, building: BuildingType, knowledge: KnowledgeBase) -> ProgramSize | None:
+    """Return the size that the counted rooms of a brief ask for, ``None`` where the usual size of its type stands.
+
+    A brief that counts the rooms that its type of building repeats (the guest rooms of a hotel, the classrooms of a
+    school) tells how large the building is: "a hotel with 12 rooms" is no house of five storeys. Homes, and briefs that
+    say anything else of the size, keep theirs; so do those that ask for the usual size or more.
+    """
+    says_size = facts.area or facts.floor_area or facts.size or facts.occupants or facts.uses or facts.copies
+    placed = any(room.floors for room in facts.rooms)
+    if building.family == "home" or building.parti != "spine" or says_size or placed:
+        return None
+    repeated = {entry.room_type for entries in building.storeys.values() for entry in entries if entry.repeat}
+    counted = [room for room in facts.rooms if room.room_type in repeated and (room.count or 0) > 1]
+    if not counted or any(room.each for room in facts.rooms):
+        return None
+    least, usual = building.floor_area
+    whole = _GROSS * sum(_area(room, knowledge) for room in facts.rooms) + _ENTRANCE
+    storeys = max(1, -(-int(whole) // int(1.1 * usual)))
+    if storeys >= building.floors[0]:
+        return None
+    return ProgramSize(storeys, max(least, whole / storeys), counted[0].span.words)
+
+
+def _area(room: RoomFact, knowledge: KnowledgeBase) -> float:
+    one = room.area if room.area is not None else knowledge.room(room.room_type).usual
+    return one * (room.count or 1)

@@ -1,0 +1,60 @@
+"""How a brief numbers its storeys, and which of them is above which."""
+
+import pytest
+
+from mansion_knowledge import default_knowledge
+from mansion_planner.brief.facts import BriefFacts
+from mansion_planner.brief.reader import read_brief
+
+
+def read(brief: str) -> BriefFacts:
+    return read_brief(brief, default_knowledge())
+
+
+def storeys(brief: str) -> dict[str, int | str]:
+    """Return for each room the number or the kind of its storey."""
+    refs = {fact.name: fact.floors[0] for fact in read(brief).rooms if fact.floors}
+    return {name: ref.first if ref.kind in ("number", "range") else ref.kind for name, ref in refs.items()}
+
+
+@pytest.mark.parametrize(
+    ("brief", "expected"),
+    [
+        ("A house. The ground floor has a kitchen, floor one has three bedrooms.", {"kitchen": 1, "bedroom": 2}),
+        (
+            "A three-storey school: ground floor with a gym, floor 1 with a lab and floor 2 with a library.",
+            {"gym": 1, "lab": 2, "library": 3},
+        ),
+        ("An office. The ground floor (level 1) has a cafe, level 2 has a library.", {"cafe": 1, "library": 2}),
+        ("A two-storey office. Floor 1: cafe on the ground floor. Floor 2: library.", {"cafe": 1, "library": 2}),
+        (
+            "Ground storey: dining room. 1st storey above it: two bathrooms; 2nd storey: studio.",
+            {"dining_room": 1, "bathroom": 2, "studio": 3},
+        ),
+    ],
+)
+def test_numbers_count_from_the_ground_floor_or_above_it(brief: str, expected: dict[str, int | str]) -> None:
+    assert storeys(brief) == expected
+
+
+@pytest.mark.parametrize(
+    ("brief", "expected"),
+    [
+        ("A museum of 3 levels. The shop and the depot are underground.", {"shop": "basement", "depot": "basement"}),
+        ("A school, 4 storeys. Canteen on 2. A gym on the ground floor.", {"canteen": 2, "gym": 1}),
+        ("An inn, 3 storeys: a kitchen on the bottom one; three bedrooms on the next.", {"kitchen": 1, "bedroom": 2}),
+        ("A block of three storeys. Parter: bakery. A lounge on the top floor.", {"bakery": 1, "lounge": "top"}),
+    ],
+)
+def test_a_storey_is_known_by_few_words(brief: str, expected: dict[str, int | str]) -> None:
+    assert storeys(brief) == expected
+
+
+def test_storeys_above_another_are_counted_with_it() -> None:
+    facts = read("A hotel with a lobby floor and three guest floors above it, eight rooms on each guest floor.")
+    assert [quantity.value for quantity in facts.floors] == [4]
+    assert [ref.kind for ref in facts.rooms[0].floors] == ["upper"]
+
+
+def test_a_number_on_its_own_is_no_storey_without_storeys() -> None:
+    assert storeys("A flat. A study with two desks, one lamp on 2.") == {}

@@ -1,0 +1,50 @@
+"""Buildings as large as the rooms that a brief counts."""
+
+import pytest
+
+from mansion_knowledge import default_knowledge
+from mansion_planner.brief.reader import read_brief
+from mansion_planner.program.program_size import size_of_program
+
+KNOWLEDGE = default_knowledge()
+
+
+def storeys(brief: str, kind: str) -> int | None:
+    size = size_of_program(read_brief(brief, KNOWLEDGE), KNOWLEDGE.buildings[kind], KNOWLEDGE)
+    return size and size.storeys
+
+
+@pytest.mark.parametrize(
+    ("brief", "kind", "expected"),
+    [
+        ("An office with three offices and a meeting room.", "office", 1),
+        ("A school with four classrooms.", "school", 1),
+        ("A hotel with 12 rooms and a restaurant.", "hotel", 2),
+    ],
+)
+def test_a_few_rooms_make_a_small_building(brief: str, kind: str, expected: int) -> None:
+    assert storeys(brief, kind) == expected
+
+
+@pytest.mark.parametrize(
+    ("brief", "kind"),
+    [
+        ("A hotel with 60 rooms.", "hotel"),
+        ("A hotel with a restaurant.", "hotel"),
+        ("A high-rise hotel with 12 rooms.", "hotel"),
+        ("A hotel with 12 rooms, 2000 m2 in all.", "hotel"),
+        ("A hotel with 12 rooms on the third floor.", "hotel"),
+        ("A house with three bedrooms.", "house"),
+    ],
+)
+def test_other_briefs_keep_the_usual_size(brief: str, kind: str) -> None:
+    assert storeys(brief, kind) is None
+
+
+def test_a_storey_is_as_large_as_its_share() -> None:
+    few, many = (
+        size_of_program(read_brief(f"A hotel with {n} rooms.", KNOWLEDGE), KNOWLEDGE.buildings["hotel"], KNOWLEDGE)
+        for n in (4, 16)
+    )
+    assert few is not None and many is not None
+    assert few.storeys * few.area < many.storeys * many.area
