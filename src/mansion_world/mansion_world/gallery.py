@@ -27,7 +27,7 @@ def gallery_page(world: WorldFolder) -> str:
     world.index()
     page = (files("mansion_world") / "data" / "gallery.html").read_text(encoding="utf-8")
     name = world.path.resolve().name
-    records = (record for record in world.records() if world.building(record.building.index).is_dir())
+    records = (record for record in world.records() if (world.path / record.building.path).is_dir())
     cards = encode([_card(world, record) for record in records])
     # No sentence may end the script that it stands in.
     return page.replace(_TITLE, escape(name)).replace(_DATA, cards.replace("<", "\\u003c"))
