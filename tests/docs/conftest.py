@@ -18,6 +18,7 @@ from mansion_world.attempts import TaskStep
 from mansion_world.making import make_world
 from mansion_world.mixture import load_mixture
 from mansion_world.parquet import write_parquet
+from mansion_world.requests import Sampled
 from mansion_world.world_folder import WorldFolder
 
 FLATS = Path(__file__).parents[2] / "examples" / "small_world.toml"
@@ -35,8 +36,7 @@ def stock(tmp_path_factory: pytest.TempPathFactory) -> Path:
     make_world(
         folder / "out" / "flats",
         1,
-        seed=7,
-        mix=load_mixture(FLATS),
+        requests=Sampled(7, load_mixture(FLATS)),
         build=build_for_world,
         check=check_for_world,
         workers=lambda: ThreadPoolExecutor(1),

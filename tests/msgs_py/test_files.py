@@ -36,6 +36,20 @@ def test_a_failed_write_leaves_the_former_file_alone(tmp_path: Path, monkeypatch
     assert list(tmp_path.iterdir()) == [path]
 
 
+def test_a_file_takes_its_name_when_all_of_it_is_written(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A disk that is full refuses the last bytes when they leave the buffer, which must not be after the renaming."""
+    written: list[bytes] = []
+    replace = Path.replace
+
+    def watched(self: Path, target: Path) -> Path:
+        written.append(self.read_bytes())
+        return replace(self, target)
+
+    monkeypatch.setattr(Path, "replace", watched)
+    write_atomic(tmp_path / "record.json", b"{}")
+    assert written == [b"{}"]
+
+
 def test_only_a_durable_write_waits_for_the_disk(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     synced: list[int] = []
     monkeypatch.setattr(os, "fsync", synced.append)

@@ -29,6 +29,7 @@ from mansion_skills.skills.registry import SKILLS
 from mansion_skills.world.overlay import overlay_path
 from mansion_world.making import WorldProgress, make_world
 from mansion_world.mixture import load_mixture
+from mansion_world.requests import Sampled
 from sample_building import write_building
 
 __all__ = ["NEXT_CALL", "SUBJECTS", "Subject", "killed"]
@@ -248,10 +249,11 @@ from pathlib import Path
 from mansion_bringup.worlds import build_for_world, check_for_world, world_workers
 from mansion_world.making import make_world
 from mansion_world.mixture import load_mixture
+from mansion_world.requests import Sampled
 
 print("ready", flush=True)
 make_world(
-    Path(sys.argv[1], "world"), 3, seed=7, mix=load_mixture(Path({str(FLATS)!r})), build=build_for_world,
+    Path(sys.argv[1], "world"), 3, requests=Sampled(7, load_mixture(Path({str(FLATS)!r}))), build=build_for_world,
     check=check_for_world, workers=world_workers(1), report=lambda progress: print(progress.done, flush=True),
 )
 """
@@ -267,8 +269,7 @@ def _world_faults(folder: Path, acknowledged: list[str]) -> Iterator[str]:
     made = make_world(
         folder / "world",
         3,
-        seed=7,
-        mix=load_mixture(FLATS),
+        requests=Sampled(7, load_mixture(FLATS)),
         build=build_for_world,
         check=check_for_world,
         workers=lambda: ThreadPoolExecutor(1),

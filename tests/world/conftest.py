@@ -14,7 +14,7 @@ from mansion_bringup.cli.app import app
 from mansion_bringup.worlds import build_for_world
 from mansion_msgs_py.building_folder import BuildingFolder
 from mansion_msgs_py.codec import encode_bytes
-from mansion_msgs_py.request import BuildRequest
+from mansion_msgs_py.request import BuildRequest, building_id_of
 from mansion_msgs_py.scene import FloorScene
 
 FLATS = Path(__file__).parents[2] / "examples" / "small_world.toml"
@@ -60,10 +60,10 @@ def build(flat: Path) -> Callable[[BuildRequest, Path], None]:
     def build(request: BuildRequest, folder: Path) -> None:
         partial = folder.with_name(f".{folder.name}.partial")
         shutil.copytree(flat, partial, dirs_exist_ok=True)
+        index = msgspec.structs.replace(BuildingFolder(flat).building, building_id=building_id_of(request))
+        (partial / "building.json").write_bytes(encode_bytes(index))
         scene = stretched(BuildingFolder(flat).scene(1), 1.0 + request.seed % 1009)
         (partial / "floors/floor_1/scene.json").write_bytes(encode_bytes(scene))
-        named = msgspec.structs.replace(BuildingFolder(flat).building, building_id=request.building_id or "")
-        (partial / "building.json").write_bytes(encode_bytes(named))
         partial.rename(folder)
 
     return build

@@ -1,10 +1,11 @@
 """Near-duplicates: names do not matter; types, doors, places and areas do."""
 
 import msgspec
+import numpy as np
 import pytest
 
 from mansion_msgs_py.topology import Edge, FloorTopology, TopologyNode
-from mansion_world.likeness import graph_fingerprint, nearly_the_same
+from mansion_world.likeness import graph_fingerprint, likeness_cells, nearly_the_same
 from mansion_world.measures import difficulty_of
 from mansion_world.records import RoomLikeness
 
@@ -48,6 +49,17 @@ def test_one_room_that_differs_makes_another_building(change: dict[str, float | 
     other = [msgspec.structs.replace(ROOMS[0], **change), *ROOMS[1:]]
     assert not nearly_the_same(ROOMS, other)
     assert not nearly_the_same(ROOMS, ROOMS[:2])
+
+
+def test_near_duplicates_lie_in_cells_around_each_other() -> None:
+    generator = np.random.default_rng(7)
+    for shift in generator.uniform(-20.0, 20.0, (200, 2)):
+        place = [msgspec.structs.replace(room, x=room.x + shift[0], y=room.y + shift[1]) for room in ROOMS]
+        moves = generator.uniform(-0.35, 0.35, (len(ROOMS), 2))
+        other = [msgspec.structs.replace(room, x=room.x + x, y=room.y + y) for room, (x, y) in zip(place, moves)]
+        assert nearly_the_same(place, other)
+        assert likeness_cells(other)[0] in likeness_cells(place)
+    assert len(set(likeness_cells(ROOMS))) == 9
 
 
 def test_difficulty_grows_with_floors_rooms_and_objects() -> None:

@@ -21,8 +21,9 @@ from mansion_bringup.worlds import build_for_world, check_for_world, tasks_for_w
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.request import BuildRequest
 from mansion_world.attempts import TaskStep
-from mansion_world.making import MOST_ATTEMPTS, WorldProgress, make_world
+from mansion_world.making import WorldProgress, make_world
 from mansion_world.mixture import load_mixture
+from mansion_world.requests import MOST_ATTEMPTS, Sampled
 from mansion_world.sampling import sample
 from mansion_world.world_folder import WorldFolder
 
@@ -49,7 +50,7 @@ def buildings(world: Path, count: int) -> dict[str, bytes]:
 
 
 def make(folder: Path, count: int, build: Build, threads: Threads, jobs: int = 1, **options: Any) -> WorldProgress:
-    given = {"seed": 7, "mix": MIX, "check": sound, **options}
+    given = {"requests": Sampled(7, MIX), "check": sound, **options}
     return make_world(folder, count, build=build, workers=threads(jobs), jobs=jobs, **given)
 
 
@@ -157,7 +158,7 @@ def test_damaged_and_unfinished_buildings_are_made_anew(tmp_path: Path, build: B
     sound_contents = contents(tmp_path / "w")
     world = WorldFolder(tmp_path / "w")
     (world.building(1) / "building.json").write_text("{}")
-    (tmp_path / "w/records/000/000002.json").unlink()
+    (tmp_path / "w/records/000/000002.json").write_text("")
     shutil.copytree(world.building(3), world.work(3, 0))
     made = make(tmp_path / "w", 4, build, threads)
     assert made.kept == 2
@@ -168,7 +169,7 @@ def test_damaged_and_unfinished_buildings_are_made_anew(tmp_path: Path, build: B
 def test_another_world_is_not_written_over(tmp_path: Path, build: Build, threads: Threads) -> None:
     make(tmp_path / "w", 1, build, threads)
     with pytest.raises(MansionError, match="another seed"):
-        make(tmp_path / "w", 1, build, threads, seed=8)
+        make(tmp_path / "w", 1, build, threads, requests=Sampled(8, MIX))
     (tmp_path / "other").mkdir()
     (tmp_path / "other" / "notes.txt").write_text("mine")
     with pytest.raises(MansionError, match="holds other files"):
@@ -199,8 +200,7 @@ def test_a_killed_worker_costs_no_building(tmp_path: Path, flats_mix: Path, smal
     made = make_world(
         tmp_path / "w",
         2,
-        seed=7,
-        mix=mix,
+        requests=Sampled(7, mix),
         build=build_for_world,
         check=check_for_world,
         workers=Recorded,

@@ -17,6 +17,7 @@ from mansion_world.making import make_world
 from mansion_world.measures import split_of
 from mansion_world.merging import merge_worlds
 from mansion_world.mixture import load_mixture
+from mansion_world.requests import Sampled
 from mansion_world.statistics import world_statistics
 from mansion_world.verification import verify_world
 from mansion_world.world_folder import WorldFolder
@@ -34,8 +35,9 @@ def make(build: Build, threads: Threads, tmp_path: Path) -> Callable[..., Path]:
     """Makes a world of a name, in no time."""
 
     def make(name: str, count: int, seed: int, **options: Any) -> Path:
-        given = {"mix": load_mixture(), "check": no_faults, "build": build, "workers": threads(1), **options}
-        make_world(tmp_path / name, count, seed=seed, **given)
+        mix = options.pop("mix", load_mixture())
+        given = {"check": no_faults, "build": build, "workers": threads(1), **options}
+        make_world(tmp_path / name, count, requests=Sampled(seed, mix), **given)
         return tmp_path / name
 
     return make

@@ -12,7 +12,7 @@ from mansion_msgs_py.building_folder import TASKS, BuildingFolder
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.task import TaskSet, read_task_set
-from mansion_world.attempts import TaskStep, attempt_building
+from mansion_world.attempts import Assignment, TaskStep, attempt_building
 from mansion_world.mixture import load_mixture
 from mansion_world.records import MadeTasks
 from mansion_world.sampling import sample
@@ -61,11 +61,12 @@ def test_a_building_with_nothing_for_a_task_says_so(tmp_path: Path, flat: Path, 
         (folder / "floors/floor_1/scene.json").write_bytes(data)
 
     world, request = WorldFolder(tmp_path), sample(0, 7, load_mixture())
-    record = attempt_building(world, 7, request, bare, no_faults, TaskStep(2, tasks_for_world)).record
+    tasks = TaskStep(2, tasks_for_world)
+    record = attempt_building(Assignment(world, 7, 500.0, bare, no_faults, tasks), request).record
     assert record is not None
     assert (record.tasks, record.building.tasks) == ([], 0) and "nothing for a task" in record.building.no_tasks
     assert redo_tasks(world.work(0, 0)) == []
-    kept = attempt_building(world, 7, sample(1, 7, load_mixture()), build, no_faults).record
+    kept = attempt_building(Assignment(world, 7, 500.0, build, no_faults), sample(1, 7, load_mixture())).record
     assert kept is not None and kept.building.no_tasks == "" and not (world.work(1, 0) / TASKS).exists()
 
 

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from mansion.plans import Plan, plan
     from mansion.robot import Robot
     from mansion.selections import Floors, Objects, Rooms, Selection, Wishes
-    from mansion.worlds import World, WorldBuilding
+    from mansion.worlds import World, WorldBuilding, build_all
     from mansion_bringup.pipeline.build import BuildResult, build_building
     from mansion_msgs_py.building_folder import BuildingFolder
     from mansion_msgs_py.errors import ErrorCode, MansionError
@@ -57,6 +57,7 @@ __all__ = [
     "WorldBuilding",
     "__version__",
     "build",
+    "build_all",
     "build_building",
     "connect",
     "load",
@@ -88,6 +89,7 @@ _HOMES = {
     "World": "mansion.worlds",
     "WorldBuilding": "mansion.worlds",
     "build": "mansion.making",
+    "build_all": "mansion.worlds",
     "build_building": "mansion_bringup.pipeline.build",
     "connect": "mansion.graph",
     "load": "mansion.making",

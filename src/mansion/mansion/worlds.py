@@ -1,13 +1,17 @@
-"""A world of many buildings, read one by one."""
+"""Worlds of many buildings: read one by one, or built from a list of briefs."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, get_args
 
+from mansion.briefs import request_of
 from mansion.building import Building
 from mansion.making import load
 from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.request import BuildRequest
+from mansion_world.lists import BriefList, NamedRequest, Result
 from mansion_world.records import SPLITS, BuildingRow, Difficulty
 from mansion_world.world_folder import WorldFolder
 
@@ -16,7 +20,7 @@ if TYPE_CHECKING:
 
     from mansion_tasks.env.bounds import Bounds
 
-__all__ = ["World", "WorldBuilding"]
+__all__ = ["World", "WorldBuilding", "build_all"]
 
 
 @dataclass(frozen=True)
@@ -137,6 +141,43 @@ class World:
             and self._difficulty in (None, row.difficulty)
             and self._kind in (None, row.kind, row.sub_kind)
         )
+
+
+def build_all(briefs: str | Path | Sequence[str | BuildRequest], folder: str | Path, *, jobs: int = 1) -> list[Result]:
+    """Build many briefs, as ``mansion build --from`` does, or go on with them.
+
+    Parameters
+    ----------
+    briefs : path, or sequence of str or BuildRequest
+        A file of them (``.txt``, ``.csv`` or ``.jsonl``), or themselves; those need no names.
+    folder : path
+        Gets the buildings and ``table.csv``.
+    jobs : int
+        Buildings in work at once, each in a process of its own where there are several: a script then needs
+        ``if __name__ == "__main__":``.
+
+    Returns
+    -------
+    list of Result
+        What became of each brief: `name`, `path` of its building in `folder` (for `load`), number of `floors`, `rooms`
+        and `objects`, or the `reason` why there is none.
+
+    Raises
+    ------
+    MansionError
+        ``INVALID_PAYLOAD`` naming the lines of a file that are no briefs, ``CONFLICT`` for a folder that holds
+        something else.
+    """
+    from mansion_bringup.lists import build_list
+    from mansion_bringup.worlds import world_workers
+    from mansion_world.brief_files import read_briefs
+
+    if isinstance(briefs, (str, Path)):
+        named = read_briefs(Path(briefs))
+    else:
+        named = [NamedRequest(request=request_of(brief, None)) for brief in briefs]
+    workers = world_workers(jobs) if jobs > 1 else (lambda: ThreadPoolExecutor(1))
+    return build_list(BriefList.of(named), Path(folder), workers=workers, jobs=jobs)
 
 
 def _known(name: str, value: str | None, known: tuple[str, ...]) -> str | None:

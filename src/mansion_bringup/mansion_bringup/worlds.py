@@ -1,6 +1,6 @@
 """What a world needs of the others: a request built, a folder checked, its tasks made, and processes that do it."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Executor
 from contextlib import AbstractContextManager, contextmanager
 from multiprocessing import active_children
@@ -20,11 +20,11 @@ if TYPE_CHECKING:
 __all__ = ["build_for_world", "check_for_world", "redo_tasks", "tasks_for_world", "world_workers"]
 
 
-def build_for_world(request: BuildRequest, folder: Path) -> None:
+def build_for_world(request: BuildRequest, folder: Path, *, formats: Sequence[str] = ()) -> None:
     """Build one request into a folder, in this process (`mansion_world.attempts.Build`)."""
     from mansion_bringup.pipeline.build import build_building
 
-    build_building(request, folder, jobs=1)
+    build_building(request, folder, jobs=1, formats=formats)
 
 
 def check_for_world(folder: Path) -> list[Fault]:

@@ -84,8 +84,8 @@ def write_atomic(path: Path, data: bytes, *, durable: bool = False, mode: int | 
     try:
         with os.fdopen(handle, "wb") as stream:
             stream.write(data)
+            stream.flush()  # a disk that is full says so here, before the file takes its name
             if durable:
-                stream.flush()
                 os.fsync(stream.fileno())
             if mode is not None:
                 fresh.chmod(mode)

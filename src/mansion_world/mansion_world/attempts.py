@@ -12,15 +12,24 @@ from mansion_msgs_py.building_folder import TASKS, BuildingFolder, is_building_f
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import write_atomic
-from mansion_msgs_py.request import BuildRequest
+from mansion_msgs_py.request import BuildRequest, building_id_of
 from mansion_msgs_py.task import TaskSet
 from mansion_world.measures import measure_building
-from mansion_world.mixture import MOST_FLOOR_AREA
 from mansion_world.records import MadeTasks, Record, SetAside
 from mansion_world.sampling import WorldRequest
 from mansion_world.world_folder import WorldFolder
 
-__all__ = ["NO_TASKS", "Build", "Check", "Outcome", "TaskStep", "attempt_building"]
+__all__ = [
+    "NO_TASKS",
+    "Assignment",
+    "Build",
+    "Check",
+    "Outcome",
+    "TaskStep",
+    "WorkersGone",
+    "WorkerLost",
+    "attempt_building",
+]
 
 Build = Callable[[BuildRequest, Path], object]
 """Builds a request into a folder, which appears whole or not at all; raises `MansionError`."""
@@ -58,6 +67,14 @@ _NOT_OF_THE_REQUEST: Final = (ErrorCode.CONFLICT, ErrorCode.UNAVAILABLE)
 """Errors of the place that is written to: another request would meet them too."""
 
 
+class WorkerLost(Exception):
+    """A worker ended while an attempt was in work; others go on."""
+
+
+class WorkersGone(Exception):
+    """Nobody can be asked to build any more; the message says why."""
+
+
 class Outcome(msgspec.Struct, frozen=True, kw_only=True):
     """What became of an attempt: its record, or why it was set aside, or why nothing can be written."""
 
@@ -66,12 +83,22 @@ class Outcome(msgspec.Struct, frozen=True, kw_only=True):
     full: str = ""
 
 
-def attempt_building(
-    world: WorldFolder, seed: int, request: WorldRequest, build: Build, check: Check, tasks: TaskStep = NO_TASKS
-) -> Outcome:
+@dataclass(frozen=True)
+class Assignment:
+    """What a worker knows: the world's folder and seed, the greatest area of a floor, and what it calls."""
+
+    world: WorldFolder
+    seed: int
+    floor_area: float
+    build: Build
+    check: Check
+    tasks: TaskStep = NO_TASKS
+
+
+def attempt_building(assignment: Assignment, request: WorldRequest) -> Outcome:
     """Build, check and measure one request of a world and make its tasks, in the folder for work."""
     try:
-        return _attempt(world, seed, request, build, check, tasks)
+        return _attempt(assignment, request)
     except (OSError, MansionError) as error:
         if full := _no_space(error):
             return Outcome(full=full)
@@ -80,22 +107,25 @@ def attempt_building(
         return Outcome(aside=SetAside(request=request, reason="refused", details=[str(error)]))
 
 
-def _attempt(
-    world: WorldFolder, seed: int, request: WorldRequest, build: Build, check: Check, tasks: TaskStep
-) -> Outcome:
-    folder = world.work(request.index, request.attempt)
-    if not is_building_folder(folder):
+def _attempt(assignment: Assignment, request: WorldRequest) -> Outcome:
+    folder = assignment.world.work(request.index, request.attempt)
+    if not _is_built(folder, request):
         folder.parent.mkdir(parents=True, exist_ok=True)
-        build(request.request, folder)
-    if faults := check(folder):
+        assignment.build(request.request, folder)
+    if faults := assignment.check(folder):
         return Outcome(aside=SetAside(request=request, reason="faults", details=[str(fault) for fault in faults]))
     areas = [entry.area for entry in BuildingFolder(folder).building.floors]
-    if max(areas) > MOST_FLOOR_AREA:
-        details = [f"a floor of {max(areas):.1f} m2; at most {MOST_FLOOR_AREA:.0f} m2"]
+    if max(areas) > assignment.floor_area:
+        details = [f"a floor of {max(areas):.1f} m2; at most {assignment.floor_area:.0f} m2"]
         return Outcome(aside=SetAside(request=request, reason="floor too large", details=details))
-    record = measure_building(seed, request, folder, _made_tasks(request, folder, tasks))
-    world.save_built(record)
+    record = measure_building(assignment.seed, request, folder, _made_tasks(request, folder, assignment.tasks))
+    assignment.world.save_built(record)
     return Outcome(record=record)
+
+
+def _is_built(folder: Path, request: WorldRequest) -> bool:
+    """Whether an interrupted run left the building of this very request."""
+    return is_building_folder(folder) and BuildingFolder(folder).building.building_id == building_id_of(request.request)
 
 
 def _made_tasks(request: WorldRequest, folder: Path, tasks: TaskStep) -> MadeTasks:

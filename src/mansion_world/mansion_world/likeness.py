@@ -7,6 +7,7 @@ by type and floor, so that no two centres are more than `NEAR` apart and no two 
 """
 
 import hashlib
+import math
 from collections.abc import Sequence
 from typing import Final
 
@@ -14,12 +15,14 @@ from mansion_msgs_py.scene import FloorScene, SceneRoom
 from mansion_msgs_py.topology import FloorTopology
 from mansion_world.records import RoomLikeness
 
-__all__ = ["ALIKE", "NEAR", "graph_fingerprint", "nearly_the_same", "room_likeness"]
+__all__ = ["ALIKE", "NEAR", "graph_fingerprint", "likeness_cells", "nearly_the_same", "room_likeness"]
 
 NEAR: Final = 0.5
 """Metres."""
 
 ALIKE: Final = 0.1
+
+_CELL: Final = 2 * NEAR
 
 _ROUNDS: Final = 4
 """Of relabelling: labels then tell of rooms up to four doors away."""
@@ -59,6 +62,18 @@ def _likeness(floor: int, room: SceneRoom) -> RoomLikeness:
     xs, ys = zip(*room.polygon)
     x, y = (min(xs) + max(xs)) / 2, (min(ys) + max(ys)) / 2
     return RoomLikeness(floor=floor, type=room.room_type, x=round(x, 3), y=round(y, 3), area=round(room.area, 2))
+
+
+def likeness_cells(rooms: Sequence[RoomLikeness]) -> list[tuple[int, int]]:
+    """Return the cell of a grid in which the mean of the rooms' centres lies, and then the eight around it.
+
+    Rooms that are paired within `NEAR` have means within `NEAR`: the cell of a near-duplicate is among these nine.
+    """
+    count = max(1, len(rooms))
+    column = math.floor(sum(room.x for room in rooms) / count / _CELL)
+    row = math.floor(sum(room.y for room in rooms) / count / _CELL)
+    around = [(x, y) for x in (-1, 0, 1) for y in (-1, 0, 1) if (x, y) != (0, 0)]
+    return [(column, row), *((column + x, row + y) for x, y in around)]
 
 
 def nearly_the_same(one: Sequence[RoomLikeness], other: Sequence[RoomLikeness]) -> bool:

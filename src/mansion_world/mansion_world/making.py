@@ -4,7 +4,7 @@ An attempt depends on its request alone. Whether it is a near-duplicate depends 
 that finish early wait until all before them have their places: the world does not depend on the number of workers.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import AbstractContextManager
@@ -13,20 +13,27 @@ from pathlib import Path
 from typing import Final
 
 from mansion_msgs_py import __version__
-from mansion_msgs_py.codec import encode
 from mansion_msgs_py.errors import ErrorCode, MansionError
-from mansion_world.attempts import NO_TASKS, Build, Check, Outcome, TaskStep, attempt_building
-from mansion_world.likeness import nearly_the_same
+from mansion_msgs_py.request import building_id_of
+from mansion_world.attempts import (
+    NO_TASKS,
+    Assignment,
+    Build,
+    Check,
+    Outcome,
+    TaskStep,
+    WorkerLost,
+    WorkersGone,
+    attempt_building,
+)
+from mansion_world.likeness import likeness_cells, nearly_the_same
 from mansion_world.measures import folder_digest
-from mansion_world.mixture import Mixture
 from mansion_world.records import Record, SetAside, WorldIndex
-from mansion_world.sampling import WorldRequest, sample
-from mansion_world.world_folder import WorldFolder
+from mansion_world.requests import Requests
+from mansion_world.sampling import WorldRequest
+from mansion_world.world_folder import WorldFolder, building_path
 
-__all__ = ["MOST_ATTEMPTS", "Workers", "WorldProgress", "make_world"]
-
-MOST_ATTEMPTS: Final = 10
-"""Requests for one place of the world before it is left empty."""
+__all__ = ["Jobs", "Workers", "WorldProgress", "make_world"]
 
 _MOST_CRASHES: Final = 5
 """Ends of workers while one attempt was in work before it is set aside."""
@@ -34,8 +41,14 @@ _MOST_CRASHES: Final = 5
 _AHEAD: Final = 8
 """Attempts for each worker that may wait for their places."""
 
+_LOOK_AGAIN: Final = 5.0
+"""Seconds after which the number of workers is asked for again."""
+
 Workers = Callable[[], AbstractContextManager[Executor]]
 """Makes the processes that build; asked again when one of them was killed."""
+
+Jobs = Callable[[], int]
+"""Returns how many attempts may be in work at once, at least one; machines come and go."""
 
 
 @dataclass(frozen=True)
@@ -51,7 +64,7 @@ class WorldProgress:
     set_aside : int
         Attempts that this run set aside.
     missing : int
-        Places left empty after `MOST_ATTEMPTS`.
+        Places left empty, because no attempt filled them.
     """
 
     done: int
@@ -67,9 +80,7 @@ class _Run:
 
     world: WorldFolder
     count: int
-    seed: int
-    mix: Mixture
-    tasks: TaskStep = NO_TASKS
+    requests: Requests
     next_new: int = 0
     next_place: int = 0
     kept: int = 0
@@ -78,7 +89,7 @@ class _Run:
     again: list[WorldRequest] = field(default_factory=list)
     waiting: dict[int, Record | None] = field(default_factory=dict)
     crashes: dict[tuple[int, int], int] = field(default_factory=dict)
-    graphs: dict[str, list[int]] = field(default_factory=dict)
+    alike: dict[tuple[str, tuple[int, int]], list[int]] = field(default_factory=dict)
     working: dict[Future[Outcome], WorldRequest] = field(default_factory=dict)
 
     def progress(self) -> WorldProgress:
@@ -90,12 +101,11 @@ def make_world(
     folder: Path,
     count: int,
     *,
-    seed: int,
-    mix: Mixture,
+    requests: Requests,
     build: Build,
     check: Check,
     workers: Workers,
-    jobs: int = 1,
+    jobs: int | Jobs = 1,
     tasks: TaskStep = NO_TASKS,
     report: Callable[[WorldProgress], None] = lambda progress: None,
 ) -> WorldProgress:
@@ -105,10 +115,14 @@ def make_world(
     ----------
     folder : Path
         Finished buildings that are as they were written are kept; a larger `count` adds to them.
+    requests : Requests
+        Drawn from a mixture, or listed.
     build, check : callable
         One request into a folder, and the faults of a folder; both run in the workers.
     workers : callable
-        Makes an executor of `jobs` workers.
+        Makes an executor of `jobs` workers. Its futures raise `WorkerLost` or `WorkersGone` where such things happen.
+    jobs : int or callable
+        Attempts in work at once; a callable is asked again and again.
     tasks : TaskStep
         What makes the tasks of each building; it runs in the workers.
     report : callable
@@ -118,54 +132,75 @@ def make_world(
     ------
     MansionError
         ``CONFLICT`` for a folder that holds something else or that another command is making, ``UNAVAILABLE`` for a
-        full disk. What is done stays.
+        full disk and where all workers are gone for good. What is done stays.
     """
-    run = _Run(WorldFolder(folder), count, seed, mix, tasks)
+    run = _Run(WorldFolder(folder.absolute()), count, requests)
+    assignment = Assignment(run.world, requests.seed, requests.terms.floor_area, build, check, tasks)
     with run.world.locked():
-        index = WorldIndex(seed=seed, mix=encode(mix), versions={"mansion": __version__}, tasks=tasks.count)
-        run.world.adopt(index)
         try:
+            versions = {"mansion": __version__}
+            run.world.adopt(WorldIndex(seed=requests.seed, mix=requests.origin, versions=versions, tasks=tasks.count))
+            requests.prepare(run.world)
             while run.next_place < count:
-                _work(run, workers, jobs, build, check, report)
+                _work(run, workers, jobs if callable(jobs) else lambda: jobs, assignment, report)
             run.world.write_manifest()
         except OSError as error:
             raise _cannot_write(run, error.strerror or str(error)) from None
+        except WorkersGone as error:
+            raise _stopped(run, str(error)) from None
         return run.progress()
 
 
 def _cannot_write(run: _Run, why: str) -> MansionError:
-    return MansionError(
-        ErrorCode.UNAVAILABLE,
-        f"cannot write to {run.world.path}: {why}; {run.next_place - run.missing} of {run.count} buildings are done, "
-        "and the same command goes on from there",
-    )
+    return _stopped(run, f"cannot write to {run.world.path}: {why}")
+
+
+def _stopped(run: _Run, why: str) -> MansionError:
+    done = f"{run.next_place - run.missing} of {run.count} buildings are done"
+    return MansionError(ErrorCode.UNAVAILABLE, f"{why}; {done}, and the same command goes on from there")
 
 
 def _work(
-    run: _Run, workers: Workers, jobs: int, build: Build, check: Check, report: Callable[[WorldProgress], None]
+    run: _Run, workers: Workers, jobs: Jobs, assignment: Assignment, report: Callable[[WorldProgress], None]
 ) -> None:
-    """Work until all is done or a worker ends."""
+    """Work until all is done or the processes must be made anew."""
     with workers() as executor:
         while run.next_place < run.count:
-            while len(run.working) < jobs and (request := _next_request(run, jobs)) is not None:
-                try:
-                    future = executor.submit(attempt_building, run.world, run.seed, request, build, check, run.tasks)
-                except BrokenProcessPool:
-                    run.again.append(request)
-                    _after_crash(run)
-                    return
-                run.working[future] = request
+            if not _hand_out(run, executor, jobs(), assignment):
+                return
             _settle(run)
             report(run.progress())
-            if run.working:
-                finished, _ = wait(run.working, return_when=FIRST_COMPLETED)
-                for future in finished:
-                    try:
-                        outcome = future.result()
-                    except BrokenProcessPool:
-                        _after_crash(run)
-                        return
-                    _take(run, run.working.pop(future), outcome)
+            if run.working and not _collect(run):
+                return
+
+
+def _hand_out(run: _Run, executor: Executor, jobs: int, assignment: Assignment) -> bool:
+    """Give each free worker an attempt; return whether the executor still works."""
+    while len(run.working) < jobs and (request := _next_request(run, jobs)) is not None:
+        try:
+            future = executor.submit(attempt_building, assignment, request)
+        except BrokenProcessPool:
+            run.again.append(request)
+            _after_crash(run, list(run.working))
+            return False
+        run.working[future] = request
+    return True
+
+
+def _collect(run: _Run) -> bool:
+    """Wait for an attempt and take what became of it; return whether the executor still works."""
+    finished, _ = wait(run.working, timeout=_LOOK_AGAIN, return_when=FIRST_COMPLETED)
+    for future in finished:
+        try:
+            outcome = future.result()
+        except BrokenProcessPool:
+            _after_crash(run, list(run.working))
+            return False
+        except WorkerLost:
+            _after_crash(run, [future])
+        else:
+            _take(run, run.working.pop(future), outcome)
+    return True
 
 
 def _next_request(run: _Run, jobs: int) -> WorldRequest | None:
@@ -176,34 +211,43 @@ def _next_request(run: _Run, jobs: int) -> WorldRequest | None:
         if not _is_done(run, request):
             return request
     while run.next_new < min(run.count, run.next_place + _AHEAD * jobs):
-        request = sample(run.next_new, run.seed, run.mix)
+        request = run.requests.at(run.next_new)
         run.next_new += 1
-        if not _found_finished(run, request.index) and not _is_done(run, request):
+        if not _found_finished(run, request) and not _is_done(run, request):
             return request
     return None
 
 
-def _found_finished(run: _Run, index: int) -> bool:
-    record = run.world.record(index)
+def _found_finished(run: _Run, request: WorldRequest) -> bool:
+    record = run.world.record(request.index)
     if record is None:
         return False
-    if folder_digest(run.world.building(index))[0] != record.building.sha256:
-        run.world.forget(index)
+    asked = run.requests.at(request.index, record.building.attempt)
+    if not _is_of(record, asked) or folder_digest(run.world.path / record.building.path)[0] != record.building.sha256:
+        run.world.forget(record)
         return False
-    run.waiting[index] = record
+    run.waiting[request.index] = record
     run.kept += 1
     return True
 
 
+def _is_of(record: Record, request: WorldRequest) -> bool:
+    """Whether a record tells of the building that a request asks for; a line of a list may have changed."""
+    row = record.building
+    return (row.path, row.id) == (building_path(request.index, request.name), building_id_of(request.request))
+
+
 def _is_done(run: _Run, request: WorldRequest) -> bool:
     """Whether an earlier run built the attempt or set it aside; its successor then waits its turn."""
-    if run.world.was_set_aside(request.index, request.attempt):
+    aside = run.world.set_aside_at(request.index, request.attempt)
+    if aside is not None and aside.request == request:
         _try_again(run, request)
         return True
     record = run.world.built(request.index, request.attempt)
     if record is None:
         return False
-    if folder_digest(run.world.work(request.index, request.attempt))[0] != record.building.sha256:
+    folder = run.world.work(request.index, request.attempt)
+    if not _is_of(record, request) or folder_digest(folder)[0] != record.building.sha256:
         run.world.discard(request.index, request.attempt)
         return False
     run.waiting[request.index] = record
@@ -211,8 +255,8 @@ def _is_done(run: _Run, request: WorldRequest) -> bool:
 
 
 def _try_again(run: _Run, request: WorldRequest) -> None:
-    if request.attempt + 1 < MOST_ATTEMPTS:
-        run.again.append(sample(request.index, run.seed, run.mix, attempt=request.attempt + 1))
+    if request.attempt + 1 < run.requests.terms.attempts:
+        run.again.append(run.requests.at(request.index, request.attempt + 1))
     else:
         run.waiting[request.index] = None
 
@@ -232,9 +276,9 @@ def _set_aside(run: _Run, entry: SetAside) -> None:
     _try_again(run, entry.request)
 
 
-def _after_crash(run: _Run) -> None:
+def _after_crash(run: _Run, ended: Sequence[Future[Outcome]]) -> None:
     """Give back what was in work when a worker ended, and set aside what workers end at again and again."""
-    for request in run.working.values():
+    for request in [run.working.pop(future) for future in ended]:
         key = (request.index, request.attempt)
         run.crashes[key] = run.crashes.get(key, 0) + 1
         if run.crashes[key] < _MOST_CRASHES:
@@ -242,7 +286,6 @@ def _after_crash(run: _Run) -> None:
         else:
             details = [f"a worker ended {_MOST_CRASHES} times while it was in work"]
             _set_aside(run, SetAside(request=request, reason="worker ended", details=details))
-    run.working.clear()
 
 
 def _settle(run: _Run) -> None:
@@ -260,19 +303,20 @@ def _place(run: _Run, record: Record) -> bool:
     """Give a building its place, or set it aside where an earlier one is nearly the same."""
     row = record.building
     placed = run.world.record(row.index) is not None
-    twin = None if placed else _twin(run, record)
+    twin = _twin(run, record) if run.requests.terms.distinct and not placed else None
     if twin is not None:
-        request = sample(row.index, run.seed, run.mix, attempt=row.attempt)
+        request = run.requests.at(row.index, row.attempt)
         _set_aside(run, SetAside(request=request, reason="near-duplicate", details=[f"of {twin:06d}"]))
         return False
     if not placed:
         run.world.settle(record)
-    run.graphs.setdefault(record.graph, []).append(row.index)
+    run.alike.setdefault((record.graph, likeness_cells(record.likeness)[0]), []).append(row.index)
     return True
 
 
 def _twin(run: _Run, record: Record) -> int | None:
-    for index in run.graphs.get(record.graph, []):
+    cells = likeness_cells(record.likeness)
+    for index in sorted(index for cell in cells for index in run.alike.get((record.graph, cell), [])):
         other = run.world.record(index)
         if other is not None and nearly_the_same(record.likeness, other.likeness):
             return index

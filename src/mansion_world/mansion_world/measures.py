@@ -87,7 +87,7 @@ def measure_building(seed: int, request: WorldRequest, folder: Path, made: MadeT
     row = BuildingRow(
         index=request.index,
         id=building.building_id,
-        path=building_path(request.index),
+        path=building_path(request.index, request.name),
         split=split,
         difficulty=difficulty_of(len(scenes), rooms, objects),
         kind=request.kind,

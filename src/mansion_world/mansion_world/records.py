@@ -45,7 +45,7 @@ class WorldIndex(msgspec.Struct, frozen=True, kw_only=True):
     Attributes
     ----------
     mix : str
-        The mixture as JSON.
+        The mixture as JSON; empty where the buildings are those of a list.
     tasks : int
         Tasks that were asked for each building.
     sources : list of WorldSource

@@ -36,6 +36,8 @@ class WorldRequest(msgspec.Struct, frozen=True, kw_only=True):
         What was drawn; empty for none.
     request : BuildRequest
         The sentence with the number of floors, the area of a floor and a seed of its own.
+    name : str
+        Of the building's folder, where it has one; the index otherwise.
     """
 
     index: int
@@ -46,6 +48,7 @@ class WorldRequest(msgspec.Struct, frozen=True, kw_only=True):
     outline: str
     style: str
     request: BuildRequest
+    name: str = ""
 
 
 def sample(index: int, seed: int, mix: Mixture, *, attempt: int = 0) -> WorldRequest:

@@ -50,7 +50,7 @@ class WorldStatistics:
     Attributes
     ----------
     asked : mapping of (str, str) to float
-        Share of each kind and sub-kind in the mixture.
+        Share of each kind and sub-kind in the mixture; empty for a list of briefs.
     found : Counter of (str, str)
         Buildings of each.
     floor_area : Mean
@@ -189,13 +189,17 @@ def world_statistics(world: WorldFolder) -> WorldStatistics:
 def _asked(index: WorldIndex) -> dict[tuple[str, str], float]:
     """Return the shares that were asked: of a joined world the mean over its sources, by their buildings."""
     if not index.sources:
-        return decode(Mixture, index.mix).shares()
+        return _shares(index.mix)
     whole = sum(source.buildings for source in index.sources) or 1
     asked: dict[tuple[str, str], float] = {}
     for source in index.sources:
-        for name, share in decode(Mixture, source.mix).shares().items():
+        for name, share in _shares(source.mix).items():
             asked[name] = asked.get(name, 0.0) + share * source.buildings / whole
     return asked
+
+
+def _shares(mix: str) -> dict[tuple[str, str], float]:
+    return decode(Mixture, mix).shares() if mix else {}
 
 
 def _add_building(statistics: WorldStatistics, record: Record) -> None:

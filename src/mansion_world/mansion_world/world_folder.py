@@ -13,7 +13,9 @@ import shutil
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
-from typing import Final, TypeAlias, cast
+from typing import Final, TypeAlias, TypeVar, cast
+
+import msgspec
 
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.errors import ErrorCode, MansionError
@@ -30,16 +32,18 @@ TABLES: Final[Mapping[str, type[Row]]] = {"buildings": BuildingRow, "rooms": Roo
 _INDEX: Final = "world.json"
 _SHARD: Final = 1000
 
+T = TypeVar("T")
 
-def building_path(index: int) -> str:
+
+def building_path(index: int, name: str = "") -> str:
     """Return the folder of a building, relative to the world's.
 
     Examples
     --------
-    >>> building_path(1234)
-    'buildings/001/001234'
+    >>> building_path(1234), building_path(2, "office")
+    ('buildings/001/001234', 'buildings/office')
     """
-    return f"buildings/{_shard(index)}"
+    return f"buildings/{name or _shard(index)}"
 
 
 def _shard(index: int) -> str:
@@ -101,9 +105,8 @@ class WorldFolder:
         return self.path / "work" / f"{index:06d}-{attempt}"
 
     def record(self, index: int) -> Record | None:
-        """Return the record of a building, ``None`` where it is not finished."""
-        file = self._record_file(index)
-        return read_payload(Record, file) if file.exists() else None
+        """Return the record of a building, ``None`` where it is not finished or the record is damaged."""
+        return _read(Record, self._record_file(index))
 
     def records(self) -> Iterator[Record]:
         """Yield the records by ascending index, one in memory at a time."""
@@ -112,8 +115,7 @@ class WorldFolder:
 
     def built(self, index: int, attempt: int) -> Record | None:
         """Return the record of an attempt that is built but has no place in the world yet."""
-        file = self._built_file(index, attempt)
-        return read_payload(Record, file) if file.exists() else None
+        return _read(Record, self._built_file(index, attempt))
 
     def save_built(self, record: Record) -> None:
         """Say that an attempt is built, checked and measured."""
@@ -123,7 +125,7 @@ class WorldFolder:
     def settle(self, record: Record) -> None:
         """Give an attempt its place in the world."""
         row = record.building
-        target = self.building(row.index)
+        target = self.path / row.path
         shutil.rmtree(target, ignore_errors=True)
         target.parent.mkdir(parents=True, exist_ok=True)
         self.work(row.index, row.attempt).rename(target)
@@ -142,10 +144,10 @@ class WorldFolder:
         shutil.rmtree(work, ignore_errors=True)
         shutil.rmtree(work.with_name(f".{work.name}.partial"), ignore_errors=True)
 
-    def forget(self, index: int) -> None:
+    def forget(self, record: Record) -> None:
         """Take a building out of the world, to make it anew."""
-        self._record_file(index).unlink(missing_ok=True)
-        shutil.rmtree(self.building(index), ignore_errors=True)
+        self._record_file(record.building.index).unlink(missing_ok=True)
+        shutil.rmtree(self.path / record.building.path, ignore_errors=True)
 
     def set_aside(self, entry: SetAside) -> None:
         """Keep a request that came to nothing, and remove what is left of it."""
@@ -153,9 +155,20 @@ class WorldFolder:
         write_atomic(self._aside_file(request.index, request.attempt), encode_bytes(entry, indent=1))
         self.discard(request.index, request.attempt)
 
-    def was_set_aside(self, index: int, attempt: int) -> bool:
-        """Whether an attempt came to nothing."""
-        return self._aside_file(index, attempt).exists()
+    def set_aside_at(self, index: int, attempt: int) -> SetAside | None:
+        """Return what is kept of an attempt that came to nothing, ``None`` where it did not."""
+        return _read(SetAside, self._aside_file(index, attempt))
+
+    def move_records(self, indices: Mapping[str, int]) -> None:
+        """Give the records of buildings the indices that are said of their paths, and drop all others."""
+        found = list(self.records())
+        moved = [record for record in found if indices.get(record.building.path) != record.building.index]
+        for record in moved:
+            self._record_file(record.building.index).unlink()
+        for record in moved:
+            index = indices.get(record.building.path)
+            if index is not None:
+                write_atomic(self._record_file(index), encode_bytes(_at_index(record, index)))
 
     def aside(self) -> Iterator[SetAside]:
         """Yield what was set aside, by index and attempt."""
@@ -217,3 +230,20 @@ class WorldFolder:
 def table_rows(record: Record) -> dict[str, Sequence[Row]]:
     """Return the rows that a record adds to each table."""
     return {"buildings": [record.building], "rooms": record.rooms, "tasks": record.tasks}
+
+
+def _at_index(record: Record, index: int) -> Record:
+    return msgspec.structs.replace(
+        record,
+        building=msgspec.structs.replace(record.building, index=index),
+        rooms=[msgspec.structs.replace(room, index=index) for room in record.rooms],
+        tasks=[msgspec.structs.replace(task, index=index) for task in record.tasks],
+    )
+
+
+def _read(kind: type[T], file: Path) -> T | None:
+    """Return what a file holds, ``None`` where it is missing or holds something else: it is then made anew."""
+    try:
+        return read_payload(kind, file)
+    except MansionError:
+        return None

@@ -1,12 +1,13 @@
 """``mansion build``: one sentence to a building folder."""
 
 import os
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Final, Literal
 
 import typer
 
+from mansion_bringup.cli.build_list import build_briefs
 from mansion_bringup.cli.console import (
     EXIT_INTERRUPTED,
     AsJson,
@@ -79,8 +80,14 @@ def read_footprint(path: Path) -> Footprint:
 
 
 def build(
-    description: Annotated[str, typer.Argument(help="The brief: English, or any language with --planner llm.")],
     output: Annotated[Path, typer.Option("--output", "-o", help="Folder to write.")],
+    description: Annotated[
+        str | None, typer.Argument(help="The brief: English, or any language with --planner llm.")
+    ] = None,
+    briefs: Annotated[
+        Path | None,
+        typer.Option("--from", help="Many briefs: a .txt of one a line, or .csv or .jsonl; other options fill gaps."),
+    ] = None,
     floors: Annotated[int | None, typer.Option(min=1, max=100, help="Number of floors.")] = None,
     area: Annotated[float | None, typer.Option(min=1, help="Gross area of the building, m2.")] = None,
     floor_area: Annotated[float | None, typer.Option(min=1, help="Gross area of a floor, m2.")] = None,
@@ -91,7 +98,7 @@ def build(
     ] = "rules",
     formats: Annotated[str, typer.Option(help=FORMATS_HELP)] = "",
     graph: Annotated[bool, typer.Option("--graph", help="Build through the node graph.")] = False,
-    jobs: Annotated[int, typer.Option(min=0, help="Floors in work at once; 0: all cores.")] = 0,
+    jobs: Annotated[int, typer.Option(min=0, help="Floors in work at once, buildings with --from; 0: all cores.")] = 0,
     timeout: Annotated[float, typer.Option(min=1, help="Seconds, for --graph.")] = 900.0,
     strict: Annotated[bool, typer.Option("--strict", help="Refuse what meets a wish in part or not at all.")] = False,
     force: Annotated[
@@ -99,7 +106,7 @@ def build(
     ] = False,
     as_json: AsJson = False,
 ) -> None:
-    """Build a furnished building from one sentence.
+    """Build a furnished building from one sentence, or one from each line of a file.
 
     The folder appears whole or not at all; an interrupted build goes on where it was when run again. It holds the
     floors, their plans and a picture; maps and models come with --formats, or later from `mansion export`.
@@ -113,7 +120,16 @@ def build(
       mansion build "a library" --floors 3 --floor-area 400 --graph -o out/library
 
       mansion build "a clinic" --formats mjcf,nav2 -o out/clinic
+
+      mansion build --from briefs.csv --jobs 2 -o out/many     (columns: brief, and name, seed, floors, floor_area, ...)
     """
+    if briefs is not None:
+        _refuse_beside_a_list(description, {"--graph": graph, "--strict": strict, "--force": force})
+        defaults = request_from_options("", floors, area, floor_area, footprint, seed, planner_name(planner))
+        build_briefs(briefs, output, defaults, jobs, _prepared_formats(formats))
+        return
+    if description is None:
+        raise MansionError(ErrorCode.INVALID_PAYLOAD, "there is no brief; give a sentence, or a file with --from")
     request = request_from_options(description, floors, area, floor_area, footprint, seed, planner_name(planner))
     names = _prepared_formats(formats)
     if strict:
@@ -137,6 +153,13 @@ def build(
     if strict:
         refuse_unmet(result.building.wishes)
     _refuse_faults(result)
+
+
+def _refuse_beside_a_list(description: str | None, options: Mapping[str, bool]) -> None:
+    beside = ["a brief"] if description is not None else []
+    beside += [name for name, given in options.items() if given]
+    if beside:
+        raise MansionError(ErrorCode.INVALID_PAYLOAD, f"--from takes all briefs from its file, without {beside[0]}")
 
 
 def _refuse_faults(result: "BuildResult") -> None:

@@ -1,18 +1,17 @@
 """``mansion world``: many buildings drawn from a mixture, as one data set."""
 
 import os
-import time
-from collections.abc import Callable
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
 from mansion_bringup.cli.console import EXIT_INTERRUPTED, AsJson, check_output_folder, err, out, print_json
+from mansion_bringup.cli.pace import pace_reporter
 from mansion_bringup.cli.world_products import merge, pack, show
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.wording import counted
-from mansion_world.making import WorldProgress
+from mansion_world.making import Jobs, Workers
 
 __all__ = ["need_parquet", "register", "write_parquet_tables"]
 
@@ -35,7 +34,12 @@ def make(
     mix: Annotated[Path | None, typer.Option(help="TOML file of kinds and shares; MansionWorld's own if none.")] = None,
     tasks: Annotated[int, typer.Option(min=0, max=100, help="Tasks for each building, done by the oracle.")] = 3,
     parquet: Annotated[bool, typer.Option(help="Write the manifest in Parquet too (extra world).")] = True,
-    jobs: Annotated[int, typer.Option(min=0, help="Buildings in work at once; 0: all cores.")] = 0,
+    jobs: Annotated[
+        int, typer.Option(min=0, help="Buildings in work at once; 0: all cores, or all threads of the cluster.")
+    ] = 0,
+    cluster: Annotated[
+        str, typer.Option(help="Address of a dask scheduler whose workers build; they share the folder.")
+    ] = "",
     as_json: AsJson = False,
 ) -> None:
     """Make a world of buildings, or go on with one.
@@ -47,29 +51,31 @@ def make(
       mansion world make -o out/world -n 100 --seed 7
 
       mansion world make -o out/flats -n 20 --mix flats.toml --tasks 0 --jobs 2
+
+      mansion world make -o /shared/world -n 10000 --cluster tcp://127.0.0.1:8786
     """
-    from mansion_bringup.worlds import build_for_world, check_for_world, tasks_for_world, world_workers
+    from mansion_bringup.worlds import build_for_world, check_for_world, tasks_for_world
     from mansion_world.attempts import TaskStep
     from mansion_world.making import make_world
     from mansion_world.mixture import load_mixture
+    from mansion_world.requests import Sampled
 
     mixture = load_mixture(mix)
     check_output_folder(output)
     if parquet:
         need_parquet()
-    workers = jobs or min(os.cpu_count() or 1, 64)
+    workers, width = _on_cluster(cluster, jobs) if cluster else _in_processes(jobs)
     try:
         made = make_world(
             output,
             count,
-            seed=seed,
-            mix=mixture,
+            requests=Sampled(seed, mixture),
             build=build_for_world,
             check=check_for_world,
-            workers=world_workers(workers),
-            jobs=workers,
+            workers=workers,
+            jobs=width,
             tasks=TaskStep(tasks, tasks_for_world),
-            report=_reporter(),
+            report=pace_reporter(),
         )
     except KeyboardInterrupt:
         err.print("interrupted; the same command goes on from the buildings that are done")
@@ -105,25 +111,20 @@ def write_parquet_tables(output: Path) -> None:
         write_parquet(world)
 
 
-def _reporter() -> Callable[[WorldProgress], None]:
-    """Return what prints a line for each change: buildings done, rate, remaining time, what was set aside."""
-    started = time.monotonic()
-    last = WorldProgress(0, 0, 0, 0, 0)
+def _in_processes(jobs: int) -> tuple[Workers, int]:
+    from mansion_bringup.worlds import world_workers
 
-    def report(progress: WorldProgress) -> None:
-        nonlocal last
-        if progress == last:
-            return
-        last = progress
-        made = max(0, progress.done - progress.kept)
-        hours = (time.monotonic() - started) / 3600
-        rate = made / hours if hours else 0.0
-        left = progress.total - progress.done - progress.missing
-        pace = f", {rate:.0f} an hour, {left / rate * 60:.0f} min left" if made and left else ""
-        aside = f", {progress.set_aside} set aside" if progress.set_aside else ""
-        err.print(f"[{progress.done}/{progress.total}] buildings{pace}{aside}", markup=False, highlight=False)
+    number = jobs or min(os.cpu_count() or 1, 64)
+    return world_workers(number), number
 
-    return report
+
+def _on_cluster(address: str, jobs: int) -> tuple[Workers, Jobs]:
+    from mansion_bringup.cluster import Cluster
+    from mansion_bringup.extras import ensure_extra
+
+    ensure_extra("cluster")
+    found = Cluster(address, jobs, lambda text: err.print(text, markup=False, highlight=False))
+    return found.workers, found.jobs
 
 
 def stats(
