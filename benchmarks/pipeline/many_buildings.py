@@ -19,10 +19,11 @@ import msgspec
 from mansion_bringup.building.report import building_index
 from mansion_bringup.check import Fault, check_floors
 from mansion_bringup.check.request import check_request
-from mansion_bringup.pipeline import floors as steps
+from mansion_bringup.pipeline import build as steps
 from mansion_bringup.pipeline.build import build_building
 from mansion_bringup.pipeline.stages import LocalStages
 from mansion_bringup.verify import check_houses, verify_building
+from mansion_export.formats import Outputs
 from mansion_export.thor import house
 from mansion_msgs_py.codec import decode
 from mansion_msgs_py.errors import MansionError
@@ -147,7 +148,7 @@ def _scenes(request: BuildRequest, notes: list[str]) -> tuple[list[FloorScene], 
         layout = msgspec.structs.replace(layout, floor=floor.index)
         all_layouts.append(layout)
         scenes.append(steps.furnish(stages, plan, layout, index))
-    building = building_index(request, plan, scenes)
+    building = building_index(request, plan, scenes, Outputs((), ()))
     faults = [
         *check_request(building, all_layouts, scenes),
         *check_floors(building.building_id, scenes, plan.topologies),

@@ -54,7 +54,7 @@ setup(
         "shapely>=2.0",
         "typer>=0.12",
     ],
-    extras_require={"test": ["pytest"], "cluster": ["distributed>=2024.1"]},
+    extras_require={"test": ["pytest"], "cluster": ["distributed>=2024.1"], "record": ["mcap>=1.1"]},
     entry_points={
         "console_scripts": [
             "building_director = mansion_bringup.nodes.building_director:main",

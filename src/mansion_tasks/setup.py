@@ -34,6 +34,11 @@ setup(
         "numpy>=1.26",
         "pillow>=10.1",
     ],
-    extras_require={"test": ["pytest"], "llm": ["openai>=1.0"], "sim": ["gymnasium>=1.0"]},
+    extras_require={
+        "test": ["pytest"],
+        "llm": ["openai>=1.0"],
+        "record": ["mcap>=1.1", "mcap-ros2-support>=0.5"],
+        "sim": ["gymnasium>=1.0"],
+    },
     entry_points={"gymnasium.envs": ["__root__ = mansion_tasks.env.registration:register_environments"]},
 )

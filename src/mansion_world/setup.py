@@ -24,5 +24,5 @@ setup(
     ],
     zip_safe=False,
     install_requires=["mansion_geometry", "mansion_msgs_py", "msgspec>=0.19", "numpy>=1.26"],
-    extras_require={"test": ["pytest"]},
+    extras_require={"test": ["pytest"], "world": ["pyarrow>=16"]},
 )

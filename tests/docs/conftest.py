@@ -10,12 +10,15 @@ import pytest
 
 from mansion_bringup.pipeline.build import build_building, solve
 from mansion_bringup.pipeline.stages import LocalStages
-from mansion_bringup.worlds import build_for_world, check_for_world
+from mansion_bringup.worlds import build_for_world, check_for_world, tasks_for_world
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.request import BuildRequest, identified
 from mansion_msgs_py.stages import FurnishRequest
+from mansion_world.attempts import TaskStep
 from mansion_world.making import make_world
 from mansion_world.mixture import load_mixture
+from mansion_world.parquet import write_parquet
+from mansion_world.world_folder import WorldFolder
 
 FLATS = Path(__file__).parents[2] / "examples" / "small_world.toml"
 
@@ -37,7 +40,9 @@ def stock(tmp_path_factory: pytest.TempPathFactory) -> Path:
         build=build_for_world,
         check=check_for_world,
         workers=lambda: ThreadPoolExecutor(1),
+        tasks=TaskStep(3, tasks_for_world),
     )
+    write_parquet(WorldFolder(folder / "out" / "flats"))
     stages = LocalStages()
     plan = stages.plan(request)
     furnish = FurnishRequest(

@@ -6,6 +6,7 @@ import math
 import msgspec
 import numpy as np
 import pytest
+import shapely
 import trimesh
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -38,6 +39,21 @@ def test_triangles_cover_a_star_shaped_polygon_with_a_hole(radii, hole):
     areas = 0.5 * ((b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0])
     assert (areas > 0).all()
     assert areas.sum() == pytest.approx(polygon.area, rel=1e-6)
+
+
+@settings(deadline=None, max_examples=6)
+@given(corners=st.integers(500, 3000), teeth=st.floats(0.5, 0.95), courtyard=st.booleans())
+def test_triangles_cover_a_polygon_of_many_corners(corners, teeth, courtyard):
+    angles = np.linspace(0, 2 * math.pi, 2 * (corners // 2), endpoint=False)
+    radii = np.where(np.arange(len(angles)) % 2 == 0, 20.0, 20.0 * teeth)
+    holes = [Point(0, 0).buffer(5.0, 150).exterior.coords[:-1]] if courtyard else []
+    polygon = Polygon(np.column_stack([radii * np.cos(angles), radii * np.sin(angles)]), holes)
+    points, faces = triangulate(polygon)
+    a, b, c = (points[faces[:, k]] for k in range(3))
+    areas = 0.5 * ((b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0])
+    assert (areas > 0).all()
+    assert areas.sum() == pytest.approx(polygon.area, rel=1e-9)
+    assert polygon.buffer(1e-9).contains(shapely.multipoints((a + b + c) / 3))
 
 
 def test_walls_close_at_corners_and_leave_their_openings(ground):

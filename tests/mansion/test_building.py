@@ -245,7 +245,7 @@ def test_tasks_are_those_of_the_command_line(flat: mansion.Building) -> None:
     tasks = flat.tasks(2, seed=1, kind="deliver")
     assert len(tasks) == 2 and {task.kind for task in tasks} == {"deliver"}
     assert tasks == flat.tasks(2, seed=1, kind="deliver")
-    with pytest.raises(mansion.MansionError, match="kinds: deliver, search, open_and_put"):
+    with pytest.raises(mansion.MansionError, match="kinds: deliver, search, open_and_put, collect"):
         flat.tasks(kind="dance")
 
 

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 # Distribution -> module, where the two differ.
-MODULES = {"pillow": "PIL", "pyyaml": "yaml", "usd_core": "pxr", "dask": "dask"}
+MODULES = {"pillow": "PIL", "pyyaml": "yaml", "usd_core": "pxr", "dask": "dask", "mcap_ros2_support": "mcap_ros2"}
 
 ROS_MODULES = {
     "ament_index_python",
@@ -92,7 +92,20 @@ def test_what_is_imported_is_declared(packages: list[Path]) -> None:
 
 def test_what_is_declared_is_locked(root: Path, packages: list[Path]) -> None:
     locked = set()
-    for name in ("core", "rclpy", "sim", "llm", "thor", "embeddings", "usd", "cluster", "test", "vectors"):
+    for name in (
+        "core",
+        "rclpy",
+        "record",
+        "sim",
+        "llm",
+        "thor",
+        "embeddings",
+        "usd",
+        "cluster",
+        "test",
+        "vectors",
+        "world",
+    ):
         locked |= modules_of((root / f"requirements/{name}-3.12.txt").read_text(encoding="utf-8"))
     for package in packages:
         ours = {name for name in declared(package) if name.startswith("mansion_")}

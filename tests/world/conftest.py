@@ -62,6 +62,8 @@ def build(flat: Path) -> Callable[[BuildRequest, Path], None]:
         shutil.copytree(flat, partial, dirs_exist_ok=True)
         scene = stretched(BuildingFolder(flat).scene(1), 1.0 + request.seed % 1009)
         (partial / "floors/floor_1/scene.json").write_bytes(encode_bytes(scene))
+        named = msgspec.structs.replace(BuildingFolder(flat).building, building_id=request.building_id or "")
+        (partial / "building.json").write_bytes(encode_bytes(named))
         partial.rename(folder)
 
     return build

@@ -17,9 +17,10 @@ import pytest
 from typer.testing import CliRunner
 
 from mansion_bringup.cli.app import app
-from mansion_bringup.worlds import build_for_world, check_for_world, world_workers
+from mansion_bringup.worlds import build_for_world, check_for_world, tasks_for_world, world_workers
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.request import BuildRequest
+from mansion_world.attempts import TaskStep
 from mansion_world.making import MOST_ATTEMPTS, WorldProgress, make_world
 from mansion_world.mixture import load_mixture
 from mansion_world.sampling import sample
@@ -203,6 +204,7 @@ def test_a_killed_worker_costs_no_building(tmp_path: Path, flats_mix: Path, smal
         build=build_for_world,
         check=check_for_world,
         workers=Recorded,
+        tasks=TaskStep(3, tasks_for_world),
         report=kill_once,
     )
     assert (made.done, made.set_aside, len(started)) == (2, 0, 2)

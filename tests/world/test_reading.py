@@ -3,14 +3,14 @@
 import json
 import shutil
 from pathlib import Path
+from typing import cast
 
 import pytest
 from typer.testing import CliRunner
 
 import mansion
 from mansion_bringup.cli.app import app
-from mansion_bringup.worlds import check_for_world
-from mansion_msgs_py.codec import decode
+from mansion_bringup.worlds import check_for_world, redo_tasks
 from mansion_world.measures import difficulty_of
 from mansion_world.mixture import load_mixture
 from mansion_world.records import RoomRow
@@ -61,8 +61,7 @@ def test_an_unknown_split_and_a_folder_without_a_world_are_refused(small_world: 
 
 
 def test_the_table_of_rooms_agrees_with_that_of_buildings(small_world: Path) -> None:
-    lines = (small_world / "manifest" / "rooms.jsonl").read_bytes().splitlines()
-    rooms = [decode(RoomRow, line) for line in lines]
+    rooms = [cast(RoomRow, row) for row in WorldFolder(small_world).rows("rooms")]
     for row in WorldFolder(small_world).manifest():
         own = [room for room in rooms if room.index == row.index]
         assert len(own) == row.rooms and sum(room.objects for room in own) == row.objects
@@ -72,7 +71,7 @@ def test_the_table_of_rooms_agrees_with_that_of_buildings(small_world: Path) -> 
 def test_a_sound_world_has_no_fault(small_world: Path) -> None:
     done = CliRunner().invoke(app, ["world", "check", str(small_world)])
     assert done.exit_code == 0 and done.stdout == ""
-    assert list(verify_world(small_world, check_for_world)) == []
+    assert list(verify_world(small_world, check_for_world, redo=redo_tasks)) == []
 
 
 def test_damage_is_found_and_named(copied: Path) -> None:
@@ -99,10 +98,25 @@ def test_statistics_count_what_is_there(small_world: Path) -> None:
     assert statistics.asked == {("residential", "studio"): 0.5, ("residential", "small_flat"): 0.5}
 
 
+def test_distributions_count_floors_buildings_and_tasks(small_world: Path) -> None:
+    statistics = world_statistics(WorldFolder(small_world))
+    records = list(WorldFolder(small_world).records())
+    counts = statistics.distributions()
+    assert sum(counts["Floor areas, m2"].values()) == sum(record.building.floors for record in records)
+    assert sum(counts["Objects a building"].values()) == sum(counts["Split"].values()) == 3
+    tasks = [task for record in records for task in record.tasks]
+    for title in ("Tasks", "Ways of the oracle, m", "Floors of a task", "Difficulty of tasks"):
+        assert sum(counts[title].values()) == statistics.tasks == len(tasks) == 9
+    short = sum(task.metres < 10 for task in tasks)
+    assert counts["Ways of the oracle, m"].get("0 to 10", 0) == short
+    assert statistics.way.most == max(task.metres for task in tasks)
+
+
 def test_the_page_shows_the_mixture_and_each_building(copied: Path) -> None:
     done = CliRunner().invoke(app, ["world", "stats", str(copied)])
     assert done.exit_code == 0 and "residential, studio" in done.stdout and "asked 50.0%" in done.stdout
     page = (copied / "statistics.html").read_text()
+    assert "<h2>Ways of the oracle, m</h2>" in page and "<h2>Tasks</h2>" in page
     for entry in mansion.World(copied):
         assert f'src="{entry.row.path}/building.png"' in page
         assert (copied / entry.row.path / "building.png").is_file()

@@ -366,7 +366,7 @@ class Building(Closing):
 
         Parameters
         ----------
-        kind : {"deliver", "search", "open_and_put"}, optional
+        kind : {"deliver", "search", "open_and_put", "collect"}, optional
             Only tasks of this kind.
 
         Examples

@@ -1,15 +1,20 @@
 """A world of many buildings, read one by one."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import get_args
+from typing import TYPE_CHECKING, Any, get_args
 
 from mansion.building import Building
 from mansion.making import load
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_world.records import SPLITS, BuildingRow, Difficulty
 from mansion_world.world_folder import WorldFolder
+
+if TYPE_CHECKING:
+    import gymnasium
+
+    from mansion_tasks.env.bounds import Bounds
 
 __all__ = ["World", "WorldBuilding"]
 
@@ -76,6 +81,55 @@ class World:
 
     def __len__(self) -> int:
         return sum(1 for _ in self)
+
+    def env(
+        self, *, split: str | None = None, difficulty: str | None = None, kind: str | None = None, **options: Any
+    ) -> "gymnasium.Env[Mapping[str, Any], Any]":
+        """Return a Gymnasium environment with another building each reset, and one of the building's tasks.
+
+        Its spaces are the same for all buildings of the world, whatever their split: a policy that is trained in some
+        acts in the others. Buildings in which no task can be done are left out.
+
+        Parameters
+        ----------
+        split, difficulty, kind : str, optional
+            Only these buildings; see `filter`.
+        **options
+            ``actions``, ``observation``, ``image_size``, ``max_steps``, ``task_seed``, ``render_mode``: see
+            `mansion_tasks.env.buildings_env.BuildingsEnv`, and what ``gymnasium.make`` takes.
+
+        Raises
+        ------
+        MansionError
+            ``NOT_FOUND`` where there is no such building, ``UNAVAILABLE`` naming the extra ``sim`` where that is
+            missing.
+        """
+        from mansion_bringup.extras import require_extra
+
+        require_extra("sim")
+        import gymnasium
+
+        from mansion_tasks.env import BUILDINGS_ENV_ID
+
+        chosen = self.filter(split=split, difficulty=difficulty, kind=kind)
+        folders = [entry.folder for entry in chosen if not entry.row.no_tasks]
+        if not folders:
+            raise MansionError(ErrorCode.NOT_FOUND, f"{self.folder} has no building of that kind with a task")
+        made: gymnasium.Env[Mapping[str, Any], Any] = gymnasium.make(
+            BUILDINGS_ENV_ID, buildings=folders, bounds=self._bounds(), **options
+        )
+        return made
+
+    def _bounds(self) -> "Bounds":
+        """Return what the spaces of an environment need for every building of the world."""
+        from mansion_assets.catalogue import load_catalogue
+        from mansion_tasks.env.bounds import Bounds
+
+        rooms = floors = landmarks = 1
+        for row in self._files.manifest():
+            rooms, floors = max(rooms, row.rooms), max(floors, row.floors)
+            landmarks = max(landmarks, row.landmarks)
+        return Bounds(tuple(sorted(load_catalogue().categories)), rooms, floors, landmarks)
 
     def _holds(self, row: BuildingRow) -> bool:
         return (

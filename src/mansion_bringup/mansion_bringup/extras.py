@@ -25,11 +25,13 @@ EXTRAS: Final[dict[str, tuple[str, ...]]] = {
     "embeddings": ("sentence_transformers",),
     "lint": ("codespell_lib", "importlinter", "mypy", "ruff"),
     "llm": ("openai",),
+    "record": ("mcap", "mcap_ros2"),
     "sim": ("gymnasium", "mujoco"),
     "test": ("coverage", "hypothesis", "pytest", "xdist"),
     "thor": ("ai2thor",),
     "usd": ("pxr",),
     "vectors": ("wordllama",),
+    "world": ("pyarrow",),
 }
 """Modules by which the presence of each extra is recognised."""
 

@@ -13,7 +13,7 @@ from mansion_msgs_py.errors import ErrorCode, MansionError
 
 __all__ = ["TEST_EXTRAS", "pytest_command", "run_tests", "test_environment"]
 
-TEST_EXTRAS: Final = ("test", "sim", "llm", "usd")
+TEST_EXTRAS: Final = ("test", "sim", "llm", "usd", "record", "world")
 """What the suite imports: the tools themselves, and the extras whose code it covers."""
 
 _CHECKOUT: Final = Path(__file__).resolve().parents[3]
@@ -37,7 +37,7 @@ def test_environment(environment: Mapping[str, str]) -> dict[str, str]:
     Parameters
     ----------
     environment : mapping
-        The caller's; its own choices stay, but for how far nodes look.
+        The caller's; its own choices stay, but for how far nodes look and for settings of commands.
     """
     kept = {name: value for name, value in environment.items() if name not in CHOICES}
     return {
@@ -45,6 +45,7 @@ def test_environment(environment: Mapping[str, str]) -> dict[str, str]:
         "OPENBLAS_NUM_THREADS": "1",
         "MPLBACKEND": "Agg",
         **kept,
+        "MANSION_CONFIG": os.devnull,
         **loopback_variables(kept),
     }
 

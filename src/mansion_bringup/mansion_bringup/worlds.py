@@ -1,15 +1,23 @@
-"""What a world needs of the pipeline: one request built, one folder checked, and processes that do both."""
+"""What a world needs of the others: a request built, a folder checked, its tasks made, and processes that do it."""
 
 from collections.abc import Callable, Iterator
 from concurrent.futures import Executor
 from contextlib import AbstractContextManager, contextmanager
 from multiprocessing import active_children
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from mansion_bringup.check import Fault
+from mansion_msgs_py.building_folder import TASKS
+from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.request import BuildRequest
+from mansion_msgs_py.task import Task, read_task_set
+from mansion_world.records import DoneTask, MadeTasks
 
-__all__ = ["build_for_world", "check_for_world", "world_workers"]
+if TYPE_CHECKING:
+    from mansion_tasks.tasks.sandbox import Sandbox
+
+__all__ = ["build_for_world", "check_for_world", "redo_tasks", "tasks_for_world", "world_workers"]
 
 
 def build_for_world(request: BuildRequest, folder: Path) -> None:
@@ -24,6 +32,45 @@ def check_for_world(folder: Path) -> list[Fault]:
     from mansion_bringup.verify import verify_building
 
     return verify_building(folder)
+
+
+def tasks_for_world(folder: Path, count: int, seed: int, first: int) -> MadeTasks:
+    """Make tasks in a building, each done twice: by the oracle, and by its plan (`mansion_world.attempts.TaskStep`)."""
+    from mansion_tasks.tasks.generate import generate
+    from mansion_tasks.tasks.sandbox import Sandbox
+
+    sandbox = Sandbox(folder)
+    wanted = count
+    while True:
+        undone: list[Task] = []
+        try:
+            made = generate(sandbox, wanted, seed, first=first, unsolved=undone.append)
+        except MansionError as error:
+            if error.code != ErrorCode.INFEASIBLE:
+                raise
+            return MadeTasks(undone=len(undone), why_none=error.info.message)
+        tries = [_run_plan(task, sandbox) for task in made]
+        done = [entry for entry in tries if entry.success]
+        if len(done) >= count or len(made) < wanted:
+            why = "" if done else "no plan does its task again"
+            return MadeTasks(tasks=done[:count], undone=len(undone) + len(tries) - len(done), why_none=why)
+        wanted += count - len(done)
+
+
+def redo_tasks(folder: Path) -> list[DoneTask]:
+    """Run the plan of each task of a building (`mansion_world.verification.RedoTasks`)."""
+    from mansion_tasks.tasks.sandbox import Sandbox
+
+    tasks = read_task_set(folder / TASKS).tasks
+    sandbox = Sandbox(folder)
+    return [_run_plan(task, sandbox) for task in tasks]
+
+
+def _run_plan(task: Task, sandbox: "Sandbox") -> DoneTask:
+    from mansion_tasks.tasks.solving import replay
+
+    score = replay(task, task.oracle, sandbox)
+    return DoneTask(task=task, success=score.success, metres=sandbox.robot.driven, seconds=sandbox.world.time)
 
 
 def world_workers(jobs: int) -> Callable[[], AbstractContextManager[Executor]]:

@@ -1,16 +1,19 @@
 """Boxes and prisms, and their triangles."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
+import shapely
 from shapely.geometry import Polygon
+from shapely.geometry.base import BaseGeometry
 from shapely.geometry.polygon import orient
 
 from mansion_assets.texture_coordinates import box_coordinates
 from mansion_export.model import Material, Surface
 from mansion_geometry.compiled import Floats
+from mansion_geometry.rings import polygon_parts
 from mansion_msgs_py.shapes import Point, Segment
 
 __all__ = [
@@ -133,7 +136,7 @@ def _side_coordinates(points: Floats, bottom: float, top: float) -> list[Floats]
 
 
 def triangulate(polygon: Polygon) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.int64]]:
-    """Triangulate a polygon with holes by ear clipping [1]_.
+    """Triangulate a polygon with holes by ear clipping [1]_, one of many corners in parts.
 
     Returns
     -------
@@ -143,12 +146,59 @@ def triangulate(polygon: Polygon) -> tuple[npt.NDArray[np.float64], npt.NDArray[
     Notes
     -----
     Each hole is joined to the outer ring by a doubled edge, the hole that reaches furthest right first, so that later
-    holes may join earlier ones.
+    holes may join earlier ones. Clipping takes time with the square of the corners; parts of at most `MOST_CORNERS`
+    make that n log n. They meet along straight cuts, whose ends are further vertices.
 
     References
     ----------
     .. [1] Meisters, G. H. (1975). Polygons have ears. The American Mathematical Monthly, 82(6), 648-651.
     """
+    parts = [_ears(part) for part in _parts(polygon)]
+    first = np.cumsum([0, *(len(points) for points, _ in parts)])
+    points = np.concatenate([points for points, _ in parts])
+    return points, np.concatenate([faces + offset for (_, faces), offset in zip(parts, first)])
+
+
+MOST_CORNERS = 400
+"""Of a polygon that is triangulated in one part."""
+
+
+def _parts(polygon: Polygon) -> Iterator[Polygon]:
+    """Yield parts of a polygon that each have few corners, halved at the middle of its corners."""
+    waiting = [polygon]
+    while waiting:
+        part = waiting.pop()
+        corners = shapely.get_coordinates(part)
+        halves = [] if len(corners) <= MOST_CORNERS else _halves(part, corners)
+        if halves:
+            waiting.extend(reversed(halves))
+        else:
+            yield part
+
+
+def _halves(polygon: Polygon, corners: Floats) -> list[Polygon]:
+    """Cut a polygon across its longer side, else its shorter one; empty where neither leaves parts of fewer corners."""
+    low, high = corners.min(axis=0), corners.max(axis=0)
+    longer = int(np.argmax(high - low))
+    for axis in (longer, 1 - longer):
+        sides = []
+        for k in (0, 1):
+            ends = np.array([low - 1.0, high + 1.0])
+            ends[1 - k, axis] = np.median(corners[:, axis])
+            sides += polygon_parts(_clipped_to(polygon, ends.ravel()))
+        if all(len(shapely.get_coordinates(side)) < len(corners) for side in sides):
+            return sides
+    return []
+
+
+def _clipped_to(polygon: Polygon, bounds: Floats) -> BaseGeometry:
+    """Return the part of a polygon within bounds: by the quick way of GEOS where that gives a valid one."""
+    quick = shapely.clip_by_rect(polygon, *bounds)
+    return quick if shapely.is_valid(quick) else polygon.intersection(shapely.box(*bounds))
+
+
+def _ears(polygon: Polygon) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.int64]]:
+    """Triangulate a polygon by ear clipping."""
     ring = _bridge(orient(polygon))
     points = np.array(ring, dtype=float)
     remaining = list(range(len(ring)))

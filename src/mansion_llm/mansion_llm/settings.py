@@ -10,7 +10,16 @@ from typing import Any, Literal, get_args
 from mansion_llm.secret import Secret, shown_url
 from mansion_msgs_py.errors import ErrorCode, MansionError
 
-__all__ = ["PIECES", "WITHOUT_MODEL", "LlmSettings", "load_settings"]
+__all__ = [
+    "PIECES",
+    "WITHOUT_MODEL",
+    "LlmSettings",
+    "checked_setting",
+    "load_settings",
+    "setting_names",
+    "setting_variable",
+    "settings_and_places",
+]
 
 Structured = Literal["auto", "schema", "object", "text"]
 Images = Literal["auto", "yes", "no"]
@@ -22,6 +31,9 @@ WITHOUT_MODEL = "use --planner rules"
 """What commands that can ask a model offer without one."""
 
 _PREFIX = "MANSION_LLM_"
+
+_OPENAI = ("base_url", "api_key")
+"""Settings for which the usual variables of OpenAI's client stand in."""
 
 
 @dataclass(frozen=True)
@@ -126,22 +138,35 @@ def load_settings(environment: Mapping[str, str] | None = None, *, file: Path | 
         ``INVALID_PAYLOAD`` naming the variable or key at fault, ``NOT_FOUND`` for a file that is named and missing.
         Values are not repeated in the message, for one of them may be a key in the wrong place.
     """
+    return settings_and_places(environment, file=file)[0]
+
+
+def settings_and_places(
+    environment: Mapping[str, str] | None = None, *, file: Path | None = None
+) -> tuple[LlmSettings, dict[str, str]]:
+    """Return the settings as `load_settings` does, and for those that are no defaults where each comes from."""
     environment = os.environ if environment is None else environment
     values = _file_values(environment, file)
-    values |= {
-        "base_url": environment.get("OPENAI_BASE_URL", values.get("base_url", "")),
-        "api_key": environment.get("OPENAI_API_KEY", values.get("api_key", "")),
-    }
     places = dict.fromkeys(values, "the configuration file")
-    for entry in fields(LlmSettings):
-        variable = _PREFIX + entry.name.upper()
-        if environment.get(variable, "") != "":
-            values[entry.name], places[entry.name] = environment[variable], variable
-    known = {entry.name for entry in fields(LlmSettings)}
+    for name in setting_names():
+        for variable in (f"OPENAI_{name.upper()}" if name in _OPENAI else "", setting_variable(name)):
+            if environment.get(variable, "") != "":
+                values[name], places[name] = environment[variable], variable
+    known = setting_names()
     for name in values:
         if name not in known:
             raise _fault(name, "the configuration file", f"is no setting; known are {', '.join(sorted(known))}")
-    return LlmSettings(**{n: _value(n, v, places.get(n, "")) for n, v in values.items()})
+    return LlmSettings(**{n: checked_setting(n, v, places[n]) for n, v in values.items()}), places
+
+
+def setting_names() -> tuple[str, ...]:
+    """Return the names of all settings."""
+    return tuple(entry.name for entry in fields(LlmSettings))
+
+
+def setting_variable(name: str) -> str:
+    """Return the environment variable of a setting."""
+    return _PREFIX + name.upper()
 
 
 def _file_values(environment: Mapping[str, str], file: Path | None) -> dict[str, Any]:
@@ -170,7 +195,14 @@ _LEAST = {
 }  # fmt: skip
 
 
-def _value(name: str, value: Any, place: str) -> Any:
+def checked_setting(name: str, value: Any, place: str) -> Any:
+    """Return the value of a setting from what a variable or a file has.
+
+    Raises
+    ------
+    MansionError
+        ``INVALID_PAYLOAD`` with the name, the place and what would be accepted.
+    """
     if name == "api_key":
         return Secret(str(value).strip())
     if name in ("cache", "record", "replay"):

@@ -12,6 +12,7 @@ from mansion_msgs_py.topology import FloorTopology
 
 __all__ = [
     "INDEX",
+    "TASKS",
     "BuildingFolder",
     "check_building_folder",
     "file_in",
@@ -24,6 +25,9 @@ T = TypeVar("T")
 
 INDEX: Final = "building.json"
 """The file that makes a folder a building folder; it names all the others."""
+
+TASKS: Final = "tasks.json"
+"""A `TaskSet` of the building, where tasks were made with it."""
 
 
 def floor_directory(floor: int) -> str:

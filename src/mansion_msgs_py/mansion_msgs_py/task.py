@@ -32,6 +32,7 @@ class TaskKind(StrEnum):
     DELIVER = "deliver"
     SEARCH = "search"
     OPEN_AND_PUT = "open_and_put"
+    COLLECT = "collect"
 
 
 class GoalKind(StrEnum):

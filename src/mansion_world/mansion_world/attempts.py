@@ -2,27 +2,55 @@
 
 import errno
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
 import msgspec
 
-from mansion_msgs_py.building_folder import BuildingFolder, is_building_folder
+from mansion_msgs_py.building_folder import TASKS, BuildingFolder, is_building_folder
+from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.files import write_atomic
 from mansion_msgs_py.request import BuildRequest
+from mansion_msgs_py.task import TaskSet
 from mansion_world.measures import measure_building
 from mansion_world.mixture import MOST_FLOOR_AREA
-from mansion_world.records import Record, SetAside
+from mansion_world.records import MadeTasks, Record, SetAside
 from mansion_world.sampling import WorldRequest
 from mansion_world.world_folder import WorldFolder
 
-__all__ = ["Build", "Check", "Outcome", "attempt_building"]
+__all__ = ["NO_TASKS", "Build", "Check", "Outcome", "TaskStep", "attempt_building"]
 
 Build = Callable[[BuildRequest, Path], object]
 """Builds a request into a folder, which appears whole or not at all; raises `MansionError`."""
 
 Check = Callable[[Path], Sequence[object]]
 """Returns the faults of a building folder."""
+
+
+def _none(folder: Path, count: int, seed: int, first: int) -> MadeTasks:
+    return MadeTasks()
+
+
+@dataclass(frozen=True)
+class TaskStep:
+    """What makes the tasks of a finished building.
+
+    Attributes
+    ----------
+    count : int
+        Tasks for each building.
+    make : callable
+        Gets the building's folder, the number of tasks, the building's seed, and how many tasks the buildings before
+        it have together, as if all had theirs; the same arguments give the same tasks.
+    """
+
+    count: int = 0
+    make: Callable[[Path, int, int, int], MadeTasks] = _none
+
+
+NO_TASKS: Final = TaskStep()
 
 _NO_SPACE: Final = (errno.ENOSPC, errno.EDQUOT)
 
@@ -38,10 +66,12 @@ class Outcome(msgspec.Struct, frozen=True, kw_only=True):
     full: str = ""
 
 
-def attempt_building(world: WorldFolder, seed: int, request: WorldRequest, build: Build, check: Check) -> Outcome:
-    """Build, check and measure one request of a world, in the folder for work."""
+def attempt_building(
+    world: WorldFolder, seed: int, request: WorldRequest, build: Build, check: Check, tasks: TaskStep = NO_TASKS
+) -> Outcome:
+    """Build, check and measure one request of a world and make its tasks, in the folder for work."""
     try:
-        return _attempt(world, seed, request, build, check)
+        return _attempt(world, seed, request, build, check, tasks)
     except (OSError, MansionError) as error:
         if full := _no_space(error):
             return Outcome(full=full)
@@ -50,7 +80,9 @@ def attempt_building(world: WorldFolder, seed: int, request: WorldRequest, build
         return Outcome(aside=SetAside(request=request, reason="refused", details=[str(error)]))
 
 
-def _attempt(world: WorldFolder, seed: int, request: WorldRequest, build: Build, check: Check) -> Outcome:
+def _attempt(
+    world: WorldFolder, seed: int, request: WorldRequest, build: Build, check: Check, tasks: TaskStep
+) -> Outcome:
     folder = world.work(request.index, request.attempt)
     if not is_building_folder(folder):
         folder.parent.mkdir(parents=True, exist_ok=True)
@@ -61,9 +93,21 @@ def _attempt(world: WorldFolder, seed: int, request: WorldRequest, build: Build,
     if max(areas) > MOST_FLOOR_AREA:
         details = [f"a floor of {max(areas):.1f} m2; at most {MOST_FLOOR_AREA:.0f} m2"]
         return Outcome(aside=SetAside(request=request, reason="floor too large", details=details))
-    record = measure_building(seed, request, folder)
+    record = measure_building(seed, request, folder, _made_tasks(request, folder, tasks))
     world.save_built(record)
     return Outcome(record=record)
+
+
+def _made_tasks(request: WorldRequest, folder: Path, tasks: TaskStep) -> MadeTasks:
+    """Make the tasks of a building and write them into its folder."""
+    if not tasks.count:
+        return MadeTasks()
+    made = tasks.make(folder, tasks.count, request.request.seed, request.index * tasks.count)
+    found = TaskSet(
+        building=".", building_id=request.request.building_id or "", tasks=[done.task for done in made.tasks]
+    )
+    write_atomic(folder / TASKS, encode_bytes(found, indent=1))
+    return made
 
 
 def _no_space(error: BaseException | None) -> str:

@@ -15,7 +15,7 @@ from typing import Final
 from mansion_msgs_py import __version__
 from mansion_msgs_py.codec import encode
 from mansion_msgs_py.errors import ErrorCode, MansionError
-from mansion_world.attempts import Build, Check, Outcome, attempt_building
+from mansion_world.attempts import NO_TASKS, Build, Check, Outcome, TaskStep, attempt_building
 from mansion_world.likeness import nearly_the_same
 from mansion_world.measures import folder_digest
 from mansion_world.mixture import Mixture
@@ -69,6 +69,7 @@ class _Run:
     count: int
     seed: int
     mix: Mixture
+    tasks: TaskStep = NO_TASKS
     next_new: int = 0
     next_place: int = 0
     kept: int = 0
@@ -95,6 +96,7 @@ def make_world(
     check: Check,
     workers: Workers,
     jobs: int = 1,
+    tasks: TaskStep = NO_TASKS,
     report: Callable[[WorldProgress], None] = lambda progress: None,
 ) -> WorldProgress:
     """Make a world of `count` buildings, or go on with one.
@@ -107,6 +109,8 @@ def make_world(
         One request into a folder, and the faults of a folder; both run in the workers.
     workers : callable
         Makes an executor of `jobs` workers.
+    tasks : TaskStep
+        What makes the tasks of each building; it runs in the workers.
     report : callable
         Gets the progress after each change.
 
@@ -116,9 +120,10 @@ def make_world(
         ``CONFLICT`` for a folder that holds something else or that another command is making, ``UNAVAILABLE`` for a
         full disk. What is done stays.
     """
-    run = _Run(WorldFolder(folder), count, seed, mix)
+    run = _Run(WorldFolder(folder), count, seed, mix, tasks)
     with run.world.locked():
-        run.world.adopt(WorldIndex(seed=seed, mix=encode(mix), versions={"mansion": __version__}))
+        index = WorldIndex(seed=seed, mix=encode(mix), versions={"mansion": __version__}, tasks=tasks.count)
+        run.world.adopt(index)
         try:
             while run.next_place < count:
                 _work(run, workers, jobs, build, check, report)
@@ -144,7 +149,7 @@ def _work(
         while run.next_place < run.count:
             while len(run.working) < jobs and (request := _next_request(run, jobs)) is not None:
                 try:
-                    future = executor.submit(attempt_building, run.world, run.seed, request, build, check)
+                    future = executor.submit(attempt_building, run.world, run.seed, request, build, check, run.tasks)
                 except BrokenProcessPool:
                     run.again.append(request)
                     _after_crash(run)

@@ -8,11 +8,14 @@ from typing import Final
 from mansion_geometry.randomness import item_seed
 from mansion_msgs_py.building_folder import BuildingFolder
 from mansion_world.likeness import graph_fingerprint, room_likeness
-from mansion_world.records import BuildingRow, Difficulty, Record, RoomRow, Split
+from mansion_world.records import BuildingRow, Difficulty, DoneTask, MadeTasks, Record, RoomRow, Split, TaskRow
 from mansion_world.sampling import WorldRequest
 from mansion_world.world_folder import building_path
 
-__all__ = ["difficulty_of", "folder_digest", "measure_building", "split_of"]
+__all__ = ["LICENCE", "difficulty_of", "folder_digest", "is_hashed", "measure_building", "split_of", "task_row"]
+
+LICENCE: Final = "Apache-2.0"
+"""Of what Mansion writes of a building: geometry, furniture by asset id, plans, pictures and tasks."""
 
 _NOT_HASHED: Final = "report.json"
 """The one file of a building that holds times."""
@@ -26,12 +29,12 @@ _FLOOR: Final = 4.0
 _OBJECTS: Final = 60.0
 
 
-def split_of(seed: int, request: WorldRequest) -> Split:
-    """Return the split of a request, by a hash of its sentence: requests in the same words are never apart.
+def split_of(seed: int, description: str) -> Split:
+    """Return the split of a building, by a hash of its sentence: requests in the same words are never apart.
 
     It depends on nothing else, so that a larger world only adds to each split.
     """
-    place = item_seed(seed, "split", request.request.description) / 2**64
+    place = item_seed(seed, "split", description) / 2**64
     for split, share in _SHARES:
         if place < share:
             return split
@@ -54,13 +57,18 @@ def difficulty_of(floors: int, rooms: int, objects: int) -> Difficulty:
     return next((level for level, bound in _LEVELS if score < bound), "expert")
 
 
+def is_hashed(name: str) -> bool:
+    """Whether a file of a building folder is part of the building: neither times nor what a robot left."""
+    return name != _NOT_HASHED and not name.startswith("state/")
+
+
 def folder_digest(folder: Path) -> tuple[str, int, int]:
     """Return hash, bytes and number of the files of a building folder, ``report.json`` left out."""
     whole = hashlib.sha256()
     size = count = 0
     for file in sorted(path for path in folder.rglob("*") if path.is_file()):
         name = file.relative_to(folder).as_posix()
-        if name == _NOT_HASHED or name.startswith("state/"):
+        if not is_hashed(name):
             continue
         data = file.read_bytes()
         whole.update(f"{name}\0{hashlib.sha256(data).hexdigest()}\n".encode())
@@ -68,14 +76,14 @@ def folder_digest(folder: Path) -> tuple[str, int, int]:
     return whole.hexdigest(), size, count
 
 
-def measure_building(seed: int, request: WorldRequest, folder: Path) -> Record:
+def measure_building(seed: int, request: WorldRequest, folder: Path, made: MadeTasks) -> Record:
     """Return the record of the building in `folder`, which was built from `request` for the world of `seed`."""
     read = BuildingFolder(folder)
     building, scenes = read.building, read.scenes()
     digest, size, count = folder_digest(folder)
     objects = sum(len(scene.objects) for scene in scenes)
     rooms = sum(len(scene.rooms) for scene in scenes)
-    split = split_of(seed, request)
+    split = split_of(seed, request.request.description)
     row = BuildingRow(
         index=request.index,
         id=building.building_id,
@@ -92,6 +100,7 @@ def measure_building(seed: int, request: WorldRequest, folder: Path) -> Record:
         attempt=request.attempt,
         floors=len(scenes),
         rooms=rooms,
+        landmarks=max(len(scene.rooms) + len(scene.cores) for scene in scenes),
         objects=objects,
         area=round(sum(floor.area for floor in building.floors), 2),
         floor_areas=[floor.area for floor in building.floors],
@@ -101,12 +110,37 @@ def measure_building(seed: int, request: WorldRequest, folder: Path) -> Record:
         bytes=size,
         sha256=digest,
         versions=building.versions,
+        licence=LICENCE,
+        tasks=len(made.tasks),
+        tasks_undone=made.undone,
+        no_tasks=made.why_none,
     )
     return Record(
         building=row,
         rooms=_room_rows(row, read),
         graph=graph_fingerprint([read.topology(floor) for floor in read.floors]),
         likeness=room_likeness(scenes),
+        tasks=[task_row(row, done) for done in made.tasks],
+    )
+
+
+def task_row(row: BuildingRow, done: DoneTask) -> TaskRow:
+    """Return the row of a task of a building."""
+    task = done.task
+    return TaskRow(
+        index=row.index,
+        building=row.id,
+        split=row.split,
+        id=task.id,
+        kind=task.kind,
+        instruction=task.instruction,
+        difficulty=task.difficulty,
+        floors=task.floors_spanned,
+        metres=round(done.metres, 2),
+        seconds=round(done.seconds, 1),
+        steps=len(task.oracle),
+        max_steps=task.max_steps,
+        things=len({name for goal in task.goals for name in goal.objects[:1]}),
     )
 
 

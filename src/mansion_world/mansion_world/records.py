@@ -4,18 +4,23 @@ from typing import Literal, TypeAlias
 
 import msgspec
 
+from mansion_msgs_py.task import Task
 from mansion_world.sampling import WorldRequest
 
 __all__ = [
     "SPLITS",
     "BuildingRow",
     "Difficulty",
+    "DoneTask",
+    "MadeTasks",
     "Record",
     "RoomLikeness",
     "RoomRow",
     "SetAside",
     "Split",
+    "TaskRow",
     "WorldIndex",
+    "WorldSource",
 ]
 
 Split: TypeAlias = Literal["train", "val", "test"]
@@ -24,12 +29,34 @@ Difficulty: TypeAlias = Literal["easy", "medium", "hard", "expert"]
 SPLITS: tuple[Split, ...] = ("train", "val", "test")
 
 
-class WorldIndex(msgspec.Struct, frozen=True, kw_only=True):
-    """The content of ``world.json``: what all buildings of a world follow from."""
+class WorldSource(msgspec.Struct, frozen=True, kw_only=True):
+    """A world that became part of another, as its own ``world.json`` had it, and how many buildings it had."""
 
     seed: int
     mix: str
     versions: dict[str, str]
+    tasks: int
+    buildings: int
+
+
+class WorldIndex(msgspec.Struct, frozen=True, kw_only=True):
+    """The content of ``world.json``: what all buildings of a world follow from.
+
+    Attributes
+    ----------
+    mix : str
+        The mixture as JSON.
+    tasks : int
+        Tasks that were asked for each building.
+    sources : list of WorldSource
+        The worlds that this one was joined from; all else is then that of the first. None for a world that was made.
+    """
+
+    seed: int
+    mix: str
+    versions: dict[str, str]
+    tasks: int = 0
+    sources: list[WorldSource] = []
     schema_version: Literal[1] = 1
 
 
@@ -44,8 +71,18 @@ class BuildingRow(msgspec.Struct, frozen=True, kw_only=True):
         Of the floors from below, m2; `area` is their sum.
     wishes, wishes_met : int
         What its sentence asks for, and how much of that the building meets.
+    landmarks : int
+        Rooms, stairs and lifts of the floor that has most.
+    tasks : int
+        Tasks in its ``tasks.json``.
+    tasks_undone : int
+        Drafts that the oracle could not do, and that are no tasks.
+    no_tasks : str
+        Why tasks that were asked for are missing altogether; empty otherwise.
     bytes, sha256 : int, str
         Of all files but ``report.json``, which holds times.
+    licence : str
+        SPDX identifier.
     """
 
     index: int
@@ -63,6 +100,7 @@ class BuildingRow(msgspec.Struct, frozen=True, kw_only=True):
     attempt: int
     floors: int
     rooms: int
+    landmarks: int
     objects: int
     area: float
     floor_areas: list[float]
@@ -72,6 +110,10 @@ class BuildingRow(msgspec.Struct, frozen=True, kw_only=True):
     bytes: int
     sha256: str
     versions: dict[str, str]
+    licence: str
+    tasks: int = 0
+    tasks_undone: int = 0
+    no_tasks: str = ""
 
 
 class RoomRow(msgspec.Struct, frozen=True, kw_only=True):
@@ -85,6 +127,63 @@ class RoomRow(msgspec.Struct, frozen=True, kw_only=True):
     type: str
     area: float
     objects: int
+
+
+class TaskRow(msgspec.Struct, frozen=True, kw_only=True):
+    """A task in the manifest; the whole of it is in the building's ``tasks.json``.
+
+    Attributes
+    ----------
+    difficulty : str
+        Of the task: easy, medium or hard.
+    floors : int
+        From the lowest to the highest that the oracle's way touches.
+    metres, seconds : float
+        That the robot drives when the oracle's plan is run, without rides and stairs; the time that it takes.
+    steps, max_steps : int
+        Skills of the plan, and that an agent may call.
+    things : int
+        Goals that name an object to bring or to find.
+    """
+
+    index: int
+    building: str
+    split: Split
+    id: str
+    kind: str
+    instruction: str
+    difficulty: str
+    floors: int
+    metres: float
+    seconds: float
+    steps: int
+    max_steps: int
+    things: int
+
+
+class DoneTask(msgspec.Struct, frozen=True, kw_only=True):
+    """What came of running a task's plan."""
+
+    task: Task
+    success: bool
+    metres: float
+    seconds: float
+
+
+class MadeTasks(msgspec.Struct, frozen=True, kw_only=True):
+    """The tasks made in a building, each done once.
+
+    Attributes
+    ----------
+    undone : int
+        Drafts that the oracle could not do.
+    why_none : str
+        Why there is none; empty where there are some or none was asked for.
+    """
+
+    tasks: list[DoneTask] = []
+    undone: int = 0
+    why_none: str = ""
 
 
 class RoomLikeness(msgspec.Struct, frozen=True, kw_only=True, array_like=True):
@@ -111,6 +210,7 @@ class Record(msgspec.Struct, frozen=True, kw_only=True):
     rooms: list[RoomRow]
     graph: str
     likeness: list[RoomLikeness]
+    tasks: list[TaskRow] = []
 
 
 class SetAside(msgspec.Struct, frozen=True, kw_only=True):

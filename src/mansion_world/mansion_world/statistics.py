@@ -1,14 +1,25 @@
 """Statistics of a world, from its records in one pass."""
 
+from bisect import bisect_right
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from itertools import pairwise
+from typing import Final
 
 from mansion_msgs_py.codec import decode
 from mansion_world.mixture import Mixture
+from mansion_world.records import SPLITS, Record, WorldIndex
 from mansion_world.world_folder import WorldFolder
 
-__all__ = ["Mean", "WorldStatistics", "world_statistics"]
+__all__ = ["CLASSES", "Mean", "WorldStatistics", "world_statistics"]
+
+CLASSES: Final = {
+    "Floor areas, m2": tuple(range(0, 1001, 50)),
+    "Objects a building": (0, *(100 * 2**power for power in range(12))),
+    "Ways of the oracle, m": (0, *(10 * 2**power for power in range(10))),
+}
+"""Bounds of the classes of values; those with a long tail double."""
 
 
 @dataclass
@@ -45,6 +56,13 @@ class WorldStatistics:
     floor_area : Mean
         m2.
     rooms_by_type : Counter
+    areas, held, ways : Counter of int
+        Floors by area, buildings by objects, and plans of tasks by the metres that the robot drives: each under the
+        number of its class in `CLASSES`.
+    task_kinds, task_levels, task_floors : Counter
+        Tasks by kind, difficulty and number of floors.
+    without_tasks : int
+        Buildings that have none though some were asked for.
     aside : Counter of str
         What was set aside, by sub-kind and reason.
     """
@@ -55,11 +73,20 @@ class WorldStatistics:
     splits: Counter[str] = field(default_factory=Counter)
     difficulties: Counter[str] = field(default_factory=Counter)
     rooms_by_type: Counter[str] = field(default_factory=Counter)
+    areas: Counter[int] = field(default_factory=Counter)
+    held: Counter[int] = field(default_factory=Counter)
+    ways: Counter[int] = field(default_factory=Counter)
+    task_kinds: Counter[str] = field(default_factory=Counter)
+    task_levels: Counter[str] = field(default_factory=Counter)
+    task_floors: Counter[int] = field(default_factory=Counter)
     aside: Counter[tuple[str, str]] = field(default_factory=Counter)
     floor_area: Mean = field(default_factory=Mean)
     rooms: Mean = field(default_factory=Mean)
     objects: Mean = field(default_factory=Mean)
     megabytes: Mean = field(default_factory=Mean)
+    way: Mean = field(default_factory=Mean)
+    without_tasks: int = 0
+    undone: int = 0
     wishes: int = 0
     wishes_met: int = 0
 
@@ -67,6 +94,29 @@ class WorldStatistics:
     def buildings(self) -> int:
         """Number of buildings."""
         return self.found.total()
+
+    @property
+    def tasks(self) -> int:
+        """Number of tasks."""
+        return self.task_kinds.total()
+
+    def distributions(self) -> dict[str, dict[str, int]]:
+        """Return counts by value or class of values, titled."""
+        classes = zip(CLASSES.items(), (self.areas, self.held, self.ways), strict=True)
+        areas, held, ways = ({title: _classes(counts, bounds)} for (title, bounds), counts in classes)
+        return {
+            "Floors": {str(floors): self.floors[floors] for floors in sorted(self.floors)},
+            **areas,
+            **held,
+            "Difficulty": {level: self.difficulties[level] for level in ("easy", "medium", "hard", "expert")},
+            "Split": {split: self.splits[split] for split in SPLITS},
+            "Tasks": {kind: self.task_kinds[kind] for kind in sorted(self.task_kinds)},
+            "Floors of a task": {str(floors): self.task_floors[floors] for floors in sorted(self.task_floors)},
+            "Difficulty of tasks": {
+                level: self.task_levels[level] for level in ("easy", "medium", "hard") if self.task_levels
+            },
+            **ways,
+        }
 
     def tables(self) -> dict[str, list[tuple[str, str]]]:
         """Return the statistics as titled rows of text."""
@@ -78,6 +128,10 @@ class WorldStatistics:
                 ("objects a building", str(self.objects)),
                 ("megabytes a building", str(self.megabytes)),
                 ("wishes met", f"{self.wishes_met} of {self.wishes}"),
+                ("tasks", str(self.tasks)),
+                ("metres of a task's plan", str(self.way)),
+                ("drafts of tasks that the oracle could not do", str(self.undone)),
+                ("buildings in which no task can be done", str(self.without_tasks)),
             ],
             "Mixture": [
                 (
@@ -86,11 +140,7 @@ class WorldStatistics:
                 )
                 for (kind, part), share in self.asked.items()
             ],
-            "Floors": self._rows({str(floors): self.floors[floors] for floors in sorted(self.floors)}),
-            "Difficulty": self._rows(
-                {level: self.difficulties[level] for level in ("easy", "medium", "hard", "expert")}
-            ),
-            "Split": self._rows({split: self.splits[split] for split in ("train", "val", "test")}),
+            **{title: _rows(counts) for title, counts in self.distributions().items()},
             "Rooms": [
                 (name, str(count))
                 for name, count in sorted(self.rooms_by_type.items(), key=lambda row: (-row[1], row[0]))[:25]
@@ -98,8 +148,22 @@ class WorldStatistics:
             "Set aside": [(f"{part}, {reason}", str(count)) for (part, reason), count in sorted(self.aside.items())],
         }
 
-    def _rows(self, counts: Mapping[str, int]) -> list[tuple[str, str]]:
-        return [(name, f"{count} ({_share(count, self.buildings)})") for name, count in counts.items()]
+
+def _rows(counts: Mapping[str, int]) -> list[tuple[str, str]]:
+    whole = sum(counts.values())
+    return [(name, f"{count} ({_share(count, whole)})") for name, count in counts.items()]
+
+
+def _classes(counts: Mapping[int, int], bounds: Sequence[int]) -> dict[str, int]:
+    """Return counts of classes by their bounds, from the first that holds something to the last."""
+    if not counts:
+        return {}
+    named = [*(f"{low} to {high}" for low, high in pairwise(bounds)), f"{bounds[-1]} and more"]
+    return {named[number]: counts.get(number, 0) for number in range(min(counts), max(counts) + 1)}
+
+
+def _class(title: str, value: float) -> int:
+    return bisect_right(CLASSES[title], value) - 1
 
 
 def _share(count: int, whole: int) -> str:
@@ -114,20 +178,50 @@ def world_statistics(world: WorldFolder) -> WorldStatistics:
     MansionError
         ``NOT_FOUND`` when there is no world.
     """
-    statistics = WorldStatistics(decode(Mixture, world.index().mix).shares())
+    statistics = WorldStatistics(_asked(world.index()))
     for record in world.records():
-        row = record.building
-        statistics.found[row.kind, row.sub_kind] += 1
-        statistics.floors[row.floors] += 1
-        statistics.splits[row.split] += 1
-        statistics.difficulties[row.difficulty] += 1
-        statistics.rooms_by_type.update(room.type for room in record.rooms)
-        for area in row.floor_areas:
-            statistics.floor_area.add(area)
-        statistics.rooms.add(row.rooms)
-        statistics.objects.add(row.objects)
-        statistics.megabytes.add(row.bytes / 1e6)
-        statistics.wishes += row.wishes
-        statistics.wishes_met += row.wishes_met
+        _add_building(statistics, record)
+        _add_tasks(statistics, record)
     statistics.aside.update((entry.request.sub_kind, entry.reason) for entry in world.aside())
     return statistics
+
+
+def _asked(index: WorldIndex) -> dict[tuple[str, str], float]:
+    """Return the shares that were asked: of a joined world the mean over its sources, by their buildings."""
+    if not index.sources:
+        return decode(Mixture, index.mix).shares()
+    whole = sum(source.buildings for source in index.sources) or 1
+    asked: dict[tuple[str, str], float] = {}
+    for source in index.sources:
+        for name, share in decode(Mixture, source.mix).shares().items():
+            asked[name] = asked.get(name, 0.0) + share * source.buildings / whole
+    return asked
+
+
+def _add_building(statistics: WorldStatistics, record: Record) -> None:
+    row = record.building
+    statistics.found[row.kind, row.sub_kind] += 1
+    statistics.floors[row.floors] += 1
+    statistics.splits[row.split] += 1
+    statistics.difficulties[row.difficulty] += 1
+    statistics.rooms_by_type.update(room.type for room in record.rooms)
+    for area in row.floor_areas:
+        statistics.floor_area.add(area)
+        statistics.areas[_class("Floor areas, m2", area)] += 1
+    statistics.rooms.add(row.rooms)
+    statistics.objects.add(row.objects)
+    statistics.held[_class("Objects a building", row.objects)] += 1
+    statistics.megabytes.add(row.bytes / 1e6)
+    statistics.wishes += row.wishes
+    statistics.wishes_met += row.wishes_met
+
+
+def _add_tasks(statistics: WorldStatistics, record: Record) -> None:
+    statistics.undone += record.building.tasks_undone
+    statistics.without_tasks += bool(record.building.no_tasks)
+    for task in record.tasks:
+        statistics.task_kinds[task.kind] += 1
+        statistics.task_levels[task.difficulty] += 1
+        statistics.task_floors[task.floors] += 1
+        statistics.way.add(task.metres)
+        statistics.ways[_class("Ways of the oracle, m", task.metres)] += 1

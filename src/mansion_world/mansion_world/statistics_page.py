@@ -30,11 +30,7 @@ figure { margin: 0 } figure img { width: 100%; border: 1px solid #ddd } figcapti
 
 def statistics_page(world: WorldFolder, statistics: WorldStatistics) -> str:
     """Return the page; pictures are linked relative to the world's folder, where it belongs."""
-    sections = [
-        _mixture(statistics) if title == "Mixture" else _table(title, rows)
-        for title, rows in statistics.tables().items()
-        if rows
-    ]
+    sections = [_section(statistics, title, rows) for title, rows in statistics.tables().items() if rows]
     pictures = "\n".join(_figure(world, row) for row in islice(_shown(world), _PICTURES))
     return (
         '<!doctype html>\n<html lang="en"><meta charset="utf-8">\n'
@@ -43,6 +39,24 @@ def statistics_page(world: WorldFolder, statistics: WorldStatistics) -> str:
         + "\n".join(sections)
         + f'\n<h2>Buildings</h2>\n<div class="wall">\n{pictures}\n</div>\n</html>\n'
     )
+
+
+def _section(statistics: WorldStatistics, title: str, rows: list[tuple[str, str]]) -> str:
+    if title == "Mixture":
+        return _mixture(statistics)
+    counts = statistics.distributions().get(title)
+    return _bars(title, rows, list(counts.values())) if counts else _table(title, rows)
+
+
+def _bars(title: str, rows: list[tuple[str, str]], counts: list[int]) -> str:
+    """Return a bar for each row, the longest for the greatest count."""
+    most = max(counts) or 1
+    body = "\n".join(
+        f'<tr><td>{escape(name)}</td><td><div class="bar"><i style="width:{count / most:.1%}"></i></div></td>'
+        f"<td>{escape(value)}</td></tr>"
+        for (name, value), count in zip(rows, counts, strict=True)
+    )
+    return f"<section><h2>{escape(title)}</h2>\n<table>\n{body}\n</table></section>"
 
 
 def _table(title: str, rows: list[tuple[str, str]]) -> str:

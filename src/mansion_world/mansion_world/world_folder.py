@@ -4,23 +4,28 @@
 ``buildings/000/000012/``   a building folder
 ``records/000/000012.json`` its record, written last: without it a building is not there
 ``set_aside/``              requests that came to nothing, with the reason
-``manifest/``               ``buildings.jsonl`` and ``rooms.jsonl``, made from the records
+``manifest/``               ``buildings.jsonl``, ``rooms.jsonl`` and ``tasks.jsonl``, made from the records
 ``work/``                   what is being built
 """
 
 import fcntl
 import shutil
-from collections.abc import Iterator
-from contextlib import contextmanager
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import ExitStack, contextmanager
 from pathlib import Path
-from typing import Final
+from typing import Final, TypeAlias, cast
 
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import decode_from, read_payload, write_atomic
-from mansion_world.records import BuildingRow, Record, RoomRow, SetAside, WorldIndex
+from mansion_world.records import BuildingRow, Record, RoomRow, SetAside, TaskRow, WorldIndex
 
-__all__ = ["WorldFolder", "building_path"]
+Row: TypeAlias = BuildingRow | RoomRow | TaskRow
+
+__all__ = ["TABLES", "WorldFolder", "building_path", "table_rows"]
+
+TABLES: Final[Mapping[str, type[Row]]] = {"buildings": BuildingRow, "rooms": RoomRow, "tasks": TaskRow}
+"""The tables of the manifest."""
 
 _INDEX: Final = "world.json"
 _SHARD: Final = 1000
@@ -68,7 +73,8 @@ class WorldFolder:
             if self.index() != index:
                 raise MansionError(
                     ErrorCode.CONFLICT,
-                    f"{self.path} holds a world of another seed, mixture or version; name another folder",
+                    f"{self.path} holds a world of another seed, mixture, number of tasks or version; "
+                    "name another folder",
                 )
             return
         if {entry.name for entry in self.path.iterdir()} - {".lock"}:
@@ -124,6 +130,11 @@ class WorldFolder:
         write_atomic(self._record_file(row.index), encode_bytes(record))
         self._built_file(row.index, row.attempt).unlink(missing_ok=True)
 
+    def take_over(self, record: Record, folder: Path) -> None:
+        """Copy a building of another world to its place in this one."""
+        shutil.copytree(folder, self.building(record.building.index))
+        write_atomic(self._record_file(record.building.index), encode_bytes(record))
+
     def discard(self, index: int, attempt: int) -> None:
         """Remove what is left of an attempt."""
         self._built_file(index, attempt).unlink(missing_ok=True)
@@ -157,31 +168,41 @@ class WorldFolder:
             yield record.building
 
     def write_manifest(self) -> None:
-        """Write both tables of the manifest from the records."""
+        """Write the tables of the manifest from the records as JSON lines; other forms of it are out of date then."""
         folder = self.path / "manifest"
         folder.mkdir(exist_ok=True)
-        fresh = [folder / f".{name}.jsonl" for name in ("buildings", "rooms")]
-        with fresh[0].open("wb") as buildings, fresh[1].open("wb") as rooms:
+        fresh = {name: self.table(name).with_name(f".{name}.jsonl") for name in TABLES}
+        with ExitStack() as stack:
+            files = {name: stack.enter_context(file.open("wb")) for name, file in fresh.items()}
             for record in self.records():
-                buildings.write(encode_bytes(record.building) + b"\n")
-                rooms.writelines(_line(room) for room in record.rooms)
-        for file in fresh:
-            file.rename(file.with_name(file.name.removeprefix(".")))
+                for name, rows in table_rows(record).items():
+                    files[name].writelines(encode_bytes(row) + b"\n" for row in rows)
+        for name, file in fresh.items():
+            self.table(name).with_suffix(".parquet").unlink(missing_ok=True)
+            file.rename(self.table(name))
 
-    def manifest(self) -> Iterator[BuildingRow]:
-        """Yield the rows of the manifest's table of buildings, one in memory at a time.
+    def table(self, name: str) -> Path:
+        """Return the file of a table of the manifest."""
+        return self.path / "manifest" / f"{name}.jsonl"
+
+    def rows(self, name: str) -> Iterator[Row]:
+        """Yield the rows of a table of the manifest, one in memory at a time.
 
         Raises
         ------
         MansionError
             ``NOT_FOUND`` where there is none.
         """
-        file = self.path / "manifest" / "buildings.jsonl"
+        file = self.table(name)
         if not file.is_file():
             raise MansionError(ErrorCode.NOT_FOUND, f"{file} is missing; `mansion world make` writes it at its end")
         with file.open("rb") as lines:
             for line in lines:
-                yield decode_from(BuildingRow, line, file)
+                yield decode_from(TABLES[name], line, file)
+
+    def manifest(self) -> Iterator[BuildingRow]:
+        """Yield the rows of the manifest's table of buildings; raises as `rows` does."""
+        return cast(Iterator[BuildingRow], self.rows("buildings"))
 
     def _record_file(self, index: int) -> Path:
         return self.path / "records" / f"{_shard(index)}.json"
@@ -193,5 +214,6 @@ class WorldFolder:
         return self.path / "set_aside" / f"{index:06d}-{attempt}.json"
 
 
-def _line(row: RoomRow) -> bytes:
-    return encode_bytes(row) + b"\n"
+def table_rows(record: Record) -> dict[str, Sequence[Row]]:
+    """Return the rows that a record adds to each table."""
+    return {"buildings": [record.building], "rooms": record.rooms, "tasks": record.tasks}

@@ -34,6 +34,8 @@ ON_FILES = (
     ("task", "show", "{}"),
     ("task", "run", "{}"),
     ("task", "ground", "{}", "sample"),
+    ("record", "episode", "{}", "-o", "episode.mcap"),
+    ("record", "task", "{}", "any", "-o", "task.mcap"),
     ("bench", "floorplans", "{}"),
     ("bench", "placement", "{}"),
     ("bench", "agents", "--tasks", "{}", "-o", "bench"),
@@ -73,7 +75,7 @@ def refused(words: tuple[str, ...], thing: str, root: Path, monkeypatch: pytest.
     # A MansionError is what the entry point prints as one line; any other exception would be a traceback.
     assert isinstance(done.exception, MansionError | SystemExit), done.exc_info
     new = [path for path in sorted(root.rglob("*")) if path not in before]
-    assert not [path for path in new if path.suffix in (".json", ".png", ".html")]
+    assert not [path for path in new if path.suffix in (".json", ".png", ".html", ".mcap")]
     return str(done.exception) if isinstance(done.exception, MansionError) else done.output
 
 
@@ -129,6 +131,7 @@ WRITING = (
     ("task", "paper", "office_laptop", "-o", "{}/task.json"),
     ("solve", "none.json", "-o", "{}/layouts.json"),
     ("place", "none.json", "-o", "{}/placements.json"),
+    ("record", "episode", "none.json", "-o", "{}/episode.mcap"),
     ("bench", "agents", "--tasks", "none.json", "-o", "{}"),
     ("build", "a small flat", "-o", "{}"),
 )

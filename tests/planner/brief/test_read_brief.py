@@ -61,6 +61,9 @@ def test_an_area_per_floor_is_told_from_a_total() -> None:
         ("a three-floor office, 900 m2 altogether", False),
         ("two storeys of 500 m2", True),
         ("an office of two floors of 500 m2 each", True),
+        ("an office with 500 m2 on each of two floors", True),
+        ("a two-storey office, 500 m2 on each of its floors", True),
+        ("a two-storey office, 500 m2 for each of the two storeys", True),
     ],
 )
 def test_an_area_follows_the_building_or_its_storeys(text: str, each: bool) -> None:

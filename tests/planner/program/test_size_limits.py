@@ -41,3 +41,19 @@ def test_the_solver_refuses_an_outline_beyond_the_limit() -> None:
 def test_a_storey_longer_than_the_limit_is_refused() -> None:
     with pytest.raises(MansionError, match="at most 10000 m are built"):
         plan_building(BuildRequest(description="a warehouse of one floor", floor_area=45_000.0))
+
+
+@pytest.mark.parametrize(
+    ("options", "path", "accepted"), [({"area": 60.0}, "$.area", 84), ({"floor_area": 34.0}, "$.floor_area", 42)]
+)
+def test_an_area_that_no_outline_has_is_refused_with_one_that_is_built(
+    options: dict[str, float], path: str, accepted: int
+) -> None:
+    description = "a two-storey starter home"
+    with pytest.raises(MansionError, match=f"come to 2 storeys of {accepted} m2") as caught:
+        plan_building(BuildRequest(description=description, **options))
+    assert (caught.value.code, caught.value.info.path) == (ErrorCode.INFEASIBLE, path)
+    name = path.removeprefix("$.")
+    plan = plan_building(BuildRequest(description=description, **{name: float(accepted)}))
+    floors = [floor.gross_floor_area for floor in plan.program.floors]
+    assert (sum(floors) if name == "area" else floors[0]) == pytest.approx(accepted)

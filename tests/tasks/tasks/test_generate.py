@@ -89,9 +89,26 @@ def test_a_closing_task_names_one_container(sandbox: Sandbox) -> None:
     assert closing and all(len(goal.receptacles) == 1 for goal in closing)
 
 
+def test_things_are_collected_one_by_one_each_with_a_goal_of_its_own(sandbox: Sandbox) -> None:
+    for task in generate(sandbox, 4, seed=6, kind=TaskKind.COLLECT):
+        targets = [need.noun for need in task.needs if need.role == "target"]
+        assert len(task.goals) == len(targets) == len(set(targets)) >= 2
+        taken = [call.arguments["object"] for call in task.oracle if call.skill == "PickUp"]
+        assert all(set(goal.objects) & set(taken) for goal in task.goals)
+        assert len({tuple(goal.rooms) for goal in task.goals}) == 1
+
+
+def test_any_recipe_may_have_the_first_turn(sandbox: Sandbox) -> None:
+    count = len(recipes_for(4))
+    first = [generate(sandbox, 1, seed=4, first=turn)[0].id.rpartition("_s4")[0] for turn in range(count)]
+    assert first == [recipe.name for recipe in recipes_for(4)]
+    assert generate(sandbox, 2, seed=4, first=count) == generate(sandbox, 2, seed=4)
+
+
 def test_low_buildings_have_fewer_recipes() -> None:
-    assert [recipe.name for recipe in recipes_for(1)] == ["deliver_1f", "search", "open_and_put"]
-    assert [recipe.name for recipe in recipes_for(4, TaskKind.DELIVER)] == ["deliver_1f", "deliver_2f", "deliver_4f"]
+    assert [recipe.name for recipe in recipes_for(1)] == ["deliver_1f", "search", "open_and_put", "collect"]
+    spans = [recipe.span for recipe in recipes_for(4, TaskKind.DELIVER)]
+    assert spans == [1, 2, 4] and recipes_for(8, TaskKind.DELIVER)[-1].span == 8
 
 
 def test_a_building_without_things_has_no_tasks(tmp_path: Path) -> None:

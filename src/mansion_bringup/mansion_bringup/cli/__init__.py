@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import NoReturn
 
 from mansion_bringup.cli.app import app
-from mansion_bringup.cli.console import EXIT_INTERRUPTED
+from mansion_bringup.cli.console import EXIT_INTERRUPTED, details, print_json
 from mansion_bringup.discovery import keep_to_this_machine
 from mansion_bringup.graph.rclpy_available import NO_RCLPY
 from mansion_msgs_py.errors import ErrorCode, MansionError, refused_by_system
@@ -45,6 +45,9 @@ def main() -> NoReturn:
         if "MANSION_DEBUG" in os.environ:
             raise
         print(f"error: {error}", file=sys.stderr)
+        details.print(str(error.info.details), markup=False, highlight=False)
+        if "--json" in sys.argv[1:]:
+            print_json(error.reply())
         trace = error.info.details.get("traceback")
         if error.code == ErrorCode.INTERNAL and trace:
             print(f"This is a fault of Mansion; please report it with this:\n{trace}", file=sys.stderr)

@@ -1,5 +1,7 @@
 """All commands in one place; each lives in the module of its kind."""
 
+import os
+from pathlib import Path
 from typing import Annotated
 
 import typer
@@ -8,26 +10,31 @@ from mansion_bringup.about import about
 from mansion_bringup.cli import (
     bench,
     build,
+    config,
     edit,
     export,
     graph,
     look,
     plan,
     quality,
+    record,
     schema,
     skill,
     solve,
     task,
     world,
 )
+from mansion_bringup.cli.common_options import MansionGroup
+from mansion_bringup.cli.settings_file import SettingsFile, find_settings
+from mansion_llm.settings import setting_variable
 
 __all__ = ["app"]
 
 app = typer.Typer(
     name="mansion",
     help="One sentence in, a furnished multi-storey building out, and a robot that works in it through ROS 2.",
+    cls=MansionGroup,
     no_args_is_help=True,
-    add_completion=False,
     pretty_exceptions_enable=False,
     rich_markup_mode="rich",
     context_settings={"help_option_names": ["-h", "--help"]},
@@ -43,13 +50,48 @@ def _print_version(wanted: bool) -> None:
 
 @app.callback()
 def common(
+    context: typer.Context,
+    config_file: Annotated[
+        Path | None,
+        typer.Option(
+            "--config", "-C", envvar="MANSION_CONFIG", help="Settings; mansion.toml of the working folder if absent."
+        ),
+    ] = None,
     version: Annotated[
         bool,
         typer.Option("--version", "-V", callback=_print_version, is_eager=True, help="Say what is running, and end."),
     ] = False,
 ) -> None:
     """Take what every command has in common; the help of the whole is the text of `app`."""
+    if context.resilient_parsing:
+        return
+    settings = find_settings(config_file, context.command)
+    context.obj = settings
+    context.default_map = settings.default_map(context.command)
+    _pass_on(settings)
 
 
-for module in (build, bench, plan, edit, export, graph, solve, schema, quality, skill, look, task, world):
+def _pass_on(settings: SettingsFile) -> None:
+    """Give the settings of the language model to this process and all that it starts; variables of the user's win."""
+    for name, value in settings.llm.items():
+        os.environ.setdefault(setting_variable(name), value)
+
+
+for module in (
+    build,
+    bench,
+    plan,
+    edit,
+    export,
+    graph,
+    solve,
+    schema,
+    quality,
+    skill,
+    look,
+    task,
+    world,
+    config,
+    record,
+):
     module.register(app)

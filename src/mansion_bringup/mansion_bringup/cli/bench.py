@@ -7,7 +7,7 @@ import typer
 from msgspec.structs import replace
 
 from mansion_bringup.cli.bench_agents import agents
-from mansion_bringup.cli.console import check_output_folder, err, progress_bar
+from mansion_bringup.cli.console import AsJson, check_output_folder, err, print_json, progress_bar
 from mansion_msgs_py.building_folder import file_in
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import read_payload, write_atomic
@@ -34,6 +34,7 @@ def floorplans(
     problems: Annotated[Path, typer.Argument(help="JSON list of problems with their truth.")],
     seeds: Annotated[bool, typer.Option(help="Use the problems' seed points.")] = True,
     seed: Annotated[int, typer.Option(min=0)] = 0,
+    as_json: AsJson = False,
 ) -> None:
     """Solve floor problems and score them against the truth on a 64x64 raster (section A.1).
 
@@ -49,7 +50,7 @@ def floorplans(
     if not seeds:
         read = [_without_seeds(problem) for problem in read]
     scores, _ = run_protocol(read, seed=seed)
-    typer.echo(table(scores))
+    print_json(scores) if as_json else typer.echo(table(scores))
 
 
 def _without_seeds(problem: "TrueProblem") -> "TrueProblem":
@@ -60,6 +61,7 @@ def _without_seeds(problem: "TrueProblem") -> "TrueProblem":
 def placement(
     rooms: Annotated[Path, typer.Argument(help="JSON list of rooms with their objects.")],
     seeds: Annotated[int, typer.Option(min=1, help="How many seeds.")] = 10,
+    as_json: AsJson = False,
 ) -> None:
     """Place rooms under several seeds and print what is reached, room by room.
 
@@ -71,12 +73,14 @@ def placement(
     from mansion_scene.placement.files import load_rooms
 
     runs = bench(load_rooms(rooms), range(seeds))
-    typer.echo(table({name: [found for _, found in pairs] for name, pairs in runs.items()}))
+    measures = {name: [found for _, found in pairs] for name, pairs in runs.items()}
+    print_json(measures) if as_json else typer.echo(table(measures))
 
 
 def graph(
     brief: Annotated[str, typer.Option(help="What to build.")] = "a two-storey house",
     repeat: Annotated[int, typer.Option(min=1)] = 3,
+    as_json: AsJson = False,
 ) -> None:
     """Time a build in one process and through a private node graph, and compare the bytes.
 
@@ -88,7 +92,7 @@ def graph(
 
     with progress_bar() as report:
         result = compare_builds(brief, repeat, report)
-    typer.echo(str(result))
+    print_json(result) if as_json else typer.echo(str(result))
 
 
 def gallery(
@@ -98,6 +102,7 @@ def gallery(
     seed: Annotated[int, typer.Option(min=0, help="Decides the order of panels.")] = 0,
     runs: Annotated[int, typer.Option(min=1, help="Runs of a room shown for a system.")] = 2,
     answers: Annotated[list[Path] | None, typer.Option(help="Saved answers: print their tally instead.")] = None,
+    as_json: AsJson = False,
 ) -> None:
     """Lay the same rooms of several systems side by side, unlabelled, with a key file.
 
@@ -115,7 +120,11 @@ def gallery(
     if answers:
         key = read_payload(GalleryKey, output / "key.json")
         given = [entry for file in answers for entry in read_payload(list[Answer], file)]
-        for question, shares in tally(given, key).items():
+        found = tally(given, key)
+        if as_json:
+            print_json(found)
+            return
+        for question, shares in found.items():
             line = ", ".join(f"{name} {share:.0%}" for name, share in shares.items())
             typer.echo(f"{question:10} {line}")
         return
@@ -132,3 +141,5 @@ def gallery(
     for file_name, data in files.items():
         write_atomic(file_in(output, file_name), data)
     err.print(f"wrote {len(files) - 2} pages, form.html and key.json to {output}", highlight=False)
+    if as_json:
+        print_json({"folder": str(output), "files": list(files)})

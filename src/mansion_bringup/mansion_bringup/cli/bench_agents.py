@@ -1,12 +1,13 @@
 """``mansion bench agents``: agents at tasks, as a table, logs and pictures."""
 
+import os
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 from msgspec.structs import replace
 
-from mansion_bringup.cli.console import EXIT_INTERRUPTED, check_output_folder, err, progress_bar
+from mansion_bringup.cli.console import EXIT_INTERRUPTED, AsJson, check_output_folder, err, print_json, progress_bar
 from mansion_bringup.extras import ensure_extra
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.wording import counted
@@ -28,13 +29,14 @@ def agents(
     ] = "random,oracle,explorer",
     output: Annotated[Path | None, typer.Option("--output", "-o", help="Folder of logs and results.")] = None,
     seed: Annotated[int, typer.Option(min=0)] = 0,
-    jobs: Annotated[int, typer.Option(min=1, help="Processes; the result is the same.")] = 1,
+    jobs: Annotated[int, typer.Option(min=0, help="Processes, 0: all cores; the result is the same.")] = 1,
     graph: Annotated[bool, typer.Option(help="Call skills over services of a node graph.")] = False,
     sheets: Annotated[
         int, typer.Option(min=0, help="Contact sheets and animations for so many episodes an agent.")
     ] = 0,
     replay: Annotated[Path | None, typer.Option(help="Repeat the episode of a log instead, and compare.")] = None,
     building: Annotated[Path | None, typer.Option(help="With --replay: the building, where it has moved.")] = None,
+    as_json: AsJson = False,
 ) -> None:
     """Let agents do tasks and print success and progress per number of floors, with 95% intervals.
 
@@ -48,14 +50,17 @@ def agents(
       mansion bench agents --replay out/agents/episodes/oracle/office_tasks/deliver_1.jsonl
     """
     if replay is not None:
-        _repeat(replay, building, output, graph=graph)
+        _repeat(replay, building, output, graph=graph, as_json=as_json)
         return
     if not tasks or output is None:
         raise MansionError(ErrorCode.INVALID_PAYLOAD, "--tasks and --output are needed (or --replay LOG)")
-    _run(tasks, names, output, seed=seed, jobs=jobs, graph=graph, sheets=sheets)
+    workers = jobs or os.cpu_count() or 1
+    _run(tasks, names, output, seed=seed, jobs=workers, graph=graph, sheets=sheets, as_json=as_json)
 
 
-def _run(tasks: list[Path], names: str, output: Path, *, seed: int, jobs: int, graph: bool, sheets: int) -> None:
+def _run(
+    tasks: list[Path], names: str, output: Path, *, seed: int, jobs: int, graph: bool, sheets: int, as_json: bool
+) -> None:
     """Run the bench, print its table, and draw what was asked for."""
     from mansion_tasks.agents.registry import AGENTS
     from mansion_tasks.episodes.bench import Bench, local_port
@@ -76,7 +81,7 @@ def _run(tasks: list[Path], names: str, output: Path, *, seed: int, jobs: int, g
     check_output_folder(output)
     _provide(chosen, sheets)
     result, taken_over = _followed(bench, jobs)
-    typer.echo(render(result.summary))
+    print_json(result) if as_json else typer.echo(render(result.summary))
     seen: dict[str, int] = {}
     for row in result.episodes:
         seen[row.agent] = seen.get(row.agent, 0) + 1
@@ -146,7 +151,7 @@ def _task_files(given: list[Path]) -> list[Path]:
     return files
 
 
-def _repeat(log_file: Path, building: Path | None, output: Path | None, *, graph: bool) -> None:
+def _repeat(log_file: Path, building: Path | None, output: Path | None, *, graph: bool, as_json: bool) -> None:
     """Run a log's skills again; exit status 1 when something else comes of them."""
     from mansion_tasks.episodes.bench import local_port
     from mansion_tasks.episodes.log import read_log
@@ -156,14 +161,16 @@ def _repeat(log_file: Path, building: Path | None, output: Path | None, *, graph
     folder = building or Path(log.start.building)
     with (_graph_port() if graph else local_port)() as port:
         differences = replay(log, folder, port)
-    for line in differences:
-        typer.echo(line)
-    if differences:
-        raise typer.Exit(1)
-    typer.echo(
+    same = (
         f"the same: {len(log.steps)} skills, success {log.end.success}, retrieval {log.end.retrieval:g}, "
         f"navigation {log.end.navigation:g}"
     )
+    if as_json:
+        print_json({"differences": differences, "end": log.end})
+    else:
+        typer.echo("\n".join(differences or [same]))
+    if differences:
+        raise typer.Exit(1)
     if output is not None:
         _picture(log_file, output, folder)
 

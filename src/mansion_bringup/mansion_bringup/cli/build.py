@@ -7,14 +7,23 @@ from typing import TYPE_CHECKING, Annotated, Final, Literal
 
 import typer
 
-from mansion_bringup.cli.console import EXIT_INTERRUPTED, err, out, progress_bar
+from mansion_bringup.cli.console import (
+    EXIT_INTERRUPTED,
+    AsJson,
+    complaints,
+    details,
+    err,
+    out,
+    print_json,
+    progress_bar,
+)
 from mansion_bringup.cli.receipt_table import print_receipt, refuse_unmet
 from mansion_bringup.cli.text_argument import TextCommand
 from mansion_bringup.exporting import format_names
 from mansion_export.formats import ALL, export_formats, formats_of_build
 from mansion_msgs_py.building import Building, BuildingReport
 from mansion_msgs_py.building_folder import is_building_folder
-from mansion_msgs_py.codec import convert, decode
+from mansion_msgs_py.codec import convert, decode, to_builtins
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import read_bytes
 from mansion_msgs_py.request import BuildRequest, Footprint
@@ -88,6 +97,7 @@ def build(
     force: Annotated[
         bool, typer.Option("--force", help="Replace a building even if robots have left state in it.")
     ] = False,
+    as_json: AsJson = False,
 ) -> None:
     """Build a furnished building from one sentence.
 
@@ -118,7 +128,12 @@ def build(
     except KeyboardInterrupt:
         err.print("interrupted; the same command goes on from the floors that are done")
         raise typer.Exit(EXIT_INTERRUPTED) from None
-    _print_summary(result)
+    if as_json:
+        print_json({"path": str(result.path), **to_builtins(result.report)})
+    else:
+        _print_summary(result)
+    for stage, seconds in result.report.seconds.items():
+        details.print(f"{stage}: {seconds:.2f} s", markup=False, highlight=False)
     if strict:
         refuse_unmet(result.building.wishes)
     _refuse_faults(result)
@@ -128,9 +143,11 @@ def _refuse_faults(result: "BuildResult") -> None:
     """Name the faults of a building that does not pass the check, and end with status 1."""
     faults = result.report.faults
     for fault in faults:
-        err.print(fault, markup=False, highlight=False)
+        complaints.print(fault, markup=False, highlight=False)
     if faults:
-        err.print(f"{result.path} does not pass `mansion check`: {counted(len(faults), 'fault')}", highlight=False)
+        complaints.print(
+            f"{result.path} does not pass `mansion check`: {counted(len(faults), 'fault')}", highlight=False
+        )
         raise typer.Exit(1)
 
 

@@ -5,15 +5,27 @@ import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any
 
+import typer
 from rich.console import Console
 
 from mansion_msgs_py.codec import encode
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.world import Progress as ProgressPayload
 
-__all__ = ["EXIT_INTERRUPTED", "check_output_file", "check_output_folder", "err", "out", "print_json", "progress_bar"]
+__all__ = [
+    "EXIT_INTERRUPTED",
+    "AsJson",
+    "check_output_file",
+    "check_output_folder",
+    "complaints",
+    "details",
+    "err",
+    "out",
+    "print_json",
+    "progress_bar",
+]
 
 EXIT_INTERRUPTED = 130
 """Exit status after Ctrl-C, as shells have it: 128 and the signal's number."""
@@ -23,6 +35,16 @@ PIPED = 1000
 
 out = Console(width=None if sys.stdout.isatty() else PIPED)
 err = Console(stderr=True, width=None if sys.stderr.isatty() else PIPED)
+"""Progress and notices; silent with ``--quiet``."""
+
+complaints = Console(stderr=True, width=None if sys.stderr.isatty() else PIPED)
+"""What went wrong, said with ``--quiet`` too."""
+
+details = Console(stderr=True, width=None if sys.stderr.isatty() else PIPED, quiet=True)
+"""What ``--verbose`` adds."""
+
+AsJson = Annotated[bool, typer.Option("--json", help="The answer as JSON alone.")]
+"""The option of every command that answers in words otherwise."""
 
 
 def print_json(value: Any) -> None:
@@ -32,11 +54,14 @@ def print_json(value: Any) -> None:
 
 @contextmanager
 def progress_bar() -> Iterator[Callable[[ProgressPayload], None]]:
-    """Show `Progress` payloads: a bar on a terminal, plain lines elsewhere.
+    """Show `Progress` payloads: a bar on a terminal, plain lines elsewhere and with ``--verbose``.
 
     The bar's thread starts with the first payload, so that a command can fork its workers before.
     """
-    if not err.is_terminal:
+    if err.quiet:
+        yield lambda p: None
+        return
+    if not err.is_terminal or not details.quiet:
         yield lambda p: err.print(f"[{p.done}/{p.total}] {p.message}", markup=False, highlight=False)
         return
     from rich.progress import BarColumn, Progress, SpinnerColumn, TextColumn, TimeElapsedColumn

@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from mansion_bringup.cli.console import check_output_file, check_output_folder, err
+from mansion_bringup.cli.console import AsJson, check_output_file, check_output_folder, err, print_json
 from mansion_bringup.exporting import PAGE, format_named, write_export, write_page
 from mansion_bringup.long_work import model_seconds, notice
 from mansion_export.formats import ExportOptions, export_formats
@@ -32,6 +32,7 @@ def export(
         bool, typer.Option("--articulated", help="Joints for doors, drawers, lids and lift leaves (mjcf, sdf, usd).")
     ] = False,
     site: Annotated[bool, typer.Option("--site/--no-site", help="With the plot around the building.")] = True,
+    as_json: AsJson = False,
 ) -> None:
     """Write a building in another program's format.
 
@@ -51,6 +52,9 @@ def export(
     files = write_export(building, chosen, output, ExportOptions(articulated=articulated, site=site))
     size = sum(file.stat().st_size for file in files) / 1e6
     err.print(f"wrote {counted(len(files), 'file')}, {size:.1f} MB, to {target}", highlight=False)
+    if as_json:
+        print_json({"format": chosen.name, "folder": str(target), "files": [str(file) for file in files]})
+        return
     for file in files:
         if file.relative_to(target).parts[0] != "meshes":
             typer.echo(str(file))
@@ -63,6 +67,7 @@ def view(
     ] = None,
     site: Annotated[bool, typer.Option("--site/--no-site", help="With the plot around the building.")] = True,
     show: Annotated[bool, typer.Option("--open", help="Open it in the browser.")] = False,
+    as_json: AsJson = False,
 ) -> None:
     """Write a self-contained page with the 3D building, floor by floor.
 
@@ -75,6 +80,9 @@ def view(
     if told := notice(building, "the page", model_seconds):
         err.print(told, highlight=False)
     page = write_page(building, output, site=site)
-    typer.echo(str(page))
+    if as_json:
+        print_json({"page": str(page)})
+    else:
+        typer.echo(str(page))
     if show:
         webbrowser.open(page.absolute().as_uri())

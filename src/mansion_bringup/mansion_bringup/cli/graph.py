@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from mansion_bringup.cli.console import err, print_json
-from mansion_msgs_py.codec import decode
+from mansion_bringup.cli.console import AsJson, err, print_json
+from mansion_msgs_py.codec import decode, encode
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.interfaces import DEFAULT_NAMESPACE
 
@@ -170,6 +170,7 @@ def echo(
     namespace: Namespace = DEFAULT_NAMESPACE,
     count: Annotated[int, typer.Option("--count", "-c", min=0, help="0: until Ctrl-C.")] = 0,
     timeout: Annotated[float, typer.Option(min=0, help="Seconds without a message; 0: for ever.")] = 0,
+    as_json: Annotated[bool, typer.Option("--json", help="Each message as one line of JSON.")] = False,
 ) -> None:
     """Print the messages of a topic: text as it is, a line each; other types as YAML. Latched ones come at once.
 
@@ -191,7 +192,7 @@ def echo(
         printed, begun, said, listening = 0, time.monotonic(), False, False
         try:
             while count == 0 or printed < count:
-                listening = listening or _listen(client.node, topic, received)
+                listening = listening or _listen(client.node, topic, received, as_json=as_json)
                 try:
                     text = received.get(timeout=ECHO_STEP)
                 except queue.Empty:
@@ -212,9 +213,9 @@ def echo(
             return
 
 
-def _listen(node: Any, topic: str, received: Any) -> bool:
+def _listen(node: Any, topic: str, received: Any, *, as_json: bool) -> bool:
     """Subscribe to a topic as soon as its type is known, and say whether it is."""
-    from mansion_bringup.graph.topic_echo import find_topic, message_class, message_yaml
+    from mansion_bringup.graph.topic_echo import find_topic, message_class, message_values, message_yaml
     from mansion_msgs_py.interfaces import STRING
     from mansion_msgs_py.nodes.shell import qos_profile
 
@@ -223,16 +224,27 @@ def _listen(node: Any, topic: str, received: Any) -> bool:
         return False
 
     def show(message: Any) -> None:
-        received.put(f"{message.data}\n" if found.type == STRING else f"{message_yaml(message)}---\n")
+        if found.type == STRING:
+            received.put(f"{_one_line(message.data) if as_json else message.data}\n")
+        else:
+            received.put(f"{encode(message_values(message))}\n" if as_json else f"{message_yaml(message)}---\n")
 
     node.create_subscription(message_class(found), found.name, show, qos_profile(found.qos))
     return True
 
 
+def _one_line(text: str) -> str:
+    """Return the JSON of a payload as one line; what is no JSON becomes a JSON text."""
+    try:
+        return encode(decode(object, text))
+    except MansionError:
+        return encode(text)
+
+
 def graph(
     namespace: Namespace = DEFAULT_NAMESPACE,
     wait: Annotated[float, typer.Option(min=0, help="Seconds for discovery.")] = 1.0,
-    as_json: Annotated[bool, typer.Option("--json", help="As JSON.")] = False,
+    as_json: AsJson = False,
 ) -> None:
     """List the nodes, topics and services of this domain.
 

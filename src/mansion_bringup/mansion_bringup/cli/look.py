@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from mansion_bringup.cli.console import check_output_file, out
+from mansion_bringup.cli.console import AsJson, check_output_file, out, print_json
 
 if TYPE_CHECKING:
     from mansion_skills import Robot
@@ -44,6 +44,7 @@ def look(
     fov: Annotated[float, typer.Option(help="Across, degrees.", min=20.0, max=150.0)] = 90.0,
     per_page: Annotated[int, typer.Option(help="Landmarks a page.", min=1, max=16)] = 9,
     session: Annotated[str, typer.Option("--session", "-s", help="Which robot.")] = "",
+    as_json: AsJson = False,
 ) -> None:
     """Write a picture of a building as the session left it; nothing is moved, several pages get numbers.
 
@@ -67,9 +68,14 @@ def look(
     stand_at(robot.engine.session(robot.session), room, floor, turn)
     with Camera(robot, width, height, fov) as camera:
         pictures = _pictures(robot, camera, what, room, floor, per_page)
-    for number, picture in enumerate(pictures, start=1):
-        path = output if len(pictures) == 1 else output.with_stem(f"{output.stem}_{number}")
+    stems = [output.stem] if len(pictures) == 1 else [f"{output.stem}_{k}" for k, _ in enumerate(pictures, start=1)]
+    paths = [output.with_stem(stem) for stem in stems]
+    for picture, path in zip(pictures, paths, strict=True):
         _save(picture, path)
+        if not as_json:
+            out.print(str(path), highlight=False, soft_wrap=True)
+    if as_json:
+        print_json({"pictures": [str(path) for path in paths]})
 
 
 def _pictures(
@@ -101,4 +107,3 @@ def _save(picture: Any, path: Path) -> None:
 
     path.parent.mkdir(parents=True, exist_ok=True)
     Image.fromarray(picture).save(path)
-    out.print(str(path), highlight=False, soft_wrap=True)

@@ -4,7 +4,7 @@ from typing import Annotated
 
 import typer
 
-from mansion_bringup.cli.console import print_json
+from mansion_bringup.cli.console import AsJson, print_json
 from mansion_msgs_py.codec import schema as schema_of
 from mansion_msgs_py.payloads import PAYLOADS
 
@@ -16,8 +16,11 @@ def register(app: typer.Typer) -> None:
     app.command("schema")(schema)
 
 
-def schema(name: Annotated[str | None, typer.Argument(help="Payload type; all names when absent.")] = None) -> None:
-    """Print the JSON Schema of a payload.
+def schema(
+    name: Annotated[str | None, typer.Argument(help="Payload type; all names when absent.")] = None,
+    as_json: AsJson = False,
+) -> None:
+    """Print the JSON Schema of a payload, or the names of all payloads.
 
     Examples:
 
@@ -32,6 +35,7 @@ def schema(name: Annotated[str | None, typer.Argument(help="Payload type; all na
     from mansion_bringup import interfaces
 
     if name is None:
-        typer.echo("\n".join(sorted(interfaces.PAYLOADS)))
+        names = sorted(interfaces.PAYLOADS)
+        print_json(names) if as_json else typer.echo("\n".join(names))
     else:
         print_json(schema_of(interfaces.payload_type(name)))

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from mansion_bringup.cli.console import err, print_json
+from mansion_bringup.cli.console import complaints, print_json
 from mansion_msgs_py.codec import decode
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.interfaces import DEFAULT_NAMESPACE
@@ -88,5 +88,5 @@ def _finish(result: Any) -> None:
     if isinstance(result, SkillResult) and result.status is not SkillStatus.SUCCESS:
         wish = f"; to succeed: {result.satisfied_by}" if result.satisfied_by else ""
         text = f"{result.skill}: {result.status.value}: {result.message}{wish}"
-        err.print(text, markup=False, highlight=False)
+        complaints.print(text, markup=False, highlight=False)
         raise typer.Exit(1)

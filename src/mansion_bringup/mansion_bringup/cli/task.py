@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 from rich.table import Table
 
-from mansion_bringup.cli.console import check_output_file, err, out, print_json
+from mansion_bringup.cli.console import AsJson, check_output_file, err, out, print_json
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import decode_from, read_bytes, write_atomic
@@ -156,6 +156,7 @@ def generate(
 def show(
     tasks: Annotated[Path, typer.Argument(help="A task set, as `generate` writes it.")],
     name: Annotated[str, typer.Argument(help="A task's id: all of it, as JSON.")] = "",
+    as_json: AsJson = False,
 ) -> None:
     """List the tasks of a file, or print one.
 
@@ -169,6 +170,9 @@ def show(
     if name:
         print_json(_chosen(read.tasks, name)[0])
         return
+    if as_json:
+        print_json(read)
+        return
     table = Table("id", "difficulty", "floors", "plan", "instruction", title=read.building_id)
     for task in read.tasks:
         figures = (str(task.floors_spanned), str(len(task.oracle)))
@@ -178,7 +182,9 @@ def show(
 
 @group.command()
 def paper(
-    name: Annotated[str, typer.Argument(help="A task's id; all are listed when absent.")] = "", output: Output = None
+    name: Annotated[str, typer.Argument(help="A task's id; all are listed when absent.")] = "",
+    output: Output = None,
+    as_json: AsJson = False,
 ) -> None:
     """List the paper's tasks with the sentence that builds a building for each, or print one in words.
 
@@ -190,6 +196,9 @@ def paper(
     """
     from mansion_tasks.tasks.paper import PAPER_TASKS, paper_task
 
+    if not name and as_json:
+        print_json([{"task": entry.task, "sentence": entry.sentence} for entry in PAPER_TASKS.values()])
+        return
     if not name:
         for entry in PAPER_TASKS.values():
             out.print(f"[bold]{entry.task.id}[/bold] ({entry.source})\n  {entry.task.instruction}")
@@ -237,6 +246,7 @@ def run(
     name: Annotated[str, typer.Argument(help="A task's id; all when absent.")] = "",
     building: Annotated[Path | None, typer.Option("--building", "-b", help="Instead of the set's building.")] = None,
     plan: Annotated[bool, typer.Option(help="Run the plans of the file, else plan anew.")] = False,
+    as_json: AsJson = False,
 ) -> None:
     """Let the oracle do tasks in this process, and print how each went; exit status 1 when one fails.
 
@@ -251,13 +261,16 @@ def run(
     read = read_task_set(tasks)
     chosen = _chosen(read.tasks, name)
     sandbox = _set_sandbox(read, tasks, building)
-    failed = 0
+    rows: list[dict[str, Any]] = []
     for task in chosen:
         solution = None if plan else solve(task, sandbox)
         steps = task.oracle if plan or solution is None else solution.plan
         score = replay(task, steps, sandbox)
-        failed += not score.success
+        rows.append({"task": task.id, "success": score.success, "skills": len(steps), "time": sandbox.world.time})
         word = "done" if score.success else "failed"
-        out.print(f"{task.id}: {word}, {len(steps)} skills, {sandbox.world.time:.0f} s", highlight=False)
-    if failed:
+        if not as_json:
+            out.print(f"{task.id}: {word}, {len(steps)} skills, {sandbox.world.time:.0f} s", highlight=False)
+    if as_json:
+        print_json(rows)
+    if not all(row["success"] for row in rows):
         raise typer.Exit(1)

@@ -14,7 +14,7 @@ from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.interfaces import STREAM, TOPICS, Qos
 from mansion_msgs_py.wording import choices, counted
 
-__all__ = ["FoundTopic", "find_topic", "full_name", "message_class", "message_yaml", "silence"]
+__all__ = ["FoundTopic", "find_topic", "full_name", "message_class", "message_values", "message_yaml", "silence"]
 
 _PLUMBING = ("/parameter_events", "/rosout")
 """Topics that every node publishes, the reader's own among them."""
@@ -126,6 +126,25 @@ def message_yaml(message: Any) -> str:
         Or anything else that has ``get_fields_and_field_types``.
     """
     return "\n".join(_fields(message)) + "\n"
+
+
+def message_values(message: Any) -> Any:
+    """Return a message as dictionaries, lists and plain values, all of it.
+
+    Parameters
+    ----------
+    message : ROS message
+        Or anything else that has ``get_fields_and_field_types``, or what a field of one holds.
+    """
+    if hasattr(message, "get_fields_and_field_types"):
+        return {name: message_values(getattr(message, name)) for name in message.get_fields_and_field_types()}
+    if isinstance(message, str | bool | int | float):
+        return message
+    if isinstance(message, bytes):
+        return list(message)
+    if hasattr(message, "tolist"):
+        return message.tolist()
+    return [message_values(element) for element in message]
 
 
 def _fields(message: Any) -> Iterator[str]:

@@ -256,7 +256,7 @@ def _of_storey(reading: Reading, measure: Measure) -> bool:
         if cut in before:
             before = before[len(before) - before[::-1].index(cut) :]
     own = before[len(before) - before[::-1].index(",") :] if "," in before else before
-    if _for_each_storey(reading, measure):
+    if _for_each_storey(reading, measure) or _for_each_of_the_storeys(reading, measure):
         return True
     counted = bool(reading.facts.floors) and reading.facts.floors[0].value > 1
     if (
@@ -320,6 +320,16 @@ def _for_each_storey(reading: Reading, measure: Measure) -> bool:
         index -= 1
     one = reading.word(index) == "one" and reading.word(index + 2) in ("is", "has", "be", "=", "have")
     return reading.word(index) in ("each", "every", "per", "any") or one
+
+
+def _for_each_of_the_storeys(reading: Reading, measure: Measure) -> bool:
+    """Whether an area is "on each of the three floors", with the area in front."""
+    words = _after(reading, measure, 8)
+    if words[:1] not in (["on"], ["for"], ["to"]) or words[1:3] != ["each", "of"]:
+        return False
+    rest = [word for word in words[3:] if word not in ("the", "its", "our", "their", "these", "all")]
+    number = measure.last + len(words) - len(rest)
+    return bool(rest) and rest[reading.kind(number) == "number" :][:1] in [[word] for word in FLOOR_WORDS]
 
 
 def _many_before(reading: Reading, index: int) -> bool:

@@ -6,6 +6,7 @@ import msgspec
 import numpy as np
 
 from mansion_knowledge import KnowledgeBase, RoomType
+from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.program import (
     AreaSummary,
     BuildingProgram,
@@ -75,6 +76,8 @@ def plan_program(
         downgrades=[*decisions.downgrades, *record.downgrades],
         furniture=furniture_of(decisions, layout.storeys),
     )
+    if request.footprint is None and not any("area" in entry.wish for entry in decisions.downgrades):
+        _refuse_other_area(request, layout)
     program = BuildingProgram(
         building_id=building_id,
         reasoning=_reasoning(decisions, area),
@@ -94,6 +97,34 @@ def plan_program(
     return PlannedBuilding(
         program, decisions, layout.massing, layout.frame, layout.storeys, layout.sketches, layout.envelopes
     )
+
+
+AREA_TOLERANCE = 0.1
+"""Share by which a building may differ from the area that its request states beside the brief."""
+
+
+def _refuse_other_area(request: BuildRequest, layout: Arrangement) -> None:
+    """Raise where the outline that the rooms need does not have the area that the request states.
+
+    Raises
+    ------
+    MansionError
+        ``INFEASIBLE`` with the area that would be accepted.
+    """
+    areas = [layout.envelopes[storey.index].area for storey in layout.storeys]
+    stated = (("area", request.area, sum(areas)), ("floor_area", request.floor_area, sum(areas) / len(areas)))
+    for name, asked, found in stated:
+        if asked is None or abs(found - asked) <= AREA_TOLERANCE * asked:
+            continue
+        where = f"{len(areas)} storeys" if len(areas) > 1 else "one storey"
+        each = " each" if name == "floor_area" and len(areas) > 1 else ""
+        raise MansionError(
+            ErrorCode.INFEASIBLE,
+            f"the rooms, stairs and corridors come to {where} of {found:.0f} m2{each or ' in all'}; "
+            f"$.{name} = {asked:g} asks for {'less' if found > asked else 'more'}",
+            path=f"$.{name}",
+            details={"asked": asked, "found": round(found, 1), "stage": "program"},
+        )
 
 
 def _floors(decisions: Decisions, layout: Arrangement, knowledge: KnowledgeBase) -> list[FloorProgram]:

@@ -282,6 +282,27 @@ def used_lines(grid: Grid, labels: Ints) -> tuple[Floats, Floats]:
     return grid.cells.xs[1:-1][across], grid.cells.ys[1:-1][along]
 
 
+def wall_lines(grid: Grid, labels: Ints) -> tuple[Floats, Floats]:
+    """Return those of the used lines along which a wall runs.
+
+    Along the others labels change only because a slanted side goes from cell to cell.
+    """
+    across = ((labels[:, 1:] != labels[:, :-1]) & _may_be_walls(grid, 1)).any(axis=0)
+    along = ((labels[1:, :] != labels[:-1, :]) & _may_be_walls(grid, 0)).any(axis=1)
+    return grid.cells.xs[1:-1][across], grid.cells.ys[1:-1][along]
+
+
+def _may_be_walls(grid: Grid, axis: int) -> Bools:
+    """Tell of each pair of neighbours along `axis` whether both are free, or one is and no slanted side cuts it."""
+    free = np.moveaxis(grid.cells.free, axis, 0)
+    if grid.exact:
+        return np.moveaxis(np.ones_like(free[1:]), 0, axis)
+    size = np.outer(np.diff(grid.cells.ys), np.diff(grid.cells.xs))
+    whole = np.moveaxis(grid.cells.geometry[..., AREA] >= size * (1 - 1e-6), axis, 0) & free
+    found: Bools = np.moveaxis((free[1:] & free[:-1]) | whole[1:] | whole[:-1], 0, axis)
+    return found
+
+
 def _beside(lines: Floats, major: Floats, offsets: tuple[float, ...]) -> Floats:
     """Return the major lines and `lines`, with others at the offsets on both sides of each that is not major."""
     moved = [major, lines]
@@ -306,7 +327,11 @@ def _beside(lines: Floats, major: Floats, offsets: tuple[float, ...]) -> Floats:
 def refined_grid(
     model: FloorModel, major: tuple[Floats, Floats], grid: Grid, labels: Ints, offsets: tuple[float, ...]
 ) -> tuple[Grid, Ints]:
-    """Return a grid of the used lines with finer ones around them, and the partition's labels on it."""
-    xs, ys = used_lines(grid, labels)
-    finer = make_grid(model, _beside(xs, major[0], offsets), _beside(ys, major[1], offsets))
+    """Return a grid of the used lines with finer ones around those of walls, and the partition's labels on it.
+
+    Lines that only a slanted side crosses are kept and get no finer ones: else each refinement would multiply them.
+    """
+    walls, used = wall_lines(grid, labels), used_lines(grid, labels)
+    xs, ys = (_beside(walls[k], np.union1d(major[k], used[k]), offsets) for k in (0, 1))
+    finer = make_grid(model, xs, ys)
     return finer, resample(grid, labels, finer)

@@ -1,7 +1,7 @@
 """A robot's body: where it stands, how it looks, and its odometry."""
 
 from dataclasses import dataclass, field
-from math import atan2, cos, degrees, radians, sin
+from math import atan2, cos, degrees, hypot, radians, sin
 
 from mansion_msgs_py.shapes import Point
 from mansion_msgs_py.world import Pose2D
@@ -27,6 +27,8 @@ class RobotBody:
         Pitch of the camera, degrees, up is positive.
     odometry : Pose2D
         Pose by the wheels, from (0, 0, 0), without rides and stairs.
+    driven : float
+        Metres driven so far, without rides and stairs.
     path : list of Point
         Path of its last motion.
     call : str, optional
@@ -39,6 +41,7 @@ class RobotBody:
     radius: float
     pitch: float = 0.0
     odometry: Pose2D = field(default_factory=lambda: Pose2D(x=0.0, y=0.0))
+    driven: float = 0.0
     path: list[Point] = field(default_factory=list)
     call: str | None = None
 
@@ -56,6 +59,7 @@ class RobotBody:
             y=self.odometry.y + sin(turn) * dx + cos(turn) * dy,
             yaw=(self.odometry.yaw + pose.yaw - self.pose.yaw) % 360.0,
         )
+        self.driven += hypot(dx, dy)
         self.pose = pose
 
     def bearing(self, point: Point) -> float:

@@ -1,18 +1,19 @@
 """``mansion/Building-v0``: a robot with a task in a building, as a Gymnasium environment."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, Final, Literal, TypeAlias
 
 import gymnasium
 import numpy as np
-from gymnasium import spaces
 
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.task import ProgressScore, Task, read_task_set
 from mansion_msgs_py.world import SkillStatus
+from mansion_tasks.env.bounds import FAR, Bounds, action_space, observation_space
 from mansion_tasks.env.low_level import Outcome, act, low_level_actions
-from mansion_tasks.env.observations import SLOTS, ObservationEncoder, Values, Vocabulary, state_space
+from mansion_tasks.env.observations import SLOTS, ObservationEncoder, Values, Vocabulary
 from mansion_tasks.env.skill_level import SKILL_ACTIONS, skill_call
 from mansion_tasks.env.visibility import VisibilityIndex
 from mansion_tasks.tasks.generate import generate
@@ -29,9 +30,6 @@ MOVES_PER_SKILL: Final = 20
 
 TASKS_MADE: Final = 10
 """Tasks that are made where none are given."""
-
-FAR: Final = 50.0
-"""Metres at which the depth image ends."""
 
 
 class BuildingEnv(gymnasium.Env[Values, Any]):  # type: ignore[misc]
@@ -56,6 +54,8 @@ class BuildingEnv(gymnasium.Env[Values, Any]):  # type: ignore[misc]
     max_steps : int, optional
         Of an episode; else the task's, times 20 for low-level actions.
     render_mode : {"rgb_array"}, optional
+    bounds : Bounds, optional
+        Of the spaces, where they shall be those of other buildings too; the building's own when absent.
 
     Attributes
     ----------
@@ -82,6 +82,7 @@ class BuildingEnv(gymnasium.Env[Values, Any]):  # type: ignore[misc]
         image_size: tuple[int, int] = (300, 300),
         max_steps: int | None = None,
         render_mode: str | None = None,
+        bounds: Bounds | None = None,
     ) -> None:
         _check_option("actions", actions, ("low", "skill"))
         _check_option("observation", observation, ("state", "rgb", "rgbd"))
@@ -90,6 +91,8 @@ class BuildingEnv(gymnasium.Env[Values, Any]):  # type: ignore[misc]
         self._sandbox = Sandbox(building)
         self.tasks = _tasks(tasks, self._sandbox, task_seed)
         self.vocabulary = Vocabulary.of(self._sandbox)
+        if bounds is not None:
+            self.vocabulary = replace(self.vocabulary, categories=bounds.categories)
         self._describer = ObservationEncoder(self._sandbox, self.vocabulary)
         self._visibility = VisibilityIndex(self._sandbox.world)
         self._low = actions == "low"
@@ -98,26 +101,10 @@ class BuildingEnv(gymnasium.Env[Values, Any]):  # type: ignore[misc]
         self._most = max_steps
         self._camera: Any = None
         self._task: Task | None = None
-        self.observation_space = self._observation_space()
-        self.action_names, self.action_space = self._action_space()
-
-    def _observation_space(self) -> spaces.Dict:
-        space = state_space(self.vocabulary)
-        width, height = self._size
-        if self._pictures != "state":
-            space["rgb"] = spaces.Box(0, 255, (height, width, 3), np.uint8)
-        if self._pictures == "rgbd":
-            space["depth"] = spaces.Box(0.0, FAR, (height, width), np.float32)
-        return space
-
-    def _action_space(self) -> tuple[tuple[str, ...], spaces.Space[Any]]:
-        floors = list(self.vocabulary.floors)
-        if self._low:
-            names = tuple(low_level_actions(floors))
-            return names, spaces.Discrete(len(names))
-        scenes = [self._sandbox.building.scene(floor) for floor in floors]
-        landmarks = max(len(scene.rooms) + len(scene.cores) for scene in scenes)
-        return SKILL_ACTIONS, spaces.MultiDiscrete([len(SKILL_ACTIONS), landmarks, SLOTS, len(floors)])
+        bounds = bounds or Bounds.of(self._sandbox)
+        self.observation_space = observation_space(bounds, observation, image_size)
+        self.action_space = action_space(bounds, actions)
+        self.action_names = tuple(low_level_actions(list(self.vocabulary.floors))) if self._low else SKILL_ACTIONS
 
     @property
     def task(self) -> Task:
@@ -174,6 +161,8 @@ class BuildingEnv(gymnasium.Env[Values, Any]):  # type: ignore[misc]
 
     def _act(self, action: Any) -> Outcome:
         sandbox = self._sandbox
+        if self._low and int(action) >= len(self.action_names):
+            return Outcome(SkillStatus.INVALID_ACTION, "this building has fewer floors")
         if self._low:
             outcome = act(sandbox, self.action_names[int(action)], self._view)
             sandbox.world.lift_changes.clear()

@@ -67,11 +67,10 @@ class Vocabulary:
         return self.categories.index(name) + 1 if name in self.categories else 0
 
 
-def state_space(vocabulary: Vocabulary) -> spaces.Dict:
-    """Return the space of the observations without pictures."""
-    categories, rooms = len(vocabulary.categories) + 1, len(vocabulary.rooms) + 1
+def state_space(categories: int, rooms: int, floors: int) -> spaces.Dict:
+    """Return the space of the observations without pictures, for so many of each at most."""
+    categories, rooms = categories + 1, rooms + 1
     colours = len(COLOURS) + 1
-    floors = len(vocabulary.floors)
     return spaces.Dict(
         {
             "floor": spaces.Discrete(floors),
@@ -100,6 +99,7 @@ class ObservationEncoder:
     ----------
     sandbox : Sandbox
     vocabulary : Vocabulary
+        Objects of categories that it lacks are nothing.
     """
 
     def __init__(self, sandbox: Sandbox, vocabulary: Vocabulary) -> None:
@@ -108,7 +108,7 @@ class ObservationEncoder:
         self._rooms = {name: number for number, name in enumerate(vocabulary.rooms, start=1)}
         self._floors = {floor: number for number, floor in enumerate(vocabulary.floors)}
         numbers = {name: number for number, name in enumerate(vocabulary.categories, start=1)}
-        self._category = {name: numbers[kind.category] for name, kind in kinds.items()}
+        self._category = {name: numbers.get(kind.category, 0) for name, kind in kinds.items()}
         colour_numbers = {name: number for number, name in enumerate(COLOURS, start=1)}
         self._row = {name: row for row, name in enumerate(kinds)}
         colours = {name: colour_numbers.get(colour_of(kind.material), 0) for name, kind in kinds.items()}
@@ -121,8 +121,8 @@ class ObservationEncoder:
     def goal(self, task: Task) -> Ints:
         """Encode what the task asks for.
 
-        Category, colour and floor (one more than its number) of the object, then category, room and floor of where it
-        goes; 0 where the task leaves it open.
+        Category, colour and floor (one more than its number) of the object, the first of several, then category, room
+        and floor of where it goes; 0 where the task leaves it open.
         """
         values = np.zeros(6, dtype=np.int64)
         targets = [name for goal in task.goals for name in goal.objects]
@@ -131,7 +131,7 @@ class ObservationEncoder:
         values[0] = self._category.get(targets[0], 0) if targets else 0
         values[3] = self._category.get(places[0], 0) if places else 0
         values[4] = self._rooms.get(rooms[0], 0) if rooms else 0
-        for need in task.needs:
+        for need in reversed(task.needs):
             floor = 0 if need.floor is None else self._floors.get(need.floor, -1) + 1
             if need.role == "target":
                 values[1], values[2] = self._colour_numbers.get(need.color, 0), floor

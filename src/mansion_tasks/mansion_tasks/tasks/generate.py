@@ -26,6 +26,7 @@ from mansion_tasks.tasks.sandbox import SESSION, Sandbox
 
 __all__ = [
     "BRING",
+    "COLLECT",
     "FIND",
     "OPEN_AND_PUT",
     "PUT_ON",
@@ -71,6 +72,12 @@ THEN_CLOSE: Final = (
     "Find {item}, open {place}, put {it} inside and close it again.",
     "Take {item} and put {it} into {place}; make sure that it is closed afterwards.",
     "Get {item}, put {it} inside {place}, then close that.",
+)
+COLLECT: Final = (
+    "Collect {items} and bring them to {place}.",
+    "Get {items}, and take them all to {place}.",
+    "Gather {items}; leave them in {place}.",
+    "Somebody needs {items}. Bring everything to {place}.",
 )
 
 
@@ -184,6 +191,8 @@ def recipes_for(floors: int, kind: TaskKind | None = None) -> list[Recipe]:
         Recipe(TaskKind.DELIVER, 4),
         Recipe(TaskKind.SEARCH, None),
         Recipe(TaskKind.OPEN_AND_PUT, None),
+        Recipe(TaskKind.COLLECT, None),
+        Recipe(TaskKind.DELIVER, 8),
     ]
     return [recipe for recipe in every if (recipe.span or 1) <= floors and kind in (None, recipe.kind)]
 
@@ -194,6 +203,7 @@ def generate(
     seed: int = 0,
     kind: TaskKind | None = None,
     *,
+    first: int = 0,
     unsolved: Callable[[Task], None] | None = None,
 ) -> list[Task]:
     """Make tasks for a building; the same building, count and seed give the same tasks.
@@ -207,6 +217,9 @@ def generate(
     seed : int
     kind : TaskKind, optional
         Only tasks of this kind.
+    first : int
+        Which of the recipes has the first turn, counted round: so that few tasks for each of many buildings are of all
+        recipes.
     unsolved : callable, optional
         Told of each draft that the oracle could not do.
 
@@ -216,6 +229,7 @@ def generate(
         ``INFEASIBLE`` when the building has nothing for any task.
     """
     recipes = recipes_for(len(sandbox.building.floors), kind)
+    recipes = recipes[first % len(recipes) :] + recipes[: first % len(recipes)]
     made: list[Task] = []
     instructions: set[str] = set()
     index = 0
@@ -262,6 +276,8 @@ def _checked(task: Task, sandbox: Sandbox, recipe: Recipe, unsolved: Callable[[T
     if missing_needs(task, sandbox.world):
         return None
     task = with_ids(task, sandbox.world)
+    if task.kind is TaskKind.COLLECT and not _targets_differ(task):
+        return None
     sandbox.reset(task.start)
     if any(_holds_already(goal, task, sandbox) for goal in task.goals):
         return None
@@ -271,6 +287,12 @@ def _checked(task: Task, sandbox: Sandbox, recipe: Recipe, unsolved: Callable[[T
         unsolved(task)
         return None
     return task if recipe.span in (None, task.floors_spanned) else None
+
+
+def _targets_differ(task: Task) -> bool:
+    """Whether no object serves two of the goals."""
+    named = [name for goal in task.goals for name in goal.objects]
+    return len(named) == len(set(named))
 
 
 def _holds_already(goal: Goal, task: Task, sandbox: Sandbox) -> bool:
@@ -408,8 +430,44 @@ def _open_and_put(sandbox: Sandbox, recipe: Recipe, rng: np.random.Generator) ->
     return _draft(sandbox, start, recipe.kind, forms, (target, place), goals, rng)
 
 
+def _collect(sandbox: Sandbox, recipe: Recipe, rng: np.random.Generator) -> Task | None:
+    """Two or three things of different kinds, from one floor or from several, to one room."""
+    floors_of_task = _pick_floors(sandbox, recipe.span, rng)
+    if floors_of_task is None:
+        return None
+    start, source, goal = floors_of_task
+    building = sandbox.building
+    room = pick([room for room in building.scene(goal).rooms if room.kind not in ("stair", "elevator")], rng)
+    if room is None:
+        return None
+    sources = [source, start, source][: int(rng.integers(2, 4))]
+    targets: list[Need] = []
+    for floor in sources:
+        scene = building.scene(floor)
+        item = pick([entry for entry in portable_objects(scene) if _is_brought_to(entry, room)], rng)
+        if item is not None:
+            targets.append(target_need(item, scene, building, rng))
+    if len({need.noun for need in targets}) != len(sources):
+        return None
+    place = Need(room=name_of_room(room, rng), floor=goal if len(building.floors) > 1 else None, role="destination")
+    *most, last = (describe(need, building) for need in targets)
+    form = COLLECT[int(rng.integers(len(COLLECT)))]
+    text = form.format(items=f"{', '.join(most)} and {last}", place=describe(place, building))
+    begin = pick_start(sandbox.world, start, rng)
+    if begin is None:
+        return None
+    return Task(
+        id="draft", kind=recipe.kind, instruction=text[:1].upper() + text[1:], start=begin, needs=[*targets, place]
+    )
+
+
+def _is_brought_to(item: SceneObject, room: SceneRoom) -> bool:
+    return item.room != room.id and is_requested(item) and suits_room(item, room)
+
+
 _DRAFTS: Final[dict[TaskKind, Callable[[Sandbox, Recipe, np.random.Generator], Task | None]]] = {
     TaskKind.DELIVER: _deliver,
     TaskKind.SEARCH: _search,
     TaskKind.OPEN_AND_PUT: _open_and_put,
+    TaskKind.COLLECT: _collect,
 }

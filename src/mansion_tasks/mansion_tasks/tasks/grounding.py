@@ -93,7 +93,11 @@ def ground(task: Task, sandbox: Sandbox, *, start_floor: int | None = None) -> T
 
 def with_ids(task: Task, world: World) -> Task:
     """Return a task whose goals name what meets its needs in a building."""
-    goals = [_filled(goal, task, world) for goal in _goals(task)]
+    goals = _goals(task)
+    parts = _one_for_each_target(task) if task.kind is TaskKind.COLLECT else []
+    if len(parts) != len(goals):
+        parts = [task] * len(goals)
+    goals = [_filled(goal, part, world) for goal, part in zip(goals, parts)]
     return msgspec.structs.replace(task, building_id=world.building.building_id, goals=goals)
 
 
@@ -156,7 +160,16 @@ def _goals(task: Task) -> list[Goal]:
     if task.kind is TaskKind.OPEN_AND_PUT:
         return [Goal(kind=GoalKind.OBJECT_IN)]
     to_object = any(need.role == "destination" and need.noun for need in task.needs)
-    return [Goal(kind=GoalKind.OBJECT_NEAR if to_object else GoalKind.OBJECT_IN_ROOM)]
+    goal = Goal(kind=GoalKind.OBJECT_NEAR if to_object else GoalKind.OBJECT_IN_ROOM)
+    if task.kind is TaskKind.COLLECT:
+        return [goal for need in task.needs if need.role == "target"]
+    return [goal]
+
+
+def _one_for_each_target(task: Task) -> list[Task]:
+    """Return the task as if it had one of its targets alone, for each of them."""
+    others = [need for need in task.needs if need.role != "target"]
+    return [msgspec.structs.replace(task, needs=[need, *others]) for need in task.needs if need.role == "target"]
 
 
 def _filled(goal: Goal, task: Task, world: World) -> Goal:

@@ -1,0 +1,27 @@
+# Mansion as a colcon workspace on ROS 2 Jazzy: docker build -f docker/ros.Dockerfile -t mansion-ros .
+FROM ros:jazzy-ros-base
+
+SHELL ["/bin/bash", "-o", "pipefail", "-c"]
+
+RUN apt-get update \
+    && apt-get install -y --no-install-recommends libegl1 libgl1 libgl1-mesa-dri python3-pip \
+    && rm -rf /var/lib/apt/lists/*
+
+WORKDIR /workspace
+COPY . src/mansion
+
+RUN apt-get update \
+    && rosdep update --rosdistro jazzy \
+    && rosdep install --from-paths src --ignore-src -y \
+    && rm -rf /var/lib/apt/lists/* \
+    && python3 -m pip install --no-cache-dir --break-system-packages -r src/mansion/requirements/ros.txt
+
+RUN source /opt/ros/jazzy/setup.bash && colcon build
+
+COPY docker/ros_entrypoint.sh /mansion_entrypoint.sh
+RUN useradd --create-home mansion && mkdir /work && chown mansion /work
+USER mansion
+WORKDIR /work
+VOLUME /work
+ENTRYPOINT ["/mansion_entrypoint.sh"]
+CMD ["ros2", "launch", "mansion_bringup", "mansion.launch.py"]

@@ -1,0 +1,1 @@
+"""Recordings: what a robot did, as files that other programs play back."""
