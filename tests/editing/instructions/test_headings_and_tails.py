@@ -26,6 +26,12 @@ def test_a_heading_is_passed_over_and_a_place_after_it_read(furnished_state: Sce
     assert isinstance(there, Ensure) and there.place.rooms is not None and there.place.rooms.words == "kitchen"
 
 
+@pytest.mark.parametrize("heading", ["Fire hazard: ", ""])
+def test_an_amount_at_the_beginning_is_no_place(furnished_state: SceneState, heading: str) -> None:
+    (there,) = _statements(f"{heading}At most one mug may remain in the kitchen.", furnished_state)
+    assert isinstance(there, Ensure) and (there.things.noun, there.things.amount.kind) == ("mug", "at_most")
+
+
 @pytest.mark.parametrize("text", ["Mugs out: open the fridge.", "Kitchen, everything out: open the fridge."])
 def test_a_heading_that_asks_for_something_is_none(furnished_state: SceneState, text: str) -> None:
     read = read_instruction(text, furnished_state)

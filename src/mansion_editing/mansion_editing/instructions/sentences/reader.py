@@ -476,7 +476,7 @@ class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending):
                 reader.frame = Place(rooms=rooms)
                 return end + 1
         first = read_place(reader.words, at, self.lexicon, self.floors)
-        if first is None:
+        if first is None or reader.text(at + 1) in ("most", "least"):  # "at most one" is an amount
             return at
         places, end = reader.places(at)
         more = read_place(reader.words, end + 1, self.lexicon, self.floors) if reader.text(end) == "and" else None
