@@ -452,7 +452,7 @@ def fill_storey(
     needed = _needed_entries(storey, allocation, knowledge)
     for entry in needed:
         kind = knowledge.room(entry.room_type)
-        if sum(room.least for top in rooms for room in top.each()) + kind.least <= budget:
+        if sum(room.least for top in rooms for room in top.each()) + kind.least <= _CROWDED * budget:
             rooms.append(allocation.added(entry, knowledge))
     used = sum(room.gross for room in rooms)
     repeats = []
@@ -493,9 +493,17 @@ def _needed_entries(storey: Storey, allocation: Allocation, knowledge: Knowledge
     for entry in entries_of(storey):
         kind = knowledge.room(entry.room_type)
         need = use_of(kind)
-        if need in ("living", "cooking", "washing") and need not in served and allocation.adds(kind.name, storey.index):
+        if need in _NEEDS and need not in served and allocation.adds(kind.name, storey.index):
             needed.setdefault(need, entry)
-    return [entry for entry in needed.values() if not entry.repeat and entry.count == 1]
+    found = [needed[need] for need in _NEEDS if need in needed]
+    return [entry for entry in found if not entry.repeat and entry.count == 1]
+
+
+_NEEDS = ("washing", "cooking", "living")
+"""What a home must have, in the order in which a very small one keeps it."""
+
+_CROWDED = 1.25
+"""Of the area for rooms, what the least areas of a home's rooms may come to: small homes have smaller rooms."""
 
 
 def _topped_up(
