@@ -71,3 +71,17 @@ def test_counted_bathrooms_leave_no_room_for_other_toilets() -> None:
 def test_rooms_that_others_have_for_themselves_are_not_added_again() -> None:
     found = types("A courthouse of two storeys with two courtrooms, each with its own judge's chamber")
     assert found.count("judges_chamber") == 2
+
+
+@pytest.mark.parametrize(
+    ("brief", "label"),
+    [
+        ("a townhouse with 2 bedrooms", "bedroom"),
+        ("a school with six music practice rooms", "music practice room"),
+        ("a home with one Guest Room", "guest room"),
+    ],
+)
+def test_one_of_several_rooms_is_labelled_as_one(brief: str, label: str) -> None:
+    program = plan_building(BuildRequest(description=brief)).program
+    labels = {room.name.lower() for floor in program.floors for room in floor.rooms if room.name}
+    assert label in labels and f"{label}s" not in labels

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field, replace
 import msgspec
 
 from mansion_knowledge import KnowledgeBase, RoomEntry, RoomType
+from mansion_language import singular
 from mansion_msgs_py.program import TraceEntry
 from mansion_planner.brief.bounds import within_bound
 from mansion_planner.brief.facts import RoomFact
@@ -330,8 +331,17 @@ def planned_room(
         suite=_suite(kind, knowledge, fact.suite if fact is not None else ()),
         notes=f"from {fact.span.words!r}" if fact is not None else "",
         base=fact.name if fact is not None else kind.name,
-        label=fact.label if fact is not None else "",
+        label=_label_of_one(fact) if fact is not None else "",
     )
+
+
+def _label_of_one(fact: RoomFact) -> str:
+    """Return what the brief calls one of several rooms: "guest room" of "three guest rooms"."""
+    first, gap, last = fact.label.rpartition(" ")
+    one = fact.name.rpartition("_")[2]
+    if last.lower() == one or singular(last.lower()) != one:
+        return fact.label
+    return f"{first}{gap}{one.capitalize() if last[:1].isupper() else one}"
 
 
 def _sized_room(kind: RoomType, knowledge: KnowledgeBase, fact: RoomFact) -> PlannedRoom:
