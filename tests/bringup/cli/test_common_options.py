@@ -71,7 +71,8 @@ def test_lists_of_names_tasks_and_results_are_json_too(folder: Path, monkeypatch
 
 
 def mansion(folder: Path, *words: str, **environment: str) -> subprocess.CompletedProcess[str]:
-    inherited = {name: value for name, value in os.environ.items() if name not in ("NO_COLOR", "FORCE_COLOR")}
+    others = ("NO_COLOR", "FORCE_COLOR", "MANSION_CONFIG")
+    inherited = {name: value for name, value in os.environ.items() if name not in others}
     return subprocess.run(
         [sys.executable, "-m", "mansion_bringup", *words],
         cwd=folder, env={**inherited, **environment}, capture_output=True, text=True, timeout=120, check=False,

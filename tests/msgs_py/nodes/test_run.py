@@ -26,6 +26,8 @@ class Bare(Node):
         super().__init__("bare")
 """
 
+NOTICE = "The following exception was never retrieved: cannot use Destroyable"
+
 Program = Callable[[str], "subprocess.Popen[str]"]
 
 
@@ -59,12 +61,17 @@ def program() -> Iterator[Program]:
 
 
 def told(process: "subprocess.Popen[str]", number: signal.Signals) -> tuple[int, str]:
-    """Send a signal to a program that has said ``ready``; its exit status and what it wrote to stderr."""
+    """Send a signal to a program that has said ``ready``; its exit status and what it wrote to stderr.
+
+    A notice of rclpy's own is left out: where a callback was about to begin as the context went down, its executor says
+    that nobody asked for the callback's outcome.
+    """
     assert process.stdout is not None
     assert process.stdout.readline() == "ready\n"
     process.send_signal(number)
     _, errors = process.communicate(timeout=20)
-    return process.returncode, errors
+    own = [line for line in errors.splitlines(keepends=True) if not line.startswith(NOTICE)]
+    return process.returncode, "".join(own)
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])

@@ -148,6 +148,8 @@ class Things(msgspec.Struct, frozen=True, kw_only=True, tag=True):
         Exceptions ("everything except the vase").
     owned : str
         Words before the noun that tell its room or owner ("the lobby chairs", "the CEO's desk").
+    each : bool
+        They are spoken of one by one ("each bed"): an amount of what is at them is that of each, not of all together.
     """
 
     noun: str = ""
@@ -163,6 +165,7 @@ class Things(msgspec.Struct, frozen=True, kw_only=True, tag=True):
     place: "Place | None" = None
     beside: "tuple[Things, ...]" = ()
     owned: str = ""
+    each: bool = False
 
 
 class Place(msgspec.Struct, frozen=True, kw_only=True):

@@ -48,6 +48,10 @@ def numbers_meant(things: Things, fitting: Sequence[SceneObject], *, surplus: bo
     surplus : bool
         ``exactly`` and ``at_most`` mean those beyond the number.
     """
+    if things.place is not None and things.place.anchor is not None and things.place.anchor.each:
+        one = msgspec.structs.replace(things, place=None)
+        bounds = [numbers_meant(one, group, surplus=surplus) for group in _by_holder(fitting)]
+        return sum(least for least, _ in bounds), sum(most for _, most in bounds)
     amount, count = things.amount, len(fitting)
     loose = sum(not is_fixed(item) for item in fitting) or count
     if amount.kind == "all_but" or (surplus and amount.kind in ("exactly", "at_most")):
@@ -63,6 +67,11 @@ def numbers_meant(things: Things, fitting: Sequence[SceneObject], *, surplus: bo
     if one_of_many and not means_several(things):
         return 1, count
     return max(1, amount.number), max(1, amount.number)
+
+
+def _by_holder(items: Sequence[SceneObject]) -> list[list[SceneObject]]:
+    holders = sorted({item.parent or "" for item in items})
+    return [[item for item in items if (item.parent or "") == holder] for holder in holders]
 
 
 def any_number(things: Things) -> Things:

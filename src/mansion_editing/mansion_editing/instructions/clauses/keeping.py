@@ -49,7 +49,8 @@ class Keeping(Staying, Wishes, Adding, Removing):
         alone = end
         while self.text(alone) in KEPT_AS_IT_IS:
             alone += 1
-        if alone > end or (item.phrase.definite and not any(p.place.relation for p in item.places)):
+        there = item.phrase.definite and self.text(end - 1) == "there"  # "leave the brown one in there"
+        if there or alone > end or (item.phrase.definite and not any(p.place.relation for p in item.places)):
             quote = self.quote(at, alone)
             return [Keep(things=self._kept(i), quote=quote) for i in items], alone
         return self._add(at, place)

@@ -80,6 +80,8 @@ class ClauseReader(Keeping, Changing, Taking, PastSteps):
         if not any(p.goal for p in places):
             return None
         source, goal, _ = self._source_and_goal(places)
+        source = source if source.rooms is not None else self._framed((source, False))[0]
+        goal = goal if goal.rooms is not None else self._framed((goal, False))[0]
         quote = self.quote(at, end)
         moved = [self._all_if_plural(with_place(item.phrase.things(), source)) for item in items]
         return [Move(things=things, place=goal, quote=quote) for things in moved], end

@@ -2,6 +2,8 @@
 
 from collections.abc import Sequence
 
+import msgspec
+
 from mansion_editing.instructions.clauses.items import Item, NotUnderstood
 from mansion_editing.instructions.clauses.moving import Moving
 from mansion_editing.instructions.phrases.word_sets import AWAY, STAYING_AS_IT_IS
@@ -37,7 +39,8 @@ class Removing(Moving):
         for item in items:
             if item.is_room:
                 raise NotUnderstood(place, end)
-            out.append(self._removed(items, item, more, besides, quote))
+            gone = self._removed(items, item, more, besides, quote)
+            out.append(_taken_from(gone) if taking else gone)
         return out, end
 
     def _cleared_out(self, at: int, rooms: Sequence[Item], end: int) -> tuple[list[Statement], int]:
@@ -112,3 +115,11 @@ class Removing(Moving):
         gone = self.items(joint + 1)
         end = gone[-1].end
         return self._gone_from(where, gone, self.quote(at, end)), end
+
+
+def _taken_from(gone: Statement) -> Statement:
+    """Return a removal whose "away from" tells where things are: what is taken away from a desk is on it."""
+    if not isinstance(gone, Remove) or gone.things.place is None or not gone.things.place.outside:
+        return gone
+    place = msgspec.structs.replace(gone.things.place, outside=False, relation="")
+    return msgspec.structs.replace(gone, things=msgspec.structs.replace(gone.things, place=place))

@@ -67,13 +67,25 @@ def move(statement: Move, state: SceneState, context: Context) -> Work:
     ids: list[str] = []
     replies = []
     for item, where in before:
-        new = yield from _moved_to_any(item, place, targets, state)
+        new = yield from _moved_to_any(item, place, _of_own_room(item, statement, targets), state)
         ids.append(new)
         (now,) = live(state, [new])
         name = item.id if new == item.id else f"{item.id} (now {new})"
         replies.append(f"{name} moved from {where} to {whereabouts(now).removeprefix('in ')}")
     rooms = tuple(dict.fromkeys(item.room for item in live(state, ids)))
     return Done("; ".join(replies), context.followed(ids, rooms, things.noun))
+
+
+def _of_own_room(item: SceneObject, statement: Move, targets: list[Target]) -> list[Target]:
+    """Return the places in the room of a thing, where things are to move within each of several rooms."""
+    source = statement.things.place
+    rooms = statement.place.rooms
+    if source is None or rooms is None or not rooms.every or source.rooms != rooms:
+        return targets
+    own = [target for target in targets if target.room == item.room]
+    if not own:
+        raise Unmet(f"there is nothing {place_words(statement.place)} for {item.id} in {item.room}")
+    return own
 
 
 def _on_other_storey(state: SceneState, things: Things, place: Place, context: Context) -> tuple[Place, Context]:

@@ -155,8 +155,47 @@ def things_meant(
     found = concerned(state, things, context)
     if not found:
         raise MansionError(ErrorCode.NOT_FOUND, f"there is no {bare_words(things)}{at_words(things.place)}")
+    if things.place is not None and things.place.anchor is not None and things.place.anchor.each:
+        return _of_each(state, things, found, context, prefer, surplus=surplus)
     if things.place is not None:
         found = _at_one_place(state, things.place, found, context)
+    return _counted_out(state, things, found, context, prefer, surplus=surplus)
+
+
+def _of_each(
+    state: SceneState,
+    things: Things,
+    found: list[SceneObject],
+    context: Context,
+    prefer: Callable[[SceneObject], bool] | None,
+    *,
+    surplus: bool,
+) -> list[SceneObject]:
+    """Return what the amount means of the things on each piece of furniture: "one pillow from each bed"."""
+    chosen = []
+    for group in _by_holder(found):
+        chosen += _counted_out(state, things, group, context, prefer, surplus=surplus)
+    return chosen
+
+
+def _by_holder(items: Sequence[SceneObject]) -> list[list[SceneObject]]:
+    """Return objects in groups of those that the same thing holds, in the order in which they come."""
+    groups: dict[str, list[SceneObject]] = {}
+    for item in items:
+        groups.setdefault(item.parent or "", []).append(item)
+    return list(groups.values())
+
+
+def _counted_out(
+    state: SceneState,
+    things: Things,
+    found: list[SceneObject],
+    context: Context,
+    prefer: Callable[[SceneObject], bool] | None,
+    *,
+    surplus: bool,
+) -> list[SceneObject]:
+    """Return as many of the objects that words fit as they say."""
     amount, count = things.amount, len(found)
     if amount.of and amount.of != count:
         are = "is" if count == 1 else "are"

@@ -61,6 +61,7 @@ class NounPhrase:
             size=noun.size,
             refers=self.refers,
             owned=noun.owned,
+            each=self.each,
             place=Place(rooms=Rooms(floors=noun.floors)) if noun.floors else None,
         )
 

@@ -1,0 +1,50 @@
+"""Numbers that hold for each of several things, and moves within each of several rooms."""
+
+import pytest
+
+from mansion_editing.editor import SceneEditor
+from mansion_editing.instructions.instruct import instruct
+from mansion_editing.instructions.sentences.reader import read_instruction
+from mansion_editing.instructions.statements import Keep, Move, Remove, Statement
+from mansion_editing.state import SceneState
+
+
+def _on_tables(editor: SceneEditor) -> list[int]:
+    """Return how many mugs stand on each dining table."""
+    parents = [item.parent for _, item in editor.state.objects() if item.category == "mug"]
+    return [parents.count(item.id) for _, item in editor.state.objects() if item.category == "dining_table"]
+
+
+def test_all_but_one_of_each_leaves_one_on_each(editor: SceneEditor) -> None:
+    assert instruct(editor, "Put two mugs on each dining table.").done
+    assert min(_on_tables(editor)) >= 2
+    assert instruct(editor, "Remove all but one mug from each dining table.").done
+    assert _on_tables(editor) == [1, 1]
+
+
+@pytest.mark.parametrize("text", ["Take one mug away from each dining table.", "Remove a mug from every dining table."])
+def test_one_of_each_is_one_from_each(editor: SceneEditor, text: str) -> None:
+    assert instruct(editor, "Put two mugs on each dining table.").done
+    before = _on_tables(editor)
+    assert instruct(editor, text).done
+    assert _on_tables(editor) == [count - 1 for count in before]
+
+
+def test_what_comes_from_several_rooms_stays_in_each(editor: SceneEditor) -> None:
+    moved = next(
+        s for s in _read("Private office 1: mugs from the dining table onto the desk.", editor) if isinstance(s, Move)
+    )
+    assert moved.things.place is not None and moved.things.place.rooms is not None
+    assert moved.things.place.rooms == moved.place.rooms
+    assert moved.place.rooms is not None and moved.place.rooms.words == "private office 1"
+
+
+def _read(text: str, editor: SceneEditor) -> list[Statement]:
+    return read_instruction(text, editor.state).statements
+
+
+def test_what_is_left_in_there_stays(state: SceneState) -> None:
+    removed, kept = read_instruction(
+        "Remove the red mug from the cabinet, but leave the blue one in there.", state
+    ).statements
+    assert isinstance(removed, Remove) and isinstance(kept, Keep)
