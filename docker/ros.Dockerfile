@@ -19,9 +19,9 @@ RUN apt-get update \
 RUN source /opt/ros/jazzy/setup.bash && colcon build
 
 COPY docker/ros_entrypoint.sh /mansion_entrypoint.sh
-RUN useradd --create-home mansion && mkdir /work && chown mansion /work
+RUN useradd --create-home mansion && mkdir /buildings && chown mansion /buildings
 USER mansion
-WORKDIR /work
-VOLUME /work
+WORKDIR /buildings
+VOLUME /buildings
 ENTRYPOINT ["/mansion_entrypoint.sh"]
 CMD ["ros2", "launch", "mansion_bringup", "mansion.launch.py"]

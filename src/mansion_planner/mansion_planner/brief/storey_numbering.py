@@ -35,9 +35,7 @@ def counts_from_ground(reading: Reading) -> bool:
         ),
         default=1,
     )
-    stated = [
-        int(a.value) for a, b in itertools.pairwise(reading.tokens) if a.kind == "number" and b.text in FLOOR_WORDS
-    ]
+    stated = _stated_numbers(reading)
     return not (stated and max(stated) == highest)
 
 
@@ -80,9 +78,7 @@ def _counts_ground_apart(reading: Reading) -> bool:
         for token, after, then in zip(reading.tokens, reading.tokens[1:], [*reading.tokens[2:], None], strict=False)
         if token.kind == "ordinal" and (after.text in FLOOR_WORDS or (after.text in ("to", "–", "-") and then))
     ]
-    stated = [
-        int(a.value) for a, b in itertools.pairwise(reading.tokens) if a.kind == "number" and b.text in FLOOR_WORDS
-    ]
+    stated = _stated_numbers(reading)
     return bool(stated and ordinals) and min(ordinals) == 1 and max(ordinals) == max(stated) - 1
 
 
@@ -92,9 +88,7 @@ def levels_above_ground(reading: Reading) -> bool:
     marks = (":", "=", "-", "–", "\n", "(", "has", "with", "and", "&")
     ground = any(_is_ground(reading, i) for i in heads)
     levels = [int(t.value) for t in reading.tokens if t.kind == "level" and t.text != ABOVE_GROUND]
-    stated = [
-        int(a.value) for a, b in itertools.pairwise(reading.tokens) if a.kind == "number" and b.text in FLOOR_WORDS
-    ]
+    stated = _stated_numbers(reading)
     if ground and levels and stated and max(stated) == max(levels) + 1:
         return True
     return ground and any(
@@ -128,9 +122,7 @@ def numbers_above_ground(reading: Reading) -> bool:
         return False
     if any(_in_apposition(reading, ground, first) for ground in grounds for first in firsts):
         return False
-    stated = [
-        int(a.value) for a, b in itertools.pairwise(reading.tokens) if a.kind == "number" and b.text in FLOOR_WORDS
-    ]
+    stated = _stated_numbers(reading)
     return not (stated and max(stated) == max(named.values()) > 1)
 
 
@@ -139,6 +131,11 @@ def _in_apposition(reading: Reading, ground: int, first: int) -> bool:
     low, high = min(ground, first) + 2, max(ground, first)
     marks = ("(", ",", "the", "is", "=", "or", "-", "/")
     return high - low <= 3 and all(reading.word(i) in marks for i in range(low, high))
+
+
+def _stated_numbers(reading: Reading) -> list[int]:
+    """Return the numbers that stand before a word for storeys: 4 of "four storeys"."""
+    return [int(a.value) for a, b in itertools.pairwise(reading.tokens) if a.kind == "number" and b.text in FLOOR_WORDS]
 
 
 def _is_ground(reading: Reading, index: int) -> bool:

@@ -8,7 +8,7 @@ import msgspec
 from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.descriptions import all_at, anchors_of, rooms_of
 from mansion_editing.instructions.meaning.nouns import is_fixed
-from mansion_editing.instructions.meaning.numbers import means_several
+from mansion_editing.instructions.meaning.numbers import by_holder, counts_each, means_several
 from mansion_editing.instructions.statements import Amount, Place, Rooms, Things
 from mansion_editing.state import SceneState
 from mansion_msgs_py.scene import SceneObject
@@ -48,9 +48,9 @@ def numbers_meant(things: Things, fitting: Sequence[SceneObject], *, surplus: bo
     surplus : bool
         ``exactly`` and ``at_most`` mean those beyond the number.
     """
-    if things.place is not None and things.place.anchor is not None and things.place.anchor.each:
+    if counts_each(things):
         one = msgspec.structs.replace(things, place=None)
-        bounds = [numbers_meant(one, group, surplus=surplus) for group in _by_holder(fitting)]
+        bounds = [numbers_meant(one, group, surplus=surplus) for group in by_holder(fitting)]
         return sum(least for least, _ in bounds), sum(most for _, most in bounds)
     amount, count = things.amount, len(fitting)
     loose = sum(not is_fixed(item) for item in fitting) or count
@@ -67,11 +67,6 @@ def numbers_meant(things: Things, fitting: Sequence[SceneObject], *, surplus: bo
     if one_of_many and not means_several(things):
         return 1, count
     return max(1, amount.number), max(1, amount.number)
-
-
-def _by_holder(items: Sequence[SceneObject]) -> list[list[SceneObject]]:
-    holders = sorted({item.parent or "" for item in items})
-    return [[item for item in items if (item.parent or "") == holder] for holder in holders]
 
 
 def any_number(things: Things) -> Things:

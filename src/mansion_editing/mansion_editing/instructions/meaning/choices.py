@@ -8,7 +8,7 @@ import msgspec
 from mansion_assets.catalogue.vocabulary import stems
 from mansion_editing.instructions.meaning.context import Context, ambiguous
 from mansion_editing.instructions.meaning.descriptions import all_at, anchors_of, rooms_of, things_of
-from mansion_editing.instructions.meaning.numbers import is_one, means_one
+from mansion_editing.instructions.meaning.numbers import by_holder, counts_each, is_one, means_one
 from mansion_editing.instructions.meaning.room_words import room_title
 from mansion_editing.instructions.meaning.wording import (
     at_words,
@@ -155,35 +155,11 @@ def things_meant(
     found = concerned(state, things, context)
     if not found:
         raise MansionError(ErrorCode.NOT_FOUND, f"there is no {bare_words(things)}{at_words(things.place)}")
-    if things.place is not None and things.place.anchor is not None and things.place.anchor.each:
-        return _of_each(state, things, found, context, prefer, surplus=surplus)
-    if things.place is not None:
-        found = _at_one_place(state, things.place, found, context)
-    return _counted_out(state, things, found, context, prefer, surplus=surplus)
-
-
-def _of_each(
-    state: SceneState,
-    things: Things,
-    found: list[SceneObject],
-    context: Context,
-    prefer: Callable[[SceneObject], bool] | None,
-    *,
-    surplus: bool,
-) -> list[SceneObject]:
-    """Return what the amount means of the things on each piece of furniture: "one pillow from each bed"."""
-    chosen = []
-    for group in _by_holder(found):
-        chosen += _counted_out(state, things, group, context, prefer, surplus=surplus)
-    return chosen
-
-
-def _by_holder(items: Sequence[SceneObject]) -> list[list[SceneObject]]:
-    """Return objects in groups of those that the same thing holds, in the order in which they come."""
-    groups: dict[str, list[SceneObject]] = {}
-    for item in items:
-        groups.setdefault(item.parent or "", []).append(item)
-    return list(groups.values())
+    if counts_each(things):
+        groups = by_holder(found)
+    else:
+        groups = [found if things.place is None else _at_one_place(state, things.place, found, context)]
+    return [item for group in groups for item in _counted_out(state, things, group, context, prefer, surplus=surplus)]
 
 
 def _counted_out(

@@ -1,10 +1,12 @@
 """How many things words mean."""
 
+from collections.abc import Sequence
 from typing import Final
 
 from mansion_editing.instructions.statements import Rooms, Things
+from mansion_msgs_py.scene import SceneObject
 
-__all__ = ["LEAST_PLURAL", "is_one", "means_one", "means_several", "new_number"]
+__all__ = ["LEAST_PLURAL", "by_holder", "counts_each", "is_one", "means_one", "means_several", "new_number"]
 
 LEAST_PLURAL: Final = 2
 """How many things a plural without a number means at least."""
@@ -34,6 +36,19 @@ def new_number(things: Things) -> int:
 def means_one(things: Things) -> bool:
     """Whether words mean one certain thing ("the mug")."""
     return things.definite and not means_several(things)
+
+
+def counts_each(things: Things) -> bool:
+    """Whether the number is that of each thing they are at ("one pillow from each bed"), not of all together."""
+    return things.place is not None and things.place.anchor is not None and things.place.anchor.each
+
+
+def by_holder(items: Sequence[SceneObject]) -> list[list[SceneObject]]:
+    """Return objects in groups of those that the same thing holds, in the order in which they come."""
+    groups: dict[str, list[SceneObject]] = {}
+    for item in items:
+        groups.setdefault(item.parent or "", []).append(item)
+    return list(groups.values())
 
 
 def is_one(rooms: Rooms) -> bool:
