@@ -3,7 +3,9 @@
 import pytest
 
 from mansion_knowledge import default_knowledge
+from mansion_msgs_py.request import BuildRequest
 from mansion_planner.brief.reader import read_brief
+from mansion_planner.plan import plan_building
 from mansion_planner.program.program_size import size_of_program
 
 KNOWLEDGE = default_knowledge()
@@ -48,3 +50,9 @@ def test_a_storey_is_as_large_as_its_share() -> None:
     )
     assert few is not None and many is not None
     assert few.storeys * few.area < many.storeys * many.area
+
+
+@pytest.mark.parametrize("given", [{"area": 1500.0}, {"floor_area": 300.0}])
+def test_a_size_in_the_request_leaves_the_usual_number_of_storeys(given: dict[str, float]) -> None:
+    program = plan_building(BuildRequest(description="A hotel with 12 rooms", **given)).program
+    assert len(program.floors) >= KNOWLEDGE.buildings["hotel"].floors[0]

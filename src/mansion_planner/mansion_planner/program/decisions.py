@@ -88,7 +88,8 @@ def decide(
     given_way: list[Downgrade] = []
     stated, facts = facts, _settled(facts, given_way)
     building = _building(facts, knowledge, trace)
-    size = size_of_program(facts, building, knowledge)
+    sized = request.floors or request.area or request.floor_area or request.footprint or facts.floors
+    size = None if sized else size_of_program(facts, building, knowledge)
     floors, facts = _floors(request, facts, building, size, trace, generator, given_way)
     basements = _basements(facts, trace)
     style = building.style
@@ -105,7 +106,7 @@ def decide(
     if request.footprint is not None:
         _area_of_footprint(request, decisions)
     else:
-        _settle_area(request, decisions, size if not facts.floors and request.floors is None else None, generator)
+        _settle_area(request, decisions, size, generator)
     return decisions
 
 
