@@ -105,10 +105,10 @@ def test_distributions_count_floors_buildings_and_tasks(small_world: Path) -> No
     assert sum(counts["Floor areas, m2"].values()) == sum(record.building.floors for record in records)
     assert sum(counts["Objects a building"].values()) == sum(counts["Split"].values()) == 3
     tasks = [task for record in records for task in record.tasks]
-    for title in ("Tasks", "Ways of the oracle, m", "Floors of a task", "Difficulty of tasks"):
+    for title in ("Tasks", "Path lengths of the oracle, m", "Floors of a task", "Difficulty of tasks"):
         assert sum(counts[title].values()) == statistics.tasks == len(tasks) == 9
     short = sum(task.metres < 10 for task in tasks)
-    assert counts["Ways of the oracle, m"].get("0 to 10", 0) == short
+    assert counts["Path lengths of the oracle, m"].get("0 to 10", 0) == short
     assert statistics.way.most == max(task.metres for task in tasks)
 
 
@@ -116,7 +116,7 @@ def test_the_page_shows_the_mixture_and_each_building(copied: Path) -> None:
     done = CliRunner().invoke(app, ["world", "stats", str(copied)])
     assert done.exit_code == 0 and "residential, studio" in done.stdout and "asked 50.0%" in done.stdout
     page = (copied / "statistics.html").read_text()
-    assert "<h2>Ways of the oracle, m</h2>" in page and "<h2>Tasks</h2>" in page
+    assert "<h2>Path lengths of the oracle, m</h2>" in page and "<h2>Tasks</h2>" in page
     for entry in mansion.World(copied):
         assert f'src="{entry.row.path}/building.png"' in page
         assert (copied / entry.row.path / "building.png").is_file()

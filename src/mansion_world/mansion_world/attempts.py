@@ -85,7 +85,7 @@ class Outcome(msgspec.Struct, frozen=True, kw_only=True):
 
 @dataclass(frozen=True)
 class Assignment:
-    """What a worker knows: the world's folder and seed, the greatest area of a floor, and what it calls."""
+    """What a worker needs for an attempt: the world and its seed, the largest floor allowed, and what it calls."""
 
     world: WorldFolder
     seed: int

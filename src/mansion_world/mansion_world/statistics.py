@@ -17,7 +17,7 @@ __all__ = ["CLASSES", "Mean", "WorldStatistics", "world_statistics"]
 CLASSES: Final = {
     "Floor areas, m2": tuple(range(0, 1001, 50)),
     "Objects a building": (0, *(100 * 2**power for power in range(12))),
-    "Ways of the oracle, m": (0, *(10 * 2**power for power in range(10))),
+    "Path lengths of the oracle, m": (0, *(10 * 2**power for power in range(10))),
 }
 """Bounds of the classes of values; those with a long tail double."""
 
@@ -129,9 +129,9 @@ class WorldStatistics:
                 ("megabytes a building", str(self.megabytes)),
                 ("wishes met", f"{self.wishes_met} of {self.wishes}"),
                 ("tasks", str(self.tasks)),
-                ("metres of a task's plan", str(self.way)),
-                ("drafts of tasks that the oracle could not do", str(self.undone)),
-                ("buildings in which no task can be done", str(self.without_tasks)),
+                ("path length of a task, m", str(self.way)),
+                ("drafted tasks that the oracle could not do", str(self.undone)),
+                ("buildings without a task that can be done", str(self.without_tasks)),
             ],
             "Mixture": [
                 (
@@ -228,4 +228,4 @@ def _add_tasks(statistics: WorldStatistics, record: Record) -> None:
         statistics.task_levels[task.difficulty] += 1
         statistics.task_floors[task.floors] += 1
         statistics.way.add(task.metres)
-        statistics.ways[_class("Ways of the oracle, m", task.metres)] += 1
+        statistics.ways[_class("Path lengths of the oracle, m", task.metres)] += 1

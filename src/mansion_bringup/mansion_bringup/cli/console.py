@@ -44,7 +44,7 @@ details = Console(stderr=True, width=None if sys.stderr.isatty() else PIPED, qui
 """What ``--verbose`` adds."""
 
 AsJson = Annotated[bool, typer.Option("--json", help="The answer as JSON alone.")]
-"""The option of every command that answers in words otherwise."""
+"""The option of every command that otherwise answers in words."""
 
 
 def print_json(value: Any) -> None:

@@ -92,7 +92,7 @@ def make(
 
 
 def need_parquet() -> None:
-    """Have the extra for Parquet, or say how to do without."""
+    """Install the extra for Parquet, or say how to do without it."""
     from mansion_bringup.extras import ensure_extra
 
     try:

@@ -77,7 +77,7 @@ def move(statement: Move, state: SceneState, context: Context) -> Work:
 
 
 def _of_own_room(item: SceneObject, statement: Move, targets: list[Target]) -> list[Target]:
-    """Return the places in the room of a thing, where things are to move within each of several rooms."""
+    """Return the places in the own room of a thing where several rooms each keep their things, else all of them."""
     source = statement.things.place
     rooms = statement.place.rooms
     if source is None or rooms is None or not rooms.every or source.rooms != rooms:
