@@ -3,8 +3,8 @@
 import argparse
 from pathlib import Path
 
-import shapely
 from shapely.geometry import Polygon
+from shapely.ops import polylabel
 
 from mansion_msgs_py.layout import FloorLayout
 from mansion_msgs_py.request import BuildRequest
@@ -28,7 +28,7 @@ def draw(axis: object, reply: PlanReply, number: int, layout: FloorLayout) -> No
         xs, ys = zip(*room.polygon, room.polygon[0])
         ax.fill(xs, ys, color=COLOURS.get(kinds.get(room.id, "service"), "w"))  # type: ignore[attr-defined]
         ax.plot(xs, ys, color="k", lw=1.0)  # type: ignore[attr-defined]
-        spot = shapely.maximum_inscribed_circle(shape, tolerance=0.1).coords[0]
+        spot = polylabel(shape, tolerance=0.1).coords[0]
         ax.text(*spot, f"{room.id}\n{shape.area:.0f}", ha="center", va="center", fontsize=5)  # type: ignore[attr-defined]
     for core in problem.cores:
         xs, ys = zip(*core.polygon, core.polygon[0])

@@ -9,11 +9,10 @@ from mansion_msgs_py.program import AreaSummary, CorePlan, FloorProgram, RoomPro
 from mansion_planner.llm.palette import Palette
 from mansion_planner.program.arrangement import apart_pairs, unwanted_pairs, wanted_pairs
 from mansion_planner.program.building import PlannedBuilding
-from mansion_planner.program.corridor_sketch import capacity, sketch_storey
 from mansion_planner.program.footprint import sketch_free
-from mansion_planner.program.hall_sketch import sketch_hall
 from mansion_planner.program.model import CoreBox, PlannedRoom, Sketch, Storey, aliases_of, box_area
 from mansion_planner.program.outline import bearing_walls
+from mansion_planner.program.storey_forms import capacity, sketched
 from mansion_planner.program.storey_rooms import fit_areas
 from mansion_planner.program.wish_ledger import furniture_of, requested_objects
 
@@ -173,8 +172,7 @@ def _sketch(planned: PlannedBuilding, storey: Storey, *, placed: bool) -> Sketch
     hub = storey.hub.name
     if decisions.free_form or not placed:
         return sketch_free(storey, hub, _free_area(planned, storey))
-    lay_out = sketch_hall if massing.hall else sketch_storey
-    return lay_out(massing, storey, hub, wanted_pairs(decisions), unwanted_pairs(decisions))
+    return sketched(massing, storey, hub, wanted_pairs(decisions), unwanted_pairs(decisions))
 
 
 def _filled(

@@ -9,10 +9,9 @@ from mansion_geometry.randomness import item_generator
 from mansion_knowledge import KnowledgeBase
 from mansion_msgs_py.program import Downgrade
 from mansion_planner.brief.facts import AdjacencyFact
-from mansion_planner.program.corridor_sketch import capacity, sketch_storey
+from mansion_planner.program.aisle_sketch import aisle_massings, plan_price
 from mansion_planner.program.decisions import Decisions
 from mansion_planner.program.footprint import free_cores, free_massing, sketch_free
-from mansion_planner.program.hall_sketch import sketch_hall
 from mansion_planner.program.massing import MassingWish, choose_massing, gross_area, rectangle_massing
 from mansion_planner.program.model import (
     Massing,
@@ -27,7 +26,9 @@ from mansion_planner.program.model import (
     touching,
 )
 from mansion_planner.program.outline import Envelope, Frame, envelope_of
+from mansion_planner.program.plan_quality import comes_out_as_strips
 from mansion_planner.program.public_toilets import with_public_toilets
+from mansion_planner.program.storey_forms import capacity, sketched
 from mansion_planner.program.storey_rooms import Allocation, fill_storey, fit_areas, hub_area, name_rooms
 
 __all__ = [
@@ -66,14 +67,48 @@ def best_arrangement(
         growth = 1.0 if decisions.area_stated else 1.0 + 0.03 * attempt
         generator = item_generator(decisions.seed, "massing", attempt)
         varied = replace(wish, area=wish.area * growth, variant=attempt)
-        layout = _arranged(decisions, varied, storeys, allocation, knowledge, generator)
+        massing = _massing(decisions, varied, generator)
+        layout = _arranged(decisions, massing, storeys, allocation, knowledge, generator)
         missed = _missed(decisions, wish, layout)
         if best is None or missed < best[0]:
             best = (missed, layout)
         if missed == 0:
             break
     assert best is not None
-    return _loosened_where_missed(decisions, best[1])
+    layout = _deep_where_it_suits(decisions, wish, best[1], allocation, knowledge)
+    return _loosened_where_missed(decisions, layout)
+
+
+_DEEP_FROM = 600.0
+"""Least gross area of a storey that may get parallel corridors, square metres."""
+
+
+def _deep_where_it_suits(
+    decisions: Decisions, wish: MassingWish, layout: Arrangement, allocation: Allocation, knowledge: KnowledgeBase
+) -> Arrangement:
+    """Return the arrangement along parallel corridors where rooms come out as strips along one, and fewer do so then."""
+    facts, massing = decisions.facts, layout.massing
+    own = [layout.sketches[storey.index] for storey in layout.storeys if storey.copy is None]
+    if (
+        decisions.free_form or massing.hall or massing.wings or facts.setback or facts.protruding
+        or gross_area(massing) < _DEEP_FROM or not any(comes_out_as_strips(sketch) for sketch in own)
+    ):  # fmt: skip
+        return layout
+    best = _price(decisions, wish, layout), layout
+    bare = [replace(storey, rooms=()) for storey in layout.storeys]
+    for candidate in aisle_massings(wish, massing.length, massing.depth):
+        generator = item_generator(decisions.seed, "aisles")
+        found = _arranged(decisions, candidate, bare, allocation, knowledge, generator)
+        price = _price(decisions, wish, found)
+        if price < best[0]:
+            best = price, found
+    return best[1]
+
+
+def _price(decisions: Decisions, wish: MassingWish, layout: Arrangement) -> float:
+    """Return what an arrangement does not give and what is wrong with its rooms."""
+    own = [layout.sketches[storey.index] for storey in layout.storeys if storey.copy is None]
+    return 5.0 * _missed(decisions, wish, layout) + sum(plan_price(sketch, layout.massing) for sketch in own)
 
 
 def _missed(decisions: Decisions, wish: MassingWish, layout: Arrangement) -> int:
@@ -161,14 +196,13 @@ def _apart_for_good(decisions: Decisions, storey: Storey, sketch: Sketch) -> lis
 
 def _arranged(
     decisions: Decisions,
-    wish: MassingWish,
+    massing: Massing,
     storeys: Sequence[Storey],
     allocation: Allocation,
     knowledge: KnowledgeBase,
     generator: np.random.Generator,
 ) -> Arrangement:
-    """Choose one massing, fill every storey with rooms and sketch it; a copy shares its original's."""
-    massing = _massing(decisions, wish, generator)
+    """Fill every storey of a massing with rooms and sketch it; a copy shares its original's."""
     frame = _frame(decisions, massing, storeys, generator)
     filled: dict[int, Storey] = {}
     sketches: dict[int, Sketch] = {}
@@ -217,8 +251,7 @@ def _sketch(decisions: Decisions, massing: Massing, storey: Storey, pairs: list[
     if decisions.free_form and decisions.outline is not None:
         cores = sum(box_area(core.box) for core in massing.cores)
         return sketch_free(storey, storey.hub.name, decisions.outline.area - cores)
-    lay_out = sketch_hall if massing.hall else sketch_storey
-    return lay_out(massing, storey, storey.hub.name, pairs, unwanted_pairs(decisions))
+    return sketched(massing, storey, storey.hub.name, pairs, unwanted_pairs(decisions))
 
 
 def _rooms(

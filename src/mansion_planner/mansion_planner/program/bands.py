@@ -65,6 +65,11 @@ class Block(msgspec.Struct, frozen=True):
         return self.host.fixed
 
     @property
+    def wants_light(self) -> bool:
+        """Whether one of its rooms wants a window."""
+        return any(room.kind.daylight for front in self.fronts() for room in front.each())
+
+    @property
     def least_width(self) -> float:
         """Metres of corridor that its rooms need at least."""
         return max(self.least, LEAST_FRONT * (1 + len(self.smalls)))
@@ -219,6 +224,8 @@ class Segment(msgspec.Struct, frozen=True):
         On the upper side of the main corridor, or on the right side of a wing's.
     front : float
         Coordinate of the corridor's edge across the bar.
+    dark : bool
+        It has no outer wall.
     """
 
     bar: str
@@ -229,6 +236,7 @@ class Segment(msgspec.Struct, frozen=True):
     depth: float
     wing: Wing | None = None
     blocks: tuple[Block, ...] = ()
+    dark: bool = False
 
     @property
     def length(self) -> float:
@@ -307,17 +315,13 @@ def fill_segments(
     total = sum(block.gross for block in blocks)
     room = sum(segment.length * segment.depth for segment in segments)
     scale = room / total if total > 0 else 1.0
-    share = [_Share(segment, scale) for segment in segments]
-    for number, block in enumerate(blocks):
+    share = [_Share(segment, scale, blocks) for segment in segments]
+    for number in range(len(blocks)):
         best = min(
-            share,
-            key=lambda s: (
-                s.overflow(block) > 0.06 * s.segment.length,
-                s.filling + 1.5 * shape_cost(block.gross * scale, s.segment.depth),
-            ),
+            share, key=lambda s: (s.overflow(number) > 0.06 * s.segment.length, s.filling + 1.5 * s.parts[number][1])
         )
-        best.add(number, best.parts(block))
-    _balance(share, blocks)
+        best.add(number)
+    _balance(share)
     filled = [
         msgspec.structs.replace(entry.segment, blocks=tuple(blocks[number] for number in sorted(entry.members)))
         for entry in share
@@ -335,40 +339,43 @@ def shape_cost(area: float, depth: float) -> float:
     return 2.0 * slender + 0.3 * min(stretched, 2.0)
 
 
+_DARKNESS = 1.0
+"""Price of a room that wants a window where there is none."""
+
 _Parts = tuple[float, float, float]
 _NOTHING: _Parts = (0.0, 0.0, 0.0)
 
 
 class _Share:
-    """A segment while `fill_segments` fills it: member blocks by number, and the metres that they take."""
+    """A segment while `fill_segments` fills it: member blocks by number, and the metres that they take.
 
-    def __init__(self, segment: Segment, scale: float) -> None:
+    Attributes
+    ----------
+    parts : list of (float, float, float)
+        Metres, shape price and metres of fixed area of each block here.
+    """
+
+    def __init__(self, segment: Segment, scale: float, blocks: Sequence[Block]) -> None:
         self.segment = segment
-        self.scale = scale
         self.members: list[int] = []
         self.used = 0.0
         self.shape = 0.0
         self.rigid = 0.0
+        self.parts = [_parts(segment, block, scale) for block in blocks]
 
     @property
     def filling(self) -> float:
         return self.used / self.segment.length
 
-    def overflow(self, block: Block) -> float:
-        return self.used + block.gross * self.scale / self.segment.depth - self.segment.length
+    def overflow(self, number: int) -> float:
+        return self.used + self.parts[number][0] - self.segment.length
 
-    def parts(self, block: Block) -> _Parts:
-        """Return metres, shape price and metres of fixed area of a block here."""
-        area = block.gross * self.scale
-        metres = area / self.segment.depth
-        return metres, shape_cost(area, self.segment.depth), metres if block.fixed else 0.0
-
-    def add(self, number: int, parts: _Parts) -> None:
-        self._count(parts, 1.0)
+    def add(self, number: int) -> None:
+        self._count(self.parts[number], 1.0)
         self.members.append(number)
 
-    def remove(self, number: int, parts: _Parts) -> None:
-        self._count(parts, -1.0)
+    def remove(self, number: int) -> None:
+        self._count(self.parts[number], -1.0)
         self.members.remove(number)
 
     def _count(self, parts: _Parts, sign: float) -> None:
@@ -391,29 +398,36 @@ class _Share:
         return price + (50.0 if len(self.members) + members <= 0 else 0.0)
 
 
-def _balance(share: list[_Share], blocks: Sequence[Block]) -> None:
+def _parts(segment: Segment, block: Block, scale: float) -> _Parts:
+    """Return metres, shape price and metres of fixed area of a block in a segment."""
+    area = block.gross * scale
+    metres = area / segment.depth
+    price = shape_cost(area, segment.depth) + (_DARKNESS if segment.dark and block.wants_light else 0.0)
+    return metres, price, metres if block.fixed else 0.0
+
+
+def _balance(share: list[_Share]) -> None:
     """Move or swap blocks between segments while that lowers the price."""
     for _ in range(40):
-        if not any(_improve(a, b, blocks) for a in share for b in share if a is not b):
+        if not any(_improve(a, b) for a in share for b in share if a is not b):
             return
 
 
-def _improve(a: _Share, b: _Share, blocks: Sequence[Block]) -> bool:
+def _improve(a: _Share, b: _Share) -> bool:
     """Move or swap the first block whose place in the other segment is cheaper, and tell whether there was one."""
     base = a.cost() + b.cost() - 1e-6
-    in_b = [(number, b.parts(blocks[number]), a.parts(blocks[number])) for number in b.members]
     for number in a.members:
-        here, there = a.parts(blocks[number]), b.parts(blocks[number])
+        here, there = a.parts[number], b.parts[number]
         if a.cost(leaving=here, members=-1) + b.cost(coming=there, members=1) < base:
-            a.remove(number, here)
-            b.add(number, there)
+            a.remove(number)
+            b.add(number)
             return True
-        for other, other_here, other_there in in_b:
-            if a.cost(other_there, here) + b.cost(there, other_here) < base:
-                a.remove(number, here)
-                b.add(number, there)
-                b.remove(other, other_here)
-                a.add(other, other_there)
+        for other in b.members:
+            if a.cost(a.parts[other], here) + b.cost(there, b.parts[other]) < base:
+                a.remove(number)
+                b.add(number)
+                b.remove(other)
+                a.add(other)
                 return True
     return False
 

@@ -22,6 +22,7 @@ __all__ = [
     "MassingWish",
     "choose_massing",
     "choose_shape",
+    "corridor_width",
     "rectangle_massing",
     "storey_area",
     "typical_room",
@@ -273,7 +274,8 @@ def choose_shape(decisions: Decisions, area: float, stairs: int, generator: np.r
     return "rectangle", Record()
 
 
-def _corridor_width(use: BuildingType, area: float) -> float:
+def corridor_width(use: BuildingType, area: float) -> float:
+    """Return the width of the corridors of a building whose storeys have `area` square metres, metres."""
     if use.family == "home" or use.parti == "house":
         return 1.4 if area < 140 else 1.6
     if use.family in ("health", "education", "retail", "culture", "transport"):
@@ -284,7 +286,7 @@ def _corridor_width(use: BuildingType, area: float) -> float:
 def _bands(wish: MassingWish) -> list[tuple[float, float, float]]:
     """List candidate (north, corridor, south) depths with a whole-metre sum, the most fitting first."""
     area, cores = wish.area, wish.cores
-    corridor = _corridor_width(wish.use, area)
+    corridor = corridor_width(wish.use, area)
     stair = float(cores.stair[1])
     if _is_narrow(wish.shape, area, cores.stairs):
         corridor = 1.4
@@ -368,7 +370,7 @@ def _least_side(cores: CoreWish) -> int:
 
 def rectangle_massing(wish: MassingWish, length: float, depth: float) -> Massing:
     """Return the massing of a given rectangle; the corridor runs along its longer side."""
-    corridor = _corridor_width(wish.use, wish.area)
+    corridor = corridor_width(wish.use, wish.area)
     north = (depth - corridor) / 2
     if wish.use.parti == "hall":
         north, corridor, south = 0.0, depth, 0.0

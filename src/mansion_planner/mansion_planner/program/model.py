@@ -14,6 +14,7 @@ from mansion_knowledge import BuildingType, RoomType
 
 __all__ = [
     "joined_pairs",
+    "Aisles",
     "Box",
     "CoreBox",
     "Corridor",
@@ -181,6 +182,29 @@ class Wing:
 
 
 @dataclass(frozen=True)
+class Aisles:
+    """The corridors of a deep storey: parallel ones along x, and one across that joins them from front to back.
+
+    Attributes
+    ----------
+    lines : tuple of (float, float)
+        Lower and upper edge of each parallel corridor, from the lowest.
+    cross : (float, float)
+        Sides of the corridor across.
+    lobby : tuple, optional
+        Box beside the corridor across that holds the lifts and the floor before them.
+    outer, inner : float
+        Depth of the two bands along the outer walls, and of each band between two corridors, which lie in pairs.
+    """
+
+    lines: tuple[tuple[float, float], ...]
+    cross: tuple[float, float]
+    lobby: Box | None
+    outer: float
+    inner: float
+
+
+@dataclass(frozen=True)
 class Massing:
     """Dimensions that all storeys share.
 
@@ -198,6 +222,10 @@ class Massing:
         How much longer the lobby of the entrance storey is.
     court : float
         Depth of the bar that closes a courtyard below the wings; 0 without.
+    hall : bool
+        The hub is the main room, which the others line.
+    aisles : Aisles, optional
+        Of a storey too deep for one corridor; `north`, `corridor` and `south` then only add up to its depth.
     """
 
     length: float
@@ -210,6 +238,7 @@ class Massing:
     court: float = 0.0
     entrance: float = 0.0
     hall: bool = False
+    aisles: Aisles | None = None
 
     @property
     def drop(self) -> float:

@@ -1,0 +1,43 @@
+"""How good the plan of a storey is: the proportions of its rooms, and which of them lack the window that they want."""
+
+from mansion_planner.program.model import Box, Massing, Placement, Sketch
+
+__all__ = ["STRIP", "aspect", "comes_out_as_strips", "dark_rooms", "strips"]
+
+STRIP = 3.0
+"""Long side of a room to its short one from which it is a strip."""
+
+_FEW, _SHARE = 3, 0.2
+"""So many strips, and such a share of a storey's rooms, leave it usable."""
+
+_LEAST_OUTER_WALL = 1.0
+
+
+def aspect(boxes: list[Box]) -> float:
+    """Return the long side to the short one of the rectangle around a room; infinity where it has no floor."""
+    wide = max(box[2] for box in boxes) - min(box[0] for box in boxes)
+    high = max(box[3] for box in boxes) - min(box[1] for box in boxes)
+    short, long = sorted((wide, high))
+    return long / short if short > 0.01 else float("inf")
+
+
+def strips(sketch: Sketch) -> list[Placement]:
+    """Return the rooms of a sketch that are long and narrow."""
+    return [placement for placement in sketch.rooms if placement.boxes and aspect(placement.boxes) > STRIP]
+
+
+def comes_out_as_strips(sketch: Sketch) -> bool:
+    """Whether so many rooms are long and narrow that the form of the plan does not suit the storey."""
+    found = len(strips(sketch))
+    return found >= _FEW and found > _SHARE * len(sketch.rooms)
+
+
+def dark_rooms(sketch: Sketch, massing: Massing) -> list[Placement]:
+    """Return the rooms that want a window and have no outer wall of the main bar."""
+    return [p for p in sketch.rooms if p.room.kind.daylight and not any(_lies_outside(box, massing) for box in p.boxes)]
+
+
+def _lies_outside(box: Box, massing: Massing) -> bool:
+    x0, y0, x1, y1 = box
+    on_end = min(x0, massing.length - x1) < 0.01 and y1 - y0 >= _LEAST_OUTER_WALL
+    return on_end or (min(y0, massing.depth - y1) < 0.01 and x1 - x0 >= _LEAST_OUTER_WALL)
