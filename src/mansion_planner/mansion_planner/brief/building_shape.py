@@ -52,6 +52,13 @@ def read_shape(reading: Reading) -> None:
         elif word == "square" and reading.words(i - 2, i) in (("a", "perfect"), ("an", "exact"), ("is", "a")):
             reading.facts.shapes.append(("square", reading.span(i, i + 1)))
             reading.take(i - 1, i + 1)
+        elif (
+            word == "square"
+            and reading.word(i - 1) == ","
+            and (reading.breaks(i + 1) or reading.word(i + 1) in (",", ""))
+        ):
+            reading.facts.shapes.append(("square", reading.span(i, i + 1)))
+            reading.take(i, i + 1)  # "an office of 900 m2 a storey, square"
         elif word == "square" and reading.word(i - 1) in ("a", "our") and _names_building(reading, i + 1):
             reading.facts.shapes.append(("square", reading.span(i, i + 1)))
             reading.take(i, i + 1)

@@ -1,5 +1,6 @@
 """Arrange the storeys: the massing in which most wished neighbours are side by side."""
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
@@ -79,14 +80,26 @@ def best_arrangement(
     return _loosened_where_missed(decisions, layout)
 
 
-_DEEP_FROM = 600.0
+_DEEP_FROM = 450.0
 """Least gross area of a storey that may get parallel corridors, square metres."""
+
+_LONG = 6.0
+"""From so many times its depth on, a bar of rooms may become a deeper rectangle where nobody asked for an outline."""
+
+_COMPACT = (1.3, 1.8)
+"""Length to depth of the deeper rectangles."""
+
+
+def _compact(area: float) -> list[tuple[float, float]]:
+    """Return length and depth of rectangles of an area in whole metres, the most compact first."""
+    depths = [float(round(math.sqrt(area / ratio))) for ratio in _COMPACT]
+    return [(float(round(area / depth)), depth) for depth in depths]
 
 
 def _deep_where_it_suits(
     decisions: Decisions, wish: MassingWish, layout: Arrangement, allocation: Allocation, knowledge: KnowledgeBase
 ) -> Arrangement:
-    """Return the arrangement along parallel corridors where rooms come out as strips along one, and fewer do so then."""
+    """Return the arrangement along parallel corridors where rooms along one are strips, and fewer are so then."""
     facts, massing = decisions.facts, layout.massing
     own = [layout.sketches[storey.index] for storey in layout.storeys if storey.copy is None]
     if (
@@ -96,7 +109,10 @@ def _deep_where_it_suits(
         return layout
     best = _price(decisions, wish, layout), layout
     bare = [replace(storey, rooms=()) for storey in layout.storeys]
-    for candidate in aisle_massings(wish, massing.length, massing.depth):
+    rectangles = [(massing.length, massing.depth)]
+    if decisions.outline is None and not facts.shapes and massing.length > _LONG * massing.depth:
+        rectangles += _compact(gross_area(massing))
+    for candidate in (each for rectangle in rectangles for each in aisle_massings(wish, *rectangle)):
         generator = item_generator(decisions.seed, "aisles")
         found = _arranged(decisions, candidate, bare, allocation, knowledge, generator)
         price = _price(decisions, wish, found)
