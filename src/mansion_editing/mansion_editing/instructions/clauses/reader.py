@@ -54,7 +54,7 @@ class ClauseReader(Keeping, Changing, Taking, PastSteps):
             return None
         deed, place = verb
         readers: dict[Deed, Callable[[int, int], tuple[list[Statement], int]]] = {
-            "add": self._add, "bring": self._add, "remove": self._remove, "clear": self._clear, "move": self._move,
+            "add": self._add, "bring": self._bring, "remove": self._remove, "clear": self._clear, "move": self._move,
             "swap": self._swap, "replace": self._replace, "switch": self._switch, "open": self._open,
             "close": self._close, "start": self._start, "stop": self._stop, "paint": self._paint,
             "rename": self._rename, "furnish": self._furnish, "equip": self._equip, "enlarge": self._enlarge,

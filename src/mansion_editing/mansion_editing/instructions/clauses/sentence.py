@@ -346,6 +346,8 @@ class Sentence(ABC):
             place += 3 if self.text(place) == "as" else 1
         if self.text(place) == "also":
             place += 1
+        if place > at and self.text(place) == "of" and {"rid", "dispose"} & {word.text for word in self.words[:at]}:
+            place += 1  # "get rid of the apple and of the pears"
         return place if place > at else 0
 
     def starts_clause(self, at: int) -> bool:

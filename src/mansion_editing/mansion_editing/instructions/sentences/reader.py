@@ -298,11 +298,6 @@ class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending):
         self._take([exactly(statement) for statement in found] if exact else found)
         return end
 
-    def _is_named(self, word: Word) -> bool:
-        """Whether a word names things, rooms or storeys."""
-        text = (word.text,)
-        return self.lexicon.is_object(text) or self.lexicon.is_room(text) or word.text in ("floor", *STATE_WORDS)
-
     def _same_of_others(self, reader: ClauseReader, words: Sequence[Word], at: int) -> int | None:
         """Read things without a verb after a state, a removal or the like: ``turn the TV on and the beer tap too``."""
         last = self.statements[-1] if self.statements else None
