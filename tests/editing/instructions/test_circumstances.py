@@ -78,3 +78,14 @@ def test_a_circumstance_with_a_request_in_it_is_not_set_aside(furnished_state: S
         "The inspector comes at nine and needs a plumbus in the kitchen. Open the fridge.", furnished_state
     )
     assert read.not_understood
+
+
+@pytest.mark.parametrize("clause", ["without touching what is on it", "put file:///etc/hosts", "///etc/hosts is here"])
+def test_what_limits_a_request_and_what_is_no_english_is_none(furnished_state: SceneState, clause: str) -> None:
+    assert not _is_circumstance(clause, furnished_state)
+
+
+def test_the_room_that_an_occasion_names_is_where_the_next_request_is(furnished_state: SceneState) -> None:
+    read = read_instruction("Two trainees arrive in the study on Monday. Switch the lamp on.", furnished_state)
+    told = read.statements[0]
+    assert isinstance(told, Mention) and told.rooms is not None and told.rooms.words == "study"

@@ -243,7 +243,7 @@ def _goes_on(words: Sequence[Word], at: int, lexicon: Lexicon) -> bool:
     """Whether a storey is only the modifier of a noun ("in the ground floor kitchen")."""
     return (
         at < len(words)
-        and (lexicon.is_room((words[at].text,)) or lexicon.is_object((words[at].text,)))
+        and (words[at].text == "one" or lexicon.is_room((words[at].text,)) or lexicon.is_object((words[at].text,)))
         and (words[at].text not in ("on", "in"))
     )
 

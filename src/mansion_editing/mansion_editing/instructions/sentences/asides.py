@@ -122,6 +122,10 @@ class Asides(Progress):
             rooms = None if named[0].noun or named[0].place is None else named[0].place.rooms
         quote = self._quote(words, 0, len(words))
         untouched = () if taken_up else named
+        where = [things for things in named if not things.noun and things.place is not None]
+        if len(where) == 1 and is_circumstance(words, self.lexicon, followed=True):
+            rooms = where[0].place.rooms if where[0].place is not None else None
+            untouched = tuple(things for things in untouched if things is not where[0])
         self.statements.append(Mention(quote=quote, rooms=rooms, passed_over=True, untouched=untouched))
 
     def _lacking(self, words: Sequence[Word]) -> Things | None:

@@ -93,7 +93,9 @@ def is_circumstance(words: Sequence[Word], lexicon: Lexicon, *, followed: bool) 
     ordered = verb_at(words, 0, lexicon) is not None and not event
     if len(words) < 2 or ordered or texts[0] in ("there", "not", "no", "if", "unless"):
         return False
-    if any(word.text in _OBLIGING or word.text in COLOUR_WORDS for word in words) or "," in texts:
+    if any(word.text in _OBLIGING or word.text in COLOUR_WORDS for word in words):
+        return False
+    if any(word.kind == "mark" and word.text != "-" for word in words):
         return False
     if texts[0] in _DEPARTMENTS and len(words) > 2 and not _names(words[1:], lexicon):
         return _verb_of(words, lexicon) == 1
@@ -137,7 +139,7 @@ def _is_foreign(words: Sequence[Word], lexicon: Lexicon) -> bool:
         return False
     if {*texts} & _NEEDING and (texts[0] in ("i", "we", "you") or not {*texts} & _ABSTRACT):
         return told and not {*texts} & (_NEEDING - {"like"})
-    if words[0].kind == "number" and len(words) < _SHORTEST:
+    if (words[0].kind == "number" and len(words) < _SHORTEST) or texts[0] in PREPOSITIONS - {"of"}:
         return False
     verb = _verb_of(words, lexicon)
     if verb is not None:

@@ -226,6 +226,12 @@ class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending):
             self.topic = msgspec.structs.replace(heading.things(), definite=True)
             self.statements.append(Mention(quote=self._quote(words, at, heading.end)))
             at = heading.end + 1
+        if heading is not None and told and not heading.is_room and reader.text(heading.end) == ",":
+            verb = verb_at(words, reader.skip(heading.end), self.lexicon)
+            if verb is not None and reader.text(verb[1]) in ("it", "them") and heading.phrase.definite:
+                self.topic = heading.things()  # "the bin from the hall, bring it to the study"
+                self.statements.append(Mention(quote=self._quote(words, at, heading.end)))
+                at = heading.end + 1
         if reader.text(at) == "many" and at > 0 and words[at - 1].text == "too":
             much = reader.item(at + 1)
             if much is not None:
