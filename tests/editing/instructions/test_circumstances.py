@@ -29,6 +29,7 @@ def _is_circumstance(text: str, state: SceneState) -> bool:
         "Nobody can find anything",
         "We have a photo shoot at ten",
         "the gripper cannot reach that high",
+        "the cleaners leave them open all the time",
     ],
 )
 def test_what_people_do_and_what_happens_is_a_circumstance(furnished_state: SceneState, clause: str) -> None:

@@ -67,3 +67,8 @@ def test_one_on_another_storey_is_of_the_furniture_named_before(furnished_state:
 def test_none_but_those_of_a_room_go(furnished_state: SceneState) -> None:
     (gone,) = _asked("no chairs upstairs except the one in the study", furnished_state)
     assert isinstance(gone, Remove) and [spared.noun for spared in gone.things.beside] == ["chair"]
+
+
+def test_what_comes_out_of_one_room_and_into_another_moves(furnished_state: SceneState) -> None:
+    (move,) = _asked("the chair must come out of the hall and into the study", furnished_state)
+    assert isinstance(move, Move) and move.place.rooms == Rooms(words="study")

@@ -237,7 +237,7 @@ class Wishes(Subjects, Negations):
 
     def _of_persons_in_room(self, at: int) -> tuple[list[Statement], int] | None:
         """Read ``the guests in guest room 3 want two pillows on their bed``: what they want is in that room."""
-        place = at + (self.text(at) in ("the", "our", "my"))
+        place = at + (self.text(at) in ("the", "our", "my", "a", "an"))
         if self.text(place) not in PEOPLE:
             return None
         places, end = self.places(place + 1)

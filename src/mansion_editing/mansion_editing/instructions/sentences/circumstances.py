@@ -11,7 +11,9 @@ from mansion_editing.instructions.phrases.verb_words import BY_WORDS
 from mansion_editing.instructions.phrases.verbs import verb_at
 from mansion_editing.instructions.phrases.word_sets import PEOPLE
 from mansion_editing.instructions.phrases.words import (
+    ADVERBS,
     BE,
+    CONJUNCTIONS,
     COURTESIES,
     DETERMINERS,
     MODALS,
@@ -60,6 +62,9 @@ _OCCASIONS: Final = frozenset(
     "manager caretaker janitor facility".split()
 )
 """Words of remarks without a verb: ``Rehearsal at five``, ``duty manager here``."""
+
+_HABITS: Final = frozenset("always constantly often forever time".split())
+"""Words of complaints about what others do: ``the cleaners leave them open all the time``."""
 
 _ABSTRACT: Final = frozenset(
     "workplace landmark target reference space peace quiet calm help rest sleep privacy order exercise time break "
@@ -142,6 +147,8 @@ def _is_foreign(words: Sequence[Word], lexicon: Lexicon) -> bool:
     if (words[0].kind == "number" and len(words) < _SHORTEST) or texts[0] in PREPOSITIONS - {"of"}:
         return False
     verb = _verb_of(words, lexicon)
+    if verb is not None and {*texts} & _HABITS and texts[0] not in ("i", "we", "you", *_PRONOUNS):
+        return True
     if verb is not None:
         return not {*texts} & {"one", "ones", "those", "these", "them", "everything", "instead", "another"}
     plain = all(word.kind == "word" for word in words) and texts[0] not in DETERMINERS | PREPOSITIONS
@@ -164,6 +171,9 @@ def _verb_of(words: Sequence[Word], lexicon: Lexicon) -> int | None:
         if before.raw.endswith(("'ll", "'ve", "'d", "'re", "'m", "'s")) and before.text in _SOMEBODY:
             return at
         if at == 1 and before.text in ("i", "we", "you", "they") and word.text not in PREPOSITIONS:
+            return at
+        people = before.plural and before.text in PEOPLE | PERSONS
+        if people and word.text not in PREPOSITIONS | CONJUNCTIONS | ADVERBS:
             return at
         third = word.plural and not _names([word], lexicon) and before.text not in PREPOSITIONS | DETERMINERS
         if third and before.text not in ("and", ","):
