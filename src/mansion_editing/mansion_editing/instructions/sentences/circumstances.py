@@ -92,7 +92,10 @@ def is_circumstance(words: Sequence[Word], lexicon: Lexicon, *, followed: bool) 
     followed : bool
         A request comes after it, for which what somebody cannot do is a reason.
     """
-    words = _from_subject(_bare(words), lexicon)
+    words = _bare(words)
+    if [word.text for word in words[:2]] in (["in", "case"], ["in", "order"], ["so", "that"], ["provided", "that"]):
+        return False
+    words = _from_subject(words, lexicon)
     texts = [word.text for word in words]
     event = texts[:1] == ["open"] and texts[1:2] and texts[1] in _EVENTS
     ordered = verb_at(words, 0, lexicon) is not None and not event
