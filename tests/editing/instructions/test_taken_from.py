@@ -1,5 +1,7 @@
 """What is taken from furniture: where it is, where it goes, and what stays behind."""
 
+from mansion_editing.editor import SceneEditor
+from mansion_editing.instructions.instruct import instruct
 from mansion_editing.instructions.sentences.reader import read_instruction
 from mansion_editing.instructions.statements import Clear, Mention, Move, Paint, Place, Remove, Rooms, Statement, Things
 from mansion_editing.state import SceneState
@@ -74,3 +76,8 @@ def test_upholstery_is_a_colour_and_a_material(furnished_state: SceneState) -> N
         quote=paint.quote,
     )
     assert Place() != paint.things.place
+
+
+def test_the_others_do_not_go_where_none_is(editor: SceneEditor) -> None:
+    report = instruct(editor, "leave one book on the table in the kitchen and put the others in the study")
+    assert not report.done and not report.object_ids
