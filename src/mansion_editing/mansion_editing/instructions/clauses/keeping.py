@@ -1,13 +1,27 @@
 """What is left as it is, or kept in a state."""
 
+import msgspec
+
 from mansion_editing.instructions.clauses.adding import Adding
-from mansion_editing.instructions.clauses.items import NotUnderstood
+from mansion_editing.instructions.clauses.items import Item, NotUnderstood, joined_places
 from mansion_editing.instructions.clauses.removing import Removing
 from mansion_editing.instructions.clauses.staying import Staying
 from mansion_editing.instructions.clauses.wishes import Wishes
+from mansion_editing.instructions.phrases.verbs import verb_at
 from mansion_editing.instructions.phrases.word_sets import ALL_THE_REST, KEPT_AS_IT_IS, LEFT_ALONE, LEFT_AS_IT_IS
 from mansion_editing.instructions.phrases.words import STATE_WORDS
-from mansion_editing.instructions.statements import Keep, Mention, Statement
+from mansion_editing.instructions.statements import (
+    Amount,
+    Keep,
+    Mention,
+    Move,
+    Paint,
+    Place,
+    Remove,
+    SetState,
+    Statement,
+    Things,
+)
 
 __all__ = ["Keeping"]
 
@@ -38,6 +52,9 @@ class Keeping(Staying, Wishes, Adding, Removing):
         items = self.items(place)
         end = items[-1].end
         item = items[0]
+        others = self._others_elsewhere(at, items)
+        if others is not None:
+            return others
         end += self.text(end) in ("inside", "there", "here")
         if self.text(end) in STATE_WORDS or (
             self.text(end) in ("switched", "turned") and self.text(end + 1) in STATE_WORDS
@@ -54,6 +71,31 @@ class Keeping(Staying, Wishes, Adding, Removing):
             quote = self.quote(at, alone)
             return [Keep(things=self._kept(i), quote=quote) for i in items], alone
         return self._add(at, place)
+
+    def _others_elsewhere(self, at: int, items: list[Item]) -> tuple[list[Statement], int] | None:
+        """Read ``leave one chair at the table and put the other one ...``: all but one of those there."""
+        phrase, end = items[0].phrase, items[0].end
+        after = self.conjunction(end) or self.skip(end)
+        verb = verb_at(self.words, after, self.lexicon)
+        other = None if verb is None else self.phrase(verb[1])
+        number = phrase.amount.number
+        if len(items) > 1 or phrase.definite or not number or phrase.amount.kind not in ("some", "exactly"):
+            return None
+        if other is None or other.refers != "others" or other.noun.words not in ((), phrase.noun.words):
+            return None
+        said, stop = self.read(after)
+        one = not other.plural
+        amount = Amount(kind="all_but", number=number, of=number + 1 if one else 0)
+        place, _ = self._framed(joined_places(list(items[0].places)))
+        rest = Things(noun=" ".join(phrase.noun.words), amount=amount, definite=True, plural=True)
+        rest = rest if place == Place() else msgspec.structs.replace(rest, place=place)
+        quote = self.quote(at, stop)
+        out: list[Statement] = []
+        for statement in said:
+            if not isinstance(statement, Move | Remove | SetState | Paint) or statement.things.refers != "others":
+                return None
+            out.append(msgspec.structs.replace(statement, things=rest, quote=quote))
+        return out, stop
 
     def _keep(self, at: int, place: int) -> tuple[list[Statement], int]:
         """Read ``keep the door closed``, ``keep the sofa``, ``keep the desk free of mugs``."""

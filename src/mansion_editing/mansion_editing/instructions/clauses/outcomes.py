@@ -99,7 +99,7 @@ class Outcomes(Sentence):
         shared = item.places or not any(other.places for other in items)
         source = joined_places([p for p in item.places if p.source])[0] if shared else Place()
         whence = phrase.definite or phrase.refers or source != Place()
-        if any(p.relative or p.goal for p in item.places) and whence:
+        if whence and (any(p.relative or p.goal for p in item.places) or _begins_in_a_room(item.places)):
             source, goal, each = self._source_and_goal(item.places)
             goal, each = self._framed((goal, each))
         to_them = goal.anchor is not None and goal.anchor.refers == "last" and not goal.anchor.noun
@@ -181,12 +181,12 @@ class Outcomes(Sentence):
         things = msgspec.structs.replace(things, beside=tuple(named_as(one, things.noun) for one in besides))
         return Remove(things=with_place(things, place) if place != Place() else things, quote=quote)
 
-    def _emptied(self, item: Item) -> Place:
-        """Return a place that is to be empty: a room, or on and in furniture."""
+    def _emptied(self, item: Item, *, wholly: bool = False) -> Place:
+        """Return a place that is to be empty: a room, on furniture, or `wholly` on it and in it."""
         if item.is_room or (item.phrase.noun.kind == "both" and not item.places):
             return Place(rooms=item.rooms())
         where, _ = joined_places(list(item.places))
-        return Place(relation="on", anchor=item.phrase.things(), rooms=where.rooms)
+        return Place(relation="" if wholly else "on", anchor=item.phrase.things(), rooms=where.rooms)
 
     def _kept(self, item: Item) -> Things:
         """Return what stays: the things of an item, all that is in a room."""
@@ -222,6 +222,14 @@ class Outcomes(Sentence):
             return place
         self.frame, _ = joined_places(following)
         return end
+
+
+def _begins_in_a_room(places: Sequence[ReadPlace]) -> bool:
+    """Whether places begin with furniture and its room: ``from the bar in the hall on the table in the study``."""
+    if len(places) < 3 or not places[0].source or places[0].place.anchor is None:
+        return False
+    room, goal = places[1].place, places[2].place
+    return room.anchor is None and room.rooms is not None and not room.spot and goal.anchor is not None
 
 
 def _counted_otherwise(things: Things) -> Things:

@@ -264,6 +264,9 @@ class Predicates(States, Colours, Ways):
             return [self._brought(item, places, self.quote(at, end))], end
         if word in BEING_SOMEWHERE and not negated:
             places, end = self.places(place + 1)
+            if places and all(p.source for p in places) and self.text(end) in ("and", ","):
+                more, stop = self.places(end + 1)  # "must come out of the bathroom and into the study"
+                places, end = ((*places, *more), stop) if more and more[0].goal else (places, end)
             if places:
                 return [self._brought(item, places, self.quote(at, end))], end
         return None

@@ -2,7 +2,10 @@
 
 from collections.abc import Callable, Sequence
 
+import msgspec
+
 from mansion_editing.instructions.clauses.changing import Changing
+from mansion_editing.instructions.clauses.fronting import Fronting
 from mansion_editing.instructions.clauses.history import PastSteps
 from mansion_editing.instructions.clauses.items import Item, NotUnderstood
 from mansion_editing.instructions.clauses.keeping import Keeping
@@ -10,12 +13,12 @@ from mansion_editing.instructions.clauses.taking import Taking
 from mansion_editing.instructions.phrases.places import with_place
 from mansion_editing.instructions.phrases.verb_words import Deed
 from mansion_editing.instructions.phrases.verbs import verb_at
-from mansion_editing.instructions.statements import Move, Place, Statement
+from mansion_editing.instructions.statements import Move, Place, Remove, Statement, Things
 
 __all__ = ["ClauseReader"]
 
 
-class ClauseReader(Keeping, Changing, Taking, PastSteps):
+class ClauseReader(Keeping, Changing, Taking, PastSteps, Fronting):
     """Reads the clauses of one sentence."""
 
     def read(self, at: int) -> tuple[list[Statement], int]:
@@ -31,6 +34,9 @@ class ClauseReader(Keeping, Changing, Taking, PastSteps):
         )
         if staying is not None:
             return staying
+        fronted = self._fronted_object(at)
+        if fronted is not None:
+            return fronted
         if self.words[at].kind == "ordinal" and verb_at(self.words, at + 1, self.lexicon) is not None:
             at += 1
         if self.words[at].kind == "ordinal" and self.text(at + 1) == "," and self.starts_clause(at + 2):
@@ -54,7 +60,7 @@ class ClauseReader(Keeping, Changing, Taking, PastSteps):
             return None
         deed, place = verb
         readers: dict[Deed, Callable[[int, int], tuple[list[Statement], int]]] = {
-            "add": self._add, "bring": self._add, "remove": self._remove, "clear": self._clear, "move": self._move,
+            "add": self._add, "bring": self._bring, "remove": self._remove, "clear": self._clear, "move": self._move,
             "swap": self._swap, "replace": self._replace, "switch": self._switch, "open": self._open,
             "close": self._close, "start": self._start, "stop": self._stop, "paint": self._paint,
             "rename": self._rename, "furnish": self._furnish, "equip": self._equip, "enlarge": self._enlarge,
@@ -130,11 +136,23 @@ class ClauseReader(Keeping, Changing, Taking, PastSteps):
             kinds = {item.phrase.amount.kind for item in items}
             if not kinds & {"more", "fewer", "none", "exactly"}:
                 raise NotUnderstood(at, end)
+        besides: tuple[Things, ...] = ()
+        if items[0].phrase.amount.kind == "none":
+            end, besides = self.exceptions(end)
         quote = self.quote(at, end)
         out = []
         for item in items:
             if item.phrase.amount.kind == "more" or self._is_counted_out(item):
                 out.append(self._added(items, item, quote))
             else:
-                out += self._there(item, self._shared_goal(items, item), quote)
+                out += [_sparing(s, besides) for s in self._there(item, self._shared_goal(items, item), quote)]
         return out, end
+
+
+def _sparing(statement: Statement, besides: tuple[Things, ...]) -> Statement:
+    """Return a removal but for the exceptions: ``no plants upstairs except the one in the study``."""
+    if not isinstance(statement, Remove) or not besides:
+        return statement
+    noun = statement.things.noun
+    spared = tuple(msgspec.structs.replace(one, noun=noun) if one.noun in ("", "one") else one for one in besides)
+    return msgspec.structs.replace(statement, things=msgspec.structs.replace(statement.things, beside=spared))

@@ -17,7 +17,7 @@ class Removing(Moving):
     """Reads ``remove``, ``clear`` and ``tidy``."""
 
     def _remove(self, at: int, place: int) -> tuple[list[Statement], int]:
-        taking = self.text(at) in ("take", "pull", "move", "put")
+        taking = self.text(at) in ("take", "pull", "move", "put", "get", "collect", "gather")
         if self.text(place) in ("from", "out", "off") and not taking:
             place = self._fronted(place)
         items = self.items(place)
@@ -73,7 +73,8 @@ class Removing(Moving):
         staying = self._only_stays(end)
         spare, end = (staying[0], staying[1]) if staying is not None and not spare else (spare, end)
         quote = self.quote(at, end)
-        return [Clear(place=self._emptied(each), spare=spare, quote=quote) for each in items], end
+        wholly = self.text(at) in ("empty", "vacate")
+        return [Clear(place=self._emptied(each, wholly=wholly), spare=spare, quote=quote) for each in items], end
 
     def _only_stays(self, at: int) -> tuple[tuple[Things, ...], int] | None:
         """Read ``: only the laptop may remain``, ``, only the candles stay on it``."""

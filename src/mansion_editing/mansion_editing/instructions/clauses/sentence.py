@@ -45,6 +45,9 @@ _RESTS: Final = frozenset("is are lie lies stand stands sit sits hang hangs rest
 _BESIDE: Final = frozenset("beside near left right behind front".split())
 """Relations of small things to others on the same surface."""
 
+_HOLDING: Final = frozenset(["on", "in", "under"])
+"""Relations to furniture that carries or covers things."""
+
 _THOSE: Final = frozenset("the these those my our your them".split())
 
 _EXCEPTIONS: Final = (
@@ -78,6 +81,7 @@ class Sentence(ABC):
         self.topic: Things | None = None
         self.affirmed: Things | None = None
         self.follows = False
+        self.last_holder = ""
 
     def until(self, end: int) -> Self:
         """Return a reader of the words before a place."""
@@ -203,7 +207,7 @@ class Sentence(ABC):
         following, end = self.places(found.end)
         if not following and self.text(end) == "there" and found.definite and found.noun.kind == "object":
             following, end = (ReadPlace(Place(rooms=Rooms(same=True)), end, end + 1),), end + 1
-        following = self._with_ones(following, found)
+        following = self._with_ones(_with_room_ones(following), found)
         counted = self.text(found.end - 1) in ("them", "those") and self.text(found.end) == ","
         if counted and not following:
             following, end = self.places(found.end + 1)
@@ -304,6 +308,10 @@ class Sentence(ABC):
     def _with_ones(self, places: tuple[ReadPlace, ...], phrase: NounPhrase) -> tuple[ReadPlace, ...]:
         """Put the noun for ``one`` in places: a second sofa opposite the first one."""
         noun = phrase.noun if phrase.noun.kind == "object" else self.last_noun
+        if self.last_holder and noun is not None and not self.lexicon.stands(noun.words):
+            places = tuple(replace(p, place=_with_holder(p.place, self.last_holder)) for p in places)
+        anchors = [p.place.anchor.noun for p in places if p.place.anchor is not None and p.place.relation in _HOLDING]
+        self.last_holder = next((noun for noun in reversed(anchors) if noun and noun != "one"), self.last_holder)
         return places if noun is None else tuple(replace(p, place=_with_noun(p.place, noun)) for p in places)
 
     def _named(self, item: Item, before: Sequence[Item]) -> Item:
@@ -346,6 +354,8 @@ class Sentence(ABC):
             place += 3 if self.text(place) == "as" else 1
         if self.text(place) == "also":
             place += 1
+        if place > at and self.text(place) == "of" and {"rid", "dispose"} & {word.text for word in self.words[:at]}:
+            place += 1  # "get rid of the apple and of the pears"
         return place if place > at else 0
 
     def starts_clause(self, at: int) -> bool:
@@ -472,12 +482,34 @@ class Sentence(ABC):
         return (place if self.frame == Place() else merged(place, self.frame) if place != Place() else self.frame), each
 
 
+def _with_room_ones(places: tuple[ReadPlace, ...]) -> tuple[ReadPlace, ...]:
+    """Put the room that comes before for ``one``: from the third-floor kitchen to the second-floor one."""
+    out: list[ReadPlace] = []
+    for read in places:
+        before = next((p.place.rooms for p in reversed(out) if p.place.rooms is not None and p.place.rooms.words), None)
+        anchor, last = read.place.anchor, out[-1].place if out else Place()
+        one = anchor is not None and anchor.noun == "one" and anchor.place is not None and read.goal
+        if anchor is not None and anchor.place is not None and one and before is not None and last.anchor is None:
+            where = anchor.place.rooms
+            rooms = Rooms(words=before.words, floors=() if where is None else where.floors)
+            read = replace(read, place=Place(rooms=rooms))
+        out.append(read)
+    return tuple(out)
+
+
 def _with_noun(place: Place, noun: Noun) -> Place:
     anchor = place.anchor
     if anchor is None or anchor.noun.split()[-1:] != ["one"]:
         return place
     words = (*anchor.noun.split()[:-1], *noun.words)
     return msgspec.structs.replace(place, anchor=msgspec.structs.replace(anchor, noun=" ".join(words)))
+
+
+def _with_holder(place: Place, holder: str) -> Place:
+    """Put the furniture that came before for ``one`` that something is on or in: on the downstairs one."""
+    if place.anchor is None or place.anchor.noun != "one" or place.relation not in _HOLDING:
+        return place
+    return msgspec.structs.replace(place, anchor=msgspec.structs.replace(place.anchor, noun=holder))
 
 
 def _kind_of_its_own(things: Things) -> Things:

@@ -1,16 +1,19 @@
 """Things that are taken or looked for, for what comes next."""
 
+from collections.abc import Sequence
 from typing import Final
 
 from mansion_editing.instructions.clauses.adding import Adding
 from mansion_editing.instructions.clauses.items import Item, NotUnderstood, joined_places
 from mansion_editing.instructions.clauses.removing import Removing
-from mansion_editing.instructions.phrases.places import read_place, with_place
+from mansion_editing.instructions.phrases.places import ReadPlace, read_place, with_place
 from mansion_editing.instructions.phrases.verbs import verb_at
 from mansion_editing.instructions.phrases.word_sets import AWAY
 from mansion_editing.instructions.statements import History, Mention, Move, Place, Statement, Things
 
 __all__ = ["Taking"]
+
+_TAKING_AWAY: Final = frozenset("take collect gather".split())
 
 _BEFORE_HOLDERS: Final = frozenset("on onto in into inside off from under beneath of with".split())
 """Before ``it`` they tell where something goes, so that ``it`` is not what goes."""
@@ -34,16 +37,57 @@ class Taking(Adding, Removing):
         ):
             return self._move(at, place)
         away = self.text(end) in ("away", "out", "off", "down")
+        put = self._put_without_object(end + away)
+        if put and any(p.source for p in places):
+            return self._moved_to(at, items, *put)
         if self._goes_on_with_it(end + away):
             if len(items) > 1:
                 return self._taken_and_put(at, items, end + away)
             self.topic = items[0].things()
             return [Mention(quote=self.quote(at, end + away))], end + away
-        if away or (any(p.source for p in places) and self.text(at) == "take"):
+        if away or (any(p.source for p in places) and self.text(at) in _TAKING_AWAY):
             return self._remove(at, place)
         if self.text(at) in ("grab", "pick") and not items[0].phrase.definite:
             return self._add(at, place)
         raise NotUnderstood(at, self.boundary(at))
+
+    def _bring(self, at: int, place: int) -> tuple[list[Statement], int]:
+        """Read ``bring the mug to the kitchen``; ``get the mug off the desk`` takes it away."""
+        if self.text(at) == "get":
+            items = self.items(place)
+            places = items[-1].places
+            leaving = self.comes_from_furniture(places) and self.text(places[0].start) in ("off", "out")
+            kinds = {item.phrase.amount.kind for item in items}
+            known = all(item.phrase.definite or item.phrase.refers for item in items) or "all" in kinds
+            if leaving and known and not self._goes_on_with_it(items[-1].end):
+                return self._remove(at, place)
+        source = self._fetched_from(at, place)
+        return source or self._add(at, place)
+
+    def _fetched_from(self, at: int, place: int) -> tuple[list[Statement], int] | None:
+        """Read ``fetch one of the mugs off the shelf in the kitchen and ... it``: the room is where the shelf is."""
+        items = self.items(place)
+        item = items[0]
+        known = item.phrase.definite or self._is_partitive(item.phrase)
+        if len(items) > 1 or not known or not self.comes_from_furniture(item.places):
+            return None
+        put = self._put_without_object(item.end)
+        if put:
+            return self._moved_to(at, items, *put)
+        if not self._goes_on_with_it(item.end):
+            return None
+        if not item.phrase.definite:
+            return self._taken_and_put(at, items, item.end)
+        self.topic = item.things()
+        return [Mention(quote=self.quote(at, item.end))], item.end
+
+    def comes_from_furniture(self, places: Sequence[ReadPlace]) -> bool:
+        """Whether places are furniture that something comes from, and at most the room which that is in."""
+        if not places or not places[0].source:
+            return False
+        rooms = [p.place.anchor is None and p.place.rooms is not None and not p.goal for p in places[1:]]
+        inner = [self.text(p.start) in ("in", "of", "on", "upstairs", "downstairs") for p in places[1:]]
+        return places[0].place.anchor is not None and all(rooms) and all(inner)
 
     def _throw(self, at: int, place: int) -> tuple[list[Statement], int]:
         """Read ``throw the newspaper away``, ``throw it in the rubbish``, ``throw a blanket over the armchair``."""
@@ -59,10 +103,28 @@ class Taking(Adding, Removing):
             or self.text(verb[1]) not in ("it", "them", "those")
         ):
             raise NotUnderstood(at, self.boundary(after + 1))
-        places, end = self.places(verb[1] + 1)
+        return self._moved_to(at, items, *self.places(verb[1] + 1))
+
+    def _put_without_object(self, at: int) -> tuple[tuple[ReadPlace, ...], int] | None:
+        """Read ``and put to the fridge`` after what was taken, where the words say only where it goes."""
+        after = self.conjunction(at) or self.skip(at)
+        verb = verb_at(self.words, after, self.lexicon)
+        if after == at or verb is None or verb[0] not in ("add", "bring", "move", "set"):
+            return None
+        places, end = self.places(after + 1)
+        if not places or self.phrase(end) is not None or any(p.source for p in places):
+            return None
+        anchor = places[0].place.anchor
+        holds = anchor is None or bool(anchor.refers) or self.lexicon.carries(tuple(anchor.noun.split()))
+        return (places, end) if holds else None
+
+    def _moved_to(
+        self, at: int, items: list[Item], places: tuple[ReadPlace, ...], end: int
+    ) -> tuple[list[Statement], int]:
+        """Return that things that were taken from where they are go to a place."""
         goal, _ = self._framed(joined_places(list(places)))
         if goal == Place() or any(item.is_room for item in items):
-            raise NotUnderstood(at, self.boundary(after + 1))
+            raise NotUnderstood(at, self.boundary(end - 1))
         shared = () if any(item.places for item in items[:-1]) else items[-1].places
         quote = self.quote(at, end)
         out: list[Statement] = []

@@ -1,9 +1,12 @@
 """What somebody wants, and what there should be."""
 
+import msgspec
+
 from mansion_editing.instructions.clauses.coordination import is_one_list
 from mansion_editing.instructions.clauses.items import Item, NotUnderstood, joined_places
 from mansion_editing.instructions.clauses.negations import Negations
 from mansion_editing.instructions.clauses.subjects import Subjects
+from mansion_editing.instructions.phrases.noun_phrases import NounPhrase
 from mansion_editing.instructions.phrases.places import with_place
 from mansion_editing.instructions.phrases.verbs import verb_at
 from mansion_editing.instructions.phrases.word_sets import (
@@ -22,7 +25,7 @@ from mansion_editing.instructions.phrases.word_sets import (
     WISHES,
 )
 from mansion_editing.instructions.phrases.words import BE, MODALS
-from mansion_editing.instructions.statements import Mention, Place, Statement, Things
+from mansion_editing.instructions.statements import Amount, Mention, Place, Statement, Things
 
 __all__ = ["Wishes"]
 
@@ -68,7 +71,7 @@ class Wishes(Subjects, Negations):
         only = {"there", "is", "are", "already", "still", "currently"}
         affirmed = not asked and not negated and len(items) == 1 and (between or {"is"}) <= only
         if affirmed and items[0].phrase.amount.kind == "some":
-            self.affirmed = self._framed_things(items[0])
+            self.affirmed = self._all_of_mass(items[0].phrase, self._framed_things(items[0]))
         if told or (not asked and items[0].phrase.amount.kind == "none" and between <= {"there", "is", "are"}):
             goal, _ = self._shared_goal(items, items[0])
             self.frame = Place(rooms=goal.rooms) if goal.rooms is not None else self.frame
@@ -79,6 +82,11 @@ class Wishes(Subjects, Negations):
         for item in items:
             out += self._there(item, self._shared_goal(items, item), self.quote(at, end), negated=negated)
         return out, end
+
+    def _all_of_mass(self, phrase: NounPhrase, things: Things) -> Things:
+        """Return all that is told to be there where a noun has neither an article nor a number: ``there is beer``."""
+        bare = not phrase.definite and not phrase.plural and self.text(phrase.start) in phrase.noun.words
+        return msgspec.structs.replace(things, amount=Amount(kind="all", number=0), plural=True) if bare else things
 
     def _framed_things(self, item: Item) -> Things:
         """Return things with their place and that which the sentence began with."""
@@ -105,16 +113,41 @@ class Wishes(Subjects, Negations):
                 return self._wanted(at, place + 1)
             return self.read(place)
         if who in MODALS and self.text(place + 1) not in ("not", "it"):
-            asked = self.item(place + 1)
-            if asked is not None and self.text(asked.end) in AFTER_MODALS:
-                found = self._predicate(asked, asked.end, at)
-                if found is not None:
-                    return found
+            found = self._asked_of_subjects(at, place + 1)
+            if found is not None:
+                return found
         if self.words[at].raw == "let's":
             return self.read(place + 1)
         if who == "let" and self.text(place + 1) in ("us", "me", "there"):
             return self.read(place + 1 + (self.text(place + 1) != "there"))
         return None
+
+    def _asked_of_subjects(self, at: int, place: int) -> tuple[list[Statement], int] | None:
+        """Read ``could the frame and the vase from it please stand on the dresser`` after its modal verb."""
+        subjects: list[Item] = []
+        while (item := self.item(place)) is not None:
+            subjects.append(self._named(item, subjects))
+            place = self.conjunction(item.end)
+            if not place:
+                break
+        if not subjects or place:
+            return None
+        shared = subjects[-1].places if not any(item.places for item in subjects[:-1]) else ()
+        end = subjects[-1].end
+        while self.text(end) in BEFORE_REQUESTS:
+            end += 1
+        if self.text(end) not in AFTER_MODALS or not all(s.phrase.definite or len(subjects) == 1 for s in subjects):
+            return None
+        out: list[Statement] = []
+        stop = end
+        for item in subjects:
+            whole = item if item.places or not shared else Item(item.phrase, shared, item.end)
+            found = self._predicate(Item(whole.phrase, whole.places, end), end, at)
+            if found is None:
+                return None
+            out += found[0]
+            stop = found[1]
+        return out, stop
 
     def _would_be_good(self, at: int) -> tuple[list[Statement], int] | None:
         """Read ``it would be nice if there was a bench``, ``it would be good to have two lamps``."""
@@ -204,7 +237,7 @@ class Wishes(Subjects, Negations):
 
     def _of_persons_in_room(self, at: int) -> tuple[list[Statement], int] | None:
         """Read ``the guests in guest room 3 want two pillows on their bed``: what they want is in that room."""
-        place = at + (self.text(at) in ("the", "our", "my"))
+        place = at + (self.text(at) in ("the", "our", "my", "a", "an"))
         if self.text(place) not in PEOPLE:
             return None
         places, end = self.places(place + 1)

@@ -37,7 +37,7 @@ def move(statement: Move, state: SceneState, context: Context) -> Work:
         raise Unmet(f"say where {thing_words(things)} shall go")
     if not found and statement.or_new:
         return (yield from add(Add(things=_new(things), place=place), state, context))
-    told = things.place is not None and things.place.relation in ("", "on", "in")
+    told = things.place is not None and things.place.relation in ("", "on", "in") and things.amount.kind != "all_but"
     if not found and things.noun and things.place is not None and told and (things.definite or things.plural):
         if things.place.rooms is not None:
             one_room_each(state, things.place.rooms, context, lambda room: True)

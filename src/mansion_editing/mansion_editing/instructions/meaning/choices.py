@@ -85,9 +85,9 @@ def from_there(state: SceneState, things: Things, place: Place, context: Context
 def at_home(state: SceneState, things: Things, place: Place, context: Context) -> Place:
     """Return the place in the one room that things are in, where words name no room and that has such a place."""
     anchor = place.anchor
-    if anchor is None or place.rooms is not None or not means_one(anchor) or anchor.refers or anchor.owned:
+    if anchor is None or place.rooms is not None or anchor.refers or anchor.owned or anchor.place is not None:
         return place
-    if anchor.place is not None or not anchor.definite:
+    if not (means_one(anchor) and anchor.definite) and not anchor.amount.of:
         return place
     own = {item.room for item in things_of(state, things, context)}
     if len(own) != 1:

@@ -61,6 +61,9 @@ def read_amount(words: Sequence[Word], at: int) -> Amounted:
             number = number_at(words, place)
             if number is None and text_at(words, place) in ("a", "an"):
                 number = 1
+            part = text_at(words, place + 1) == "of" and text_at(words, place + 2) in DETERMINERS
+            if number is not None and part and kind == "exactly":
+                return _counted(words, place, number, definite=False)
             if number is not None:
                 number += _BEYOND.get(phrase, 0)
                 return Amount(kind=kind, number=number), False, False, place + 1

@@ -51,6 +51,7 @@ class Lexicon:
     def __init__(self, state: SceneState) -> None:
         self._state = state
         self._objects: dict[tuple[str, ...], bool] = {}
+        self._here: dict[str, bool] = {}
 
     @cached_property
     def _room_names(self) -> frozenset[tuple[str, ...]]:
@@ -82,6 +83,15 @@ class Lexicon:
             known = bool(vocabulary_of(self._state.catalogue).nouns(text)) or words in self._object_names
             self._objects[words] = known or (len(words) == 1 and words[0] in HYPERNYMS | WAYS)
         return self._objects[words]
+
+    def is_here(self, word: str) -> bool:
+        """Whether a word names objects that the building has."""
+        if word not in self._here:
+            kinds = {*vocabulary_of(self._state.catalogue).nouns(word)}
+            self._here[word] = any(
+                item.category in kinds or stems(item.name)[-1:] == (word,) for _, item in self._state.objects()
+            )
+        return self._here[word]
 
     def is_called(self, words: tuple[str, ...]) -> bool:
         """Whether words are the whole name of objects, not only its end (a kitchen, of a toy kitchen)."""

@@ -59,7 +59,8 @@ _PREPOSITIONS: Final[tuple[tuple[tuple[str, ...], Relation], ...]] = (
     (("right", "next", "to"), "beside"), (("next", "to"), "beside"), (("close", "to"), "near"),
     (("near", "to"), "near"),
     (("by", "the", "side", "of"), "beside"), (("at", "the", "side", "of"), "beside"), (("side", "of"), "beside"),
-    (("out", "of"), "in"), (("off", "of"), "on"), (("from", "under"), "under"), (("from", "on"), "on"),
+    (("out", "of"), "in"), (("out", "from"), "in"), (("off", "of"), "on"), (("from", "under"), "under"),
+    (("from", "on"), "on"),
     (("from", "inside"), "in"), (("from", "off"), "on"), (("away", "from"), ""), (("from", "in"), "in"),
     (("from", "behind"), "behind"), (("from", "the", "top", "of"), "on"), (("in", "the", "middle", "of"), "in"),
     (("back", "to"), ""), (("back", "in"), "in"), (("back", "on"), "on"), (("back", "into"), "in"),
@@ -242,7 +243,7 @@ def _goes_on(words: Sequence[Word], at: int, lexicon: Lexicon) -> bool:
     """Whether a storey is only the modifier of a noun ("in the ground floor kitchen")."""
     return (
         at < len(words)
-        and (lexicon.is_room((words[at].text,)) or lexicon.is_object((words[at].text,)))
+        and (words[at].text == "one" or lexicon.is_room((words[at].text,)) or lexicon.is_object((words[at].text,)))
         and (words[at].text not in ("on", "in"))
     )
 

@@ -26,7 +26,7 @@ _VERBS: Final[dict[Deed, str]] = {
               "uninstall|dump|away with|off with|clear off|clear out|withdraw|subtract|pull out|do away with|kick out|"
               "toss out|"
               "move out|put away|destroy|strip out",
-    "take": "take|grab|pick up|pick|collect|catch",
+    "take": "take|grab|pick up|pick|collect|gather|gather up|catch",
     "go": "go to|walk to|look at|find|approach|search for|go over to|drive to|take a look at|consider|locate|look for",
     "clear": "clear|empty|clean out|clear up|strip|empty out|vacate|free|free up",
     "tidy": "tidy|tidy up|clean|clean up|declutter|wipe|clean off|sort out",
@@ -39,7 +39,7 @@ _VERBS: Final[dict[Deed, str]] = {
     "close": "close|shut|close up|shut down",
     "start": "activate|start|light|ignite|light up|start up|boot|boot up|enable|run",
     "stop": "deactivate|stop|extinguish|dim|disable|kill",
-    "paint": "paint|colour|color|dye|repaint|recolour|recolor|tint",
+    "paint": "paint|colour|color|dye|repaint|recolour|recolor|tint|reupholster|upholster|varnish|lacquer|spray",
     "rename": "rename|call|name|relabel|label",
     "furnish": "furnish|refurnish|convert|transform|redo|redecorate|re-furnish|refit|repurpose|remodel",
     "equip": "equip|stock|fill|fill up|outfit|load|restock|fit out|kit out|populate|refill",

@@ -17,6 +17,7 @@ from mansion_editing.instructions.sentences.bystanding import (
     is_purpose,
     is_rhetorical,
 )
+from mansion_editing.instructions.sentences.circumstances import is_circumstance
 from mansion_editing.instructions.sentences.progress import Progress
 from mansion_editing.instructions.statements import Add, Amount, Ensure, Mention, Place, Remove, Things
 
@@ -26,6 +27,9 @@ _CUTS: Final = frozenset([",", "(", ")", "-", ":"])
 _JOINTS: Final = frozenset("and but so as since".split())
 _MOST_CUTS: Final = 8
 """In longer sentences only beginnings and ends are tried."""
+
+_MOST_ASIDES: Final = 3
+"""In one sentence."""
 
 _TAKING_UP: Final = frozenset("it its them they one there that this those these another ones".split())
 """Words by which a sentence goes on with what the one before it told of."""
@@ -38,7 +42,16 @@ class Asides(Progress):
     def _read_sentence(self, words: Sequence[Word], *, marked: bool) -> None:
         """Read one sentence into statements."""
 
-    def _read_beside_asides(self, words: Sequence[Word], later: Sequence[Word], *, marked: bool) -> None:
+    def _read_rest(self, words: Sequence[Word], later: Sequence[Word], *, marked: bool, depth: int) -> None:
+        """Read a sentence of which an aside was left out; it may have another one."""
+        if depth < _MOST_ASIDES:
+            self._read_beside_asides(words, later, marked=marked, depth=depth + 1)
+        else:
+            self._read_sentence(words, marked=marked)
+
+    def _read_beside_asides(
+        self, words: Sequence[Word], later: Sequence[Word], *, marked: bool, depth: int = 1
+    ) -> None:
         """Read a sentence; a clause of it that is not understood and asks for nothing is passed over.
 
         Parameters
@@ -70,7 +83,7 @@ class Asides(Progress):
                 self._pass_over(part, rest or later)
             if rest:
                 again = self._with_subject(part, _trimmed(rest)) if before else _trimmed(rest)
-                self._read_sentence(again, marked=marked and before)
+                self._read_rest(again, later, marked=marked and before, depth=depth)
             if len(self.unknown) == len(first["unknown"]):
                 if not before:
                     self._pass_over(part, later if end == len(words) else [])
@@ -93,7 +106,9 @@ class Asides(Progress):
             return is_rhetorical(words)
         last = words[-1].end if words else 0
         called = self.text[last : last + 1] == "!" and is_exclamation(words, self.lexicon)
-        return called or is_purpose(words, self.lexicon) or asks_for_nothing(words, self.lexicon, followed=followed)
+        if called or is_purpose(words, self.lexicon) or asks_for_nothing(words, self.lexicon, followed=followed):
+            return True
+        return is_circumstance(words, self.lexicon, followed=followed)
 
     def _pass_over(self, words: Sequence[Word], later: Sequence[Word]) -> None:
         """Note a clause that asks for nothing, with what it names unless the next one goes on with that."""
@@ -107,6 +122,10 @@ class Asides(Progress):
             rooms = None if named[0].noun or named[0].place is None else named[0].place.rooms
         quote = self._quote(words, 0, len(words))
         untouched = () if taken_up else named
+        where = [things for things in named if not things.noun and things.place is not None]
+        if len(where) == 1 and is_circumstance(words, self.lexicon, followed=True):
+            rooms = where[0].place.rooms if where[0].place is not None else None
+            untouched = tuple(things for things in untouched if things is not where[0])
         self.statements.append(Mention(quote=quote, rooms=rooms, passed_over=True, untouched=untouched))
 
     def _lacking(self, words: Sequence[Word]) -> Things | None:

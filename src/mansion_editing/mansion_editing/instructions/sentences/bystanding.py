@@ -56,7 +56,8 @@ def asks_for_nothing(words: Sequence[Word], lexicon: Lexicon, *, followed: bool)
         return False
     texts = [word.text for word in words]
     plenty = texts[verb] in _HAVING and ("enough" in texts or "plenty" in texts)
-    asking = set(texts) & (_ASKING - {"enough"} if plenty else _ASKING)
+    asking = bool(set(texts) & (_ASKING - {"enough"} if plenty else _ASKING))
+    asking = asking or any(word.raw.endswith("'d") for word in words)
     if asking or (set(texts) & _LACKING and not followed and not _denies_kind(texts, verb)):
         return False
     if any(word.kind in ("number", "ordinal", "unit") for word in words[verb:]):

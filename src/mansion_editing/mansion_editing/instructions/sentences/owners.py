@@ -1,11 +1,14 @@
 """Whose something is: the owner that a pronoun stands for."""
 
 from collections.abc import Sequence
+from typing import Final
 
 from mansion_editing.instructions.phrases.lexicon import Lexicon
 from mansion_editing.instructions.phrases.words import FUNCTION_WORDS, Word
 
 __all__ = ["owners_named"]
+
+_OPENING: Final = frozenset("door lid doors".split())
 
 
 def owners_named(words: Sequence[Word], lexicon: Lexicon) -> list[Word]:
@@ -13,6 +16,13 @@ def owners_named(words: Sequence[Word], lexicon: Lexicon) -> list[Word]:
     out: list[Word] = []
     for at, word in enumerate(words):
         following = words[at + 1].text if at + 1 < len(words) else ""
+        if word.text in _OPENING and out and out[-1].text in ("its", "their"):
+            it = "it" if out[-1].text == "its" else "them"
+            out[-1] = Word(it, it, "word", out[-1].start, word.end)  # "leave its door open"
+            continue
+        if word.text in ("its", "their") and following in _OPENING:
+            out.append(word)
+            continue
         if word.text in ("his", "her", "their", "its") and following:
             owner = next((w for w in reversed(out) if _owns(w, following, lexicon)), None)
             if owner is None and word.text == "its":

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from mansion_editing.instructions.phrases.lexicon import Lexicon
 from mansion_editing.instructions.phrases.mending import mended
 from mansion_editing.instructions.phrases.nouns import Noun
+from mansion_editing.instructions.phrases.rewordings import reworded
 from mansion_editing.instructions.phrases.storey_counts import counted_from_ground, counts_above_ground
 from mansion_editing.instructions.phrases.words import Word, split_words
 from mansion_editing.instructions.statements import Place, Statement, Things
@@ -20,7 +21,8 @@ class Progress:
         self.text = text
         self.lexicon = Lexicon(state)
         self.floors = state.floors
-        self.words = mended(split_words(text, self.lexicon.speller, self.lexicon.kept), self.lexicon)
+        words = split_words(text, self.lexicon.speller, self.lexicon.kept)
+        self.words = reworded(mended(words, self.lexicon))
         if counts_above_ground(text, brief):
             self.words = counted_from_ground(self.words)
         self.statements: list[Statement] = []

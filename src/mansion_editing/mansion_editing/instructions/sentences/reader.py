@@ -226,6 +226,12 @@ class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending):
             self.topic = msgspec.structs.replace(heading.things(), definite=True)
             self.statements.append(Mention(quote=self._quote(words, at, heading.end)))
             at = heading.end + 1
+        if heading is not None and told and not heading.is_room and reader.text(heading.end) == ",":
+            verb = verb_at(words, reader.skip(heading.end), self.lexicon)
+            if verb is not None and reader.text(verb[1]) in ("it", "them") and heading.phrase.definite:
+                self.topic = heading.things()  # "the bin from the hall, bring it to the study"
+                self.statements.append(Mention(quote=self._quote(words, at, heading.end)))
+                at = heading.end + 1
         if reader.text(at) == "many" and at > 0 and words[at - 1].text == "too":
             much = reader.item(at + 1)
             if much is not None:
@@ -297,11 +303,6 @@ class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending):
         found = self.clause
         self._take([exactly(statement) for statement in found] if exact else found)
         return end
-
-    def _is_named(self, word: Word) -> bool:
-        """Whether a word names things, rooms or storeys."""
-        text = (word.text,)
-        return self.lexicon.is_object(text) or self.lexicon.is_room(text) or word.text in ("floor", *STATE_WORDS)
 
     def _same_of_others(self, reader: ClauseReader, words: Sequence[Word], at: int) -> int | None:
         """Read things without a verb after a state, a removal or the like: ``turn the TV on and the beer tap too``."""

@@ -6,6 +6,7 @@ from typing import Final
 import msgspec
 
 from mansion_editing.instructions.clauses.reader import ClauseReader
+from mansion_editing.instructions.phrases.places import with_place
 from mansion_editing.instructions.phrases.word_sets import AFTER_CLAUSES, JOINING
 from mansion_editing.instructions.phrases.words import COURTESIES, Word
 from mansion_editing.instructions.sentences.background import end_of_background
@@ -14,7 +15,9 @@ from mansion_editing.instructions.sentences.progress import Progress
 from mansion_editing.instructions.sentences.refinement import counting_those_there
 from mansion_editing.instructions.statements import (
     Add,
+    Amount,
     Ensure,
+    Keep,
     Mention,
     Move,
     Place,
@@ -35,6 +38,11 @@ _PAIRS_AFTER_CLAUSES: Final = (
     ("from", "now"), ("now", "on"), ("at", "once"), ("right", "away"), ("straight", "away"),
     ("of", "course"), ("as", "usual"), ("in", "total"), ("or", "so"),
 )  # fmt: skip
+
+
+_DISTURBING: Final = frozenset(
+    "touching moving shifting disturbing removing changing altering displacing rearranging opening closing".split()
+)
 
 
 class Tails(Progress):
@@ -70,6 +78,10 @@ class Tails(Progress):
                 self.clause = [counting_those_there(statement) for statement in self.clause]
                 end = counted
                 continue
+            untouched = self._without_touching(reader, end)
+            if untouched:
+                end = untouched
+                continue
             fits = self._if_it_fits(words, end)
             depends = 0 if fits else self._depends_on(reader, end + (text == ","))
             if depends:
@@ -97,6 +109,44 @@ class Tails(Progress):
             return stop, exact
         self.unknown.append(self._quote(words, end, stop))
         return stop, exact
+
+    def _without_touching(self, reader: ClauseReader, at: int) -> int:
+        """Read ``without moving the tables``, ``without touching what is on it``; return its end, 0 for others."""
+        at += reader.text(at) == ","
+        verb = reader.words[at + 1].raw if at + 1 < len(reader.words) else ""
+        if reader.text(at) != "without" or verb not in _DISTURBING:
+            return 0
+        place = at + 2
+        if reader.text(place) in ("anything", "something"):
+            return place + 1 + (reader.text(place + 1) in ("else", "there"))
+        kept, end = self._what_is_there(reader, place), place
+        if kept is not None:
+            things, end = kept
+            everything = [things]
+        else:
+            items = reader.items(place) if reader.item(place) is not None else []
+            if not items or not all(item.phrase.definite and item.phrase.noun.words for item in items):
+                return 0
+            whole = Amount(kind="all", number=0)
+            everything = [msgspec.structs.replace(item.things(), amount=whole, plural=True) for item in items]
+            end = items[-1].end
+        quote = self._quote(reader.words, at, end)
+        self.clause = [*self.clause, *(Keep(things=things, quote=quote) for things in everything)]
+        return end
+
+    def _what_is_there(self, reader: ClauseReader, at: int) -> tuple[Things, int] | None:
+        """Read ``what is inside``, ``what is on it`` of the furniture that the clause before is about."""
+        holder = next((named for s in self.clause for named in [_holder_of(s)] if named is not None), None)
+        if reader.text(at) not in ("what", "everything") or holder is None or not (holder.noun and not holder.refers):
+            return None
+        end = at + 1 + (reader.text(at + 1) in ("is", "lie", "stand", "that"))
+        end += reader.text(end - 1) == "that" and reader.text(end) in ("is", "lie", "stand")
+        relation = {"inside": "in", "in": "in", "on": "on"}.get(reader.text(end))
+        if relation is None:
+            return None
+        end += 1 + (reader.text(end + 1) in ("it", "them", "there"))
+        place = Place(relation="in" if relation == "in" else "on", anchor=holder)
+        return Things(amount=Amount(kind="all", number=0), definite=True, plural=True, place=place), end
 
     def _counts_those_there(self, words: Sequence[Word], at: int) -> int:
         """Return the end of ``, counting the ones already there``; 0 where it is not said."""
@@ -172,3 +222,12 @@ class Tails(Progress):
     def _from_to(self, first: Statement, last: Statement) -> str:
         """Return the words from one statement's to another's."""
         return self.text[self.text.find(first.quote) : self.text.rfind(last.quote) + len(last.quote)]
+
+
+def _holder_of(statement: Statement) -> Things | None:
+    """Return the furniture that something is put on or in, or that is opened."""
+    if isinstance(statement, Add | Ensure | Move):
+        anchor = statement.place.anchor
+        rooms = statement.place.rooms
+        return anchor if anchor is None or rooms is None else with_place(anchor, Place(rooms=rooms))
+    return statement.things if isinstance(statement, SetState) else None

@@ -10,7 +10,17 @@ from mansion_editing.instructions.phrases.places import merged, read_place, with
 from mansion_editing.instructions.phrases.storeys import read_storeys
 from mansion_editing.instructions.phrases.verbs import verb_at
 from mansion_editing.instructions.phrases.word_sets import ANY_LONGER
-from mansion_editing.instructions.phrases.words import ADVERBS, BE, HAVE, MODALS, NEED, PERSONS, PREPOSITIONS, Word
+from mansion_editing.instructions.phrases.words import (
+    ADVERBS,
+    BE,
+    HAVE,
+    MODALS,
+    NEED,
+    PERSONS,
+    PREPOSITIONS,
+    STATE_WORDS,
+    Word,
+)
 from mansion_editing.instructions.sentences.background import end_of_background
 from mansion_editing.instructions.sentences.progress import Progress
 from mansion_editing.instructions.sentences.refinement import is_open, narrowed, with_noun_at
@@ -23,6 +33,8 @@ _WISHING: Final = frozenset(
     "think believe order hope if when".split()
 )
 """Words of sentences that ask for something."""
+
+_BEFORE_OCCASIONS: Final = frozenset("for after before during given despite until".split())
 
 _BECOMING: Final = frozenset("go stay remain disappear vanish".split())
 """Verbs that say what shall become of their subject."""
@@ -147,7 +159,7 @@ class Telling(Progress):
     def _end_of_reason(self, reader: ClauseReader, at: int) -> int:
         """Return the end of a reason or a purpose at a place, which a request after it is no part of."""
         words = reader.words
-        end = end_of_background(words, at)
+        end = max(end_of_background(words, at), self._end_of_adverbial(words, at))
         purpose = words[at].text in ("so", "in")
         for joint in range(at + 1, end if at else at):
             if words[joint].text not in ("and", "but") or not self._asks_at(reader, joint + 1):
@@ -157,6 +169,19 @@ class Telling(Progress):
                 return end
             return joint
         return end
+
+    def _end_of_adverbial(self, words: Sequence[Word], at: int) -> int:
+        """Return the end of ``for safety's sake`` or ``after the break`` before a verb; the place itself for others."""
+        if words[at].text not in _BEFORE_OCCASIONS:
+            return at
+        for end in range(at + 2, min(at + 8, len(words))):
+            if words[end].kind == "mark" or words[end].text in PREPOSITIONS - {"of"} or self._is_named(words[end - 1]):
+                return at
+            if words[end].kind == "number" or words[end - 1].text in ("it", "them", "us", "me"):
+                return at
+            if verb_at(words, end, self.lexicon) is not None:
+                return end
+        return at
 
     def _asks_at(self, reader: ClauseReader, at: int) -> bool:
         """Whether words ask for something: a verb with its object, or things that must go or stay."""
@@ -204,6 +229,11 @@ class Telling(Progress):
         third = words[verb].plural and not self._is_named_within(words[verb : verb + 1])
         told = past or third or words[at].text in ("i", "we", "they", "people", "you", "guest", "visitor")
         return words[verb].text not in PREPOSITIONS and (past or person or third) and told
+
+    def _is_named(self, word: Word) -> bool:
+        """Whether a word names things, rooms or storeys."""
+        text = (word.text,)
+        return self.lexicon.is_object(text) or self.lexicon.is_room(text) or word.text in ("floor", *STATE_WORDS)
 
     def _is_named_within(self, words: Sequence[Word]) -> bool:
         return any(self.lexicon.is_object((w.text,)) or self.lexicon.is_own_room((w.text,)) for w in words)

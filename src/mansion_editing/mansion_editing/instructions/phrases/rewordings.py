@@ -1,0 +1,124 @@
+"""Set phrases and slips of the pen that are read as what they stand for: ``which is why``, ``switch of the light``."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Final
+
+from mansion_editing.instructions.phrases.words import DETERMINERS, PREPOSITIONS, PRONOUNS, Word, text_at
+
+__all__ = ["reworded"]
+
+_PHRASES: Final[dict[tuple[str, ...], tuple[str, ...]]] = {
+    ("which", "is", "why"): ("so",),
+    ("that", "is", "why"): ("so",),
+    ("that", "why"): ("so",),
+    ("this", "is", "why"): ("so",),
+    ("for", "which", "reason"): ("so",),
+    ("for", "that", "reason"): ("so",),
+    ("in", "between"): ("between",),
+    ("must", "to", "be"): ("must", "be"),
+    ("should", "to", "be"): ("should", "be"),
+    ("not", "need", "no", "more"): ("not", "need", "anymore"),
+    ("not", "needed", "no", "more"): ("not", "needed", "anymore"),
+    ("nor", "the"): ("and", "the"),
+    ("apart", "of"): ("apart", "from"),
+    ("except", "of"): ("except", "for"),
+    ("with", "the", "exception", "of"): ("except", "for"),
+    ("with", "exception", "of"): ("except", "for"),
+    ("a", "bit", "of"): ("some",),
+    ("one", "another"): ("another",),
+    ("the", "both"): ("both", "the"),
+    ("one", "of", "both"): ("one", "of", "the"),
+    ("as", "soon", "as", "possible"): ("asap",),
+    ("as", "soon", "as", "you", "can"): ("asap",),
+    ("when", "you", "have", "time"): ("asap",),
+    ("when", "you", "get", "a", "chance"): ("asap",),
+    ("when", "you", "get", "the", "chance"): ("asap",),
+    ("if", "you", "do", "not", "mind"): ("please",),
+    ("if", "you", "not", "mind"): ("please",),
+    ("if", "you", "please"): ("please",),
+    ("would", "you", "mind"): ("please",),
+    ("be", "so", "kind", "and"): ("please",),
+    ("be", "so", "good", "and"): ("please",),
+    ("be", "a", "dear", "and"): ("please",),
+    ("be", "so", "kind", "as", "to"): ("please",),
+    ("be", "so", "good", "as", "to"): ("please",),
+    ("do", "me", "a", "favour", "and"): ("please",),
+    ("do", "me", "a", "favor", "and"): ("please",),
+    ("do", "us", "a", "favour", "and"): ("please",),
+    ("i", "would", "be", "grateful", "if", "you", "could"): ("please",),
+    ("i", "would", "appreciate", "it", "if", "you", "could"): ("please",),
+    ("while", "you", "are", "at", "it"): ("also",),
+    ("while", "you", "at", "it"): ("also",),
+    ("when", "you", "at", "it"): ("also",),
+    ("while", "you", "there"): ("also",),
+    ("while", "you", "are", "there"): ("also",),
+    ("at", "the", "same", "time"): ("also",),
+    ("for", "the", "time", "being"): ("for", "now"),
+    ("for", "the", "moment"): ("for", "now"),
+    ("at", "the", "moment"): ("now",),
+    ("out", "of", "the", "way"): ("away",),
+}  # fmt: skip
+"""Words, longest first where one begins another, and the words that mean the same."""
+_AT_EDGES: Final = frozenset(("if", "you", modal) for modal in ("would", "can", "could"))
+"""Courtesies at the beginning or the end of a sentence."""
+
+_LONGEST: Final = max(map(len, _PHRASES))
+_TURNING: Final = frozenset("switch turn power".split())
+_OUT: Final = frozenset("in into on onto".split())
+
+
+def reworded(words: Sequence[Word]) -> list[Word]:
+    """Return words with set phrases as their plain equivalents; each new word stands where the phrase stood."""
+    out: list[Word] = []
+    at = 0
+    while at < len(words):
+        length = next((n for n in range(_LONGEST, 1, -1) if tuple(w.text for w in words[at : at + n]) in _PHRASES), 0)
+        if length:
+            phrase = words[at : at + length]
+            out += _in_place_of(phrase, _PHRASES[tuple(word.text for word in phrase)])
+            at += length
+            continue
+        if tuple(w.text for w in words[at : at + 3]) in _AT_EDGES and _is_edge(words, at, at + 3):
+            out += _in_place_of(words[at : at + 3], ("please",))
+            at += 3
+            continue
+        if not _is_idle_out(words, at):
+            out.append(_topped_up(words, at) or _turned_off(words, at))
+        at += 1
+    return out
+
+
+def _in_place_of(phrase: Sequence[Word], texts: Sequence[str]) -> list[Word]:
+    """Return the new words, the last of which ends where the phrase does."""
+    kept = phrase[: len(texts) - 1]
+    last = replace(phrase[len(kept)], text=texts[-1], raw=texts[-1], end=phrase[-1].end, genitive=False)
+    return [*(replace(w, text=t, raw=t if t != w.text else w.raw) for w, t in zip(kept, texts, strict=False)), last]
+
+
+def _is_edge(words: Sequence[Word], start: int, end: int) -> bool:
+    return start == 0 or words[start - 1].kind == "mark" or end >= len(words) or words[end].kind == "mark"
+
+
+def _turned_off(words: Sequence[Word], at: int) -> Word:
+    """Return ``of`` as ``off`` in ``switch of the lamp``."""
+    word = words[at]
+    slip = word.text == "of" and text_at(words, at - 1) in _TURNING and text_at(words, at + 1) in DETERMINERS
+    return replace(word, text="off") if slip else word
+
+
+def _topped_up(words: Sequence[Word], at: int) -> Word | None:
+    """Return ``increase`` for the verb of ``top them up to four``."""
+    following = words[at + 1] if at + 1 < len(words) else None
+    if words[at].text != "top" or following is None or following.text not in DETERMINERS | PRONOUNS:
+        return None
+    raised = any((text_at(words, k), text_at(words, k + 1)) == ("up", "to") for k in range(at + 2, at + 7))
+    return replace(words[at], text="increase") if raised else None
+
+
+def _is_idle_out(words: Sequence[Word], at: int) -> bool:
+    """Whether ``out`` only strengthens the preposition after it: ``the sign out in the corridor``."""
+    if words[at].text != "out" or text_at(words, at + 1) not in _OUT:
+        return False
+    before = words[at - 1] if at else None
+    return before is not None and before.kind == "word" and before.text not in PREPOSITIONS | {"put", "set", "lay"}

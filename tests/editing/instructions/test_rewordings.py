@@ -1,0 +1,35 @@
+"""Set phrases and slips of the pen are read as what they stand for."""
+
+import pytest
+
+from mansion_editing.instructions.sentences.progress import Progress
+from mansion_editing.instructions.sentences.reader import read_instruction
+from mansion_editing.instructions.statements import Statement
+from mansion_editing.state import SceneState
+
+
+def _bare(text: str, state: SceneState) -> list[Statement]:
+    read = read_instruction(text, state)
+    assert read.not_understood == []
+    return [type(s)(**{f: getattr(s, f) for f in s.__struct_fields__ if f != "quote"}) for s in read.statements]
+
+
+@pytest.mark.parametrize(
+    ("said", "meant"),
+    [
+        ("switch of the lamp in the study", "switch off the lamp in the study"),
+        ("put a plant in between the sofa and the desk", "put a plant between the sofa and the desk"),
+        ("if you could open the fridge", "please open the fridge"),
+        (
+            "remove everything on the desk with the exception of the lamp",
+            "remove everything on the desk except for the lamp",
+        ),
+    ],
+)
+def test_a_set_phrase_is_read_as_the_plain_one(furnished_state: SceneState, said: str, meant: str) -> None:
+    assert _bare(said, furnished_state) == _bare(meant, furnished_state)
+
+
+def test_top_up_to_a_number_raises_it(furnished_state: SceneState) -> None:
+    words = Progress("top them up to four, on the top floor", furnished_state).words
+    assert [word.text for word in words] == ["increase", "them", "up", "to", "four", ",", "on", "the", "top", "floor"]
