@@ -12,6 +12,7 @@ import pytest
 import typer.main
 
 from mansion_bringup.cli.app import app
+from mansion_knowledge.norms import load_norms
 
 ROOT = Path(__file__).parents[2]
 PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").glob("*.md"))]
@@ -79,3 +80,9 @@ def test_the_sources_that_a_page_names_exist(page: Path) -> None:
     named = {file or path for file, path in SOURCE.findall(page.read_text())} - {"tests/NAME"}
     missing = [name for name in sorted(named) if not any(path.endswith(f"/{name}") for path in SOURCES)]
     assert missing == []
+
+
+def test_the_page_of_rules_has_every_rule_with_its_severity() -> None:
+    page = (ROOT / "docs/norms.md").read_text(encoding="utf-8")
+    rows = dict(re.findall(r"^\| `(\w+)`( \(advice\))? \|", page, re.MULTILINE))
+    assert rows == {rule.id: " (advice)" * (rule.severity == "advice") for rule in load_norms().rules.values()}

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from mansion_export.walls import WallBodies, wall_surfaces
+from mansion_msgs_py.scene import Wall
 
 
 def corners(surfaces):
@@ -31,7 +32,24 @@ def test_a_wall_has_the_volume_of_its_boxes_so_that_its_faces_look_outwards(grou
     bodies = WallBodies(ground)
     for wall in ground.walls:
         boxes = sum(float(np.prod(box.size)) for box in bodies.boxes(wall))
-        assert volume(corners(wall_surfaces(wall, bodies))) == pytest.approx(boxes, rel=1e-6)
+        (low, high), faces = bodies.stretch(wall), bodies.faces(wall)
+        mitred = float((faces[1] - faces[0]).mean() - (high - low)) * wall.thickness * wall.height
+        assert volume(corners(wall_surfaces(wall, bodies))) == pytest.approx(boxes + mitred, rel=1e-6)
+
+
+def test_the_outer_and_the_inner_faces_of_two_walls_meet_where_they_make_a_corner(ground):
+    outline = [[0.0, 0.0], [4.0, 0.0], [4.0, 3.0], [0.0, 3.0]]
+    walls = [
+        Wall(id=f"F1/wall_{i}", segment=(tuple(start), tuple(end)), thickness=0.2, height=2.5, exterior=True)
+        for i, (start, end) in enumerate(zip(outline, outline[1:] + outline[:1]))
+    ]
+    bodies = WallBodies(msgspec.structs.replace(ground, walls=walls, doors=[], windows=[]))
+    inner, outer = (
+        {tuple(spot) for wall in walls for spot in wall_surfaces(wall, bodies)[face].vertices.round(6)[:, :2].tolist()}
+        for face in (0, 1)
+    )
+    assert inner == {(0.1, 0.1), (3.9, 0.1), (3.9, 2.9), (0.1, 2.9)}
+    assert outer - inner == {(-0.1, -0.1), (4.1, -0.1), (4.1, 3.1), (-0.1, 3.1)}
 
 
 def test_left_and_right_faces_carry_the_materials_of_their_rooms(ground):

@@ -23,6 +23,9 @@ SEAM = 0.002
 
 NEAR = 0.05
 
+SPIKE = 0.5
+"""Sine of the angle below which two walls are not mitred: the outer corner would be a long spike."""
+
 Quad: TypeAlias = tuple[int, int, int, int]
 
 SAME = 1e-6
@@ -67,6 +70,7 @@ class WallBodies:
         self._starts, self._ends = starts, ends
         self._half = np.array([wall.thickness / 2 for wall in walls])
         self._beyond_ends = self._extensions()
+        self._mitres = self._mitred_ends([wall.height for wall in walls])
         self._index = {wall.id: i for i, wall in enumerate(walls)}
         self._openings: dict[str, list[Opening]] = {wall.id: [] for wall in walls}
         by_id = {wall.id: wall for wall in walls}
@@ -94,6 +98,22 @@ class WallBodies:
         i = self._index[wall.id]
         before, after = self._beyond_ends[i].tolist()
         return -before, float(self._lengths[i]) + after
+
+    def faces(self, wall: Wall) -> Floats:
+        """Return from where to where the faces of a wall go along its centre line, ((left, right) low, high), metres.
+
+        Two walls that make a corner are mitred: the outer faces meet, the inner faces meet, and none lies close behind
+        another, where it would shine through in renderers. Other ends are as in `stretch`, the same for both faces.
+        """
+        i = self._index[wall.id]
+        low, high = self.stretch(wall)
+        ends = np.array([[low, low], [high, high]])
+        for side, beyond in self._mitres.get(i, {}).items():
+            ends[side] = (float(self._lengths[i]) + beyond) if side else -beyond
+        inner = [place for each in self._openings[wall.id] for place in (each.low, each.high)]
+        if inner and (min(inner) <= ends[0].max() or max(inner) >= ends[1].min()):
+            return np.array([[low, low], [high, high]])
+        return ends
 
     def pieces(self, wall: Wall) -> list[tuple[float, float]]:
         """Return the full-height parts of a wall between its openings, lengthened to close corners."""
@@ -151,6 +171,44 @@ class WallBodies:
                 )
         return found
 
+    def _mitred_ends(self, heights: list[float]) -> dict[int, dict[int, Floats]]:
+        """Return how far the left and the right face go on beyond an end, by wall and end, where two walls are mitred.
+
+        They are where just these two end, both of one height, at an angle that leaves no long spike.
+        """
+        points = np.stack([self._starts, self._ends], axis=1)
+        found: dict[int, dict[int, Floats]] = {}
+        for i in range(len(heights)):
+            for side in (0, 1):
+                met = self._met_at(points[i, side])
+                if len(met) != 2:
+                    continue
+                j, other = next(end for end in met if end != (i, side))
+                ahead = self._units[i] * (1.0 if side else -1.0)
+                away = self._units[j] * (-1.0 if other else 1.0)
+                cross = float(ahead[0] * away[1] - ahead[1] * away[0])
+                if i == j or abs(cross) < SPIKE or heights[i] != heights[j]:
+                    continue
+                across_i, across_j = np.array([-ahead[1], ahead[0]]), np.array([-away[1], away[0]])
+                gap = points[j, other] - points[i, side]
+                beyond = []
+                for sign in (1.0, -1.0):
+                    shift = gap + sign * (self._half[j] * across_j - self._half[i] * across_i)
+                    beyond.append(float(shift[0] * away[1] - shift[1] * away[0]) / cross)
+                found.setdefault(i, {})[side] = np.array(beyond if side else beyond[::-1])
+        return found
+
+    def _met_at(self, point: Floats) -> list[tuple[int, int]]:
+        """Return the ends of walls at a point, as wall and end; also walls that pass it, with end -1."""
+        to_start, to_end = self._starts - point, self._ends - point
+        along = np.clip(-(to_start * self._units).sum(1), 0.0, self._lengths)
+        nearest = to_start + along[:, None] * self._units
+        met: list[tuple[int, int]] = []
+        for i in np.flatnonzero(np.hypot(nearest[:, 0], nearest[:, 1]) < self._half + 2 * NEAR).tolist():
+            at = [side for side, to in enumerate((to_start[i], to_end[i])) if np.hypot(*to) < NEAR]
+            met.extend((i, side) for side in at or [-1])
+        return met
+
     def _beyond(
         self, i: int, others: npt.NDArray[np.int64], cross: Floats, to_start: Floats, to_end: Floats, sign: float
     ) -> float:
@@ -187,7 +245,7 @@ def wall_surfaces(wall: Wall, bodies: WallBodies) -> list[Surface]:
     Bodies of boxes would meet in T-junctions, through which renderers let the background shine as dotted lines.
     """
     openings = bodies.openings(wall)
-    along = _cuts(bodies.stretch(wall), [(each.low, each.high) for each in openings])
+    along = _along_faces(bodies.faces(wall), openings)
     up = _cuts((0.0, wall.height), [(each.sill, each.head) for each in openings])
     solid = _solid(along, up, openings)
     vertices = _vertices(wall, along, up)
@@ -221,6 +279,14 @@ def wall_surfaces(wall: Wall, bodies: WallBodies) -> list[Surface]:
     ]
 
 
+def _along_faces(ends: Floats, openings: list[Opening]) -> npt.NDArray[np.float64]:
+    """Return where the left and the right face are cut along the wall, (n, 2); they differ in their ends alone."""
+    cuts = _cuts((float(ends[0].max()), float(ends[1].min())), [(each.low, each.high) for each in openings])
+    along = np.stack([cuts, cuts], axis=1)
+    along[[0, -1]] = ends
+    return along
+
+
 def _cuts(ends: tuple[float, float], spans: list[tuple[float, float]]) -> npt.NDArray[np.float64]:
     """Return where a wall is cut in one direction, ascending, its ends included."""
     inner = sorted(value for span in spans for value in span if ends[0] < value < ends[1])
@@ -235,6 +301,7 @@ def _solid(
     along: npt.NDArray[np.float64], up: npt.NDArray[np.float64], openings: list[Opening]
 ) -> npt.NDArray[np.bool_]:
     """Tell which cells of the grid no opening takes; (len(along) - 1, len(up) - 1)."""
+    along = along.mean(1)
     x, z = (along[1:] + along[:-1])[:, None] / 2, (up[1:] + up[:-1])[None] / 2
     solid = np.ones((len(along) - 1, len(up) - 1), dtype=bool)
     for each in openings:
@@ -248,7 +315,7 @@ def _vertices(wall: Wall, along: npt.NDArray[np.float64], up: npt.NDArray[np.flo
     unit = (end - start) / max(float(np.hypot(*(end - start))), 1e-9)
     to_left = np.array([-unit[1], unit[0]]) * wall.thickness / 2
     grid = np.zeros((len(along), len(up), 2, 3))
-    grid[..., :2] = (start + along[:, None] * unit)[:, None, None]
+    grid[..., :2] = (start + along[..., None] * unit)[:, None]
     grid[:, :, 0, :2] += to_left
     grid[:, :, 1, :2] -= to_left
     grid[..., 2] = up[None, :, None]
@@ -263,7 +330,7 @@ def _unrolled(wall: Wall, along: npt.NDArray[np.float64], up: npt.NDArray[np.flo
     start, end = np.array(wall.segment[0], dtype=float), np.array(wall.segment[1], dtype=float)
     unit = (end - start) / max(float(np.hypot(*(end - start))), 1e-9)
     grid = np.zeros((len(along), len(up), 2, 3))
-    grid[..., 0] = (along + float(start @ unit))[:, None, None]
+    grid[..., 0] = (along + float(start @ unit))[:, None]
     grid[..., 1] = np.array([0.5, -0.5]) * wall.thickness
     grid[..., 2] = up[None, :, None]
     return grid.reshape(-1, 3)

@@ -4,16 +4,20 @@ import tomllib
 from dataclasses import dataclass, field
 from functools import lru_cache
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal, TypeAlias
 
 from mansion_knowledge.base import KnowledgeBase
 from mansion_knowledge.room_names import kin_of
 from mansion_msgs_py.errors import ErrorCode, MansionError
 
-__all__ = ["Norm", "Norms", "load_norms"]
+__all__ = ["Norm", "Norms", "Severity", "load_norms"]
+
+Severity: TypeAlias = Literal["deviation", "advice"]
+"""What not to keep a rule means: a deviation from what a code asks, or from good practice alone."""
 
 _FILE = Path(__file__).parent / "data" / "norms.toml"
 _TEXTS = ("statement", "source", "unit")
+_SEVERITIES: tuple[Severity, ...] = ("deviation", "advice")
 _LISTS = ("families", "rooms", "others", "things", "gives_way", "yields_to")
 
 
@@ -27,6 +31,7 @@ class Norm:
         What holds, in plain words; which code and section says so, or that it is practice.
     figure : float
         The limit, in `unit`.
+    severity : {"deviation", "advice"}
     families : tuple of str
         Families of building types that it holds for; all when empty.
     rooms, others : tuple of str
@@ -46,6 +51,7 @@ class Norm:
     source: str
     figure: float
     unit: str
+    severity: Severity = "deviation"
     families: tuple[str, ...] = ()
     rooms: tuple[str, ...] = ()
     others: tuple[str, ...] = ()
@@ -100,15 +106,22 @@ def load_norms() -> Norms:
 
 
 def _norm(name: str, record: dict[str, Any]) -> Norm:
-    unknown = set(record) - {*_TEXTS, *_LISTS, "figure", "by"}
+    unknown = set(record) - {*_TEXTS, *_LISTS, "figure", "severity", "by"}
     missing = {*_TEXTS, "figure"} - set(record)
     if unknown or missing:
-        raise MansionError(
-            ErrorCode.INVALID_PAYLOAD,
-            f"rule {name!r} of {_FILE.name}: unknown {sorted(unknown)}, missing {sorted(missing)}",
-            details={"file": _FILE.name, "record": name},
-        )
+        raise _fault(name, f"unknown {sorted(unknown)}, missing {sorted(missing)}")
+    severity = next((word for word in _SEVERITIES if word == record.get("severity", "deviation")), None)
+    if severity is None:
+        raise _fault(name, f"severity {record['severity']!r} is none of {', '.join(_SEVERITIES)}")
     texts: dict[str, Any] = {key: str(record[key]) for key in _TEXTS}
     lists: dict[str, Any] = {key: tuple(record.get(key, ())) for key in _LISTS}
     figures = {key: float(value) for key, value in record.get("by", {}).items()}
-    return Norm(id=name, figure=float(record["figure"]), by=figures, **texts, **lists)
+    return Norm(id=name, figure=float(record["figure"]), severity=severity, by=figures, **texts, **lists)
+
+
+def _fault(name: str, message: str) -> MansionError:
+    return MansionError(
+        ErrorCode.INVALID_PAYLOAD,
+        f"rule {name!r} of {_FILE.name}: {message}",
+        details={"file": _FILE.name, "record": name},
+    )

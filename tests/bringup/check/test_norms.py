@@ -11,7 +11,7 @@ from mansion_knowledge.norms import load_norms
 from mansion_msgs_py.building import Building
 from mansion_msgs_py.program import AreaSummary, BuildingProgram, FloorProgram, VerticalConnectivity
 from mansion_msgs_py.request import BuildRequest
-from mansion_msgs_py.scene import Door, FloorScene, SceneCore, SceneObject, SceneRoom, Window
+from mansion_msgs_py.scene import Door, FloorScene, LiftDetails, SceneCore, SceneObject, SceneRoom, StairDetails, Window
 from mansion_msgs_py.shapes import Ring
 from mansion_msgs_py.wishes import Wish, WishKind, WishValue
 
@@ -21,13 +21,15 @@ Line = tuple[tuple[float, float], tuple[float, float]]
 
 @dataclass(frozen=True)
 class Floor:
-    """A storey drawn by hand: rooms by id (type and box), doors, glass by room, things by room, cores."""
+    """A storey drawn by hand: rooms by id (type and box), doors, glass and things by room, cores with their details."""
 
     rooms: dict[str, tuple[str, Box]]
     doors: Sequence[tuple[str, str | None, Line]] = ()
     glass: dict[str, float] = field(default_factory=dict)
     things: dict[str, Sequence[str]] = field(default_factory=dict)
     cores: dict[str, Box] = field(default_factory=dict)
+    details: dict[str, StairDetails | LiftDetails] = field(default_factory=dict)
+    ceiling: float = 2.8
 
 
 def ring(box: Box, inset: float = 0.0) -> Ring:
@@ -54,7 +56,7 @@ def drawn(floor: Floor, number: int, floors: int) -> FloorScene:
         outline=ring(hull), walls=[], doors=doors,
         rooms=[
             SceneRoom(id=named(name), room_type=kind, kind="Entities", polygon=ring(box), net_polygon=ring(box, 0.1),
-                      area=(box[2] - box[0]) * (box[3] - box[1]))
+                      area=(box[2] - box[0]) * (box[3] - box[1]), ceiling_height=floor.ceiling)
             for name, (kind, box) in floor.rooms.items()
         ],
         windows=[
@@ -71,7 +73,7 @@ def drawn(floor: Floor, number: int, floors: int) -> FloorScene:
         cores=[
             SceneCore(id=name, type="stair" if "stair" in name else "elevator", polygon=ring(box),
                       door=next((d.id for d in doors if name in d.rooms), ""), entrance=(0, 0, 0),
-                      floors=list(range(1, floors + 1)))
+                      floors=list(range(1, floors + 1)), details=floor.details.get(name))
             for name, box in floor.cores.items()
         ],
     )  # fmt: skip
@@ -96,6 +98,7 @@ def deviations(kind: str, *floors: Floor, wishes: Sequence[Wish] = ()) -> list[D
 
 
 def rules(kind: str, *floors: Floor, wishes: Sequence[Wish] = ()) -> set[str]:
+    """Return the rules that do not hold, as deviations or as advice."""
     return {item.rule for item in deviations(kind, *floors, wishes=wishes) if not item.caused_by}
 
 
@@ -161,7 +164,67 @@ def ward(width: float) -> Floor:
     return Floor(rooms, [("corridor", "ward", across(2, 8, width))])
 
 
+def flight(width: float, going: float, riser: float) -> Floor:
+    """A storey with a stair up from it."""
+    box: Box = (8.0, 0.0, 11.0, 6.0)
+    stair = StairDetails(form="dog_leg", risers=18, riser=riser, going=going, width=width, floor_landing=ring(box))
+    return Floor({"lobby": ("lobby", (0.0, 0.0, 8.0, 8.0))}, [("lobby", "stair_1", ((8.0, 1.0), (8.0, 2.0)))],
+                 cores={"stair_1": box}, details={"stair_1": stair})  # fmt: skip
+
+
+GOOD_FLIGHT = flight(1.2, 0.28, 0.175)
+
+
+def lift(width: float, depth: float) -> Floor:
+    """A storey with a lift whose door is on its west side."""
+    cabin = ((8.0, 0.0, 0.0), (8.0 + depth, width, 2.2))
+    details = LiftDetails(cabin=cabin, facing=180.0, call_panel=(0, 0, 1), button_panel=(0, 0, 1), buttons=[])
+    return Floor({"lobby": ("lobby", (0.0, 0.0, 8.0, 8.0))}, cores={"elevator_1": (8.0, 0.0, 10.0, 2.0)},
+                 details={"elevator_1": details})  # fmt: skip
+
+
+def dormitory(toilets: int, showers: int) -> Floor:
+    """Two rooms with twelve beds, and what they share."""
+    rooms: dict[str, tuple[str, Box]] = {
+        "corridor": ("corridor", (0.0, 0.0, 30.0, 2.0)),
+        "dorm_1": ("hostel_dorm", (0.0, 2.0, 10.0, 8.0)),
+        "dorm_2": ("hostel_dorm", (10.0, 2.0, 20.0, 8.0)),
+        "restroom": ("restroom", (20.0, 2.0, 25.0, 8.0)),
+        "showers": ("shower_area", (25.0, 2.0, 30.0, 8.0)),
+    }
+    doors = [("corridor", name, across(box[0] + 1, 2)) for name, (_, box) in rooms.items() if name != "corridor"]
+    beds = ["bunk_bed"] * 3
+    things = {
+        "dorm_1": beds,
+        "dorm_2": beds,
+        "restroom": ["toilet_stall"] * toilets,
+        "showers": ["shower_cabin"] * showers,
+    }
+    return Floor(rooms, [*doors, ("corridor", None, ((0.0, 0.5), (0.0, 1.5)))], things=things)
+
+
+def chain(*kinds: str) -> Floor:
+    """Rooms in a row, each reached through the one before it, the first from the open."""
+    rooms: dict[str, tuple[str, Box]] = {
+        f"room_{n}": (kind, (0.0, 5.0 * n, 6.0, 5.0 * n + 5)) for n, kind in enumerate(kinds)
+    }
+    doors: list[tuple[str, str | None, Line]] = [("room_0", None, across(1, 0))]
+    doors += [(f"room_{n - 1}", f"room_{n}", across(1, 5.0 * n)) for n in range(1, len(kinds))]
+    return Floor(rooms, doors)
+
+
+def assembly(size: float, doors: Sequence[Line]) -> Floor:
+    """One room of an assembly, with doors to a lobby in front of it."""
+    rooms: dict[str, tuple[str, Box]] = {
+        "hall": ("assembly_hall", (0.0, 4.0, size, 4.0 + size)),
+        "lobby": ("lobby", (0.0, 0.0, size, 4.0)),
+    }
+    return Floor(rooms, [("lobby", "hall", line) for line in doors] + [("lobby", None, across(1, 0))])
+
+
 CUPBOARDS = {"men": ("restroom", (0.0, 20.0, 1.2, 22.0)), "women": ("restroom", (4.0, 20.0, 5.2, 22.0))}
+
+BARE = library(rooms=HALL, doors=[], things={})
 
 CASES: list[tuple[str, str, tuple[Floor, ...], tuple[Floor, ...]]] = [
     ("water_closets_men", "library_building", (library(things={"women": ["toilet"]}),), (LIBRARY,)),
@@ -195,6 +258,55 @@ CASES: list[tuple[str, str, tuple[Floor, ...], tuple[Floor, ...]]] = [
       (pair("restaurant", "commercial_kitchen"),)),
     ("secure_door", "police_station", (pair("lobby", "holding_cell"),), (pair("lobby", "interview_room"),)),
     ("circulation_share", "house", (pair("hallway", "living_room"),), (pair("living_room", "kitchen"),)),
+    ("washbasins", "library_building", (library(things={"men": ["toilet_stall"]}),),
+     (library(things={"men": ["washbasin"]}),)),
+    ("toilet_washbasin", "house", (room("toilet", (0, 0, 2, 2), 0.3),),
+     (Floor({"room": ("toilet", (0, 0, 2, 2))}, things={"room": ["pedestal_sink"]}),)),
+    ("toilet_storey", "library_building", (LIBRARY, BARE, BARE),
+     (LIBRARY, BARE)),
+    ("service_sink", "library_building", (LIBRARY,), (library(things={"men": ["utility_sink"]}),)),
+    ("accessible_toilet_size", "library_building", (room("accessible_toilet", (0, 0, 1.4, 4.0), 0.3),),
+     (room("accessible_toilet", (0, 0, 1.8, 2.5), 0.3),)),
+    ("unit_toilet", "hotel", (hotel(["shower_cabin"]),), (hotel(["toilet"]),)),
+    ("dwelling_kitchen", "apartment_building", (room("apartment", (0, 0, 5, 5), 3.0),),
+     (Floor({"room": ("apartment", (0, 0, 5, 5))}, [("room", None, across(1, 0))],
+            things={"room": ["kitchen_sink_unit"]}),)),
+    ("shared_toilets", "hostel", (dormitory(1, 2),), (dormitory(2, 2),)),
+    ("shared_showers", "hostel", (dormitory(2, 1),), (dormitory(2, 2),)),
+    ("exit_separation", "school", (long_corridor(60, [1.0, 4.0], rooms=6),),
+     (long_corridor(60, [1.0, 58.0], rooms=6),)),
+    ("exit_width", "library_building",
+     (library(doors=[("reading_room", None, across(1, 0, 0.1)), ("reading_room", None, across(9, 0, 0.1))]),),
+     (LIBRARY,)),
+    ("room_exits", "community_center", (assembly(10, [across(1, 4)]),), (assembly(10, [across(1, 4), across(8, 4)]),)),
+    ("way_out_through_sleeping", "house", (chain("hallway", "bedroom", "bedroom"),),
+     (chain("hallway", "bedroom", "walk_in_closet"),)),
+    ("way_out_through_stores", "office", (chain("lobby", "storage", "private_office"),),
+     (chain("lobby", "private_office", "storage"),)),
+    ("toilet_through_bedroom", "house", (chain("hallway", "bedroom", "bathroom"),),
+     (chain("hallway", "bathroom"),)),
+    ("lift_cabin", "office", (lift(1.6, 1.2),), (lift(1.3, 1.6),)),
+    ("stair_width", "office", (flight(0.9, 0.28, 0.175),), (GOOD_FLIGHT,)),
+    ("stair_riser", "office", (flight(1.2, 0.28, 0.195),), (GOOD_FLIGHT,)),
+    ("stair_going", "office", (flight(1.2, 0.25, 0.19),), (GOOD_FLIGHT,)),
+    ("work_window", "office", (room("private_office", (0, 0, 4, 5), 1.0),),
+     (room("private_office", (0, 0, 4, 5), 2.4),)),
+    ("workplace_area", "office",
+     (Floor({"room": ("private_office", (0, 0, 4, 3))}, things={"room": ["office_desk"] * 2}),),
+     (Floor({"room": ("private_office", (0, 0, 4, 3))}, things={"room": ["office_desk"]}),)),
+    ("cell_area", "police_station", (room("holding_cell", (0, 0, 2, 3), 0.3),),
+     (room("holding_cell", (0, 0, 3, 3), 0.3),)),
+    ("ceiling_height", "house", (Floor({"room": ("bedroom", (0, 0, 4, 4))}, ceiling=2.2),),
+     (Floor({"room": ("storage", (0, 0, 4, 4))}, ceiling=2.2),)),
+    ("sports_changing", "sports_center", (room("sports_hall", (0, 0, 9, 9), 9.0),),
+     (pair("sports_hall", "changing_room"),)),
+    ("pool_showers", "swimming_center", (pair("indoor_pool", "changing_room"),), (pair("indoor_pool", "shower_area"),)),
+    ("operating_recovery", "hospital", (room("operating_room", (0, 0, 6, 6), 0.0),),
+     (pair("operating_room", "recovery_room"),)),
+    ("toilet_dining_door", "restaurant_building", (pair("restaurant", "restroom"),), (pair("lobby", "restroom"),)),
+    ("garage_bedroom_door", "house", (pair("garage", "bedroom"),), (pair("garage", "hallway"),)),
+    ("sterile_door", "hospital", (pair("waiting_room", "operating_room"),), (pair("corridor", "operating_room"),)),
+    ("court_door", "courthouse", (pair("lobby", "judges_chamber"),), (pair("courtroom", "judges_chamber"),)),
 ]  # fmt: skip
 
 
@@ -214,8 +326,44 @@ def test_a_deviation_names_rule_place_and_source() -> None:
     found = next(item for item in deviations("school", long_corridor(30, [1.0], rooms=3)) if item.rule == "exits")
     assert str(found) == (
         "exits floor 1: 1 exit; asked: 2 for 111 occupants, as above 49 "
-        "(International Building Code 2018, 1006.3.2 and table 1006.3.3(2))"
+        "(International Building Code 2018, 1006.3.2 and tables 1006.3.2 and 1006.3.3(2))"
     )
+    assert (found.severity, found.floor, found.room) == ("deviation", 1, "")
+
+
+def test_a_deviation_of_a_room_names_its_storey_and_the_room() -> None:
+    rooms = {"room": ("bedroom", (0.0, 0.0, 2.5, 2.5))}
+    found = next(
+        item for item in deviations("house", Floor(rooms), Floor(rooms)) if item.rule == "room_area" and item.floor == 2
+    )
+    assert (found.where, found.floor, found.room) == ("F2/room", 2, "F2/room")
+
+
+def test_advice_says_so_and_does_not_count() -> None:
+    found = next(item for item in deviations("house", *stacked(12.0)) if item.rule == "wet_stack")
+    assert found.severity == "advice"
+    assert not found.counts
+    assert str(found).startswith("advice: wet_stack F2/bathroom: ")
+
+
+def test_a_crowded_storey_needs_three_exits() -> None:
+    crowded = library(rooms={"hall": ("assembly_hall", (0.0, 0.0, 40.0, 20.0))}, doors=[
+        ("hall", None, across(1, 0)), ("hall", None, across(38, 0))], things={})  # fmt: skip
+    found = [item for item in deviations("community_center", crowded) if item.rule == "exits"]
+    assert [(item.found, item.asked) for item in found] == [("2 exits", "3 for 571 occupants, as above 500")]
+
+
+def test_a_shop_for_few_customers_has_one_toilet_for_all() -> None:
+    rooms = {"shop": ("shop", (0.0, 0.0, 10.0, 10.0)), "toilet": ("toilet", (0.0, 10.0, 2.0, 12.0))}
+    doors: list[tuple[str, str | None, Line]] = [("shop", "toilet", across(0.5, 10)), ("shop", None, across(5, 0))]
+    sound = Floor(rooms, doors, things={"toilet": ["toilet", "washbasin"]})
+    assert {"water_closets_men", "water_closets_women"}.isdisjoint(rules("shop_building", sound))
+    assert "water_closets_women" in rules("shop_building", Floor(rooms, doors))
+
+
+def test_rooms_behind_a_sleeping_room_may_be_reached_through_it() -> None:
+    suite = chain("corridor", "hotel_suite", "living_room")
+    assert "way_out_through_stores" not in rules("hotel", suite)
 
 
 def wished(kind: WishKind, value: WishValue, rooms: Sequence[str] = ()) -> Wish:

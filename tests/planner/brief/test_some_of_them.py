@@ -44,6 +44,25 @@ def test_rooms_per_storey_say_how_many_storeys_there_are() -> None:
     assert len(program.floors) == 3
 
 
+@pytest.mark.parametrize(
+    ("text", "noun", "count"),
+    [
+        ("A fire station with a dormitory for 8", "beds", 8),
+        ("A village school with a canteen that seats 60", "seats", 60),
+        ("A hotel with a lobby and a restaurant (60 seats)", "seats", 60),
+    ],
+)
+def test_how_many_a_room_is_for_is_how_many_beds_or_seats_it_has(text: str, noun: str, count: int) -> None:
+    assert [(fact.noun, fact.count) for fact in _facts(text).objects] == [(noun, count)]
+
+
+def test_storeys_of_a_use_lie_above_what_they_are_said_to_lie_above() -> None:
+    program = plan_building(BuildRequest(description="Three floors of offices above a shop")).program
+    assert len(program.floors) == 4
+    assert any("shop" in room.name for room in program.floors[0].rooms)
+    assert not any("shop" in room.name for floor in program.floors[1:] for room in floor.rooms)
+
+
 def test_each_of_several_rooms_is_to_lie_beside_the_other() -> None:
     several = _facts("A theatre with a stage, two dressing rooms behind the stage and a foyer").adjacent
     one = _facts("A theatre with a stage and a dressing room behind the stage").adjacent
@@ -59,7 +78,6 @@ def test_each_of_several_rooms_is_to_lie_beside_the_other() -> None:
         ("An office on three floors; the third floor is like the second floor", "like"),
         ("A prison with 20 cells around a central hall", "around"),
         ("A house. The dining room can be reached only through the kitchen", "reached only"),
-        ("A fire station with a dormitory for 8", "8"),
         ("A house for a couple, I use a wheelchair", "wheelchair"),
     ],
 )

@@ -21,13 +21,16 @@ def check(
     building: Annotated[Path, typer.Argument(help="Folder that `mansion build` wrote.")],
     as_json: Annotated[bool, typer.Option("--json", help="Faults as JSON.")] = False,
     norms: Annotated[
-        bool, typer.Option("--norms", help="Deviations from rules of building too: rule, place, found, asked, source.")
+        bool,
+        typer.Option(
+            "--norms", help="Deviations from rules of building and advice too: rule, place, found, asked, source."
+        ),
     ] = False,
 ) -> None:
     """Verify a building from its geometry and its request; exit status 1 and a line for each fault.
 
-    With --norms also a line for each deviation from a rule of building, and exit status 1 where the brief does not
-    ask for one explicitly; as JSON an object of `faults` and `deviations`.
+    With --norms also a line for each deviation from a rule of building, and exit status 1 for one that a code does not
+    allow and the brief does not ask for explicitly; as JSON an object of `faults` and `deviations`.
 
     Examples:
 
@@ -49,7 +52,7 @@ def check(
     else:
         for line in (*faults, *deviations):
             typer.echo(str(line))
-    wrong = [item for item in deviations if not item.caused_by]
+    wrong = [item for item in deviations if item.counts]
     if faults or wrong:
         found = [counted(len(faults), "fault")] * bool(faults) + [counted(len(wrong), "deviation")] * bool(wrong)
         err.print(f"{building}: {', '.join(found)}", highlight=False)

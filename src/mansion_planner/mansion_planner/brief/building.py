@@ -84,6 +84,7 @@ def _score(reading: Reading, phrases: list[Phrase], places: list[Place], phrase:
         return 0.0  # "two kitchens, a meat one and a dairy one"
     score = 6.0 - min(sentence, 4) - 0.1 * number
     owner = reading.word(phrase.first - 1) == "of" and any(place.last == phrase.first - 1 for place in places)
+    owner = owner and not (phrase.plural and not phrase.determiner)  # "three floors of offices" are a part
     if owner:  # "on the first floor of a library"
         return score + 2.0
     if any(
@@ -250,6 +251,9 @@ def _is_part_of_name(reading: Reading, index: int) -> bool:
 
 def _stands_as_building(reading: Reading, first: int) -> bool:
     """Whether what leads up to a noun phrase lets it name the building, rather than a person or a part of it."""
+    lead = first - 1 - (reading.word(first - 1) in ("a", "an", "the"))
+    if reading.word(lead) in ("above", "over", "of") and lead in reading.taken:
+        return False  # "three floors of offices above a shop"
     if reading.word(first - 1) in ("are", "is") and first - 2 in reading.taken:
         return False  # "on the street floor are a flower shop and a barber"
     before = [reading.word(i) for i in range(first - 1, max(first - 4, -1), -1)]

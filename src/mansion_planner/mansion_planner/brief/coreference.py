@@ -11,7 +11,7 @@ __all__ = ["coreferences"]
 _DEFINITE = frozenset("per the this that each every both either any these those its all".split())
 _GENERIC = frozenset("is has measure come get need hold contain receive comprise must should shall include".split())
 """Verbs after "a bedroom" where it stands for each of the bedrooms that are named before."""
-_VERBS = frozenset({"should", "must", "is", "are", "shall", "has", "need"})
+_VERBS = frozenset({"should", "must", "is", "are", "shall", "has", "need", "face", "overlook", "adjoin", "open", "lie"})
 
 
 def coreferences(
@@ -63,15 +63,28 @@ def coreferences(
             same[number] = _best(phrases, phrase, earlier[::-1])
         elif phrase.determiner in ("each", "every", "all") and any(phrases[n].counted for n in later):
             same[number] = next(n for n in later if phrases[n].counted)  # "a desk in each bedroom; three bedrooms"
-        elif later and number in operands and phrase.determiner not in ("a", "an"):
+        elif later and (number in operands or _is_inside(reading, phrase)) and phrase.determiner not in ("a", "an"):
             same[number] = _best(phrases, phrase, later)
     return same, groups
+
+
+_JOINED = frozenset({"dining", "diner", "living", "kitchen"})
+"""What is named second of two rooms in one: "living/dining", "kitchen-diner"."""
 
 
 def _opens(reading: Reading, phrase: Phrase) -> bool:
     """Whether a phrase is the subject of its clause."""
     before = min(phrase.first, phrase.begin - 1) - 1
     return reading.breaks(before) or reading.word(before) in (",", ":", "and")
+
+
+def _is_inside(reading: Reading, phrase: Phrase) -> bool:
+    """Whether "in the living room" leads to a room that the brief names later: "oak floor in the living room"."""
+    return (
+        phrase.determiner == "the"
+        and phrase.count == 1
+        and reading.words(phrase.begin - 2, phrase.begin) == ("in", "the")
+    )
 
 
 def _group(phrases: Sequence[Phrase], number: int, rooms: Sequence[int]) -> list[int]:
@@ -98,5 +111,7 @@ def _same_name(phrase: Phrase, other: Phrase) -> bool:
     of_several = phrase.determiner == "the" and (other.count or 2) > 1
     if of_several and phrase.name.endswith("_" + other.name) and not {"'", "’"} & set(phrase.label):
         return True
-    bare = (phrase.name == phrase.room_type or phrase.known) and "_" not in phrase.name
+    bare = phrase.name == phrase.room_type or (phrase.known and "_" not in phrase.name)
+    if phrase.determiner == "the" and other.name.rpartition("_")[2] in _JOINED and "_" not in phrase.name:
+        return other.name.startswith(f"{phrase.name}_")  # "the living" of a living/dining room
     return bare and phrase.room_type == other.room_type and phrase.determiner in ("the", "each", "every", "both")

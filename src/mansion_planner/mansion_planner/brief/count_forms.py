@@ -77,6 +77,15 @@ def _with_classifiers(tokens: list[Token]) -> list[Token]:
             index += 1
             continue
         noun = _is_noun(tokens, index - 1)
+        times = word == "x" and not tokens[index + 1].spaced and _word(tokens, index + 2) not in ("x", "by")
+        if times and not (index + 2 < len(tokens) and tokens[index + 2].kind in ("number", "unit")):
+            bracketed = _word(tokens, index - 1) == "(" and _word(tokens, index + 2) == ")"
+            if bracketed:
+                result.pop()
+            after = bracketed or (noun and _word(tokens, index + 2) in _ENDS)
+            result += [*([_times(token)] * after), token]  # "phone booth (2x)", "meeting room 3x", "2x storage"
+            index += 2 + bracketed
+            continue
         repeated = noun and word == _word(tokens, index - 1) and word in _REPEATED
         last = index + 2
         last += _word(tokens, last) == "." and word in ("no", "nos", "pc", "pcs") and _goes_on(tokens, last)

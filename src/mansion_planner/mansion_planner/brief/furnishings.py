@@ -133,7 +133,8 @@ def _seats(reading: Reading, phrases: list[Phrase], negated: dict[int, tuple[int
     found = []
     for number, phrase in enumerate(phrases):
         named = phrase.head == "room" or (phrase.head == "building" and not _whole(reading, phrase))
-        if not named or not phrase.room_type or number in negated or phrase.room_type in _UNSEATED:
+        bedded = phrase.room_type in _DORMITORIES
+        if not named or not phrase.room_type or number in negated or (phrase.room_type in _UNSEATED and not bedded):
             continue
         link, at = reading.word(phrase.last), phrase.last + 1
         at += reading.word(at) in ("about", "around", "up", "at", "some")
@@ -149,8 +150,9 @@ def _seats(reading: Reading, phrases: list[Phrase], negated: dict[int, tuple[int
             continue  # "for 150 stacking chairs" is about what is kept there
         span = reading.span(phrase.last, last)
         found.append(ObjectFact(
-            words=span.words, category="chair", span=span, count=int(reading.value(at)), room=phrase.name,
-            room_type=phrase.room_type, noun="seats",
+            words=f"for {reading.value(at):.0f}", category="bed" if bedded else "chair", span=span,
+            count=int(reading.value(at)), room=phrase.name, room_type=phrase.room_type,
+            noun="beds" if bedded else "seats",
         ))  # fmt: skip
         reading.take(phrase.last, last)
     return found
@@ -179,6 +181,9 @@ def _numbered_places(reading: Reading, phrases: list[Phrase], negated: dict[int,
 
 _PLACES = {"bed": "bed", "seat": "chair", "seater": "chair", "desk": "desk", "person": "chair"}
 """What a hyphen joins to a number before a room: "6-bed", "12-seat"."""
+
+_DORMITORIES = frozenset({"dorm_room", "hostel_dorm", "bunk_room"})
+"""Rooms of which "for 8" says how many sleep there."""
 
 _UNSEATED = frozenset(
     """

@@ -84,6 +84,7 @@ _MEANT = {
     "bookcase": "bookshelf",
     "locker": "locker",
     "workstation": "office_desk",
+    "workplace": "office_desk",
     "bunk": "bunk_bed",
     "berth": "single_bed",
     "cot": "crib",

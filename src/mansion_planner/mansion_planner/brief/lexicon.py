@@ -39,11 +39,14 @@ class Lexicon:
         Tokens of the longest phrase.
     words : frozenset of str
         Every word of a phrase, for the correction of misspellings.
+    heads : frozenset of str
+        The last words of the names of rooms and buildings.
     """
 
     phrases: dict[tuple[str, ...], _Meaning]
     longest: int
     words: frozenset[str]
+    heads: frozenset[str]
 
     def find(self, tokens: list[Token]) -> list[Mention]:
         """Return the longest phrases from left to right, without overlap."""
@@ -103,5 +106,8 @@ def _make(knowledge: KnowledgeBase) -> Lexicon:
         add("style", style.name, style.synonyms)
     table = {key: _Meaning(**meaning) for key, meaning in phrases.items()}
     return Lexicon(
-        phrases=table, longest=max(len(key) for key in table), words=frozenset(word for key in table for word in key)
+        phrases=table,
+        longest=max(len(key) for key in table),
+        words=frozenset(word for key in table for word in key),
+        heads=frozenset(key[-1] for key, meaning in table.items() if meaning.room or meaning.building),
     )

@@ -418,9 +418,8 @@ def _room_of(reading: Reading, measure: Measure, phrases: list[Phrase]) -> int |
             and not _is_building(reading, phrase)
         ):
             return number
-    if any(word in ("per", "a", "/") and nxt in FLOOR_WORDS for word, nxt in itertools.pairwise(after)) and after[
-        :1
-    ] != ["each"]:
+    per_storey = any(word in ("per", "a", "/") and nxt in FLOOR_WORDS for word, nxt in itertools.pairwise(after))
+    if per_storey and after[:1] != ["each"] and not _of_counted(reading, measure, phrases):
         return None
     before = measure.first - 1
     comma = False
@@ -468,6 +467,14 @@ def _room_of(reading: Reading, measure: Measure, phrases: list[Phrase]) -> int |
     if comma and phrase.last == before + 1 and not _listed(reading, measure, phrase, after):
         return None
     return number
+
+
+def _of_counted(reading: Reading, measure: Measure, phrases: list[Phrase]) -> bool:
+    """Whether an area is that of each of several rooms: "six apartments of 70 m2 per floor"."""
+    lead = _lead(reading, measure)
+    return reading.word(lead) == "of" and any(
+        phrase.last == lead and phrase.counted and (phrase.count or 0) > 1 and phrase.room_type for phrase in phrases
+    )
 
 
 def _lead(reading: Reading, measure: Measure) -> int:

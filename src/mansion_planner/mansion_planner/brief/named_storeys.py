@@ -75,6 +75,8 @@ class NamedStoreys:
             and reading.word(index - 1) in ("the", "in", "")
         ):
             return ground, index + 1
+        if word == "g" and following == ":" and reading.starts(index):
+            return ground, index + 1
         if word in ("gf", "g/f", "gnd") and following in CLOSERS | {"has", "with"}:
             return ground, index + 1
         if word in ("ff", "sf") and following in CLOSERS and self.british:
@@ -121,7 +123,7 @@ class NamedStoreys:
         return bool(
             {"above", "below"} <= texts
             or ("above" in texts and texts & {"downstair", "downstairs", "basement", "ground", "below"})
-            or ("below" in texts and texts & {"upstair", "middle", "uppermost", "top"})
+            or ("below" in texts and texts & {"upstair", "upstairs", "middle", "uppermost", "top"})
         )
 
     def _ends_clause(self, index: int) -> bool:
@@ -160,6 +162,11 @@ class NamedStoreys:
             )
         ):
             return [FloorRef("top")], index + 1
+        opens = reading.word(index - 1) == "on" and (
+            reading.starts(index - 1) or reading.word(index - 2) in (",", "and")
+        )
+        if word == "top" and opens and following in ("a", "an", "our"):
+            return [FloorRef("top")], index + 1
         over = reading.words(index - 1, index + 2) == ("on", "top", "of")
         over = over and FLOOR_WORDS.isdisjoint(reading.words(index + 3, index + 7))  # "on top of it sit two floors"
         if over and reading.word(index + 2) in ("it", "that", "them", "this", "these"):
@@ -169,11 +176,32 @@ class NamedStoreys:
         )
         if word == "top" and edge and self.has_floors:
             return [FloorRef("top")], index + 1
-        if word in ("attic", "loft") and following == ":":
+        if word in ("attic", "loft") and (following == ":" or self._is_place(index)):
             return [FloorRef("top")], index + 1
         if word in ("uppermost", "topmost", "highest") and self._names_storey(index):
             return [FloorRef("top")], index + 1
         return None
+
+    def _leads_list(self, index: int) -> bool:
+        """Whether "above" leads the rooms of the storey above: "a garage and a shop, above two flats"."""
+        reading = self.reading
+        if not (reading.starts(index) or reading.word(index - 1) == ","):
+            return False
+        mention = reading.mention_at.get(index + 1)
+        named = mention is not None and mention.plural and bool(mention.room or mention.building)
+        return named or (self._counts(index + 1) and reading.plural(index + 2))
+
+    def _is_place(self, index: int) -> bool:
+        """Whether an attic is only where other rooms are: "in the attic two bedrooms", "attic nursery and study"."""
+        reading = self.reading
+        following = reading.mention_at.get(index + 1)
+        if reading.starts(index) and following is not None and following.room:
+            return True
+        inside = reading.words(index - 2, index) == ("in", "the")
+        opens = reading.starts(index - 2) or reading.word(index - 3) in (",", ";", "and")
+        goes_on = reading.word(index + 1) in ("a", "an", "are", "there", ",", "with") or self._counts(index + 1)
+        others = [i for i, token in enumerate(reading.tokens) if token.text == reading.word(index) and i != index]
+        return inside and ((opens and goes_on) or reading.word(index + 1) in CLOSERS) and not others
 
     def _after_dwelling(self, index: int) -> bool:
         """Whether a flat stands right before a token: "a shop with a flat above"."""
@@ -213,6 +241,11 @@ class NamedStoreys:
         if word == "upper" and following in (":", ",") and reading.word(index - 1) == "the":
             return upper, index + 1
         if word in ("upper", "higher", "other") and following in FLOOR_WORDS:
+            low, high = reading.value(index + 2), reading.value(index + 4)
+            ranged = reading.word(index + 3) in ("-", "–", "to") and 0 < low < high <= 100
+            if ranged and reading.kind(index + 2) == reading.kind(index + 4) == "number":
+                shift = int(low == 1)  # "upper floors 1-3" lie above the ground floor
+                return [FloorRef("range", int(low) + shift, int(high) + shift)], index + 5
             return upper, index + 2
         if word in ("lower",) and following in FLOOR_WORDS and reading.plural(index + 1):
             return [FloorRef("lower")], index + 2
@@ -222,6 +255,8 @@ class NamedStoreys:
             (reading.starts(index) and following in (":", ",", "are", "is", "there", "we", "i", "you", "a"))
             or (following in CLOSERS | {"with"} and (self._is_storeyed_adverb(index) or reading.word(index - 1) == ","))
         ):
+            return upper, index + 1
+        if word == "above" and self._leads_list(index):
             return upper, index + 1
         if word == "above" and following in CLOSERS | {"for"} and self._after_dwelling(index):
             return upper, index + 1
@@ -241,6 +276,7 @@ class NamedStoreys:
         if (
             word == "middle"
             and reading.words(index - 2, index) == ("in", "the")
+            and reading.word(index - 3) not in ("courtyard", "yard", "patio", "garden", "atrium", "cloister", "stair")
             and (
                 following in CLOSERS | {"with", "there", "are", "is", "come", "we", "a", "an"}
                 or self._counts(index + 1)

@@ -17,6 +17,7 @@ from mansion_planner.brief.phrase import (
     UNITS_OF_ROOMS,
     Head,
     Phrase,
+    count_after,
     count_before,
     finished_phrase,
     name_of,
@@ -310,7 +311,7 @@ def _headed(reading: Reading, begin: int, end: int, *, whole: bool) -> Phrase | 
     if last == "room" and reading.word(end - 2) in _SUPERLATIVES:
         return None
     bare = last == "room" and all(word in PLAIN or word in ("guest",) for word in reading.words(begin, end - 1))
-    if bare and reading.plural(end - 1) and count_before(reading, begin, end)[2]:
+    if bare and reading.plural(end - 1) and (count_before(reading, begin, end)[2] or count_after(reading, end)[1]):
         return finished_phrase(reading, "room", begin, end, room="study_room", known=False)
     if last in ("room", "corner") and end - begin == 1 and _has_purpose(reading, end) and not reading.plural(end - 1):
         return finished_phrase(reading, "room", begin, end, room="study_room", known=False)

@@ -54,6 +54,9 @@ class NumberedStoreys:
             reading.kind(i) == "number" and reading.starts(i) and self._is_heading(i)
             for i in range(len(reading.tokens))
         )
+        heads = [i for i in range(len(reading.tokens)) if reading.starts(i) and reading.word(i + 1) == ":"]
+        ground = any(reading.word(i) in ("g", "ground", "gf", ABOVE_GROUND) for i in heads)
+        self.headings_above = int(ground and any(reading.value(i) == 1 and reading.word(i) != "first" for i in heads))
 
     def level(self, index: int) -> tuple[list[FloorRef], int] | None:
         """Read "L3", "L2 to L6", "1F and 2F"."""
@@ -217,4 +220,5 @@ class NumberedStoreys:
             last += 2
         if reading.word(last) != ":" or max(numbers) > 200:
             return None
+        numbers = [number + self.headings_above for number in numbers]
         return [FloorRef("number", number, number) for number in numbers], last

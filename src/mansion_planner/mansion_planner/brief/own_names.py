@@ -5,9 +5,11 @@ from dataclasses import replace
 
 from mansion_language import singular
 from mansion_language.units import AREA
+from mansion_planner.brief.lexicon import lexicon_of
 from mansion_planner.brief.phrase import Phrase
 from mansion_planner.brief.reading import Reading
 from mansion_planner.brief.room_names import one_of
+from mansion_planner.brief.similarity import elliptic_room_type
 
 __all__ = ["by_own_name", "with_own_names"]
 
@@ -151,9 +153,21 @@ def _listed_names(reading: Reading, phrase: Phrase) -> list[Phrase]:
         own = reading.span(a, b).words
         name = "_".join(re.findall(r"[a-z0-9]+", own.lower().replace("'s", "").replace("’s", "")))
         room = one_of(phrase, a, b)
+        kind = _kind_of_entry(reading, a, b) if phrase.name == "room" else ""
+        if kind:  # "five rooms: kitchen, bath, ..."
+            found.append(replace(room, name=name[:60], label=own, room_type=kind, known=True))
+            continue
         label = f"{own} {singular(phrase.label.lower())}"
         found.append(replace(room, name=f"{name}_{phrase.name}"[:60], label=label))
     return found
+
+
+def _kind_of_entry(reading: Reading, first: int, last: int) -> str:
+    """Return the room type that an entry of a list of rooms names, in full or without its head; empty for none."""
+    words = reading.words(first, last)
+    whole = lexicon_of(reading.knowledge).phrases.get(words)
+    named = whole.room if whole is not None else ""
+    return named or elliptic_room_type(words, reading.knowledge)
 
 
 def _named(phrase: Phrase, own: str) -> Phrase:

@@ -5,7 +5,7 @@ from typing import Literal, TypeAlias
 
 from mansion_language import Token
 from mansion_planner.brief.lexicon import Mention
-from mansion_planner.brief.reading import Reading
+from mansion_planner.brief.reading import FLOOR_WORDS, Reading
 
 __all__ = [
     "FUNCTION_WORDS",
@@ -14,6 +14,7 @@ __all__ = [
     "UNITS_OF_ROOMS",
     "Head",
     "Phrase",
+    "count_after",
     "count_before",
     "finished_phrase",
     "name_of",
@@ -159,7 +160,7 @@ def finished_phrase(
     plural = reading.plural(end - 1)
     if not counted:
         count = None if plural or determiner in _SOFT_PLURAL else 1
-    last, after = (end, None) if counted else _count_after(reading, end)
+    last, after = (end, None) if counted else count_after(reading, end)
     if after is not None:
         count, counted = after, True
     if head in ("room", "building"):
@@ -294,7 +295,7 @@ def count_before(reading: Reading, begin: int, end: int) -> tuple[int, int | Non
     return begin, None, False, determiner
 
 
-def _count_after(reading: Reading, end: int) -> tuple[int, int | None]:
+def count_after(reading: Reading, end: int) -> tuple[int, int | None]:
     """Read "(4)", "x3", ": five of them", ", 18 no." after a head; return where it ends and the number."""
     word = reading.word(end)
     value = reading.value(end + 1) if reading.kind(end + 1) == "number" else 0.0
@@ -320,9 +321,17 @@ def _count_after(reading: Reading, end: int) -> tuple[int, int | None]:
         and (reading.breaks(number + 1) or reading.word(number + 1) in (",", ")"))
     ):
         return number + 1 + (reading.word(number + 1) == ")"), int(reading.value(number))
+    if word in (",", "-", "–", "(") and whole and reading.plural(end - 1) and _per_storey(reading, end + 2):
+        return end + 2, int(value)
     if word in (",", ":") and whole and reading.word(end + 2) in ("no", "nos", "number", "off", "pcs", "piece"):
         return end + 3 + (reading.word(end + 3) == "."), int(value)
     return end, None
+
+
+def _per_storey(reading: Reading, index: int) -> bool:
+    """Whether "per storey" stands at a token: "lecture rooms - three per floor"."""
+    at = index + (reading.word(index) in ("on", "in", "at"))
+    return reading.word(at) in ("per", "each", "every") and reading.word(at + 1) in FLOOR_WORDS
 
 
 def name_of(reading: Reading, begin: int, end: int, core: int | None = None) -> str:

@@ -265,7 +265,8 @@ class _Reader:
             if reading.word(index) in ("fitted", "equipped", "furnished") and reading.word(index + 1) == "with"
         }
         for number, phrase in enumerate(self.phrases):
-            if phrase.head != "room" or phrase.areas:
+            workplaces = phrase.name == "workplace" and phrase.counted
+            if (phrase.head != "room" and not workplaces) or phrase.areas:
                 continue
             category, _ = furniture_of(reading.words(phrase.begin, phrase.noun_end))
             before = self.phrases[number - 1] if number else None
@@ -279,7 +280,7 @@ class _Reader:
         between = self.reading.words(room.last, phrase.begin)
         if room.head != "room" or between not in (("with",), ("with", "a"), ("with", "the")):
             return False
-        return phrase.name == "locker" or (room.room_type in _BATHROOMS and phrase.name in _FIXTURES)
+        return phrase.name in ("locker", "workplace") or (room.room_type in _BATHROOMS and phrase.name in _FIXTURES)
 
     def _is_locker(self, before: Phrase, phrase: Phrase) -> bool:
         """Whether "eight lockers" and "a bed and a locker" are furniture: those counted, or named with furniture."""
@@ -329,7 +330,17 @@ class _Reader:
                 self.phrases[number] = replace(phrase, head="unknown")  # "a hostel for an engineering college"
                 continue
             before = {phrase.determiner, self.reading.word(phrase.first - 1), self.reading.word(phrase.first - 2)}
-            if phrase.first > named.first and before & {"with", "and", ",", "plus", "containing", "has", "have", "a"}:
+            if phrase.first > named.first and before & {
+                "with",
+                "and",
+                ",",
+                ":",
+                "plus",
+                "containing",
+                "has",
+                "have",
+                "a",
+            }:
                 continue
             same_family = buildings[phrase.building].family == buildings[named.building].family
             if same_family or phrase.first < named.first:

@@ -156,7 +156,7 @@ def start_reading(text: str, knowledge: KnowledgeBase, cancelled: Callable[[], b
     lexicon = lexicon_of(knowledge)
     tokens = count_forms(storey_forms(text, storey_tables(tokenize(text), FLOOR_WORDS)))
     tokens = compounds(corrected(tokens, lexicon.words, furniture_vocabulary()), lexicon.words)
-    tokens = capacities(foreign_storeys(open_decks(tokens)))
+    tokens = capacities(foreign_storeys(open_decks(tokens)), lexicon.heads)
     mentions = lexicon.find(tokens)
     reading = Reading(
         text=text,

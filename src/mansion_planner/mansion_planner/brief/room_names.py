@@ -7,7 +7,7 @@ from mansion_language import singular
 from mansion_planner.brief.lexicon import Mention
 from mansion_planner.brief.phrase import FUNCTION_WORDS, PEOPLE, PLAIN, Phrase, finished_phrase, name_of
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
-from mansion_planner.brief.similarity import HEAD_TYPES, similar_room_type
+from mansion_planner.brief.similarity import HEAD_TYPES, elliptic_room_type, similar_room_type
 
 __all__ = [
     "CONTRASTS",
@@ -274,9 +274,9 @@ def listed_unknowns(reading: Reading, chunks: list[tuple[int, int]], phrases: li
         if any(m.style and (m.first, m.last) == (begin, end) for m in reading.mentions):
             continue  # "a penthouse of 210 m2, art deco"
         name = name_of(reading, begin, end)
-        phrase = finished_phrase(
-            reading, "room", begin, end, room=similar_room_type(name, reading.knowledge), known=False
-        )
+        elliptic = elliptic_room_type(words, reading.knowledge)
+        kind = elliptic or similar_room_type(name, reading.knowledge)
+        phrase = finished_phrase(reading, "room", begin, end, room=kind, known=bool(elliptic))
         reading.take(phrase.first, phrase.last)
         ends.add(phrase.last - 1)
         found.append(phrase)

@@ -4,8 +4,9 @@ import difflib
 from functools import cache
 
 from mansion_knowledge import KnowledgeBase
+from mansion_planner.brief.lexicon import lexicon_of
 
-__all__ = ["AS_ROOM", "HEAD_TYPES", "room_of_building", "similar_room_type"]
+__all__ = ["AS_ROOM", "HEAD_TYPES", "elliptic_room_type", "room_of_building", "similar_room_type"]
 
 AS_ROOM = {
     "office": "private_office", "flat": "apartment", "apartment_building": "apartment",
@@ -58,6 +59,26 @@ def room_of_building(building: str, knowledge: KnowledgeBase) -> str:
     """Return the room type that a building type stands for within another building; empty for none."""
     record = knowledge.buildings.get(building)
     return AS_ROOM.get(building) or (AS_ROOM.get(record.like, "") if record is not None else "")
+
+
+_NOT_ELLIPTIC = frozenset({"practice", "delivery", "server"})
+"""Words that mean another place alone than before "room": a doctor's practice, deliveries, a servery."""
+
+
+def elliptic_room_type(words: tuple[str, ...], knowledge: KnowledgeBase) -> str:
+    """Return the room type that a list means by words without a head: "waiting" is a waiting room; empty for none.
+
+    Examples
+    --------
+    >>> from mansion_knowledge import default_knowledge
+    >>> elliptic_room_type(("waiting",), default_knowledge()), elliptic_room_type(("wood",), default_knowledge())
+    ('waiting_room', '')
+    """
+    if not _NOT_ELLIPTIC.isdisjoint(words):
+        return ""
+    phrases = lexicon_of(knowledge).phrases
+    found = next((held for head in ("room", "area") if (held := phrases.get((*words, head)))), None)
+    return found.room if found is not None else ""
 
 
 def similar_room_type(name: str, knowledge: KnowledgeBase) -> str:

@@ -262,6 +262,9 @@ class _Walk:
 
     def _claimed(self, place: Place, left: list[int], *, opened: bool) -> list[int]:
         sentence = self.reading.sentence[place.first]
+        listed = self._list_before(place, left)
+        if listed:
+            return listed
         titled = self.building is not None and self.reading.sentence[self.phrases[self.building].first] == sentence
         if not opened and not titled:
             below = place.refs[0].kind == "basement"
@@ -283,6 +286,20 @@ class _Walk:
                 break
             chosen.append(number)
         return chosen
+
+    def _list_before(self, place: Place, left: list[int]) -> list[int]:
+        """Return the rooms of a clause that its storey ends, where the next clause tells another storey.
+
+        "Monastery: church, refectory, kitchen on the ground floor; a dormitory above."
+        """
+        reading = self.reading
+        sentence = reading.sentence[place.first]
+        following = any(reading.sentence[other.first] == sentence + 1 for other in self.places)
+        alone = not any(other is not place and reading.sentence[other.first] == sentence for other in self.places)
+        if reading.word(place.last) != ";" or not following or not alone or not place.led or _several(place):
+            return []
+        colons = [at for at in range(place.first) if reading.word(at) == ":" and reading.sentence[at] == sentence]
+        return [number for number in left if not colons or self.phrases[number].first > colons[-1]]
 
     def _asyndetic(self, left: list[int]) -> bool:
         """Whether commas alone part a list, so that what follows is of its last entry: "shop, cafe upstairs"."""

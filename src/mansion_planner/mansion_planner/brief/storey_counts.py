@@ -22,6 +22,7 @@ STOREY_ADJECTIVES = frozenset(
     working usable living successive consecutive more
     """.split()
 )
+_ANAPHORS = frozenset({"it", "that", "them", "this", "these", "those"})
 _BELOW = frozenset({"underground", "basement", "subterranean", "below"})
 CLOSERS = frozenset({"", ".", ",", ";", ":", "\n", ")", "!", "?", "=", "-"})
 
@@ -118,13 +119,15 @@ class StoreyCounts:
         """Read "everything on one level", "all at grade", "ground floor only", "no other floors"."""
         reading = self.reading
         word = reading.word(index)
-        if (
-            word == "no"
-            and reading.word(index + 1) in ("other", "upper", "further")
-            and reading.word(index + 2) in FLOOR_WORDS
-        ):
-            self._state(1, index, index + 3)
-            return index + 3
+        if word in ("no", "without") and reading.word(index + 2) in FLOOR_WORDS:
+            most = self._most_below(index + 1)
+            if most:
+                self._state(most, index, index + 3)
+                return index + 3
+        pair = self._ground_and_next_only(index)
+        if pair:
+            self._state(2, index, pair)
+            return pair
         if (
             word in ("ground", "street")
             and reading.word(index + 1) in FLOOR_WORDS
@@ -147,6 +150,31 @@ class StoreyCounts:
         last += 1 + (reading.word(last + 1) in FLOOR_WORDS)
         self._state(1, index, last)
         return last
+
+    def _most_below(self, index: int) -> int:
+        """Return how many storeys there are at most without the one that is named: "no second floor", or 0."""
+        reading = self.reading
+        if reading.plural(index + 1):
+            return int(reading.word(index) in ("other", "upper", "further"))
+        if reading.word(index) in ("other", "upper", "further"):
+            return 1
+        value = reading.value(index) if reading.kind(index) == "ordinal" else 0.0
+        named = {ref.last for place in self.places for ref in place.refs if ref.kind in ("number", "range")}
+        if value not in (1.0, 2.0, 3.0, 4.0) or value in named:
+            return 0
+        return max(int(value) - 1, 1)
+
+    def _ground_and_next_only(self, index: int) -> int:
+        """Return where "ground and first floor only" ends, or 0."""
+        reading = self.reading
+        last = index + 1 + (reading.word(index + 1) in FLOOR_WORDS)
+        if reading.word(index) != "ground" or reading.word(last) not in ("and", "&", "+", "plus"):
+            return 0
+        last += 1 + (reading.word(last + 1) in ("one", "the"))
+        upper = reading.word(last) == "upper" or (reading.kind(last) == "ordinal" and reading.value(last) == 1)
+        if not upper or reading.word(last + 1) not in FLOOR_WORDS or reading.word(last + 2) not in ("only", "alone"):
+            return 0
+        return last + 3 if reading.word(last + 3) in CLOSERS else 0
 
     def _of_room(self, index: int) -> bool:
         """Whether "two storeys high" is said of a room: "the lobby is two storeys high"."""
@@ -246,9 +274,49 @@ class StoreyCounts:
         if "upper" in adjectives or "additional" in adjectives or "more" in adjectives:
             value += 1
         if reading.word(last) == "of" and self._storeys_of_a_use(last):
-            return index
+            return self._storeys_with_a_use(index, last, int(value))
         self._state(value, index, last)
         return last
+
+    def _storeys_with_a_use(self, index: int, last: int, many: int) -> int:
+        """Read "three floors of offices above a shop", "a bar, then four storeys of rooms", "five floors of flats".
+
+        They lie above what is named before or after them; where nothing is, they are the whole building.
+        """
+        reading = self.reading
+        if reading.facts.floors:
+            return index
+        stacked = self._lies_over(last)
+        before = self._storey_below() if reading.word(index - 1) == "then" else 0
+        base = 1 if stacked else before
+        if base:
+            span = reading.span(index, last)
+            self.places.append(Place(index, last, (FloorRef("range", base + 1, base + many, span),), led=False))
+            if stacked:
+                if reading.word(stacked[1] - 1) not in _ANAPHORS:
+                    ground = FloorRef("number", 1, 1, reading.span(*stacked))
+                    self.places.append(Place(*stacked, (ground,), led=False, heading=True))
+                reading.take(*stacked)
+            return last
+        texts = {token.text for token in reading.tokens}
+        if self.places or texts & {"ground", "basement", "cellar", "top", "downstair", "downstairs"}:
+            return index
+        self._state(many, index, last)
+        return last
+
+    def _lies_over(self, last: int) -> tuple[int, int] | None:
+        """Return the tokens of "above" in "of offices above a shop", where no break stands before them."""
+        reading = self.reading
+        for at in range(last + 1, last + 7):
+            if reading.breaks(at) or reading.word(at) in (",", "with", "and", ":"):
+                return None
+            end = at + (3 if reading.words(at, at + 3) == ("on", "top", "of") else 1)
+            if reading.word(at) in ("above", "over", "atop") or end == at + 3:
+                if reading.word(end) in _ANAPHORS:
+                    return at, end + 1
+                outside = reading.word(end) in ("ground", "grade", "street")
+                return None if outside or reading.words(end, end + 2) == ("the", "ground") else (at, end)
+        return None
 
     def _storey_below(self) -> int:
         """Return the storey that "above it" counts from: the last one named, else the first; 0 if not numbered."""
@@ -283,7 +351,9 @@ class StoreyCounts:
     def _storeys_of_a_use(self, last: int) -> bool:
         """Whether "of" leads on to a use of the storeys ("three floors of apartments"), not to their size."""
         mention = next((self.reading.mention_at[i] for i in (last + 1, last + 2) if i in self.reading.mention_at), None)
-        return mention is not None and (mention.plural or bool(mention.building))
+        if mention is None:
+            return self.reading.word(last + 1) == "room" and self.reading.plural(last + 1)
+        return mention.plural or bool(mention.building)
 
     def _basement_count(self, index: int) -> int:
         reading = self.reading

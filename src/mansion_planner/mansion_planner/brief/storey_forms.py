@@ -162,7 +162,8 @@ class _Forms:
         if token is None or token.kind not in ("number", "level") or token.spaced:
             return None
         last = index + 2 + 2 * (self.texts[index + 2 : index + 4] == ["/", "f"])
-        if self._word(last) not in _MARKS and last == index + 2 and token.kind != "level":
+        levels = any(other.kind == "level" for other in self.tokens)  # "B1 boiler room; L1 foyer"
+        if self._word(last) not in _MARKS and last == index + 2 and token.kind != "level" and not levels:
             return None
         return [replace(self.tokens[index], text="basement", end=self.tokens[last - 1].end)], last
 

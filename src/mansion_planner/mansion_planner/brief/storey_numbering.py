@@ -23,7 +23,8 @@ def counts_from_ground(reading: Reading) -> bool:
     ground = ground or any(token.text == ABOVE_GROUND for token in reading.tokens)
     if ground and _counts_ground_apart(reading):
         return True
-    if not ground or not ({("first", "floor"), ("first", "storey")} & set(pairs)):
+    elliptic = _elliptic_ordinals(reading)
+    if not ground or not ({("first", "floor"), ("first", "storey")} & set(pairs) or 1 in elliptic):
         return False
     if ("second", "storey") in pairs:
         return False
@@ -36,7 +37,19 @@ def counts_from_ground(reading: Reading) -> bool:
         default=1,
     )
     stated = _stated_numbers(reading)
-    return not (stated and max(stated) == highest)
+    return not (stated and max(stated) == max(highest, *elliptic, 1))
+
+
+def _elliptic_ordinals(reading: Reading) -> list[int]:
+    """Return the storeys that "on the first, ..." and "Second: ..." name without a word for storeys."""
+    found = []
+    for index, token in enumerate(reading.tokens):
+        if token.kind != "ordinal" or token.value != int(token.value):
+            continue
+        placed = reading.words(index - 2, index) == ("on", "the") and reading.word(index + 1) in (",", ".", ";", ":")
+        if placed or (reading.starts(index) and reading.word(index + 1) == ":"):
+            found.append(int(token.value))
+    return found
 
 
 def counts_above_ground(reading: Reading) -> bool:

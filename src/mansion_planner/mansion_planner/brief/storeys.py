@@ -31,7 +31,7 @@ def read_storeys(reading: Reading) -> list[Place]:
     settle_counts(reading)
     floors = int(reading.facts.floors[0].value) if reading.facts.floors else 0
     places = [_with_edges(reading, place) if place.last > place.first else place for place in scanner.places]
-    places = _narrowed(reading, places)
+    places = _below_the_top(reading, _narrowed(reading, places))
     return resolve_rest(places, floors)
 
 
@@ -51,6 +51,22 @@ def _narrowed(reading: Reading, places: list[Place]) -> list[Place]:
     return found
 
 
+def _below_the_top(reading: Reading, places: list[Place]) -> list[Place]:
+    """Read one upper storey beside a top one as the one between: "EG: shop. OG: flat. DG: studio"."""
+    kinds = {ref.kind for place in places for ref in place.refs}
+    if reading.facts.floors or not {"upper", "top"} <= kinds <= {"upper", "top", "basement", "number"}:
+        return places
+    if any(ref.kind == "number" and ref.last > 1 for place in places for ref in place.refs):
+        return places
+
+    def is_one(place: Place) -> bool:
+        each = not {"each", "every"}.isdisjoint(reading.words(place.first, place.last))
+        several = any(reading.plural(i) and reading.word(i) in FLOOR_WORDS for i in range(place.first, place.last))
+        return place.refs[0].kind == "upper" and not place.refs[0].first and not each and not several
+
+    return [replace(place, refs=(replace(place.refs[0], first=1),)) if is_one(place) else place for place in places]
+
+
 def _with_edges(reading: Reading, place: Place) -> Place:
     first = place.first
     while (
@@ -63,10 +79,13 @@ def _with_edges(reading: Reading, place: Place) -> Place:
     last = place.last
     if reading.word(last) == "(" and reading.word(last + 2) == ")" and reading.kind(last + 1) == "word":
         last += 3
-    heading = reading.word(last) in (":", "=") or (reading.starts(first) and reading.word(last) in ("\n", "-"))
+    counted = reading.kind(last + 1) == "number" and reading.words(last + 2, last + 4) == ("of", "them")
+    heading = (reading.word(last) in (":", "=") and not counted) or (
+        reading.starts(first) and reading.word(last) in ("\n", "-")
+    )
     reading.take(first, last)
     each = place.refs[0].kind == "every" and reading.kind(place.first - 1) in ("word", "number")
-    return replace(place, first=first, last=last, led=led or each, heading=heading)
+    return replace(place, first=first, last=last, led=led or each, heading=heading or place.heading)
 
 
 _UPSTAIRS = frozenset("upper other guest remaining sleeping bedroom residential".split())
@@ -317,6 +336,8 @@ class _Scanner:
         counted = counted and not self._names_several(index)
         if word == "each" and counted and reading.word(last) in ("with", "has", "having", "contain", "hold"):
             return [FloorRef("every")], last  # "three floors, each with 12 rooms"
+        if word == "each" and reading.word(last) == "other" and reading.word(last + 1) in FLOOR_WORDS and self.places:
+            return [FloorRef("upper")], last + 2  # "a shop on the ground floor; each other floor two flats"
         by_turns = word in ("every", "each") and reading.word(last) in ("second", "other")
         if by_turns and reading.word(last + 1) in FLOOR_WORDS and not reading.plural(last + 1):
             return [FloorRef("even")], last + 2  # "every second floor"

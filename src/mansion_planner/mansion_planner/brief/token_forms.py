@@ -38,8 +38,15 @@ _APART = frozenset(
 """Nouns that are one word, and that people write as two."""
 
 
-def capacities(tokens: list[Token]) -> list[Token]:
-    """Read "a canteen with room for 150" as "a canteen for 150": the room is no room of its own."""
+def capacities(tokens: list[Token], nouns: frozenset[str]) -> list[Token]:
+    """Read "a canteen with room for 150" and "canteen seats 150" as "a canteen for 150".
+
+    Parameters
+    ----------
+    nouns : frozenset of str
+        What the names of rooms and buildings end with.
+    """
+    tokens = _seating_verbs(tokens, nouns)
     texts = [token.text for token in tokens]
     left_out: set[int] = set()
     for index in range(len(tokens) - 3):
@@ -47,6 +54,21 @@ def capacities(tokens: list[Token]) -> list[Token]:
         if spacious and texts[index + 2] == "for" and tokens[index + 3].kind == "number":
             left_out |= {index, index + 1}
     return [token for index, token in enumerate(tokens) if index not in left_out]
+
+
+def _seating_verbs(tokens: list[Token], nouns: frozenset[str]) -> list[Token]:
+    """Read "seats 30" after a room as "for 30"; the seats of a list ("table 4, seats 30") have no room before them."""
+    result: list[Token] = []
+    for index, token in enumerate(tokens):
+        last = result[-1] if result else None
+        verb = token.text == "seat" and last is not None and last.kind == "word" and last.text in nouns
+        verb = verb and last is not None and token.plural != last.plural
+        number = index + 1 + (index + 1 < len(tokens) and tokens[index + 1].text in ("x", ":"))
+        counted = number < len(tokens) and tokens[number].kind == "number"
+        if token.text == "x" and last is not None and last.text == "for":
+            continue
+        result.append(replace(token, text="for", plural=False) if verb and counted else token)
+    return result
 
 
 _FOREIGN_STOREYS = {"etage": "floor", "niveau": "level", "niveaux": "level", "planta": "floor", "plant": "floor"}

@@ -23,7 +23,7 @@ def leave_unread(reading: Reading) -> None:
 _RELATING = frozenset(
     """
     above below beneath underneath over under behind beside next near opposite surrounded share sharing overlooking
-    facing between identical except unless half ditto idem likewise
+    facing face overlook between identical except unless half ditto idem likewise
     """.split()
 )
 """Words that tell where a room is, or what it shares; where no relation was read they are told of."""

@@ -207,7 +207,7 @@ def _infer_floors(
     floor_least = 1
     if kinds & {"upper", "top"}:
         floor_least = 2
-    if kinds & {"middle"}:
+    if kinds & {"middle"} or {"upper", "top"} <= kinds:
         floor_least = 3
     if sum(use.count or 0 for use in facts.uses):
         above = any(use.floors for use in facts.uses if use.count)

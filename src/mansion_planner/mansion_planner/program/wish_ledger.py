@@ -277,7 +277,7 @@ class _Ledger:
 
     def _object(self, wanted: ObjectFact) -> None:
         kind: WishKind = "no_object" if wanted.excluded else "object"
-        words = wanted.noun if wanted.words.lower().startswith(("for ", "seating ", "seat ")) else wanted.words
+        words = wanted.noun if wanted.words.startswith("for ") else wanted.words
         value = WishValue(
             name=words.lower().replace(" ", "_"),
             type=wanted.category,

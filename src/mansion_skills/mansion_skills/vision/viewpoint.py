@@ -4,6 +4,7 @@ from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.wording import choices
 from mansion_msgs_py.world import Pose2D
 from mansion_skills.engine.session import Session
+from mansion_skills.vision.room_view import widest_view
 from mansion_skills.world.floor_view import Landmark, landmark_named
 from mansion_skills.world.robot_body import RobotBody
 from mansion_skills.world.world import World
@@ -17,7 +18,8 @@ def stand_at(session: Session, room: str = "", floor: int | None = None, turn: f
     Parameters
     ----------
     room : str
-        A room, a stair or a lift, on the robot's floor first; where the robot is, or the floor's first when empty.
+        A room, from where most of it is in view, or a stair or a lift, on the robot's floor first; where the robot
+        is, or the floor's first when empty.
     floor : int, optional
         The only floor to look on.
     turn : float
@@ -37,7 +39,8 @@ def stand_at(session: Session, room: str = "", floor: int | None = None, turn: f
         floors = [floor]
     if room or floor not in (None, body.floor):
         found = _place(world, body, room, floors)
-        body.floor, body.pose = found.floor, found.pose
+        body.floor = found.floor
+        body.pose = widest_view(world, found) if found.kind == "room" else found.pose
     pose = body.pose
     body.pose = Pose2D(x=pose.x, y=pose.y, yaw=(pose.yaw + turn) % 360.0)
 

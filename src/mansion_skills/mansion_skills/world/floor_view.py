@@ -6,6 +6,7 @@ from math import dist
 
 import numpy as np
 
+from mansion_geometry.compiled import Bools
 from mansion_geometry.disc_cells import region_of
 from mansion_msgs_py.scene import Door, FloorScene
 from mansion_msgs_py.world import ObjectState, Pose2D
@@ -13,7 +14,7 @@ from mansion_skills.navigation.floor_map import Body, FloorMap
 from mansion_skills.navigation.search import NO_CELL, best_cells, clearance
 from mansion_skills.world.objects import ObjectTable
 
-__all__ = ["FloorView", "Landmark", "bodies_of", "floor_landmarks", "landmark_named"]
+__all__ = ["FloorView", "Landmark", "bodies_of", "floor_landmarks", "landmark_named", "reached_cells"]
 
 GENERIC = {"elevator": "elevator", "lift": "elevator", "stairs": "stair", "stair": "stair"}
 
@@ -44,15 +45,7 @@ def floor_landmarks(grid: FloorMap) -> list[Landmark]:
         for core in scene.cores
         for x, y, yaw in [core.entrance]
     ]
-    distance = clearance(grid.blocked)
-    reached = np.zeros_like(grid.blocked)
-    starts = [(core.entrance[0], core.entrance[1]) for core in scene.cores]
-    starts += [(scene.spawn.x, scene.spawn.y)] if scene.spawn else []
-    for x, y in starts:
-        row, column = grid.frame.cell(x, y)
-        if grid.frame.holds(row, column) and not reached[row, column]:
-            reached |= region_of(grid.blocked, row, column)
-    cells = best_cells(grid.rooms, distance, reached, len(scene.rooms))
+    cells = best_cells(grid.rooms, clearance(grid.blocked), reached_cells(grid), len(scene.rooms))
     for number, room in enumerate(scene.rooms, start=1):
         cell = int(cells[number])
         if room.kind in ("stair", "elevator") or cell == NO_CELL:
@@ -62,6 +55,19 @@ def floor_landmarks(grid: FloorMap) -> list[Landmark]:
         called = tuple(name for name in (room.name, *room.aliases) if name)
         found.append(Landmark(room.id, "room", scene.floor, pose, called))
     return found
+
+
+def reached_cells(grid: FloorMap) -> Bools:
+    """Return the cells that a robot can be in and reach from the floor's cores or its spawn pose."""
+    scene = grid.scene
+    reached = np.zeros_like(grid.blocked)
+    starts = [(core.entrance[0], core.entrance[1]) for core in scene.cores]
+    starts += [(scene.spawn.x, scene.spawn.y)] if scene.spawn else []
+    for x, y in starts:
+        row, column = grid.frame.cell(x, y)
+        if grid.frame.holds(row, column) and not reached[row, column]:
+            reached |= region_of(grid.blocked, row, column)
+    return reached
 
 
 def landmark_named(

@@ -1,17 +1,16 @@
-"""Exits, the ways to them, dead ends, lifts, and the widths of corridors and doors."""
+"""Exits of storeys and rooms, how far apart and how wide they are, the ways to them, and dead ends."""
 
 import itertools
 import math
 from collections.abc import Iterator
 
 import networkx as nx
-from shapely import Polygon
 
 from mansion_bringup.check.norms.premises import Deviation, Premises, rooms_of
-from mansion_bringup.check.norms.walking import Place, exit_doors, ways_of
-from mansion_bringup.check.shapes import net_area, segment_length
-from mansion_knowledge.norms import Norm
-from mansion_msgs_py.scene import FloorScene
+from mansion_bringup.check.norms.walking import Place, exit_doors, middle_of, ways_of
+from mansion_bringup.check.shapes import segment_length
+from mansion_msgs_py.scene import FloorScene, StairDetails
+from mansion_msgs_py.wording import counted
 
 __all__ = ["escape_deviations"]
 
@@ -19,12 +18,10 @@ _ROUNDING = 0.02
 
 
 def escape_deviations(premises: Premises) -> Iterator[Deviation]:
-    """Yield deviations from the rules of escape and access."""
+    """Yield deviations from the rules of escape."""
     for scene in premises.scenes:
         yield from _exits(premises, scene)
-    yield from _lift(premises)
-    yield from _corridor_width(premises)
-    yield from _door_width(premises)
+        yield from _room_exits(premises, scene)
 
 
 def _exits(premises: Premises, scene: FloorScene) -> Iterator[Deviation]:
@@ -33,14 +30,54 @@ def _exits(premises: Premises, scene: FloorScene) -> Iterator[Deviation]:
         return
     people = premises.people(scene)
     level = {0: "upper", 1: "ground", 2: "upper"}.get(scene.floor, "high")
-    alone = people <= norm.limit(level)
+    limits = (norm.limit(level), norm.limit("three"), norm.limit("four"))
+    needed = 1 + sum(people > limit for limit in limits)
     exits, where = exit_doors(scene), f"floor {scene.floor}"
-    if not alone and len(exits) < 2:
-        asked = f"2 for {people:.0f} occupants, as above {norm.limit(level):.0f}"
-        yield premises.deviation(norm, where, f"{len(exits)} exit" + "s" * (len(exits) != 1), asked)
-    yield from _distances(premises, scene, exits, "single_exit_travel" if alone else "travel_distance")
-    if not alone and len(exits) > 1:
+    if len(exits) < needed:
+        asked = f"{needed} for {people:.0f} occupants, as above {limits[needed - 2]:.0f}" if needed > 1 else "1"
+        yield premises.deviation(norm, where, counted(len(exits), "exit"), asked)
+    yield from _distances(premises, scene, exits, "single_exit_travel" if needed < 2 else "travel_distance")
+    yield from _exit_width(premises, scene, exits, people)
+    if needed > 1 and len(exits) > 1:
+        yield from _exit_separation(premises, scene, exits)
         yield from _dead_ends(premises, scene, exits)
+
+
+def _exit_width(premises: Premises, scene: FloorScene, exits: list[str], people: int) -> Iterator[Deviation]:
+    norm = premises.norm("exit_width")
+    if norm is None or not exits:
+        return
+    by_id = {door.id: segment_length(door.segment) for door in scene.doors}
+    flights = {core.door: core.details.width for core in scene.cores if isinstance(core.details, StairDetails)}
+    stairs = scene.floor != 1 and all(door in flights for door in exits)
+    widths = [min(by_id[door], flights[door]) if stairs and flights[door] else by_id[door] for door in exits]
+    needed = people * norm.limit("stair" if stairs else "")
+    if sum(widths) < needed - _ROUNDING:
+        found = f"{sum(widths):.2f} m of {'stairs' if stairs else 'doors'}"
+        yield premises.deviation(norm, f"floor {scene.floor}", found, f"{needed:.2f} m for {people} occupants")
+
+
+def _exit_separation(premises: Premises, scene: FloorScene, exits: list[str]) -> Iterator[Deviation]:
+    norm = premises.norm("exit_separation")
+    if norm is None:
+        return
+    middles = [middle_of(door) for door in scene.doors if door.id in exits]
+    apart = max((math.dist(one, other) for one, other in itertools.combinations(middles, 2)), default=0.0)
+    xs, ys = zip(*scene.outline)
+    least = premises.limit(norm) * math.hypot(max(xs) - min(xs), max(ys) - min(ys))
+    if apart < least - _ROUNDING:
+        yield premises.deviation(norm, f"floor {scene.floor}", f"exits {apart:.1f} m apart", f"{least:.1f} m")
+
+
+def _room_exits(premises: Premises, scene: FloorScene) -> Iterator[Deviation]:
+    norm = premises.norm("room_exits")
+    if norm is None:
+        return
+    for room in rooms_of(scene):
+        people = premises.norms.people(room.room_type, room.area, premises.knowledge)
+        doors = sum(room.id in door.rooms for door in scene.doors)
+        if round(people) > premises.limit(norm, room.room_type) and doors < 2:
+            yield premises.deviation(norm, room.id, counted(doors, "door"), f"2 for {people:.0f} occupants")
 
 
 def _distances(premises: Premises, scene: FloorScene, exits: list[str], rule: str) -> Iterator[Deviation]:
@@ -50,11 +87,17 @@ def _distances(premises: Premises, scene: FloorScene, exits: list[str], rule: st
     if norm is None or not known:
         return
     reached = nx.multi_source_dijkstra_path_length(ways, known, weight="weight")
-    for room in rooms_of(scene):
-        far = max((reached.get((room.id, i), 0.0) for i in range(len(room.polygon))), default=0.0)
-        if far > premises.limit(norm) + _ROUNDING:
-            asked = f"at most {premises.limit(norm):.1f} m"
-            yield premises.deviation(norm, room.id, f"{far:.1f} m to the nearest exit", asked)
+    limit = premises.limit(norm)
+    distances = {
+        room.id: max((reached.get((room.id, i), 0.0) for i in range(len(room.polygon))), default=0.0)
+        for room in rooms_of(scene)
+    }
+    too_far = sorted((far, room) for room, far in distances.items() if far > limit + _ROUNDING)
+    if too_far:
+        far, room = too_far[-1]
+        others = f", from {counted(len(too_far) - 1, 'other room')} more than is asked" if len(too_far) > 1 else ""
+        exits_there = f"the nearest of {counted(len(known), 'exit')}"
+        yield premises.deviation(norm, room, f"{far:.1f} m to {exits_there}{others}", f"at most {limit:.1f} m")
 
 
 def _dead_ends(premises: Premises, scene: FloorScene, exits: list[str]) -> Iterator[Deviation]:
@@ -84,50 +127,3 @@ def _shared_stretch(found: dict[str, dict[Place, float]], place: Place) -> float
         if place in found[a] and place in found[b] and b in found[a]
     ]
     return min(stretches, default=0.0)
-
-
-def _lift(premises: Premises) -> Iterator[Deviation]:
-    norm = premises.norm("lift")
-    storeys = len(premises.scenes)
-    if norm is None or storeys <= premises.limit(norm):
-        return
-    if not any(core.type == "elevator" for scene in premises.scenes for core in scene.cores):
-        asked = f"one, as above {premises.limit(norm):.0f} storey" + "s" * (premises.limit(norm) != 1)
-        yield premises.deviation(norm, "building", f"{storeys} storeys and no lift", asked)
-
-
-def _corridor_width(premises: Premises) -> Iterator[Deviation]:
-    norm = premises.norm("corridor_width")
-    if norm is None:
-        return
-    for room in premises.of_types(norm.rooms):
-        least = premises.limit(norm)
-        shape = net_area(room)
-        if not _is_passable(shape, least - _ROUNDING):
-            steps = (least - 0.05 * step for step in range(1, int(least / 0.05)))
-            width = next((width for width in steps if _is_passable(shape, width)), 0.0)
-            yield premises.deviation(norm, room.id, f"narrows to about {width:.2f} m", f"{least:.2f} m")
-
-
-def _is_passable(shape: Polygon, width: float) -> bool:
-    inner = shape.buffer(-width / 2)
-    return not inner.is_empty and inner.geom_type == "Polygon"
-
-
-def _door_width(premises: Premises) -> Iterator[Deviation]:
-    norm = premises.norm("door_width")
-    if norm is None:
-        return
-    kinds = {room.id: room.room_type for room in premises.rooms()}
-    for scene in premises.scenes:
-        for door in scene.doors:
-            least = _widest(premises, norm, [kinds.get(name or "", "") for name in door.rooms])
-            width = segment_length(door.segment)
-            if width < least - _ROUNDING:
-                yield premises.deviation(norm, door.id, f"{width:.2f} m clear", f"{least:.2f} m")
-
-
-def _widest(premises: Premises, norm: Norm, kinds: list[str]) -> float:
-    if any(premises.knowledge.room(kind).toilet or kind in ("bathroom", "") for kind in kinds):
-        return norm.figure
-    return max((norm.limit(kind) for kind in kinds), default=math.nan)

@@ -1,12 +1,13 @@
 """A finished building as the rules look at it: its family, rooms and occupants, and what leads where."""
 
-from collections.abc import Iterator, Sequence
+import re
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 
 import msgspec
 
 from mansion_knowledge import KnowledgeBase, default_knowledge, is_class, kin_of
-from mansion_knowledge.norms import Norm, Norms, load_norms
+from mansion_knowledge.norms import Norm, Norms, Severity, load_norms
 from mansion_msgs_py.building import Building
 from mansion_msgs_py.scene import FloorScene, SceneRoom
 
@@ -18,6 +19,12 @@ class Deviation(msgspec.Struct, frozen=True, order=True):
 
     Attributes
     ----------
+    severity : {"deviation", "advice"}
+        Whether a code asks for it or practice does; advice does not count.
+    floor : int, optional
+        The storey; ``None`` for what concerns the whole building.
+    room : str
+        The room, or the first of two; empty for what concerns a storey, a door or the building.
     caused_by : str
         Words of the brief that ask for it explicitly; such a deviation does not count.
     """
@@ -27,11 +34,20 @@ class Deviation(msgspec.Struct, frozen=True, order=True):
     found: str
     asked: str
     source: str
+    severity: Severity = "deviation"
+    floor: int | None = None
+    room: str = ""
     caused_by: str = ""
+
+    @property
+    def counts(self) -> bool:
+        """Whether a code asks for it and the brief does not ask for the contrary."""
+        return self.severity == "deviation" and not self.caused_by
 
     def __str__(self) -> str:
         cause = f'; the brief asks for it: "{self.caused_by}"' if self.caused_by else ""
-        return f"{self.rule} {self.where}: {self.found}; asked: {self.asked} ({self.source}){cause}"
+        kind = "advice: " if self.severity == "advice" else ""
+        return f"{kind}{self.rule} {self.where}: {self.found}; asked: {self.asked} ({self.source}){cause}"
 
 
 @dataclass(frozen=True)
@@ -83,6 +99,11 @@ class Premises:
         """Return the occupants of a storey."""
         return round(sum(self.norms.people(room.room_type, room.area, self.knowledge) for room in rooms_of(scene)))
 
+    def pieces(self, norm: Norm, rooms: Iterable[SceneRoom]) -> int:
+        """Return how many objects that answer a rule are in some rooms."""
+        ids = {room.id for room in rooms}
+        return sum(item.room in ids and item.category in norm.things for scene in self.scenes for item in scene.objects)
+
     def is_sleeping_unit(self, room: SceneRoom) -> bool:
         """Whether people live or sleep in a room, so that a bathroom behind it is theirs."""
         kind = self.knowledge.room(room.room_type)
@@ -96,7 +117,22 @@ class Premises:
 
     def deviation(self, norm: Norm, where: str, found: str, asked: str) -> Deviation:
         """Return a deviation with the rule's id and source."""
-        return Deviation(norm.id, where, found, asked, norm.source)
+        floor = _FLOOR.match(where)
+        named = where.split(" and ")[0]
+        return Deviation(
+            rule=norm.id,
+            where=where,
+            found=found,
+            asked=asked,
+            source=norm.source,
+            severity=norm.severity,
+            floor=int(floor[1]) if floor else None,
+            room=named if any(room.id == named for room in self.rooms()) else "",
+        )
+
+
+_FLOOR = re.compile(r"(?:F|floor )(-?\d+)\b")
+"""The storey in the id of a room or a door, or in the name of a storey."""
 
 
 def rooms_of(scene: FloorScene) -> list[SceneRoom]:

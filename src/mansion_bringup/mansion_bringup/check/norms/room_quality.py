@@ -9,8 +9,9 @@ from shapely import Polygon
 from mansion_bringup.check.norms.premises import Deviation, Premises
 from mansion_bringup.check.shapes import net_area, segment_length
 from mansion_msgs_py.scene import SceneRoom
+from mansion_msgs_py.wording import counted
 
-__all__ = ["room_deviations"]
+__all__ = ["room_deviations", "sides_of"]
 
 _ROUNDING = 0.02
 
@@ -19,12 +20,14 @@ def room_deviations(premises: Premises) -> Iterator[Deviation]:
     """Yield deviations from the rules of daylight, room sizes and circulation."""
     yield from _daylight(premises)
     yield from _sizes(premises)
+    yield from _workplaces(premises)
+    yield from _heights(premises)
     yield from _circulation_share(premises)
 
 
 def _daylight(premises: Premises) -> Iterator[Deviation]:
-    outer, share = premises.norm("outer_wall"), premises.norm("window_share")
-    if outer is None or share is None:
+    outer, share, work = (premises.norm(name) for name in ("outer_wall", "window_share", "work_window"))
+    if outer is None or share is None or work is None:
         return
     glass: dict[str, float] = defaultdict(float)
     for scene in premises.scenes:
@@ -34,17 +37,18 @@ def _daylight(premises: Premises) -> Iterator[Deviation]:
             if None in door.rooms and door.kind in ("glazed", "balcony"):
                 glass[door.rooms[0]] += door.width * door.height
     above = {room.id for scene in premises.scenes if scene.floor >= 1 for room in scene.rooms}
-    rooms = [room for room in premises.of_types((*outer.rooms, *share.rooms)) if room.id in above]
+    rooms = [room for room in premises.of_types((*outer.rooms, *share.rooms, *work.rooms)) if room.id in above]
     for room in rooms:
         if not glass[room.id] and premises.is_one_of(room, outer.rooms):
             yield premises.deviation(outer, room.id, "no window", "a window in an outer wall")
-        elif premises.is_one_of(room, share.rooms):
-            found, least = glass[room.id] / net_area(room).area, premises.limit(share, room.room_type)
-            if found < least - 0.001:
-                yield premises.deviation(share, room.id, f"windows of {found:.1%} of the floor", f"{least:.0%}")
+            continue
+        for norm in (share, work):
+            found, least = glass[room.id] / net_area(room).area, premises.limit(norm, room.room_type)
+            if premises.is_one_of(room, norm.rooms) and found < least - 0.001:
+                yield premises.deviation(norm, room.id, f"windows of {found:.1%} of the floor", f"{least:.0%}")
 
 
-def _sides(room: SceneRoom) -> tuple[float, float]:
+def sides_of(room: SceneRoom) -> tuple[float, float]:
     """Return the short and the long side of the smallest rectangle around a room, metres."""
     box = net_area(room).minimum_rotated_rectangle
     if not isinstance(box, Polygon):
@@ -55,19 +59,40 @@ def _sides(room: SceneRoom) -> tuple[float, float]:
 
 
 def _sizes(premises: Premises) -> Iterator[Deviation]:
-    norms = [premises.norm(name) for name in ("room_area", "room_dimension", "proportion")]
+    norms = [premises.norm(name) for name in ("room_area", "room_dimension", "proportion", "cell_area")]
     for norm in norms:
         for room in premises.of_types(norm.rooms) if norm is not None else ():
             assert norm is not None
             limit = premises.limit(norm, room.room_type)
-            short, long = _sides(room)
+            short, long = sides_of(room)
             area = net_area(room).area
-            if norm.id == "room_area" and area < limit - _ROUNDING:
+            if norm.id in ("room_area", "cell_area") and area < limit - _ROUNDING:
                 yield premises.deviation(norm, room.id, f"{area:.1f} m2 net", f"at least {limit:.1f} m2")
             if norm.id == "room_dimension" and short < limit - _ROUNDING:
                 yield premises.deviation(norm, room.id, f"{short:.2f} m from side to side", f"at least {limit:.2f} m")
             if norm.id == "proportion" and long > limit * max(short, 0.01):
                 yield premises.deviation(norm, room.id, f"1 to {long / max(short, 0.01):.1f}", f"at most 1 to {limit}")
+
+
+def _workplaces(premises: Premises) -> Iterator[Deviation]:
+    norm = premises.norm("workplace_area")
+    for room in premises.of_types(norm.rooms) if norm is not None else ():
+        assert norm is not None
+        places = premises.pieces(norm, [room])
+        area, least = net_area(room).area, norm.figure + norm.limit("further") * (places - 1)
+        if places and area < least - _ROUNDING:
+            found = f"{area:.1f} m2 net for {counted(places, 'workplace')}"
+            yield premises.deviation(norm, room.id, found, f"at least {least:.1f} m2")
+
+
+def _heights(premises: Premises) -> Iterator[Deviation]:
+    norm = premises.norm("ceiling_height")
+    for room in premises.rooms() if norm is not None else ():
+        assert norm is not None
+        low = premises.knowledge.room(room.room_type).zone in ("service", "circulation")
+        least = norm.limit("low" if low else "")
+        if room.ceiling_height < least - _ROUNDING:
+            yield premises.deviation(norm, room.id, f"{room.ceiling_height:.2f} m high", f"{least:.2f} m")
 
 
 def _circulation_share(premises: Premises) -> Iterator[Deviation]:

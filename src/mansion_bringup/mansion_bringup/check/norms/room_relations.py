@@ -8,12 +8,26 @@ from mansion_bringup.check.norms.premises import Deviation, Premises
 
 __all__ = ["relation_deviations"]
 
-_DOOR_RULES = ("toilet_food_door", "service_door", "secure_door")
+_DOOR_RULES = (
+    "toilet_food_door",
+    "toilet_dining_door",
+    "service_door",
+    "secure_door",
+    "garage_bedroom_door",
+    "sterile_door",
+    "court_door",
+)
+_ANYWHERE = 9
+"""From so many storeys on, a rule asks for no companion at all."""
+
+_COMPANION_RULES = ("sports_changing", "pool_showers", "operating_recovery")
 
 
 def relation_deviations(premises: Premises) -> Iterator[Deviation]:
     """Yield deviations from the rules of neighbouring rooms."""
     yield from _kitchen_of_dining(premises)
+    for name in _COMPANION_RULES:
+        yield from _companions(premises, name)
     for name in _DOOR_RULES:
         yield from _forbidden_doors(premises, name)
 
@@ -36,6 +50,22 @@ def _kitchen_of_dining(premises: Premises) -> Iterator[Deviation]:
             yield premises.deviation(norm, room.id, "no kitchen on its storey", asked)
         elif between > norm.figure:
             yield premises.deviation(norm, room.id, f"its kitchen is {between} rooms away", asked)
+
+
+def _companions(premises: Premises, name: str) -> Iterator[Deviation]:
+    """Yield rooms whose companion is too many storeys away, or missing."""
+    norm = premises.norm(name)
+    if norm is None:
+        return
+    floors = {room.id: scene.floor for scene in premises.scenes for room in scene.rooms}
+    others = [floors[room.id] for room in premises.of_types(norm.others)]
+    named = " or ".join(kind.replace("_", " ") for kind in norm.others)
+    for room in premises.of_types(norm.rooms):
+        away = min((abs(floors[room.id] - floor) for floor in others), default=None)
+        if away is None and premises.limit(norm) < _ANYWHERE:
+            yield premises.deviation(norm, room.id, f"no {named}", "one")
+        elif away is not None and away > premises.limit(norm):
+            yield premises.deviation(norm, room.id, f"{away} storeys to the nearest {named}", f"{norm.figure:.0f}")
 
 
 def _forbidden_doors(premises: Premises, name: str) -> Iterator[Deviation]:

@@ -1,4 +1,4 @@
-"""Toilets, showers, and wet rooms above each other."""
+"""Toilets and washbasins for those who use a building, and wet rooms above each other."""
 
 import math
 from collections.abc import Iterator
@@ -6,12 +6,18 @@ from collections.abc import Iterator
 from shapely.ops import unary_union
 
 from mansion_bringup.check.norms.premises import Deviation, Premises
+from mansion_bringup.check.norms.room_quality import sides_of
 from mansion_bringup.check.shapes import net_area, room_area
 from mansion_geometry.object_footprints import footprint
 from mansion_knowledge.norms import Norm
 from mansion_msgs_py.scene import SceneRoom
+from mansion_msgs_py.wording import counted
 
 __all__ = ["sanitary_deviations"]
+
+_ROUNDING = 0.02
+_BASIN = 0.6
+"""Metres of a row of washbasins for one of them."""
 
 
 def sanitary_deviations(premises: Premises) -> Iterator[Deviation]:
@@ -19,14 +25,12 @@ def sanitary_deviations(premises: Premises) -> Iterator[Deviation]:
     yield from _water_closets(premises)
     yield from _separate_toilets(premises)
     yield from _accessible_toilet(premises)
+    yield from _accessible_toilet_size(premises)
     yield from _public_toilet(premises)
-    yield from _unit_showers(premises)
+    yield from _washbasins(premises)
+    yield from _toilet_storey(premises)
+    yield from _service_sink(premises)
     yield from _wet_stack(premises)
-
-
-def _fixtures(premises: Premises, norm: Norm, rooms: list[SceneRoom]) -> int:
-    ids = {room.id for room in rooms}
-    return sum(item.room in ids and item.category in norm.things for scene in premises.scenes for item in scene.objects)
 
 
 def _public_toilets(premises: Premises) -> list[SceneRoom]:
@@ -38,14 +42,22 @@ def _water_closets(premises: Premises) -> Iterator[Deviation]:
     men, women = premises.norm("water_closets_men"), premises.norm("water_closets_women")
     if men is None or women is None:
         return
-    half = sum(premises.people(scene) for scene in premises.scenes) / 2
-    needed = [max(1, math.ceil(half / premises.limit(norm))) for norm in (men, women)]
-    there = _fixtures(premises, men, list(premises.rooms()))
+    people = sum(premises.people(scene) for scene in premises.scenes)
+    there = premises.pieces(men, premises.rooms())
+    shares = [people / 2 / premises.limit(norm) for norm in (men, women)]
+    separate = premises.norm("separate_toilets")
+    if separate is not None and people <= premises.limit(separate):
+        least = max(1, math.ceil(sum(shares)))
+        if there < least:
+            found = f"{there} water closets and urinals"
+            yield premises.deviation(women, "building", found, f"{least} for {people} occupants of both sexes")
+        return
+    needed = [max(1, math.ceil(share)) for share in shares]
     for_men = round(there * needed[0] / sum(needed))
-    for norm, least, found in zip((men, women), needed, (for_men, there - for_men)):
-        if found < least:
-            asked = f"{least} for {half:.0f} {norm.unit}"
-            yield premises.deviation(norm, "building", f"{found} of {there} water closets and urinals", asked)
+    for norm, least, own in zip((men, women), needed, (for_men, there - for_men)):
+        if own < least:
+            asked = f"{least} for {people / 2:.0f} {norm.unit}"
+            yield premises.deviation(norm, "building", f"{own} of {there} water closets and urinals", asked)
 
 
 def _separate_toilets(premises: Premises) -> Iterator[Deviation]:
@@ -85,18 +97,56 @@ def _public_toilet(premises: Premises) -> Iterator[Deviation]:
         yield premises.deviation(norm, "floor 1", "no toilet for visitors", "one on the entrance storey")
 
 
-def _unit_showers(premises: Premises) -> Iterator[Deviation]:
-    norm = premises.norm("sleeping_unit_shower")
+def _washbasins(premises: Premises) -> Iterator[Deviation]:
+    norm = premises.norm("washbasins")
+    if norm is not None:
+        people = sum(premises.people(scene) for scene in premises.scenes)
+        needed, there = max(1, math.ceil(people / premises.limit(norm))), _basins(premises, norm, None)
+        if there < needed:
+            yield premises.deviation(norm, "building", counted(there, "washbasin"), f"{needed} for {people} occupants")
+    norm = premises.norm("toilet_washbasin")
+    for room in premises.of_types(norm.rooms) if norm is not None else ():
+        if norm is not None and not _basins(premises, norm, room.id):
+            yield premises.deviation(norm, room.id, "no washbasin", "one")
+
+
+def _basins(premises: Premises, norm: Norm, room: str | None) -> int:
+    """Return the washbasins of a room or of the building; a row counts as many as fit side by side."""
+    return sum(
+        max(1, round(item.size[0] / _BASIN)) if item.category == "sink_row" else 1
+        for scene in premises.scenes
+        for item in scene.objects
+        if item.category in norm.things and room in (None, item.room)
+    )
+
+
+def _toilet_storey(premises: Premises) -> Iterator[Deviation]:
+    norm = premises.norm("toilet_storey")
     if norm is None:
         return
-    baths = premises.of_types(norm.rooms)
-    own = [room for room in baths if premises.serves_unit(room)]
-    for room in own:
-        if not _fixtures(premises, norm, [room]):
-            yield premises.deviation(norm, room.id, "no bathtub and no shower", "one")
-    shared = [room for room in baths if room not in own]
-    if premises.family == "home" and shared and not own and not _fixtures(premises, norm, shared):
-        yield premises.deviation(norm, shared[0].id, "no bathtub and no shower in the dwelling", "one")
+    toilets = {room.id for room in premises.of_types(norm.rooms)}
+    floors = [scene.floor for scene in premises.scenes if any(room.id in toilets for room in scene.rooms)]
+    for scene in premises.scenes:
+        away = min((abs(scene.floor - floor) for floor in floors), default=math.inf)
+        if premises.people(scene) and away > premises.limit(norm):
+            found = f"the nearest toilet is {away} storeys away" if floors else "no toilet in the building"
+            yield premises.deviation(norm, f"floor {scene.floor}", found, f"at most {premises.limit(norm):.0f}")
+
+
+def _service_sink(premises: Premises) -> Iterator[Deviation]:
+    norm = premises.norm("service_sink")
+    if norm is not None and _basins(premises, norm, None) < premises.limit(norm):
+        yield premises.deviation(norm, "building", "no sink for cleaning", "one")
+
+
+def _accessible_toilet_size(premises: Premises) -> Iterator[Deviation]:
+    norm = premises.norm("accessible_toilet_size")
+    for room in premises.of_types(norm.rooms) if norm is not None else ():
+        assert norm is not None
+        short, long = sides_of(room)
+        if short < norm.figure - _ROUNDING or long < norm.limit("length") - _ROUNDING:
+            asked = f"{norm.figure} by {norm.limit('length')} m"
+            yield premises.deviation(norm, room.id, f"{short:.2f} by {long:.2f} m", asked)
 
 
 def _wet_stack(premises: Premises) -> Iterator[Deviation]:

@@ -14,7 +14,7 @@ from mansion_bringup.check.shapes import room_area
 from mansion_msgs_py.scene import Door, FloorScene, SceneRoom
 from mansion_msgs_py.shapes import Point
 
-__all__ = ["Place", "Ways", "exit_doors", "ways_of"]
+__all__ = ["Place", "Ways", "exit_doors", "middle_of", "ways_of"]
 
 Place: TypeAlias = str | tuple[str, int]
 
@@ -47,7 +47,7 @@ def _add_room(ways: Ways, room: SceneRoom, doors: Sequence[Door]) -> None:
     shape = room_area(room)
     corners = [*room.polygon, *(point for ring in room.holes for point in ring)]
     nodes: list[Place] = [*(door.id for door in doors), *((room.id, i) for i in range(len(corners)))]
-    places: list[Point] = [*(_middle(door) for door in doors), *corners]
+    places: list[Point] = [*(middle_of(door) for door in doors), *corners]
     ways.add_nodes_from(nodes)
     first, second = np.triu_indices(len(nodes), 1)
     if not len(first):
@@ -65,6 +65,7 @@ def _roomy(shape: Polygon) -> Polygon:
     return wide
 
 
-def _middle(door: Door) -> Point:
+def middle_of(door: Door) -> Point:
+    """Return the middle of a door's opening."""
     (x0, y0), (x1, y1) = door.segment
     return (x0 + x1) / 2, (y0 + y1) / 2
