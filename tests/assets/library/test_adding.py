@@ -172,3 +172,11 @@ def test_the_colours_of_a_model_are_kept(tmp_path: Path) -> None:
     # 200 and 40 of 255 are shares of linear light in glTF; a file holds them in whole steps.
     color = [int(part.material.color[i : i + 2], 16) for i in (1, 3, 5)]
     assert color == pytest.approx([228, 111, 111], abs=3)
+
+
+def test_meshes_that_a_urdf_names_are_its_parts_and_others_beside_it_are_models(tmp_path: Path) -> None:
+    (tmp_path / "parts").mkdir()
+    (tmp_path / "parts" / "tray.glb").write_bytes(bar_glb())
+    (tmp_path / "bar.glb").write_bytes(bar_glb())
+    (tmp_path / "chest.urdf").write_text("<robot><mesh filename='package://chest/parts/tray.glb'/></robot>")
+    assert models_below(tmp_path) == [tmp_path / "bar.glb", tmp_path / "chest.urdf"]

@@ -19,6 +19,8 @@ from mansion_msgs_py.file_locks import hold_lock
 
 __all__ = ["Addition", "add_models", "models_below"]
 
+_FILE_NAME: Final = re.compile(r"""filename\s*=\s*["']([^"']+)["']""")
+
 _PATIENCE: Final = 30.0
 """Seconds that one waits for another who adds to the same library."""
 
@@ -47,7 +49,7 @@ class Addition(msgspec.Struct, frozen=True, kw_only=True):
 
 
 def models_below(path: Path) -> list[Path]:
-    """Return the models of a folder, or the one that a path is; meshes beside a URDF are its parts.
+    """Return the models of a folder, or the one that a path is; meshes that a URDF names are its parts.
 
     Raises
     ------
@@ -61,14 +63,29 @@ def models_below(path: Path) -> list[Path]:
     hidden = {file for file in path.rglob("*") if any(part.startswith(".") for part in file.relative_to(path).parts)}
     files = sorted(file for file in path.rglob("*") if file.is_file() and file not in hidden)
     urdfs = [file for file in files if file.suffix.lower() == ".urdf"]
-    homes = {file.parent for file in urdfs}
-    meshes = [file for file in files if file.suffix.lower() in MODELS and not homes.intersection(file.parents)]
+    parts: dict[Path, set[str]] = {}
+    for file in urdfs:
+        parts.setdefault(file.parent, set()).update(_names_of_meshes(file))
+    meshes = [
+        file
+        for file in files
+        if file.suffix.lower() in MODELS and not any(file.name in parts.get(home, ()) for home in file.parents)
+    ]
     found = sorted([*urdfs, *meshes])
     if not found:
         raise MansionError(
             ErrorCode.NOT_FOUND, f"{path} holds no model; models are {', '.join(MODELS)} and .urdf files"
         )
     return found
+
+
+def _names_of_meshes(urdf: Path) -> frozenset[str]:
+    """Return the names of the mesh files that a URDF speaks of, without their folders."""
+    try:
+        text = urdf.read_text(errors="replace")
+    except OSError:
+        return frozenset()
+    return frozenset(name.rpartition("/")[2] for name in _FILE_NAME.findall(text))
 
 
 def add_models(
