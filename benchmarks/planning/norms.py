@@ -105,6 +105,9 @@ def main() -> None:
     parser.add_argument("--sound", action="store_true", help="run the floors' checks on each new building")
     parser.add_argument("-o", "--output", type=Path, default=Path("out/norms"))
     options = parser.parse_args()
+    unknown = set(options.types) - tomllib.loads(SENTENCES.read_text(encoding="utf-8")).keys()
+    if unknown:
+        parser.error(f"no sentence in {SENTENCES.name} for {', '.join(sorted(unknown))}")
     options.output.mkdir(parents=True, exist_ok=True)
     counted: list[tuple[str, Deviation]] = []
     caused = seconds = 0.0
