@@ -4,30 +4,12 @@ Each tile is one asset seen from the front, right and above, in its materials.
 """
 
 import sys
-from dataclasses import replace
 from pathlib import Path
 
-from PIL import Image, ImageDraw
+from mansion_assets.catalogue import load_catalogue
+from mansion_export.asset_picture import contact_sheet
 
-from mansion_assets.catalogue import Asset, Catalogue, load_catalogue
-from mansion_export.building_model import asset_surfaces
-from mansion_export.model import Node, assemble
-from mansion_export.renderer import View, bounds, flatten, project, render
-
-TILE = 180
-COLUMNS = 8
-SUPERSAMPLING = 2
-VIEW = View(azimuth=-125.0, elevation=28.0)
-
-
-def draw(asset: Asset, catalogue: Catalogue, size: int) -> Image.Image:
-    """Draw an asset as large as fits a tile."""
-    part = Node("asset", "asset", "objects", rotation=180.0), asset_surfaces(asset.key, catalogue, "")
-    triangles = flatten(assemble(asset.key, 1, 0.0, [part]))
-    low, high = bounds(project(triangles.corners, VIEW.axes()))
-    scale = SUPERSAMPLING * (size - 16) / max(float((high - low)[:2].max()), 1e-9)
-    pixels = render(triangles, replace(VIEW, scale=scale), (0.965, 0.965, 0.965))
-    return Image.fromarray(pixels).reduce(SUPERSAMPLING)
+ON_A_SHEET = 64
 
 
 def main(argv: list[str]) -> int:
@@ -36,18 +18,9 @@ def main(argv: list[str]) -> int:
     out.mkdir(parents=True, exist_ok=True)
     catalogue = load_catalogue()
     assets = [catalogue.by_category(name)[0] for name in names or catalogue.categories]
-    per_sheet = COLUMNS * 8
-    for sheet, start in enumerate(range(0, len(assets), per_sheet)):
-        chosen = assets[start : start + per_sheet]
-        rows = -(-len(chosen) // COLUMNS)
-        canvas = Image.new("RGB", (COLUMNS * TILE, rows * (TILE + 14)), "#f6f6f6")
-        pen = ImageDraw.Draw(canvas)
-        for number, asset in enumerate(chosen):
-            x, y = number % COLUMNS * TILE, number // COLUMNS * (TILE + 14)
-            picture = draw(asset, catalogue, TILE)
-            canvas.paste(picture, (x + (TILE - picture.width) // 2, y + (TILE - picture.height) // 2))
-            pen.text((x + 4, y + TILE), asset.category, fill="black")
-        canvas.save(out / f"sheet_{sheet + 1:02}.png")
+    for sheet, start in enumerate(range(0, len(assets), ON_A_SHEET)):
+        picture = contact_sheet(assets[start : start + ON_A_SHEET], catalogue)
+        (out / f"sheet_{sheet + 1:02}.png").write_bytes(picture)
     return 0
 
 

@@ -11,6 +11,7 @@ from mansion_assets.builder import Body, Builder, Chunk, Piece
 from mansion_assets.catalogue import Asset
 from mansion_assets.catalogue.palette import PbrMaterial, material
 from mansion_assets.convex import Box, Convex, fitted
+from mansion_assets.glb_meshes import glb_joints, glb_parts, glb_pieces
 from mansion_assets.joints import Joint
 from mansion_assets.materials.sets import material_set, set_of
 from mansion_assets.piece_budget import simplified
@@ -68,7 +69,7 @@ def mesh(asset: Asset) -> list[MeshPart]:
         ``NOT_FOUND`` for an unknown recipe or an unreadable GLB.
     """
     if asset.glb is not None:
-        return _from_glb(asset)
+        return glb_parts(asset)
     return _parts([(piece, [c for c in piece.chunks if not c.hidden]) for piece in _built(_look(asset)).pieces])
 
 
@@ -103,9 +104,11 @@ def collision_boxes(asset: Asset) -> list[Box]:
 def collision_pieces(asset: Asset) -> tuple[Convex, ...]:
     """Return the convex pieces of an asset whose parts do not move, at most the budget of its size.
 
-    Its bounding box where it has no recipe.
+    Those of its record where it is a GLB, its bounding box where that has none.
     """
-    if asset.glb is not None or not asset.recipe:
+    if asset.glb is not None:
+        return glb_pieces(asset)
+    if not asset.recipe:
         return (Box((0.0, 0.0, 0.0), asset.size),)
     return _closed_pieces(_look(asset))
 
@@ -128,6 +131,13 @@ class Link(NamedTuple):
 
 def links(asset: Asset) -> tuple[Link, ...]:
     """Return the rigid parts of an asset, closed, its body first; one part where nothing moves."""
+    if asset.glb is not None and asset.joints:
+        moving = (None, *glb_joints(asset))
+        names = ["" if joint is None else joint.part for joint in moving]
+        return tuple(
+            Link(name, tuple(glb_parts(asset, name)), glb_pieces(asset, name), joint)
+            for name, joint in zip(names, moving, strict=True)
+        )
     if asset.glb is not None or not asset.recipe:
         return (Link("", tuple(mesh(asset)), collision_pieces(asset), None),)
     return _linked(_look(asset))
@@ -205,40 +215,3 @@ def _fewer(boxes: list[Box]) -> list[Box]:
         return boxes
     order = sorted(range(len(boxes)), key=lambda i: -float(np.prod(boxes[i].size)))[:_MOST_BOXES]
     return [boxes[i] for i in sorted(order)]
-
-
-def _from_glb(asset: Asset) -> list[MeshPart]:
-    """Read a GLB (y up, front +z) and fit it to the asset's box."""
-    import trimesh
-
-    try:
-        scene = trimesh.load(asset.glb, force="scene")
-        geometries = scene.dump()
-    except (OSError, ValueError) as error:
-        raise MansionError(ErrorCode.NOT_FOUND, f"cannot read the GLB of asset {asset.key!r}: {error}") from None
-    axes = np.array([[-1.0, 0, 0], [0, 0, 1.0], [0, 1.0, 0]])
-    points = [np.asarray(g.vertices) @ axes.T for g in geometries]
-    low = np.min([p.min(axis=0) for p in points], axis=0)
-    high = np.max([p.max(axis=0) for p in points], axis=0)
-    scale = np.array(asset.size) / np.maximum(high - low, 1e-6)
-    out = []
-    for number, (geometry, p) in enumerate(zip(geometries, points, strict=True)):
-        fitted = (p - (low + high) / 2) * scale
-        faces = np.asarray(geometry.faces, dtype=np.int64)
-        coordinates = box_coordinates(fitted, faces, np.zeros(1, dtype=np.int64), turned=False)
-        out.append(MeshPart(f"part_{number + 1}", fitted, faces, _glb_material(geometry, asset), coordinates))
-    return out
-
-
-def _glb_material(geometry: "Trimesh", asset: Asset) -> PbrMaterial:
-    source = getattr(geometry.visual, "material", None)
-    color = getattr(source, "baseColorFactor", None)
-    if color is None:
-        return material(asset.material or "plastic_grey")
-    rgb = [int(c) if max(color) > 1 else round(float(c) * 255) for c in color[:3]]
-    return PbrMaterial(
-        getattr(source, "name", None) or "glb",
-        "#{:02x}{:02x}{:02x}".format(*rgb),
-        float(getattr(source, "metallicFactor", None) or 0.0),
-        float(getattr(source, "roughnessFactor", None) or 0.8),
-    )

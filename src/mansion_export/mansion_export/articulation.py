@@ -141,7 +141,7 @@ def _furniture(item: SceneObject, node: Node, rigid: tuple[Link, ...], catalogue
     own = catalogue.asset(item.asset)
     color = "" if item.color in ("", own.color) else item.color
     volumes = [sum(volume_of(piece) for piece in link.pieces) for link in rigid]
-    total = object_mass(item.size)
+    total = object_mass(item.size) if own.mass is None else own.mass
     is_open = item.states.get("open") is True
     moving, body = [], rigid[0]
     for link, volume in zip(rigid[1:], volumes[1:]):

@@ -15,6 +15,7 @@ from mansion_assets.meshes import collision_pieces
 from mansion_assets.physique import Physique, physique
 from mansion_export.model import Mesh, Node
 from mansion_export.solids import Box, box_between, box_scaled, boxes_of
+from mansion_geometry.building_models import object_mass
 from mansion_geometry.robot_body import FLAT
 from mansion_msgs_py.scene import FloorScene, SceneObject, StairDetails
 from mansion_msgs_py.shapes import Point3, Size3
@@ -106,6 +107,11 @@ class Colliders:
         if asset is None:
             return (Box((0.0, 0.0, 0.0), (1.0, 1.0, 1.0)),)
         return tuple(piece_shape(piece) for piece in collision_pieces(asset))
+
+    def mass_of(self, item: SceneObject) -> float:
+        """Return the mass of an object in kilograms: what its asset states, or by its size."""
+        asset = self._assets.get(item.asset)
+        return object_mass(item.size) if asset is None or asset.mass is None else asset.mass
 
 
 def lies_flat(item: SceneObject) -> bool:

@@ -20,7 +20,7 @@ from mansion_export.model import Material, Mesh, Model, Node, Surface
 from mansion_export.simulator_files import SimulatorModel, mesh_file_name, number_list, write_stl
 from mansion_export.solids import Box
 from mansion_export.walls import WallBodies
-from mansion_geometry.building_models import CEILING_GROUP, COLLISION_GROUP, OBJECT_GROUP, STRUCTURE_GROUP, object_mass
+from mansion_geometry.building_models import CEILING_GROUP, COLLISION_GROUP, OBJECT_GROUP, STRUCTURE_GROUP
 from mansion_msgs_py.building_folder import floor_directory
 from mansion_msgs_py.scene import FloorScene, Wall
 from mansion_msgs_py.shapes import Size3
@@ -78,7 +78,7 @@ def floor_mjcf(
             writer.assembly(moving[node.id], free=loose)
             continue
         mesh = model.meshes[node.mesh]
-        mass = object_mass(item.size) if item is not None and loose else None
+        mass = colliders.mass_of(item) if item is not None and loose else None
         if node.id in hollowed:
             writer.body(node, mesh, _Solid(f"{node.id}/hollowed", hollowed[node.id], UNSCALED), mass)
         else:

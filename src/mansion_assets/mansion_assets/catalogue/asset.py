@@ -1,6 +1,6 @@
 """An asset of the catalogue with its surfaces and inner volumes."""
 
-from typing import Any
+from typing import Annotated, Any, Literal, TypeAlias
 
 import msgspec
 
@@ -8,7 +8,9 @@ from mansion_assets.catalogue.palette import material
 from mansion_msgs_py.scene import Mount
 from mansion_msgs_py.shapes import Size3
 
-__all__ = ["Asset", "Surface", "Volume"]
+__all__ = ["Asset", "JointRecord", "Surface", "Volume"]
+
+Point: TypeAlias = tuple[float, float, float]
 
 
 class Surface(msgspec.Struct, frozen=True, kw_only=True):
@@ -58,6 +60,16 @@ class Volume(msgspec.Struct, frozen=True, kw_only=True):
     h: float
 
 
+class JointRecord(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """How a part of an asset moves, as `mansion_assets.joints.Joint` has it: in the asset's frame, 0 is closed."""
+
+    part: Annotated[str, msgspec.Meta(pattern=r"^[a-z][a-z0-9_]*$", max_length=80)]
+    kind: Literal["hinge", "slide"]
+    axis: Point
+    origin: Point
+    travel: Annotated[float, msgspec.Meta(gt=0)]
+
+
 class Asset(msgspec.Struct, frozen=True, kw_only=True):
     """An object that a building can be furnished with.
 
@@ -77,6 +89,16 @@ class Asset(msgspec.Struct, frozen=True, kw_only=True):
         Material, ``family_colour``, of each role of the recipe (``main``, ``frame``, ...).
     rooms : tuple of str
         Room types whose programs use the category.
+    joints : tuple of JointRecord
+        Of the parts of a GLB; a recipe makes its own.
+    pieces : str, optional
+        File of the convex pieces of a GLB.
+    mass : float, optional
+        Kilograms, where it is known.
+    source, author, licence : str
+        Where a user's asset is from.
+    record : str
+        File of a user's asset; empty for the package's.
     """
 
     key: str
@@ -99,6 +121,14 @@ class Asset(msgspec.Struct, frozen=True, kw_only=True):
     parameters: dict[str, Any] = {}
     glb: str | None = None
     tags: tuple[str, ...] = ()
+    joints: tuple[JointRecord, ...] = ()
+    pieces: str | None = None
+    mass: float | None = None
+    source: str = ""
+    author: str = ""
+    licence: str = ""
+    sha256: str = ""
+    record: str = ""
 
     @property
     def footprint(self) -> float:

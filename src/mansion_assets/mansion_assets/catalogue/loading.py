@@ -4,7 +4,7 @@ import os
 from collections.abc import Sequence
 from functools import lru_cache
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any, Final, TypeVar
 
 import msgspec
 
@@ -15,9 +15,12 @@ from mansion_assets.catalogue.records import Arrangement, AssetRecord, CategoryR
 from mansion_msgs_py.codec import decode
 from mansion_msgs_py.errors import ErrorCode, MansionError
 
-__all__ = ["DATA", "FOLDERS", "load_catalogue"]
+__all__ = ["DATA", "FOLDERS", "PIECES", "load_catalogue"]
 
 DATA = Path(__file__).parent / "data"
+
+PIECES: Final = ".pieces.json"
+"""How the name of a file of convex pieces ends."""
 
 T = TypeVar("T")
 
@@ -76,7 +79,9 @@ def _load(extra: tuple[Path, ...]) -> Catalogue:
 
 
 def _files(folder: Path) -> list[Path]:
-    return sorted(folder.glob("*.json")) if folder.is_dir() else []
+    """Return the records of a folder; files of pieces, which they name, are none."""
+    found = folder.glob("*.json") if folder.is_dir() else ()
+    return sorted(file for file in found if not file.name.endswith(PIECES))
 
 
 def _read(kind: type[T], file: Path) -> T:
@@ -141,15 +146,9 @@ def _variant(
 
 
 def _user_asset(file: Path, record: AssetRecord, rooms: tuple[str, ...]) -> Asset:
-    glb = None
-    if record.glb is not None:
-        path = (file.parent / record.glb).resolve()
-        if not path.is_file():
-            raise MansionError(
-                ErrorCode.NOT_FOUND, f"{file.name}: no GLB file {record.glb}", path="$.glb", details={"file": str(file)}
-            )
-        glb = str(path)
-    elif not record.recipe:
+    glb = _file_beside(file, record.glb, "GLB file", "$.glb")
+    pieces = _file_beside(file, record.pieces, "file of pieces", "$.pieces")
+    if glb is None and not record.recipe:
         raise MansionError(
             ErrorCode.INVALID_PAYLOAD,
             f"{file.name}: an asset needs `glb` or `recipe`",
@@ -169,7 +168,7 @@ def _user_asset(file: Path, record: AssetRecord, rooms: tuple[str, ...]) -> Asse
         mount=record.mount,
         pickupable=record.pickupable,
         receptacle=bool(surfaces or volumes),
-        openable=record.openable,
+        openable=record.openable or bool(record.joints),
         toggleable=record.toggleable,
         surfaces=surfaces,
         volumes=volumes,
@@ -179,7 +178,26 @@ def _user_asset(file: Path, record: AssetRecord, rooms: tuple[str, ...]) -> Asse
         parameters=record.parameters,
         glb=glb,
         tags=tuple(record.tags),
+        joints=tuple(record.joints),
+        pieces=pieces,
+        mass=record.mass,
+        source=record.source,
+        author=record.author,
+        licence=record.licence,
+        sha256=record.sha256,
+        record=str(file),
     )
+
+
+def _file_beside(record: Path, name: str | None, what: str, place: str) -> str | None:
+    if name is None:
+        return None
+    path = (record.parent / name).resolve()
+    if not path.is_file():
+        raise MansionError(
+            ErrorCode.NOT_FOUND, f"{record.name}: no {what} {name}", path=place, details={"file": str(record)}
+        )
+    return str(path)
 
 
 def _with_user_assets(rooms: list[RoomRecord], assets: list[AssetRecord]) -> list[RoomRecord]:

@@ -1,5 +1,6 @@
 """Appearance of the materials of assets, which are named ``family_colour``."""
 
+import re
 from functools import lru_cache
 from typing import Final
 
@@ -82,9 +83,12 @@ COLOURS: Final[dict[str, str]] = {
 }
 
 
+_HEXADECIMAL: Final = re.compile(r"_([0-9a-f]{6})$")
+
+
 @lru_cache(maxsize=512)
 def material(name: str) -> PbrMaterial:
-    """Return the material called ``family_colour``.
+    """Return the material called ``family_colour``; one whose name ends with ``_rrggbb`` is of that colour.
 
     Examples
     --------
@@ -101,4 +105,9 @@ def material(name: str) -> PbrMaterial:
         opacity = 0.95
     elif family == "metal" and colour in ("white", "yellow", "red", "blue", "green", "black", "orange"):
         metallic, roughness = 0.3, 0.45
-    return PbrMaterial(name, COLOURS.get(colour, "#a8a39b"), metallic, roughness, opacity, emissive)
+    return PbrMaterial(name, COLOURS.get(colour, _own(name)), metallic, roughness, opacity, emissive)
+
+
+def _own(name: str) -> str:
+    found = _HEXADECIMAL.search(name)
+    return f"#{found.group(1)}" if found else "#a8a39b"

@@ -4,7 +4,7 @@ from typing import Annotated, Any, Literal, TypeAlias
 
 import msgspec
 
-from mansion_assets.catalogue.asset import Surface, Volume
+from mansion_assets.catalogue.asset import JointRecord, Surface, Volume
 from mansion_msgs_py.placement import GlobalConstraint, Relation
 from mansion_msgs_py.scene import Mount
 from mansion_msgs_py.shapes import Size3
@@ -17,6 +17,7 @@ __all__ = [
     "Extent",
     "HangItem",
     "Item",
+    "JointRecord",
     "MatrixShape",
     "RoomRecord",
     "RugItem",
@@ -69,6 +70,18 @@ class AssetRecord(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fiel
         Path relative to the record; the mesh is scaled to `size`.
     rooms : list of str
         Room types that get the asset, with `count` copies at `global_`.
+    joints : list of JointRecord
+        Parts that move: nodes of the GLB that are called ``PART`` or ``PART/...``.
+    pieces : str, optional
+        Path of the convex pieces that collide (`mansion_assets.library.pieces`), relative to the record.
+    mass : float, optional
+        Kilograms; by its size where it is left out.
+    source, author, licence : str
+        Where it is from, who made it, and under what licence.
+    sha256 : str
+        Of the GLB and the pieces.
+    stated, guessed : list of str
+        Which facts its files say, and which were derived when it was added.
     """
 
     key: Annotated[str, msgspec.Meta(pattern=r"^[A-Za-z0-9_.\-]+$", max_length=80)]
@@ -89,6 +102,16 @@ class AssetRecord(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fiel
     rooms: list[str] = []
     asset_id: str | None = None
     tags: list[str] = []
+    joints: list[JointRecord] = []
+    pieces: str | None = None
+    mass: Annotated[float, msgspec.Meta(gt=0)] | None = None
+    description: str = ""
+    source: str = ""
+    author: str = ""
+    licence: str = ""
+    sha256: str = ""
+    stated: list[str] = []
+    guessed: list[str] = []
 
 
 class Count(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):

@@ -8,6 +8,7 @@ import typer
 
 from mansion_bringup.about import about
 from mansion_bringup.cli import (
+    assets,
     bench,
     build,
     config,
@@ -79,6 +80,7 @@ def _pass_on(settings: SettingsFile) -> None:
 
 for module in (
     build,
+    assets,
     bench,
     plan,
     edit,
