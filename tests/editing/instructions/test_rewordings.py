@@ -4,7 +4,7 @@ import pytest
 
 from mansion_editing.instructions.sentences.progress import Progress
 from mansion_editing.instructions.sentences.reader import read_instruction
-from mansion_editing.instructions.statements import Statement
+from mansion_editing.instructions.statements import Clear, Statement
 from mansion_editing.state import SceneState
 
 
@@ -20,6 +20,9 @@ def _bare(text: str, state: SceneState) -> list[Statement]:
         ("switch of the lamp in the study", "switch off the lamp in the study"),
         ("put a plant in between the sofa and the desk", "put a plant between the sofa and the desk"),
         ("if you could open the fridge", "please open the fridge"),
+        ("close the fridge afterwards", "close the fridge"),
+        ("remove all chairs in the kitchen but one", "remove all but one of the chairs in the kitchen"),
+        ("turn the sofa around by 180 degrees", "turn the sofa by 180 degrees"),
         (
             "remove everything on the desk with the exception of the lamp",
             "remove everything on the desk except for the lamp",
@@ -33,3 +36,10 @@ def test_a_set_phrase_is_read_as_the_plain_one(furnished_state: SceneState, said
 def test_top_up_to_a_number_raises_it(furnished_state: SceneState) -> None:
     words = Progress("top them up to four, on the top floor", furnished_state).words
     assert [word.text for word in words] == ["increase", "them", "up", "to", "four", ",", "on", "the", "top", "floor"]
+
+
+def test_leaving_only_one_thing_clears_the_rest(furnished_state: SceneState) -> None:
+    (statement,) = _bare("leave only the lamp on the desk", furnished_state)
+    assert isinstance(statement, Clear)
+    assert [things.noun for things in statement.spare] == ["lamp"]
+    assert statement.place.anchor is not None and statement.place.anchor.noun == "desk"

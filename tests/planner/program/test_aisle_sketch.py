@@ -3,8 +3,8 @@
 import pytest
 
 from mansion_msgs_py.layout import FloorLayout
-from mansion_msgs_py.stages import PlanReply
 from mansion_msgs_py.request import BuildRequest
+from mansion_msgs_py.stages import PlanReply
 from mansion_planner.plan import plan_building
 from mansion_planner.solver import solve_floor
 

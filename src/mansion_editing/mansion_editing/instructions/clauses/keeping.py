@@ -12,6 +12,7 @@ from mansion_editing.instructions.phrases.word_sets import ALL_THE_REST, KEPT_AS
 from mansion_editing.instructions.phrases.words import STATE_WORDS
 from mansion_editing.instructions.statements import (
     Amount,
+    Clear,
     Keep,
     Mention,
     Move,
@@ -42,6 +43,10 @@ class Keeping(Staying, Wishes, Adding, Removing):
             nothing = self._nothing(place)
             if nothing is not None:
                 return nothing
+        if self.text(place) == "only":
+            only = self._only_left(at, place + 1)
+            if only is not None:
+                return only
         rest = place
         while self.text(rest) in ALL_THE_REST:
             rest += 1
@@ -71,6 +76,15 @@ class Keeping(Staying, Wishes, Adding, Removing):
             quote = self.quote(at, alone)
             return [Keep(things=self._kept(i), quote=quote) for i in items], alone
         return self._add(at, place)
+
+    def _only_left(self, at: int, place: int) -> tuple[list[Statement], int] | None:
+        """Read ``leave only the vase on the table``: all else that lies there goes."""
+        items = self.items(place)
+        where, _ = self._framed(joined_places(list(items[-1].places)))
+        if where.relation not in ("on", "in") or where.anchor is None or not all(i.phrase.definite for i in items):
+            return None
+        quote = self.quote(at, items[-1].end)
+        return [Clear(place=where, spare=tuple(item.phrase.things() for item in items), quote=quote)], items[-1].end
 
     def _others_elsewhere(self, at: int, items: list[Item]) -> tuple[list[Statement], int] | None:
         """Read ``leave one chair at the table and put the other one ...``: all but one of those there."""

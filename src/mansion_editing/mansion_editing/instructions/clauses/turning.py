@@ -20,7 +20,8 @@ class Turning(Outcomes):
         where, end = self._places_before_turn(item)
         things = Item(item.phrase, where, end).things()
         while self.text(end) in ("by", "around", "through", "about", "round"):
-            if self.text(end) == "around" and not self._degrees(end + 1):
+            degrees = self._degrees(end + 1) or self._degrees(end + 2)
+            if self.text(end) == "around" and degrees is None:
                 return [Turn(things=things, degrees=180.0, quote=self.quote(at, end + 1))], end + 1
             end += 1
         degrees = self._degrees(end)

@@ -59,6 +59,8 @@ def add(statement: Add, state: SceneState, context: Context) -> Work:
     if number > MOST_NEW:
         raise Unmet(f"{number} things are more than one instruction brings; at most {MOST_NEW}")
     groups = yield from _groups(things, place, state, context, each=statement.each)
+    if place.anchor is not None and place.anchor.amount.of:  # on one of the desks: first on those without such a thing
+        groups = [sorted(g, key=lambda target: len(at_target(state, things, place, target, context))) for g in groups]
     made: list[str] = []
     before = 0
     for group in groups:

@@ -63,6 +63,10 @@ _PHRASES: Final[dict[tuple[str, ...], tuple[str, ...]]] = {
 _AT_EDGES: Final = frozenset(("if", "you", modal) for modal in ("would", "can", "could"))
 """Courtesies at the beginning or the end of a sentence."""
 
+_FEW: Final = frozenset("one two three four five".split())
+_LATER: Final = frozenset("afterwards afterward".split())
+"""Words that only say that steps come in the order in which they are told."""
+
 _LONGEST: Final = max(map(len, _PHRASES))
 _TURNING: Final = frozenset("switch turn power".split())
 _OUT: Final = frozenset("in into on onto".split())
@@ -70,6 +74,7 @@ _OUT: Final = frozenset("in into on onto".split())
 
 def reworded(words: Sequence[Word]) -> list[Word]:
     """Return words with set phrases as their plain equivalents; each new word stands where the phrase stood."""
+    words = _exceptions_first(words)
     out: list[Word] = []
     at = 0
     while at < len(words):
@@ -83,10 +88,32 @@ def reworded(words: Sequence[Word]) -> list[Word]:
             out += _in_place_of(words[at : at + 3], ("please",))
             at += 3
             continue
+        if words[at].text in _LATER and at and _is_edge(words, at, at + 1):
+            out += _in_place_of(words[at : at + 1], ("please",))
+            at += 1
+            continue
         if not _is_idle_out(words, at):
             out.append(_topped_up(words, at) or _turned_off(words, at))
         at += 1
     return out
+
+
+def _exceptions_first(words: Sequence[Word]) -> Sequence[Word]:
+    """Return ``all but one of the bags in the hall`` for ``all bags in the hall but one``."""
+    for at in range(2, len(words) - 1):
+        number = text_at(words, at + 1)
+        if words[at].text != "but" or number not in _FEW or not _is_edge(words, 0, at + 2):
+            continue
+        start = next(
+            (k for k in range(at - 2, -1, -1) if words[k].text in ("all", "every") or words[k].kind == "mark"), -1
+        )
+        if start < 0 or words[start].text != "all":
+            continue
+        after = start + 1 + (text_at(words, start + 1) == "of")
+        bare = text_at(words, after) not in DETERMINERS
+        joint = [replace(words[at + 1], text=text, raw=text) for text in (("of", "the") if bare else ("of",))]
+        return [*words[: start + 1], *words[at : at + 2], *joint, *words[after:at], *words[at + 2 :]]
+    return words
 
 
 def _in_place_of(phrase: Sequence[Word], texts: Sequence[str]) -> list[Word]:

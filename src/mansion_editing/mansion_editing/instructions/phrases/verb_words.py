@@ -30,7 +30,7 @@ _VERBS: Final[dict[Deed, str]] = {
     "go": "go to|walk to|look at|find|approach|search for|go over to|drive to|take a look at|consider|locate|look for",
     "clear": "clear|empty|clean out|clear up|strip|empty out|vacate|free|free up",
     "tidy": "tidy|tidy up|clean|clean up|declutter|wipe|clean off|sort out",
-    "move": "move|relocate|transfer|shift|transport|haul|push|pull|slide|drag|shove|reposition|migrate|walk|"
+    "move": "move|relocate|transfer|shift|transport|haul|push|pull|roll|wheel|slide|drag|shove|reposition|migrate|walk|"
             "rearrange|lift|hand over|pass|send|nudge|put over|bring over|push back",
     "swap": "swap|exchange|trade|switch around|switch places of|interchange|swap over|swap round|swap around",
     "replace": "replace|substitute|swap out|switch out|trade in|renew|upgrade",
