@@ -6,6 +6,7 @@ from mansion_bringup.building.receipt import receipt_of_plan
 from mansion_knowledge import default_knowledge
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.wishes import Wish
+from mansion_planner.brief.reader import read_brief
 from mansion_planner.plan import plan_building
 
 
@@ -65,3 +66,22 @@ def test_words_that_something_else_answers_are_heeded(text: str) -> None:
 def test_a_size_without_a_room_is_told() -> None:
     unread = [wish.text for wish in _wishes("A house. The bedroom very small.") if wish.kind == "unread"]
     assert any("small" in text for text in unread)
+
+
+@pytest.mark.parametrize(
+    ("text", "whole", "each"),
+    [
+        ("office; storeys: 4; gross area: 2,200 m2", 2200, None),
+        ("office; GFA: 2,200 m2; 4 storeys", 2200, None),
+        ("Office building. Gross floor area: 2,200 m2. Storeys: 4.", 2200, None),
+        ("An office with 900 m2 GFA on 3 floors", 900, None),
+        ("An office, 3 storeys, 300 m2 gross floor area each", None, 300),
+        ("A clinic, GFA 350 m2 per floor, two floors", None, 350),
+    ],
+)
+def test_gross_area_is_the_buildings_and_no_room(text: str, whole: float | None, each: float | None) -> None:
+    facts = read_brief(text, default_knowledge())
+    assert [fact.value for fact in facts.area] == ([whole] if whole else [])
+    assert [fact.value for fact in facts.floor_area] == ([each] if each else [])
+    assert facts.rooms == []
+    assert not any(span.words.lower() in ("gfa", "area", "gross") for span in facts.unread)

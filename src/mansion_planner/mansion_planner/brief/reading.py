@@ -13,7 +13,7 @@ from mansion_planner.brief.lexicon import Mention, lexicon_of
 from mansion_planner.brief.spelling import corrected
 from mansion_planner.brief.storey_forms import storey_forms
 from mansion_planner.brief.storey_tables import storey_tables
-from mansion_planner.brief.token_forms import capacities, compounds, foreign_storeys, open_decks
+from mansion_planner.brief.token_forms import capacities, compounds, foreign_storeys, gross_areas, open_decks
 
 __all__ = ["FLOOR_WORDS", "Place", "Reading", "start_reading"]
 
@@ -156,7 +156,7 @@ def start_reading(text: str, knowledge: KnowledgeBase, cancelled: Callable[[], b
     lexicon = lexicon_of(knowledge)
     tokens = count_forms(storey_forms(text, storey_tables(tokenize(text), FLOOR_WORDS)))
     tokens = compounds(corrected(tokens, lexicon.words, furniture_vocabulary()), lexicon.words)
-    tokens = capacities(foreign_storeys(open_decks(tokens)), lexicon.heads)
+    tokens = capacities(foreign_storeys(open_decks(gross_areas(tokens))), lexicon.heads)
     mentions = lexicon.find(tokens)
     reading = Reading(
         text=text,

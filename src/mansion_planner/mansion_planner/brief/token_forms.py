@@ -4,7 +4,7 @@ from dataclasses import replace
 
 from mansion_language import Token
 
-__all__ = ["capacities", "compounds", "foreign_storeys", "open_decks"]
+__all__ = ["capacities", "compounds", "foreign_storeys", "gross_areas", "open_decks"]
 
 
 def compounds(tokens: list[Token], words: frozenset[str]) -> list[Token]:
@@ -36,6 +36,33 @@ _APART = frozenset(
     {("work", "station"), ("class", "room"), ("bed", "room"), ("bath", "room"), ("book", "shelf"), ("ware", "house")}
 )
 """Nouns that are one word, and that people write as two."""
+
+
+_GROSS = (
+    *((word, middle, "area") for word in ("gross", "total", "overall") for middle in ("floor", "internal", "external")),
+    ("gross", "area"), ("built", "up", "area"), ("built", "-", "up", "area"), ("gfa",), ("gia",), ("gea",),
+)  # fmt: skip
+"""What the area of all storeys is called in a schedule."""
+
+
+def gross_areas(tokens: list[Token]) -> list[Token]:
+    """Read "gross floor area: 900 m2" and "GFA 900 m2" as "total area": neither a room nor the area of one floor."""
+    result: list[Token] = []
+    at = 0
+    while at < len(tokens):
+        texts = tuple(token.text for token in tokens[at : at + 4])
+        named = next((words for words in _GROSS if texts[: len(words)] == words), None)
+        if named is None:
+            result.append(tokens[at])
+            at += 1
+            continue
+        end = at + len(named)
+        shared = end < len(tokens) and tokens[end].text in ("each", "apiece", "per", "/")
+        if not (shared and result and result[-1].kind == "unit"):  # "300 m2 gross floor area each" is each storey's
+            first, last = tokens[at], tokens[end - 1]
+            result += [replace(first, text="total", plural=False), replace(last, text="area", plural=False)]
+        at = end
+    return result
 
 
 def capacities(tokens: list[Token], nouns: frozenset[str]) -> list[Token]:
