@@ -86,7 +86,11 @@ def _with_own_names(reading: Reading, phrases: list[Phrase]) -> list[Phrase]:
 
 def _named_again(reading: Reading, chunks: list[tuple[int, int]], phrases: list[Phrase]) -> list[Phrase]:
     """Return later mentions of rooms of unknown kinds: "keep the scriptorium apart from the kitchen"."""
-    unknown = {reading.words(p.begin, p.noun_end): p for p in phrases if p.head == "room" and not p.known}
+    unknown = {
+        reading.words(p.begin, p.noun_end): p
+        for p in phrases
+        if p.head == "room" and (not p.known or p.begin not in reading.mention_at)
+    }
     heads = _by_head(phrases)
     found = []
     for begin, end in chunks:

@@ -274,7 +274,7 @@ def listed_unknowns(reading: Reading, chunks: list[tuple[int, int]], phrases: li
         if any(m.style and (m.first, m.last) == (begin, end) for m in reading.mentions):
             continue  # "a penthouse of 210 m2, art deco"
         name = name_of(reading, begin, end)
-        elliptic = elliptic_room_type(words, reading.knowledge)
+        elliptic = "" if reading.plural(end - 1) else elliptic_room_type(words, reading.knowledge)
         kind = elliptic or similar_room_type(name, reading.knowledge)
         phrase = finished_phrase(reading, "room", begin, end, room=kind, known=bool(elliptic))
         reading.take(phrase.first, phrase.last)

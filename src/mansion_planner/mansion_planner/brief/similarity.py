@@ -65,6 +65,10 @@ _NOT_ELLIPTIC = frozenset({"practice", "delivery", "server"})
 """Words that mean another place alone than before "room": a doctor's practice, deliveries, a servery."""
 
 
+_NOT_ELLIPTIC = frozenset({("delivery",), ("dispatch",), ("server",)})
+"""Words that alone mean another place than before "room": goods are delivered where no child is."""
+
+
 def elliptic_room_type(words: tuple[str, ...], knowledge: KnowledgeBase) -> str:
     """Return the room type that a list means by words without a head: "waiting" is a waiting room; empty for none.
 
@@ -75,6 +79,8 @@ def elliptic_room_type(words: tuple[str, ...], knowledge: KnowledgeBase) -> str:
     ('waiting_room', '')
     """
     if not _NOT_ELLIPTIC.isdisjoint(words):
+        return ""
+    if words in _NOT_ELLIPTIC:
         return ""
     phrases = lexicon_of(knowledge).phrases
     found = next((held for head in ("room", "area") if (held := phrases.get((*words, head)))), None)
