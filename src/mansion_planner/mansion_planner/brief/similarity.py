@@ -61,12 +61,8 @@ def room_of_building(building: str, knowledge: KnowledgeBase) -> str:
     return AS_ROOM.get(building) or (AS_ROOM.get(record.like, "") if record is not None else "")
 
 
-_NOT_ELLIPTIC = frozenset({"practice", "delivery", "server"})
+_NOT_ELLIPTIC = frozenset({"practice", "delivery", "dispatch", "server"})
 """Words that mean another place alone than before "room": a doctor's practice, deliveries, a servery."""
-
-
-_NOT_ELLIPTIC = frozenset({("delivery",), ("dispatch",), ("server",)})
-"""Words that alone mean another place than before "room": goods are delivered where no child is."""
 
 
 def elliptic_room_type(words: tuple[str, ...], knowledge: KnowledgeBase) -> str:
@@ -79,8 +75,6 @@ def elliptic_room_type(words: tuple[str, ...], knowledge: KnowledgeBase) -> str:
     ('waiting_room', '')
     """
     if not _NOT_ELLIPTIC.isdisjoint(words):
-        return ""
-    if words in _NOT_ELLIPTIC:
         return ""
     phrases = lexicon_of(knowledge).phrases
     found = next((held for head in ("room", "area") if (held := phrases.get((*words, head)))), None)
