@@ -112,3 +112,48 @@ def test_the_area_of_each_of_several_flats_is_not_that_of_the_storey() -> None:
 def test_a_room_named_in_a_finish_is_the_one_listed_later() -> None:
     facts = read_brief("Villa, oak floor in the living room. Ground: living, dining.", default_knowledge())
     assert [room.room_type for room in facts.rooms] == ["living_room", "dining_room"]
+
+
+def test_only_the_last_of_a_list_that_goes_on_lies_on_the_storey_named_after_it() -> None:
+    brief = "Parliament: plenary hall, press room, library, 40 member offices on the upper two floors, 3 floors in all."
+    placed = {room.name: bool(room.floors) for room in read_brief(brief, default_knowledge()).rooms}
+    assert placed == {"plenary_hall": False, "press_room": False, "library": False, "member_office": True}
+
+
+def test_a_list_of_rooms_may_name_who_has_them() -> None:
+    facts = read_brief("School: eight classrooms, nurse, head teacher, staff, a kitchen.", default_knowledge())
+    types = {room.name: (room.room_type, room.known) for room in facts.rooms}
+    assert types["staff"] == ("break_room", True)
+    assert types["nurse"] == types["head_teacher"] == ("private_office", False)
+
+
+def test_rooms_for_children_are_childrens_rooms() -> None:
+    facts = read_brief("A house with 3 rooms for children and a kitchen", default_knowledge())
+    assert [(room.room_type, room.count) for room in facts.rooms] == [("childrens_room", 3), ("kitchen", 1)]
+
+
+@pytest.mark.parametrize(
+    "brief",
+    [
+        "A flat for robot vacuum tests with living room and kitchen",
+        "A flat for a computer game with living room and kitchen",
+        "Table of rooms: living room, kitchen",
+    ],
+)
+def test_furniture_that_only_tells_what_something_is_about_is_not_wanted(brief: str) -> None:
+    facts = read_brief(brief, default_knowledge())
+    assert not facts.objects
+    assert facts.unread
+
+
+@pytest.mark.parametrize(
+    ("brief", "areas"),
+    [
+        ("Retirement home; 2 floors, 18 apartments per floor (1 bed, 40 m2), a restaurant.", [40.0, None]),
+        ("A courthouse with 2 courtrooms (one large 120 m2, one small 60), a lobby", [None, None]),
+    ],
+)
+def test_brackets_after_rooms_say_how_large_each_is(brief: str, areas: list[float | None]) -> None:
+    facts = read_brief(brief, default_knowledge())
+    assert [room.area for room in facts.rooms] == areas
+    assert not facts.floor_area

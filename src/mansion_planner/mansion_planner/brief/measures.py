@@ -448,6 +448,8 @@ def _room_of(reading: Reading, measure: Measure, phrases: list[Phrase]) -> int |
     ]
     if not candidates:
         candidates = _described(reading, measure, phrases)
+    if not candidates:
+        candidates = _bracketed(reading, measure, phrases)
     if not candidates and reading.word(_lead(reading, measure)) in ("(", "of"):  # "the bay for three engines (180 m2)"
         sentence = reading.sentence[measure.first]
         candidates = [
@@ -467,6 +469,22 @@ def _room_of(reading: Reading, measure: Measure, phrases: list[Phrase]) -> int |
     if comma and phrase.last == before + 1 and not _listed(reading, measure, phrase, after):
         return None
     return number
+
+
+def _bracketed(reading: Reading, measure: Measure, phrases: list[Phrase]) -> list[int]:
+    """Return the rooms that brackets describe: "18 apartments per floor (1 bed, 40 m2)"."""
+    opening = measure.first - 1
+    while opening > measure.first - 8 and reading.word(opening) not in ("(", ")") and not reading.breaks(opening):
+        opening -= 1
+    if reading.word(opening) != "(" or reading.word(measure.last) not in (")", ","):
+        return []
+    if "one" in reading.words(opening + 1, measure.first):
+        return []  # "two courtrooms (one large 120 m2, one small 60 m2)"
+    last = opening
+    if reading.word(last - 1) in FLOOR_WORDS and reading.word(last - 2) in ("per", "each", "every", "a"):
+        last -= 2 + (reading.word(last - 3) in ("on", "in", "at"))
+    named = [n for n, p in enumerate(phrases) if p.last == last and p.head in ("room", "building")]
+    return [n for n in named if phrases[n].counted and (phrases[n].count or 0) > 1 and phrases[n].room_type]
 
 
 def _of_counted(reading: Reading, measure: Measure, phrases: list[Phrase]) -> bool:
