@@ -139,9 +139,14 @@ def _seats(reading: Reading, phrases: list[Phrase], negated: dict[int, tuple[int
         link, at = reading.word(phrase.last), phrase.last + 1
         at += reading.word(at) in ("about", "around", "up", "at", "some")
         at += reading.word(at) in ("to", "least")
-        if link not in ("for", "seating", "seat") or reading.kind(at) != "number" or not 1 < reading.value(at) <= 500:
+        seated = reading.word(at + 1) in _SEATED
+        bracketed = link == "(" and seated and reading.words(at + 1, at + 3) not in (("seat", ")"), ("chair", ")"))
+        bracketed = bracketed and reading.word(at + 2) == ")"
+        if not (bracketed or link in ("for", "seating", "seat")) or reading.kind(at) != "number":
             continue
-        last = at + 1 + (reading.word(at + 1) in _SEATED)
+        if not 1 < reading.value(at) <= 500:
+            continue
+        last = at + 1 + seated + bracketed
         if (
             last == at + 1
             and reading.kind(last) == "word"

@@ -1,4 +1,4 @@
-"""Read areas and heights, and tell whose they are: a room's, a storey's or the whole building's."""
+"""Read areas, and tell whose they are: a room's, a storey's or the whole building's."""
 
 import itertools
 from collections.abc import Sequence
@@ -6,12 +6,11 @@ from dataclasses import dataclass, replace
 
 from mansion_language.units import AREA, LENGTH
 from mansion_planner.brief.bounds import Limit, limit_of
-from mansion_planner.brief.facts import HeightFact, Quantity, Span
-from mansion_planner.brief.finishes import room_after
+from mansion_planner.brief.facts import Quantity, Span
 from mansion_planner.brief.phrase import FUNCTION_WORDS, Phrase
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
 
-__all__ = ["Measure", "find_measures", "give_measures", "read_heights"]
+__all__ = ["Measure", "find_measures", "give_measures"]
 
 _FILLERS = frozenset(
     """
@@ -448,6 +447,8 @@ def _room_of(reading: Reading, measure: Measure, phrases: list[Phrase]) -> int |
     ]
     if not candidates:
         candidates = _described(reading, measure, phrases)
+    if not candidates:
+        candidates = _bracketed(reading, measure, phrases)
     if not candidates and reading.word(_lead(reading, measure)) in ("(", "of"):  # "the bay for three engines (180 m2)"
         sentence = reading.sentence[measure.first]
         candidates = [
@@ -467,6 +468,22 @@ def _room_of(reading: Reading, measure: Measure, phrases: list[Phrase]) -> int |
     if comma and phrase.last == before + 1 and not _listed(reading, measure, phrase, after):
         return None
     return number
+
+
+def _bracketed(reading: Reading, measure: Measure, phrases: list[Phrase]) -> list[int]:
+    """Return the rooms that brackets describe: "18 apartments per floor (1 bed, 40 m2)"."""
+    opening = measure.first - 1
+    while opening > measure.first - 8 and reading.word(opening) not in ("(", ")") and not reading.breaks(opening):
+        opening -= 1
+    if reading.word(opening) != "(" or reading.word(measure.last) not in (")", ","):
+        return []
+    if "one" in reading.words(opening + 1, measure.first):
+        return []  # "two courtrooms (one large 120 m2, one small 60 m2)"
+    last = opening
+    if reading.word(last - 1) in FLOOR_WORDS and reading.word(last - 2) in ("per", "each", "every", "a"):
+        last -= 2 + (reading.word(last - 3) in ("on", "in", "at"))
+    named = [n for n, p in enumerate(phrases) if p.last == last and p.head in ("room", "building")]
+    return [n for n in named if phrases[n].counted and (phrases[n].count or 0) > 1 and phrases[n].room_type]
 
 
 def _of_counted(reading: Reading, measure: Measure, phrases: list[Phrase]) -> bool:
@@ -564,29 +581,3 @@ def _listed(reading: Reading, measure: Measure, phrase: Phrase, after: list[str]
     if reading.sentence[measure.first] > 0 and reading.word(phrase.last) == ",":
         return True
     return alone and (reading.starts(phrase.first) or reading.word(phrase.first - 1) == "|")
-
-
-def read_heights(reading: Reading) -> None:
-    """Read "ceilings 5 m high", "a ceiling height of 3.5 m in the hall", "4.5 m ceiling"."""
-    for index, token in enumerate(reading.tokens):
-        if token.text not in ("ceiling", "headroom") or index in reading.taken:
-            continue
-        number = _height_near(reading, index)
-        if number is None:
-            continue
-        height = reading.value(number) * LENGTH[reading.word(number + 1)]
-        first, last = min(index, number), max(index + 1, number + 2)
-        last += reading.word(last) in ("high", "height")
-        room = room_after(reading, last + 1) if reading.word(last) in ("in", "for") else ""
-        reading.facts.heights.append(HeightFact(height, room, reading.span(first, last)))
-        reading.take(first, last)
-
-
-def _height_near(reading: Reading, index: int) -> int | None:
-    """Return the number of metres or feet that is said of a ceiling: after it in its sentence, else before it."""
-    after = itertools.takewhile(lambda number: not reading.breaks(number), range(index + 1, index + 7))
-    for number in (*after, *range(index - 1, index - 5, -1)):
-        if reading.kind(number) == "number" and reading.word(number + 1) in LENGTH and number not in reading.taken:
-            height = reading.value(number) * LENGTH[reading.word(number + 1)]
-            return number if 1.8 <= height <= 30 else None
-    return None

@@ -85,8 +85,12 @@ class NamedStoreys:
             return ground, index + 2
         if (
             word == "ground"
-            and (following in CLOSERS or following in ("and", "there", "has", "is"))
-            and (reading.word(index - 1) in ("the", "on", "at") or reading.starts(index))
+            and (following in CLOSERS or following in ("and", "there", "has", "is", "also"))
+            and (
+                reading.word(index - 1) in ("the", "on", "at")
+                or reading.starts(index)
+                or (reading.word(index - 1) == "in" and reading.starts(index - 1))
+            )
         ):
             return ground, index + 1
         if word == "ground" and following in ("for", "has", "hold") and reading.word(index - 1) in (":", ";"):

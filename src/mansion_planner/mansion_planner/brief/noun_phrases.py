@@ -33,7 +33,7 @@ from mansion_planner.brief.room_names import (
     with_sizes,
     with_users,
 )
-from mansion_planner.brief.similarity import HEAD_TYPES, room_of_building, similar_room_type
+from mansion_planner.brief.similarity import HEAD_TYPES, elliptic_room_type, room_of_building, similar_room_type
 
 __all__ = ["noun_phrases"]
 
@@ -66,12 +66,31 @@ def noun_phrases(reading: Reading) -> list[Phrase]:
     counted = {phrase.name: phrase.first for phrase in phrases[::-1] if phrase.counted and (phrase.count or 0) > 1}
     phrases = [part for phrase in phrases for part in with_designators(reading, phrase, numbered, counted)]
     phrases = _with_own_names(reading, phrases)
+    phrases = [_room_of_staff(reading, phrases, phrase) for phrase in phrases]
     phrases += _with_own_names(reading, listed_unknowns(reading, chunks, phrases))
     phrases += _named_again(reading, chunks, phrases)
     phrases += further_ones(reading, phrases)
     names = Counter(phrase.name for phrase in phrases)
     phrases = [part for phrase in phrases for part in with_users(reading, phrase, names)]
     return sorted(by_own_name(reading, with_sizes(reading, phrases)), key=lambda phrase: phrase.first)
+
+
+def _room_of_staff(reading: Reading, phrases: list[Phrase], phrase: Phrase) -> Phrase:
+    """Return the room of those whom a list of rooms names in its place: "head teacher, sick bay, staff"."""
+    alone = phrase.head == "people" and not (phrase.counted or phrase.determiner or phrase.plural)
+    if not alone or reading.word(phrase.noun_end - 1) not in _HAVE_ROOMS:
+        return phrase
+    before, after = reading.word(phrase.first - 1), reading.word(phrase.last)
+    sentence = reading.sentence[phrase.first]
+    listed = before in (",", ":", ";") and (after in (",", ";", ".", "\n", "") or (after == "and" and before != ":"))
+    if not listed or not any(p.head == "room" and abs(reading.sentence[p.first] - sentence) <= 1 for p in phrases):
+        return phrase
+    kind = elliptic_room_type(reading.words(phrase.begin, phrase.noun_end), reading.knowledge)
+    return replace(phrase, head="room", room_type=kind or "private_office", known=bool(kind))
+
+
+_HAVE_ROOMS = frozenset("staff teacher nurse doctor consultant priest judge officer technician".split())
+"""Who has a room of their own in a building."""
 
 
 def _with_own_names(reading: Reading, phrases: list[Phrase]) -> list[Phrase]:
@@ -86,7 +105,11 @@ def _with_own_names(reading: Reading, phrases: list[Phrase]) -> list[Phrase]:
 
 def _named_again(reading: Reading, chunks: list[tuple[int, int]], phrases: list[Phrase]) -> list[Phrase]:
     """Return later mentions of rooms of unknown kinds: "keep the scriptorium apart from the kitchen"."""
-    unknown = {reading.words(p.begin, p.noun_end): p for p in phrases if p.head == "room" and not p.known}
+    unknown = {
+        reading.words(p.begin, p.noun_end): p
+        for p in phrases
+        if p.head == "room" and (not p.known or p.begin not in reading.mention_at)
+    }
     heads = _by_head(phrases)
     found = []
     for begin, end in chunks:
@@ -327,7 +350,8 @@ def _headed(reading: Reading, begin: int, end: int, *, whole: bool) -> Phrase | 
             return finished_phrase(reading, "room", begin, end, room=kind, known=False)
     if last in PEOPLE:
         return finished_phrase(reading, "people", begin, end)
-    if category:
+    titles = last == "table" and reading.words(end, end + 2) in (("of", "room"), ("of", "content"))
+    if category and not titles and (whole or not _modifies(reading, end)):
         return finished_phrase(reading, "object", begin, end, category=category)
     return None
 
@@ -352,6 +376,21 @@ def _are_book_stacks(reading: Reading, begin: int, end: int) -> bool:
         and reading.words(end - 2, end) == ("book", "stack")
         and bool(count_before(reading, begin, end)[2])
     )
+
+
+def _modifies(reading: Reading, end: int) -> bool:
+    """Whether furniture only tells apart the noun after it: "a computer game", "robot vacuum tests"."""
+    counted = reading.plural(end - 1) or reading.kind(end - 2) == "number"
+    return not counted and reading.kind(end) == "word" and reading.word(end) in _NO_FURNITURE
+
+
+_NO_FURNITURE = frozenset(
+    """
+    game test experiment research simulation dataset data company maker agent robot policy task scenario study project
+    lesson course training plan programme program style
+    """.split()
+)
+"""Nouns that make a piece of furniture before them what they are about."""
 
 
 def _are_people(reading: Reading, index: int) -> bool:

@@ -184,7 +184,7 @@ class NumberedStoreys:
             return last > index + 1 or following in ("for", "has", "hold", "contain")
         if reading.starts(index):
             return following in (":", "\n", "(", "=", "-") or (following == "is" and reading.word(index - 1) == "the")
-        if reading.word(index - 1) == "on" and reading.starts(index - 1):
+        if reading.word(index - 1) in ("on", "in", "at") and reading.starts(index - 1):
             return following in (":", ",")
         if reading.word(index - 1) == "from" and last > index + 1:
             return True  # "from 2nd to 4th"

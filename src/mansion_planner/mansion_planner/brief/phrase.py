@@ -302,6 +302,10 @@ def count_after(reading: Reading, end: int) -> tuple[int, int | None]:
     whole = value == int(value) and 1 <= value <= 2000
     if word == "(" and whole and reading.word(end + 2) in (")", "of", ":", ","):
         return end + (3 if reading.word(end + 2) == ")" else 2), int(value)
+    if word == "(" and reading.word(end + 1) == "x" and reading.kind(end + 2) == "number":
+        many = reading.value(end + 2)
+        if reading.word(end + 3) == ")" and many == int(many) and 1 <= many <= 2000:
+            return end + 4, int(many)
     if word == "x" and whole and reading.kind(end + 2) != "unit" and reading.word(end + 2) not in ("x", "by"):
         return end + 2, int(value)
     if (

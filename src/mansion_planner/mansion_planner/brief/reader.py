@@ -30,8 +30,9 @@ from mansion_planner.brief.facts import AdjacencyFact, BriefFacts, OccupantFact,
 from mansion_planner.brief.finishes import read_materials, read_style
 from mansion_planner.brief.furnishings import people_served, read_furnishings
 from mansion_planner.brief.furniture_words import furniture_of
+from mansion_planner.brief.heights import read_heights
 from mansion_planner.brief.households import read_households
-from mansion_planner.brief.measures import Measure, find_measures, give_measures, read_heights
+from mansion_planner.brief.measures import Measure, find_measures, give_measures
 from mansion_planner.brief.named_rooms import desks_as_places, rooms_by_name
 from mansion_planner.brief.noun_phrases import noun_phrases
 from mansion_planner.brief.phrase import Phrase

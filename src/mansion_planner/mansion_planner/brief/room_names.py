@@ -274,7 +274,7 @@ def listed_unknowns(reading: Reading, chunks: list[tuple[int, int]], phrases: li
         if any(m.style and (m.first, m.last) == (begin, end) for m in reading.mentions):
             continue  # "a penthouse of 210 m2, art deco"
         name = name_of(reading, begin, end)
-        elliptic = elliptic_room_type(words, reading.knowledge)
+        elliptic = "" if reading.plural(end - 1) else elliptic_room_type(words, reading.knowledge)
         kind = elliptic or similar_room_type(name, reading.knowledge)
         phrase = finished_phrase(reading, "room", begin, end, room=kind, known=bool(elliptic))
         reading.take(phrase.first, phrase.last)
@@ -299,6 +299,7 @@ _NO_ROOMS = frozenset(
     step ramp way time year day night week money budget lot plenty kind sort type size shape plan layout entrance
     access room place part one none whole wood oak brick stone glass steel concrete marble gold silver white black
     green blue red furniture gross net total rectangle footprint square thing stuff number largest biggest smallest
+    rent own occupy
     other larger smaller bigger star escape dust water power heating cooling air sun daylight privacy quiet peace m
     metre meter roof region order vicinity neighbourhood neighborhood altogether totality
     """.split()
@@ -410,6 +411,10 @@ def _is_name(reading: Reading, index: int) -> bool:
 _MEASURING = frozenset("about around approximately approx roughly nearly at up over under several some".split())
 
 
+_ROOMED = frozenset({"child", "kid", "guest"})
+"""Those whose rooms are called after them: "three rooms for children"."""
+
+
 def with_purpose(reading: Reading, phrase: Phrase) -> Phrase:
     """Add what a room is for to its name: "a room for the bicycles" is a bicycle room."""
     last = phrase.last
@@ -438,7 +443,8 @@ def with_purpose(reading: Reading, phrase: Phrase) -> Phrase:
         end += 1
     if end == begin:
         return phrase
-    if phrase.name == "room" and phrase.plural and reading.word(end - 1) in PEOPLE:
+    own_rooms = phrase.counted and end - last == 2 and reading.word(end - 1) in _ROOMED
+    if phrase.name == "room" and phrase.plural and reading.word(end - 1) in PEOPLE and not own_rooms:
         return phrase  # "a flat of three rooms for a young family"
     purpose = "_".join(reading.words(begin, end))
     name = f"{purpose}_{phrase.name}"[:60]
@@ -449,5 +455,6 @@ def with_purpose(reading: Reading, phrase: Phrase) -> Phrase:
         else phrase.room_type
     )
     label = reading.span(phrase.begin, end).words
+    known = phrase.known or bool(own_rooms and elliptic_room_type(reading.words(begin, end), reading.knowledge))
     reading.take(last, end)
-    return replace(phrase, name=name, label=label, last=end, room_type=room or phrase.room_type)
+    return replace(phrase, name=name, label=label, last=end, room_type=room or phrase.room_type, known=known)

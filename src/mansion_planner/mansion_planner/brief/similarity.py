@@ -61,7 +61,7 @@ def room_of_building(building: str, knowledge: KnowledgeBase) -> str:
     return AS_ROOM.get(building) or (AS_ROOM.get(record.like, "") if record is not None else "")
 
 
-_NOT_ELLIPTIC = frozenset({"practice", "delivery", "server"})
+_NOT_ELLIPTIC = frozenset({"practice", "delivery", "dispatch", "server"})
 """Words that mean another place alone than before "room": a doctor's practice, deliveries, a servery."""
 
 

@@ -9,7 +9,7 @@ import itertools
 from dataclasses import dataclass, replace
 
 from mansion_planner.brief.facts import FloorRef
-from mansion_planner.brief.phrase import Phrase
+from mansion_planner.brief.phrase import PEOPLE, Phrase
 from mansion_planner.brief.reading import Place, Reading
 
 __all__ = ["Attachment", "attach_storeys"]
@@ -233,6 +233,7 @@ class _Walk:
             return False  # "the family upstairs with three bedrooms"
         if gap[:1] == ("(",) and ")" in gap:
             gap = gap[gap.index(")") + 1 :]  # "two toilets (m/f) on each level"
+        gap = gap[self._capacity(phrase.last, len(gap)) :]
         after = phrase.last + len(self.reading.words(phrase.last, place.first)) - len(gap)
         sized = {k for k in range(len(gap)) if self.reading.kind(after + k) in ("number", "unit")}
         joints = {k for k in range(len(gap)) if gap[k] in ("and", ",") and {k - 1, k + 1} & sized}
@@ -241,14 +242,22 @@ class _Walk:
         measures = all(
             word in _GLUE
             or k in joints
-            or (word in _BESIDE and (phrase.last + k in self.reading.taken or word == "it"))
-            or self.reading.kind(phrase.last + k) in ("number", "unit")
+            or (word in _BESIDE and (after + k in self.reading.taken or word == "it"))
+            or self.reading.kind(after + k) in ("number", "unit")
             or word in ("(", ")", "of", "about", "x", "people")
             for k, word in enumerate(gap)
         )
         if not measures:
             return False
         return not (gap and gap[-1] == "," and not self._closes(place))
+
+    def _capacity(self, index: int, most: int) -> int:
+        """Return how many tokens "for 200 guests" and "seating 50" have that stand at a token, or 0."""
+        reading = self.reading
+        if reading.word(index) not in ("for", "seating") or reading.kind(index + 1) != "number":
+            return 0
+        size = 2 + (reading.word(index + 2) in PEOPLE)
+        return size if size <= most else 0
 
     def _goes_on(self, place: Place) -> bool:
         """Whether what follows a place shares it: "on the first floor together with the foyer", "below with ..."."""
@@ -267,7 +276,7 @@ class _Walk:
             return listed
         titled = self.building is not None and self.reading.sentence[self.phrases[self.building].first] == sentence
         if not opened and not titled:
-            below = place.refs[0].kind == "basement"
+            below = place.refs[0].kind == "basement" or self.reading.word(place.last) == ","
             return left[-1:] if self._asyndetic(left) and (below or not place.led) else left
         chosen = [left[-1]]
         joined = False

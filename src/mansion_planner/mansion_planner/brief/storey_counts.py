@@ -271,6 +271,10 @@ class StoreyCounts:
                 Place(index, last, (FloorRef("range", max(base, 1) + 1, max(base, 1) + int(value), span),), led=False)
             )
             return last
+        attic = self._attic_above(last)
+        if attic:
+            self._state(value + 1, index, attic)
+            return attic
         if "upper" in adjectives or "additional" in adjectives or "more" in adjectives:
             value += 1
         if reading.word(last) == "of" and self._storeys_of_a_use(last):
@@ -317,6 +321,21 @@ class StoreyCounts:
                 outside = reading.word(end) in ("ground", "grade", "street")
                 return None if outside or reading.words(end, end + 2) == ("the", "ground") else (at, end)
         return None
+
+    def _attic_above(self, last: int) -> int:
+        """Return where "2 full floors + attic" ends, where the brief goes on about what is in the attic; or 0."""
+        reading = self.reading
+        if reading.word(last) not in ("+", "plus", "and"):
+            return 0
+        end = last + 1 + (reading.word(last + 1) in ("a", "an", "the"))
+        if reading.word(end) not in ("attic", "loft"):
+            return 0
+        texts = [token.text for token in reading.tokens]
+        headed = any(
+            (word == "top" and after == "floor") or (word in ("attic", "loft") and after == ":")
+            for word, after in zip(texts[end + 1 :], texts[end + 2 :], strict=False)
+        )
+        return end + 1 if headed else 0
 
     def _storey_below(self) -> int:
         """Return the storey that "above it" counts from: the last one named, else the first; 0 if not numbered."""

@@ -54,7 +54,8 @@ def _narrowed(reading: Reading, places: list[Place]) -> list[Place]:
 def _below_the_top(reading: Reading, places: list[Place]) -> list[Place]:
     """Read one upper storey beside a top one as the one between: "EG: shop. OG: flat. DG: studio"."""
     kinds = {ref.kind for place in places for ref in place.refs}
-    if reading.facts.floors or not {"upper", "top"} <= kinds <= {"upper", "top", "basement", "number"}:
+    stated = reading.facts.floors and reading.facts.floors[0].value != 3
+    if stated or not {"upper", "top"} <= kinds <= {"upper", "top", "basement", "number"}:
         return places
     if any(ref.kind == "number" and ref.last > 1 for place in places for ref in place.refs):
         return places
