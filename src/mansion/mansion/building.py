@@ -170,7 +170,7 @@ class Building(Closing):
         Parameters
         ----------
         place : str
-            Where to look from; where robots start when empty.
+            A room, seen from where most of it is in view, or a stair or lift; where robots start when empty.
         floor : int, optional
             The floor of the place, where its name does not say it.
         turn : float
