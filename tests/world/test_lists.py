@@ -69,7 +69,7 @@ def test_rows_say_what_a_request_may_say_and_defaults_fill_the_rest(tmp_path: Pa
         ("a.csv", "brief,style\na flat,modern\n", r"a\.csv:1: the columns are 'brief', 'style'; they may be brief and"),
         ("a.csv", "brief\na flat, for two\n", r"a\.csv:2: 2 cells under 1 columns; put a text with commas into quotes"),
         ("a.csv", 'brief,name\n"two\nlines",a\n"b,c\n', r"a\.csv:4: no CSV: "),
-        ("a.csv", "brief,seed\n,4\n", r"a\.csv:2: Object missing required field `brief`"),
+        ("a.csv", "brief,seed\n,4\n", r"a\.csv:2: the brief is empty"),
         ("a.csv", "brief,area,floor_area\na flat,90,90\n", r"a\.csv:2: area and floor_area exclude each other"),
         ("a.csv", "brief,name\na,x\nb,X\n", r"a\.csv:3: the name 'X' is that of line 2 already"),
         ("a.csv", "brief,name\na,../x\n", r"a\.csv:2: the name '\.\./x' names no folder"),
@@ -192,7 +192,7 @@ def test_the_command_builds_what_the_single_command_builds(tmp_path: Path) -> No
     [
         (["a flat", "--from", "briefs.txt"], "--from takes all briefs from its file, without a brief"),
         (["--from", "briefs.txt", "--graph"], "--from takes all briefs from its file, without --graph"),
-        ([], "there is no brief; give a sentence, or a file with --from"),
+        ([], "there is no brief; give a sentence, a plan with --plan, or a file with --from"),
     ],
 )
 def test_one_brief_or_a_file_of_them(tmp_path: Path, arguments: list[str], message: str) -> None:

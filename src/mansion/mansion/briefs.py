@@ -1,21 +1,35 @@
 """Briefs and options of a call as requests for buildings."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Any, TypeAlias
+from typing import Any, Literal, TypeAlias
 
+import msgspec
+
+from mansion_msgs_py.building_plan import BuildingPlan
 from mansion_msgs_py.codec import convert, to_builtins
 from mansion_msgs_py.files import read_bytes
 from mansion_msgs_py.request import BuildRequest, Footprint, footprint_from_json
 from mansion_msgs_py.shapes import Point
 
-__all__ = ["Outline", "request_of"]
+__all__ = ["GivenPlan", "Outline", "request_of"]
 
 Outline: TypeAlias = Footprint | Sequence[Point] | str | Path
 """The outline of every floor: a `Footprint`, the corners of a ring in metres, or a file of either or of GeoJSON."""
 
 
-def request_of(description: str | BuildRequest, footprint: Outline | None, **fields: Any) -> BuildRequest:
+GivenPlan: TypeAlias = BuildingPlan | Mapping[str, Any] | str | Path
+"""A plan to furnish: a `BuildingPlan`, the same as plain values, or a file that ``mansion build --plan`` reads."""
+
+
+def request_of(
+    description: str | BuildRequest,
+    footprint: Outline | None,
+    *,
+    plan: GivenPlan | None = None,
+    complete: Sequence[Literal["doors", "windows"]] = (),
+    **fields: Any,
+) -> BuildRequest:
     """Return the validated request of a description and options; a request is returned as it is.
 
     Raises
@@ -26,7 +40,17 @@ def request_of(description: str | BuildRequest, footprint: Outline | None, **fie
     if isinstance(description, BuildRequest):
         return description
     outline = None if footprint is None else to_builtins(_footprint(footprint))
-    return convert(BuildRequest, {"description": description, "footprint": outline, **fields})
+    given = None if plan is None else to_builtins(_plan(plan, complete))
+    return convert(BuildRequest, {"description": description, "footprint": outline, "plan": given, **fields})
+
+
+def _plan(plan: GivenPlan, complete: Sequence[Literal["doors", "windows"]]) -> BuildingPlan:
+    if isinstance(plan, (str, Path)):
+        from mansion_bringup.plan_files import plan_from_file
+
+        return plan_from_file(Path(plan), complete)
+    given = plan if isinstance(plan, BuildingPlan) else convert(BuildingPlan, to_builtins(plan))
+    return msgspec.structs.replace(given, complete=list(dict.fromkeys([*given.complete, *complete])))
 
 
 def _footprint(outline: Outline) -> Any:

@@ -6,7 +6,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Literal
 
-from mansion.briefs import Outline, request_of
+from mansion.briefs import GivenPlan, Outline, request_of
 from mansion.building import Building
 from mansion.homes import Home
 from mansion_msgs_py.request import BuildRequest
@@ -18,13 +18,15 @@ _MOST_JOBS = 8
 
 
 def build(
-    description: str | BuildRequest,
+    description: str | BuildRequest = "",
     folder: str | Path | None = None,
     *,
     floors: int | None = None,
     area: float | None = None,
     floor_area: float | None = None,
     footprint: Outline | None = None,
+    plan: GivenPlan | None = None,
+    complete: Sequence[Literal["doors", "windows"]] = (),
     seed: int = 0,
     planner: Literal["rules", "llm"] = "rules",
     formats: str | Sequence[str] = (),
@@ -47,6 +49,10 @@ def build(
         Gross area of the building, or of one floor; square metres.
     footprint : Footprint, sequence of (x, y), or path, optional
         Outline of every floor.
+    plan : BuildingPlan, mapping, or path, optional
+        A plan to furnish as it is; the description, which may then be empty, says what it is and what is wished beside.
+    complete : sequence of {"doors", "windows"}
+        What may be added where the plan lacks it.
     seed : int
         Same seed, same building.
     planner : {"rules", "llm"}
@@ -79,8 +85,9 @@ def build(
     from mansion_bringup.pipeline.planning import prepare_planner
 
     request = request_of(
-        description, footprint, floors=floors, area=area, floor_area=floor_area, seed=seed, planner=planner
-    )
+        description, footprint, plan=plan, complete=complete, floors=floors, area=area, floor_area=floor_area,
+        seed=seed, planner=planner,
+    )  # fmt: skip
     prepare_planner(request)
     home = Home.new() if folder is None else Home(Path(folder))
     workers = jobs or min(os.cpu_count() or 1, _MOST_JOBS)

@@ -169,11 +169,12 @@ def build_all(briefs: str | Path | Sequence[str | BuildRequest], folder: str | P
         something else.
     """
     from mansion_bringup.lists import build_list
+    from mansion_bringup.plan_files import plan_from_file
     from mansion_bringup.worlds import world_workers
     from mansion_world.brief_files import read_briefs
 
     if isinstance(briefs, (str, Path)):
-        named = read_briefs(Path(briefs))
+        named = read_briefs(Path(briefs), read_plan=plan_from_file)
     else:
         named = [NamedRequest(request=request_of(brief, None)) for brief in briefs]
     workers = world_workers(jobs) if jobs > 1 else (lambda: ThreadPoolExecutor(1))

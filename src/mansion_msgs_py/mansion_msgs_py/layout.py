@@ -42,6 +42,7 @@ class FixedRoom(msgspec.Struct, frozen=True, kw_only=True):
 
     id: Identifier
     polygon: Annotated[Ring, msgspec.Meta(min_length=3)]
+    holes: list[Ring] = []
 
 
 class SeedRange(msgspec.Struct, frozen=True, kw_only=True):

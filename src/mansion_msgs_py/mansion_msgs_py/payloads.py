@@ -7,8 +7,10 @@ import msgspec
 
 from mansion_msgs_py import (
     building,
+    building_plan,
     errors,
     layout,
+    openings,
     placement,
     program,
     request,
@@ -25,6 +27,8 @@ __all__ = ["PAYLOADS"]
 
 _MODULES: tuple[ModuleType, ...] = (
     request,
+    building_plan,
+    openings,
     program,
     topology,
     layout,

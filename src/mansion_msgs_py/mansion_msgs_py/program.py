@@ -4,6 +4,7 @@ from typing import Annotated, Literal
 
 import msgspec
 
+from mansion_msgs_py.openings import GivenOpenings
 from mansion_msgs_py.shapes import Area, BuildingId, Elevation, Identifier, Length, Point, Ring, Segment
 from mansion_msgs_py.wishes import Wish
 
@@ -135,6 +136,8 @@ class FloorProgram(msgspec.Struct, frozen=True, kw_only=True):
         Centre lines that rooms of every floor must respect.
     copy : int, optional
         The floor whose layout this one repeats exactly; `rooms` is then that floor's list.
+    openings : GivenOpenings, optional
+        Doors and windows of a plan that the user gave; chosen by rules where absent.
     """
 
     index: int
@@ -149,6 +152,7 @@ class FloorProgram(msgspec.Struct, frozen=True, kw_only=True):
     holes: list[Ring] = []
     structural_walls: list[Segment] = []
     copy: int | None = None
+    openings: GivenOpenings | None = None
 
 
 class TraceEntry(msgspec.Struct, frozen=True, kw_only=True):

@@ -6,6 +6,7 @@ from typing import Annotated, Any, Literal
 
 import msgspec
 
+from mansion_msgs_py.building_plan import BuildingPlan
 from mansion_msgs_py.codec import encode
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import decode_from
@@ -51,6 +52,8 @@ class BuildRequest(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fie
         Who reads the description and plans: rules, or a language model whose gaps they fill.
     building_id : str, optional
         Names the building in every payload; derived from the request when absent.
+    plan : BuildingPlan, optional
+        The plan to furnish; the description, which may then be empty, says what it is and what is wished for beside.
     """
 
     description: Annotated[str, msgspec.Meta(max_length=200_000)]
@@ -62,6 +65,7 @@ class BuildRequest(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fie
     planner: Literal["rules", "llm"] = "rules"
     building_id: BuildingId | None = None
     schema_version: Literal[1] = 1
+    plan: BuildingPlan | None = None
 
 
 def building_id_of(request: BuildRequest) -> str:
@@ -70,13 +74,17 @@ def building_id_of(request: BuildRequest) -> str:
     Examples
     --------
     >>> building_id_of(BuildRequest(description="A small flat", seed=3))
-    'a-small-flat-0ebd0d5d'
+    'a-small-flat-8c3972bb'
     """
     if request.building_id is not None:
         return request.building_id
-    words = re.findall(r"[a-z0-9]+", request.description.lower())
+    spoken = request.description or (request.plan.name if request.plan else "")
+    words = re.findall(r"[a-z0-9]+", spoken.lower())
     slug = "-".join(words)[:40].strip("-") or "building"
-    digest = hashlib.sha256(msgspec.json.encode(request)).hexdigest()[:8]
+    said = {name: getattr(request, name) for name in BuildRequest.__struct_fields__}
+    if request.plan is None:
+        del said["plan"]
+    digest = hashlib.sha256(msgspec.json.encode(said)).hexdigest()[:8]
     return f"{slug}-{digest}"
 
 

@@ -5,6 +5,7 @@ from typing import Annotated, Literal, TypeAlias, TypeVar
 import msgspec
 
 from mansion_msgs_py.limits import MAX_OBJECTS, MAX_ROOMS
+from mansion_msgs_py.openings import DoorKind
 from mansion_msgs_py.program import Downgrade
 from mansion_msgs_py.shapes import (
     Area,
@@ -45,12 +46,6 @@ __all__ = [
 
 T = TypeVar("T")
 _Many: TypeAlias = Annotated[list[T], msgspec.Meta(max_length=MAX_OBJECTS)]
-
-DoorKind: TypeAlias = Literal[
-    "open", "doorway", "single", "double", "glazed", "sliding", "frame", "entrance", "balcony", "garage"
-]
-"""``open`` is a stretch of missing wall; ``sliding`` a lift's landing door; ``frame`` a stair's door frame;
-``garage`` an outer door for vehicles, of slats that roll up."""
 
 Mount: TypeAlias = Literal["floor", "wall", "ceiling", "surface", "inside"]
 

@@ -51,12 +51,14 @@ def plan_building(
     >>> [floor.index for floor in reply.program.floors]
     [1, 2]
     """
+    base = knowledge or default_knowledge()
+    building_id = building_id_of(request)
+    if request.plan is not None:
+        return _given(request, base, building_id)
     try:
         check_there(request.description)
     except MansionError as error:
         raise error.at_stage("program") from None
-    base = knowledge or default_knowledge()
-    building_id = building_id_of(request)
     if request.planner == "llm":
         from mansion_planner.llm.planner import plan_with_model
 
@@ -80,3 +82,13 @@ def plan_building(
         problems=problems,
         fallbacks=fallbacks if any(fallbacks) else [],
     )
+
+
+def _given(request: BuildRequest, knowledge: KnowledgeBase, building_id: str) -> PlanReply:
+    """Return the plan that a request brings."""
+    from mansion_planner.given_plan.planning import plan_given
+
+    try:
+        return plan_given(request, knowledge, building_id)
+    except MansionError as error:
+        raise error.at_stage("program") from None

@@ -10,6 +10,7 @@ from typing import Annotated, Any, Final, Literal
 
 import msgspec
 
+from mansion_msgs_py.building_plan import BuildingPlan
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import read_bytes
 from mansion_msgs_py.limits import MAX_BUILDING_AREA, MAX_FLOORS
@@ -26,7 +27,7 @@ _MOST_FAULTS: Final = 5
 class _Row(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """A row as it may be written; what is absent is that of the defaults."""
 
-    brief: Annotated[str, msgspec.Meta(max_length=200_000)]
+    brief: Annotated[str, msgspec.Meta(max_length=200_000)] = ""
     name: str = ""
     floors: Annotated[int, msgspec.Meta(ge=1, le=MAX_FLOORS)] | None = None
     area: Annotated[float, msgspec.Meta(gt=0.0, le=MAX_BUILDING_AREA)] | None = None
@@ -34,15 +35,20 @@ class _Row(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
     footprint: str | None = None
     seed: Annotated[int, msgspec.Meta(ge=0, le=2**53)] | None = None
     planner: Literal["rules", "llm"] | None = None
+    plan: str | None = None
 
 
 _COLUMNS: Final = _Row.__struct_fields__
+
+PlanReader = Callable[[Path], BuildingPlan]
 
 Rows = Iterator[tuple[int, Mapping[str, Any] | str]]
 """Line numbers with what is said there, or with what is wrong there."""
 
 
-def read_briefs(path: Path, defaults: BuildRequest | None = None) -> list[NamedRequest]:
+def read_briefs(
+    path: Path, defaults: BuildRequest | None = None, read_plan: PlanReader | None = None
+) -> list[NamedRequest]:
     """Read a file of briefs, all of it or nothing.
 
     Parameters
@@ -50,9 +56,12 @@ def read_briefs(path: Path, defaults: BuildRequest | None = None) -> list[NamedR
     path : Path
         ``.txt``: a brief a line; empty lines and those that begin with ``#`` are passed over. ``.csv`` with a heading,
         or ``.jsonl``: ``brief``, and any of ``name``, ``floors``, ``area``, ``floor_area``, ``footprint`` (a file,
-        relative to this one), ``seed`` and ``planner``.
+        relative to this one), ``seed``, ``planner`` and ``plan`` (a file of a plan to furnish, relative to this one,
+        with which the brief may be empty).
     defaults : BuildRequest, optional
         What holds where a row says nothing; its description is not used.
+    read_plan : callable, optional
+        Reads the file of a plan; rows with plans are refused without it.
 
     Raises
     ------
@@ -67,7 +76,7 @@ def read_briefs(path: Path, defaults: BuildRequest | None = None) -> list[NamedR
     rows, faults = list[tuple[int, NamedRequest]](), list[str]()
     for line, row in reader(_text(path)):
         try:
-            rows.append((line, _named(row, path.parent, defaults or BuildRequest(description=""))))
+            rows.append((line, _named(row, path.parent, defaults or BuildRequest(description=""), read_plan)))
         except MansionError as error:
             faults.append(f"{path}:{line}: {error.info.message}")
     faults += [f"{path}:{line}: {fault}" for line, fault in _repeated_names(rows)]
@@ -118,7 +127,7 @@ def _csv_rows(text: str) -> Rows:
 
 def _heading_fault(heading: Sequence[str]) -> str:
     unknown = [name for name in heading if name not in _COLUMNS]
-    if unknown or "brief" not in heading or len(set(heading)) < len(heading):
+    if unknown or not {"brief", "plan"} & set(heading) or len(set(heading)) < len(heading):
         said = ", ".join(repr(name) for name in heading)
         return f"the columns are {said}; they may be brief and any of {', '.join(_COLUMNS[1:])}, each once"
     return ""
@@ -140,7 +149,9 @@ def _json_rows(text: str) -> Rows:
 _READERS: Final[Mapping[str, Callable[[str], Rows]]] = {".txt": _lines, ".csv": _csv_rows, ".jsonl": _json_rows}
 
 
-def _named(row: Mapping[str, Any] | str, folder: Path, defaults: BuildRequest) -> NamedRequest:
+def _named(
+    row: Mapping[str, Any] | str, folder: Path, defaults: BuildRequest, read_plan: PlanReader | None
+) -> NamedRequest:
     if isinstance(row, str):
         raise MansionError(ErrorCode.INVALID_PAYLOAD, row)
     if unknown := [name for name in row if name not in _COLUMNS]:
@@ -151,7 +162,7 @@ def _named(row: Mapping[str, Any] | str, folder: Path, defaults: BuildRequest) -
         said = msgspec.convert({name: value for name, value in row.items() if value is not None}, _Row, strict=False)
     except msgspec.ValidationError as error:
         raise MansionError(ErrorCode.INVALID_PAYLOAD, str(error)) from None
-    if not said.brief.strip():
+    if not said.brief.strip() and not said.plan:
         raise MansionError(ErrorCode.INVALID_PAYLOAD, "the brief is empty")
     if said.name and not _NAME.fullmatch(said.name):
         raise MansionError(
@@ -159,13 +170,15 @@ def _named(row: Mapping[str, Any] | str, folder: Path, defaults: BuildRequest) -
             f"the name {said.name!r} names no folder; use letters, digits, '.', '_' and '-', 100 at most, "
             "a letter or a digit first",
         )
-    return NamedRequest(request=_request(said, folder, defaults), name=said.name)
+    return NamedRequest(request=_request(said, folder, defaults, read_plan), name=said.name)
 
 
-def _request(said: _Row, folder: Path, defaults: BuildRequest) -> BuildRequest:
+def _request(said: _Row, folder: Path, defaults: BuildRequest, read_plan: PlanReader | None) -> BuildRequest:
     sized = said.area is not None or said.floor_area is not None
     if said.area is not None and said.floor_area is not None:
         raise MansionError(ErrorCode.INVALID_PAYLOAD, "area and floor_area exclude each other")
+    if said.plan and read_plan is None:
+        raise MansionError(ErrorCode.INVALID_PAYLOAD, "plans cannot be read here")
     return BuildRequest(
         description=said.brief,
         floors=said.floors if said.floors is not None else defaults.floors,
@@ -174,6 +187,7 @@ def _request(said: _Row, folder: Path, defaults: BuildRequest) -> BuildRequest:
         footprint=_footprint(folder / said.footprint) if said.footprint else defaults.footprint,
         seed=said.seed if said.seed is not None else defaults.seed,
         planner=said.planner or defaults.planner,
+        plan=read_plan(folder / said.plan) if said.plan and read_plan else defaults.plan,
     )
 
 

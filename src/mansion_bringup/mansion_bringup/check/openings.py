@@ -3,7 +3,7 @@
 import itertools
 import math
 from collections import defaultdict
-from collections.abc import Iterator
+from collections.abc import Container, Iterator
 
 from shapely import LineString, Polygon
 from shapely.geometry.base import BaseGeometry
@@ -16,6 +16,9 @@ __all__ = ["check_openings"]
 
 CLEAR_WIDTH = 0.9
 """Least clear width of a door, metres."""
+
+GIVEN_WIDTH = 0.7
+"""Least clear width of a door that the user's own plan has narrower, which the scene records; metres."""
 
 GARAGE_WIDTH = 2.4
 """Least clear width of a door for vehicles, metres."""
@@ -36,8 +39,9 @@ def check_openings(scene: FloorScene, edges: list[tuple[str, str]]) -> Iterator[
     """
     places = _places(scene)
     walls = {wall.id: wall for wall in scene.walls}
+    given = {entry.wish for entry in scene.downgrades if entry.stage == "plan"}
     for door in scene.doors:
-        yield from _door(door, places, walls)
+        yield from _door(door, places, walls, given)
     for window in scene.windows:
         yield from _window(window, places, walls)
     yield from _crowded(scene, walls)
@@ -53,9 +57,12 @@ def _places(scene: FloorScene) -> dict[str, BaseGeometry]:
     return places
 
 
-def _door(door: Door, places: dict[str, BaseGeometry], walls: dict[str, Wall]) -> Iterator[Fault]:
+def _door(
+    door: Door, places: dict[str, BaseGeometry], walls: dict[str, Wall], given: Container[str]
+) -> Iterator[Fault]:
     length = segment_length(door.segment)
-    least = GARAGE_WIDTH if door.kind == "garage" else CLEAR_WIDTH
+    narrow = f"door of {CLEAR_WIDTH} m between {door.rooms[0]} and {door.rooms[1] or 'outside'}" in given
+    least = GARAGE_WIDTH if door.kind == "garage" else GIVEN_WIDTH if narrow else CLEAR_WIDTH
     if length < least - ROUNDING:
         yield Fault("DOOR_NARROW", door.id, f"{length:.2f} m clear; at least {least} m are needed")
     if door.kind == "garage" and None not in door.rooms:

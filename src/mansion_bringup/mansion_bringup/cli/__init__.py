@@ -45,6 +45,8 @@ def main() -> NoReturn:
         if "MANSION_DEBUG" in os.environ:
             raise
         print(f"error: {error}", file=sys.stderr)
+        for fault in error.info.details.get("faults", ()):
+            print(f"  {fault}", file=sys.stderr)
         details.print(str(error.info.details), markup=False, highlight=False)
         if "--json" in sys.argv[1:]:
             print_json(error.reply())

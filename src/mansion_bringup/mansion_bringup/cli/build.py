@@ -18,12 +18,13 @@ from mansion_bringup.cli.console import (
     print_json,
     progress_bar,
 )
-from mansion_bringup.cli.receipt_table import print_receipt, refuse_unmet
+from mansion_bringup.cli.receipt_table import print_plan_notes, print_receipt, refuse_unmet
 from mansion_bringup.cli.text_argument import TextCommand
 from mansion_bringup.exporting import format_names
 from mansion_export.formats import ALL, export_formats, formats_of_build
 from mansion_msgs_py.building import Building, BuildingReport
 from mansion_msgs_py.building_folder import is_building_folder
+from mansion_msgs_py.building_plan import BuildingPlan
 from mansion_msgs_py.codec import convert, decode, to_builtins
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import read_bytes
@@ -33,7 +34,20 @@ from mansion_msgs_py.wording import counted
 if TYPE_CHECKING:
     from mansion_bringup.pipeline.build import BuildResult
 
-__all__ = ["planner_name", "read_footprint", "register", "request_from_options"]
+__all__ = [
+    "COMPLETE_HELP",
+    "LAYERS_HELP",
+    "PLAN_HELP",
+    "given_plan",
+    "planner_name",
+    "read_footprint",
+    "register",
+    "request_from_options",
+]
+
+PLAN_HELP: Final = "A plan to furnish as it is: our JSON, GeoJSON or a room graph."
+COMPLETE_HELP: Final = "What may be added where the plan lacks it: doors, windows, or doors,windows."
+LAYERS_HELP: Final = "Layers of a drawing: rooms=NAME,names=NAME,doors=NAME,windows=NAME."
 
 FORMATS_HELP: Final = f"What to write beside plans and a picture: {ALL}, or some of {', '.join(export_formats())}."
 
@@ -51,6 +65,7 @@ def request_from_options(
     footprint: Path | None,
     seed: int,
     planner: Literal["rules", "llm"],
+    plan: BuildingPlan | None = None,
 ) -> BuildRequest:
     """Return the validated request that the options make."""
     fields = {
@@ -61,8 +76,31 @@ def request_from_options(
         "footprint": read_footprint(footprint) if footprint else None,
         "seed": seed,
         "planner": planner,
+        "plan": None if plan is None else to_builtins(plan),
     }
     return convert(BuildRequest, fields)
+
+
+def given_plan(file: Path | None, complete: str, layers: str) -> BuildingPlan | None:
+    """Return the plan that the options name.
+
+    Parameters
+    ----------
+    complete : str
+        ``doors``, ``windows`` or both with a comma.
+    layers : str
+        ``rooms=NAME,doors=NAME``, for drawings.
+    """
+    for name, said in (("--complete", complete), ("--layers", layers)):
+        if file is None and said:
+            raise MansionError(ErrorCode.INVALID_PAYLOAD, f"{name} is for a plan that --plan names")
+    if file is None:
+        return None
+    from mansion_bringup.plan_files import plan_from_file
+
+    added = convert(list[Literal["doors", "windows"]], [part.strip() for part in complete.split(",") if part.strip()])
+    pairs = [part.partition("=") for part in layers.split(",") if part.strip()]
+    return plan_from_file(file, added, {name.strip(): layer.strip() for name, _, layer in pairs})
 
 
 def read_footprint(path: Path) -> Footprint:
@@ -92,6 +130,9 @@ def build(
     area: Annotated[float | None, typer.Option(min=1, help="Gross area of the building, m2.")] = None,
     floor_area: Annotated[float | None, typer.Option(min=1, help="Gross area of a floor, m2.")] = None,
     footprint: Annotated[Path | None, typer.Option(help="Outline: our JSON or GeoJSON.")] = None,
+    plan: Annotated[Path | None, typer.Option(help=PLAN_HELP)] = None,
+    complete: Annotated[str, typer.Option(help=COMPLETE_HELP)] = "",
+    layers: Annotated[str, typer.Option(help=LAYERS_HELP)] = "",
     seed: Annotated[int, typer.Option(min=0, help="Same seed, same building.")] = 0,
     planner: Annotated[
         str, typer.Option(help="rules, or llm: a language model reads and plans, rules fill its gaps.")
@@ -121,16 +162,24 @@ def build(
 
       mansion build "a clinic" --formats mjcf,nav2 -o out/clinic
 
+      mansion build --plan house.json --complete windows -o out/house      (docs/plans.md)
+
       mansion build --from briefs.csv --jobs 2 -o out/many     (columns: brief, and name, seed, floors, floor_area, ...)
     """
     if briefs is not None:
-        _refuse_beside_a_list(description, {"--graph": graph, "--strict": strict, "--force": force})
+        beside = {"--graph": graph, "--strict": strict, "--force": force, "--plan": plan is not None}
+        _refuse_beside_a_list(description, beside)
         defaults = request_from_options("", floors, area, floor_area, footprint, seed, planner_name(planner))
         build_briefs(briefs, output, defaults, jobs, _prepared_formats(formats))
         return
-    if description is None:
-        raise MansionError(ErrorCode.INVALID_PAYLOAD, "there is no brief; give a sentence, or a file with --from")
-    request = request_from_options(description, floors, area, floor_area, footprint, seed, planner_name(planner))
+    given = given_plan(plan, complete, layers)
+    if description is None and given is None:
+        raise MansionError(
+            ErrorCode.INVALID_PAYLOAD, "there is no brief; give a sentence, a plan with --plan, or a file with --from"
+        )
+    request = request_from_options(
+        description or "", floors, area, floor_area, footprint, seed, planner_name(planner), given
+    )
     names = _prepared_formats(formats)
     if strict:
         _refuse_unmet_plan(request)
@@ -253,3 +302,5 @@ def _print_summary(result: "BuildResult") -> None:
         highlight=False,
     )
     print_receipt(building.wishes)
+    if building.request.plan is not None:
+        print_plan_notes(program.downgrades)

@@ -33,11 +33,12 @@ def build_briefs(source: Path, output: Path, defaults: BuildRequest, jobs: int, 
         Buildings in work at once; 0: all cores.
     """
     from mansion_bringup.lists import TABLE, build_list
+    from mansion_bringup.plan_files import plan_from_file
     from mansion_bringup.worlds import world_workers
     from mansion_world.brief_files import read_briefs
     from mansion_world.lists import BriefList
 
-    briefs = BriefList.of(read_briefs(source, defaults))
+    briefs = BriefList.of(read_briefs(source, defaults, plan_from_file))
     _prepare_planners(briefs)
     check_output_folder(output)
     workers = min(jobs or os.cpu_count() or 1, len(briefs))

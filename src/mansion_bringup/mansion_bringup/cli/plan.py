@@ -6,7 +6,14 @@ from typing import Annotated
 import msgspec
 import typer
 
-from mansion_bringup.cli.build import planner_name, request_from_options
+from mansion_bringup.cli.build import (
+    COMPLETE_HELP,
+    LAYERS_HELP,
+    PLAN_HELP,
+    given_plan,
+    planner_name,
+    request_from_options,
+)
 from mansion_bringup.cli.console import out, print_json
 from mansion_bringup.cli.text_argument import TextCommand
 from mansion_msgs_py.program import BuildingProgram, FloorProgram
@@ -21,11 +28,14 @@ def register(app: typer.Typer) -> None:
 
 
 def plan(
-    description: Annotated[str, typer.Argument(help="The brief: English, or any language with --planner llm.")],
+    description: Annotated[str, typer.Argument(help="The brief: English, or any language with --planner llm.")] = "",
     floors: Annotated[int | None, typer.Option(min=1, max=100)] = None,
     area: Annotated[float | None, typer.Option(min=1, help="Gross area of the building, m2.")] = None,
     floor_area: Annotated[float | None, typer.Option(min=1, help="Gross area of a floor, m2.")] = None,
     footprint: Annotated[Path | None, typer.Option(help="Outline: our JSON or GeoJSON.")] = None,
+    plan: Annotated[Path | None, typer.Option(help=PLAN_HELP)] = None,
+    complete: Annotated[str, typer.Option(help=COMPLETE_HELP)] = "",
+    layers: Annotated[str, typer.Option(help=LAYERS_HELP)] = "",
     seed: Annotated[int, typer.Option(min=0)] = 0,
     planner: Annotated[
         str, typer.Option(help="rules, or llm: a language model reads and plans, rules fill its gaps.")
@@ -40,12 +50,15 @@ def plan(
       mansion plan "a two-storey library with a reading room on the top floor"
 
       mansion plan "a clinic" --floors 2 --json
+
+      mansion plan --plan house.json          (what is wrong with a plan, and what is made of it)
     """
     from mansion_bringup.building.receipt import receipt_of_plan
-    from mansion_bringup.cli.receipt_table import print_receipt, refuse_unmet
+    from mansion_bringup.cli.receipt_table import print_plan_notes, print_receipt, refuse_unmet
     from mansion_bringup.pipeline.planning import plan_request
 
-    request = request_from_options(description, floors, area, floor_area, footprint, seed, planner_name(planner))
+    given = given_plan(plan, complete, layers)
+    request = request_from_options(description, floors, area, floor_area, footprint, seed, planner_name(planner), given)
     reply = plan_request(request)
     wishes = receipt_of_plan(reply.program, reply.topologies)
     if strict:
@@ -56,6 +69,8 @@ def plan(
     _print_program(reply.program)
     _print_sources(reply)
     print_receipt(wishes)
+    if given is not None:
+        print_plan_notes(reply.program.downgrades)
 
 
 def _print_sources(reply: PlanReply) -> None:

@@ -9,9 +9,10 @@ from rich.text import Text
 from mansion_bringup.building.wish_words import STATUS_WORDS, read_as, receipt_summary
 from mansion_bringup.cli.console import out
 from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.program import Downgrade
 from mansion_msgs_py.wishes import Wish
 
-__all__ = ["print_receipt", "receipt_table", "refuse_unmet"]
+__all__ = ["print_plan_notes", "print_receipt", "receipt_table", "refuse_unmet"]
 
 _COLOURS: Final = {"met": "green", "partly": "yellow", "not_met": "red", "not_understood": "magenta", "": ""}
 
@@ -46,6 +47,13 @@ def print_receipt(wishes: Sequence[Wish]) -> None:
     if wishes:
         out.print(receipt_table(wishes))
     out.print(receipt_summary(wishes), highlight=False)
+
+
+def print_plan_notes(downgrades: Sequence[Downgrade]) -> None:
+    """Print what was made of what a given plan leaves open, or has otherwise than it is built."""
+    for entry in downgrades:
+        floor = "" if entry.floor is None else f"floor {entry.floor}, "
+        out.print(f"{floor}{entry.wish}: {entry.got} ({entry.reason})", markup=False, highlight=False)
 
 
 def refuse_unmet(wishes: Sequence[Wish]) -> None:

@@ -117,7 +117,11 @@ def _require_passages(structure: FloorStructure, passages: Sequence[Passage]) ->
         if passage.pair not in joined:
             first, second = passage.pair
             raise MansionError(ErrorCode.INFEASIBLE, f"{first} and {second} would no longer open to each other")
-    narrow = [d for d in structure.downgrades if d.wish.startswith("door of ") and d.got.endswith(" clear")]
+    narrow = [
+        d
+        for d in structure.downgrades
+        if d.stage != "plan" and d.wish.startswith("door of ") and d.got.endswith(" clear")
+    ]
     if narrow:
         raise MansionError(ErrorCode.INFEASIBLE, f"{narrow[0].wish}: {narrow[0].reason}")
 

@@ -30,7 +30,7 @@ from mansion_planner.program.storey_rooms import allocate
 from mansion_planner.program.storeys import floors_of, make_storeys
 from mansion_planner.program.wish_ledger import furniture_of, requested_objects, wishes_of
 
-__all__ = ["PlannedBuilding", "floor_program", "materials_of", "plan_program"]
+__all__ = ["PlannedBuilding", "floor_program", "materials_of", "plan_program", "with_elevations"]
 
 
 @dataclass(frozen=True)
@@ -134,7 +134,7 @@ def _floors(decisions: Decisions, layout: Arrangement, knowledge: KnowledgeBase)
         floor_program(decisions, storey, layout.sketches[storey.index], layout.envelopes[storey.index], knowledge)
         for storey in layout.storeys
     ]
-    return _with_elevations([msgspec.structs.replace(floor, structural_walls=list(walls)) for floor in floors])
+    return with_elevations([msgspec.structs.replace(floor, structural_walls=list(walls)) for floor in floors])
 
 
 def materials_of(
@@ -275,7 +275,7 @@ def _cores(massing: Massing, frame: Frame) -> list[CorePlan]:
     return cores
 
 
-def _with_elevations(floors: list[FloorProgram]) -> list[FloorProgram]:
+def with_elevations(floors: list[FloorProgram]) -> list[FloorProgram]:
     """Return the floors with their elevations, upwards and downwards from the ground."""
     elevations = {}
     level = 0.0

@@ -288,6 +288,7 @@ def _obstacles(problem: FloorProblem, angle: float) -> list[Obstacle]:
         found.append(Obstacle(core.id, shape, SIDES.index(core.door_side or "any")))
     for k, room in enumerate(problem.fixed_rooms):
         shape = _shape(room.polygon, f"$.fixed_rooms[{k}].polygon", angle)
+        shape = Polygon(shape.exterior, [rotated(hole, angle) for hole in room.holes])
         found.append(Obstacle(room.id, shape, fixed_room=True))
     return found
 

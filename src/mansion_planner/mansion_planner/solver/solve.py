@@ -19,6 +19,7 @@ from mansion_msgs_py.layout import (
 from mansion_msgs_py.topology import Edge
 from mansion_planner.solver.annealing import Annealing
 from mansion_planner.solver.cut_rounds import RoundsResult, SeedCallback, planned_rounds, run_rounds
+from mansion_planner.solver.given_layout import given_layout, is_given
 from mansion_planner.solver.grid import Grid, major_lines, make_grid, spaced_lines
 from mansion_planner.solver.options import Budget, SolverOptions
 from mansion_planner.solver.partition import Partition
@@ -89,7 +90,7 @@ def _assemble_layout(
         layout_room(room.id, max(polygon_parts(shape), key=lambda p: p.area), model.angle)
         for room, shape in zip(model.rooms, shapes)
     ]
-    rooms += [LayoutRoom(id=r.id, polygon=r.polygon) for r in model.problem.fixed_rooms]
+    rooms += [LayoutRoom(id=r.id, polygon=r.polygon, holes=r.holes) for r in model.problem.fixed_rooms]
     edges = [_edge_in_problem_frame(edge, model.angle) for edge in verdict.edges]
     unmet = [
         UnmetEdge(source=e.source, target=e.target, kind=e.kind, reason=_reason(model, e, relaxed, options, used))
@@ -195,6 +196,8 @@ def solve_floor(
     ['den', 'hall']
     """
     options = options or SolverOptions()
+    if is_given(problem):
+        return given_layout(problem)
     model = make_model(problem, options)
     _refuse_more_pieces_than_rooms(model)
     relaxed = relaxed_links(model)

@@ -2,6 +2,8 @@
 
 from typing import Final
 
+from mansion_geometry.wall_sizes import CLEAR_WIDTH, EXTERIOR_THICKNESS, INTERIOR_THICKNESS, MIN_CLEAR_WIDTH
+
 __all__ = [
     "APPROACH_DEPTH",
     "CLEAR_WIDTH",
@@ -18,17 +20,11 @@ __all__ = [
     "WALL_END",
 ]
 
-INTERIOR_THICKNESS: Final = 0.12
-EXTERIOR_THICKNESS: Final = 0.24
 SLAB_THICKNESS: Final = 0.25
 PARAPET_HEIGHT: Final = 1.1
 
 DOOR_HEIGHT: Final = 2.1
 GARAGE_DOOR_HEIGHT: Final = 2.2
-CLEAR_WIDTH: Final = 0.9
-"""Clear width that every door should have."""
-MIN_CLEAR_WIDTH: Final = 0.7
-"""Least clear width of a door, recorded as a downgrade; a wall that takes no such door is too short for one."""
 
 JAMB: Final = 0.09
 """Distance between a door's clear opening and the nearest wall face or opening."""

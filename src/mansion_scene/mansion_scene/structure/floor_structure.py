@@ -9,22 +9,38 @@ from shapely.geometry import Polygon
 from mansion_geometry.robot_body import PASSAGE_WIDTH
 from mansion_knowledge import default_knowledge
 from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.openings import GivenOpenings
 from mansion_msgs_py.program import Downgrade
 from mansion_msgs_py.scene import Door, SceneCore, SceneRoom, Wall, Window
 from mansion_msgs_py.stages import FurnishRequest
-from mansion_scene.structure.access import plan_access, shared_boundaries
+from mansion_scene.structure.access import AccessPlan, plan_access, shared_boundaries
 from mansion_scene.structure.boundaries import BoundarySegment, boundary_segments
 from mansion_scene.structure.cores import scene_cores
 from mansion_scene.structure.dimensions import SLAB_THICKNESS
 from mansion_scene.structure.door_swings import hang_doors
 from mansion_scene.structure.exits import place_second_exit
+from mansion_scene.structure.given_openings import (
+    given_access,
+    given_doors,
+    given_windows,
+    narrow_doors,
+    stated_entrance,
+    stated_kinds,
+)
 from mansion_scene.structure.held_openings import HeldAccess, held_openings, with_furniture, without_held
 from mansion_scene.structure.interiors import Partition, partition_floor, usable_boundaries, walkable_parts
 from mansion_scene.structure.materials import facade_material
-from mansion_scene.structure.openings import make_frontages, open_passages, other_places, place_doors, with_doors
+from mansion_scene.structure.openings import (
+    Opening,
+    make_frontages,
+    open_passages,
+    other_places,
+    place_doors,
+    with_doors,
+)
 from mansion_scene.structure.outer_doors import entrance_room, place_entrance, place_garage_doors
 from mansion_scene.structure.payloads import number_doors, number_walls, number_windows, scene_rooms
-from mansion_scene.structure.regions import FloorRegions, floor_regions
+from mansion_scene.structure.regions import FloorRegions, Region, floor_regions
 from mansion_scene.structure.windows import place_windows
 
 __all__ = ["FloorStructure", "build_structure", "ceiling_height"]
@@ -85,37 +101,46 @@ def build_structure(request: FurnishRequest, held: HeldAccess | None = None) -> 
     boundaries = boundary_segments(floor, request.floor.structural_walls)
     usable = usable_boundaries(boundaries, _walkable_rooms(floor, boundaries))
     shared = shared_boundaries(usable)
-    ground = floor.floor == _GROUND
-    kept = held_openings(held, boundaries) if held is not None else []
-    entered = next((floor.by_id[opening.regions[0]] for opening in kept if opening.kind.kind == "entrance"), None)
-    root = entered or (entrance_room(floor, usable) if ground else floor.hub)
-    plan = held.plan if held is not None else plan_access(floor, request.topology, request.layout, shared, root)
+    given = request.floor.openings
+    plan, kept = _kept_access(floor, boundaries, held, given)
+    root = _entered(floor, usable, kept, given)
+    plan = plan or plan_access(floor, request.topology, request.layout, shared, root)
     open_pairs = frozenset(passage.pair for passage in plan.passages if passage.is_open)
     partition = partition_floor(floor, boundaries, open_pairs)
     frontages = make_frontages(floor, partition)
     if held is not None:
         frontages = with_furniture(frontages, held.standing)
     openings = [*open_passages(partition), *kept]
-    if ground and entered is None:
+    free = given is None or given.further_doors
+    if floor.floor == _GROUND and not any(opening.kind.kind == "entrance" for opening in kept):
         residential = default_knowledge().groups.is_dwelling(request.building_type)
         entrance = place_entrance(floor, usable, root, frontages, partition.nets, residential=residential)
         openings.append(entrance)
-        if not residential:
+        if free and not residential:
             beside = with_doors(frontages, [entrance])
             openings += place_second_exit(floor, usable, entrance, beside, partition.nets, request.building_type)
     frontages = with_doors(frontages, openings)
-    driven = {opening.regions[0] for opening in kept if opening.kind.kind == "garage"}
-    wide, blocked = place_garage_doors(floor, usable, frontages, partition.nets, driven)
+    wide, blocked = place_garage_doors(floor, usable, frontages, partition.nets, _driven(kept)) if free else ([], [])
     frontages = with_doors(frontages, wide)
-    placed, narrowed = place_doors(floor, without_held(plan, kept), shared, frontages)
+    kinds = stated_kinds(floor, given) if given is not None else {}
+    placed, narrowed = place_doors(floor, without_held(plan, kept), shared, frontages, kinds)
     frontages = with_doors(frontages, placed)
+    fixed = {opening.segment for opening in kept} if given is not None else set()
     openings, leafless = hang_doors(
-        floor, partition.nets, [*openings, *wide, *placed], lambda opening: other_places(opening, shared, frontages)
+        floor,
+        partition.nets,
+        [*openings, *wide, *placed],
+        lambda opening: () if opening.segment in fixed else other_places(opening, shared, frontages),
     )
+    if given is not None:
+        narrowed += narrow_doors(floor, given, openings)
     rooms = scene_rooms(request, floor, partition, ceiling)
     facade = facade_material(request.building_type, request.seed)
     walls = number_walls(floor, partition.walls, {room.id: room for room in rooms}, ceiling, facade)
-    windows = place_windows(floor, partition.walls, openings, ceiling)
+    if given is not None and given.windows is not None:
+        windows = given_windows(floor, given.windows, partition.walls, openings, ceiling)
+    else:
+        windows = place_windows(floor, partition.walls, openings, ceiling)
     doors = number_doors(floor, walls, openings, ceiling)
     return FloorStructure(
         floor=floor,
@@ -127,6 +152,32 @@ def build_structure(request: FurnishRequest, held: HeldAccess | None = None) -> 
         downgrades=[*plan.downgrades, *_cut_off(floor, partition), *blocked, *narrowed, *leafless],
         ceiling=ceiling,
     )
+
+
+def _kept_access(
+    floor: FloorRegions, boundaries: Sequence[BoundarySegment], held: HeldAccess | None, given: GivenOpenings | None
+) -> tuple[AccessPlan | None, list[Opening]]:
+    """Return the passages that are known and the doors whose place is: those of before an edit, else of a plan."""
+    if held is not None:
+        return held.plan, held_openings(held, boundaries)
+    if given is not None:
+        return given_access(floor, given), given_doors(floor, given, boundaries)
+    return None, []
+
+
+def _entered(
+    floor: FloorRegions, usable: Sequence[BoundarySegment], kept: Sequence[Opening], given: GivenOpenings | None
+) -> Region:
+    """Return the room through which the floor is entered."""
+    entered = next((floor.by_id[opening.regions[0]] for opening in kept if opening.kind.kind == "entrance"), None)
+    if entered is None and given is not None:
+        entered = stated_entrance(floor, given)
+    return entered or (entrance_room(floor, usable) if floor.floor == _GROUND else floor.hub)
+
+
+def _driven(openings: Sequence[Opening]) -> set[str]:
+    """Return the rooms that have a door for vehicles."""
+    return {opening.regions[0] for opening in openings if opening.kind.kind == "garage"}
 
 
 def _walkable_rooms(floor: FloorRegions, boundaries: Sequence[BoundarySegment]) -> dict[str, Polygon]:

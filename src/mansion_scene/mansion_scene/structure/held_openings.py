@@ -13,7 +13,7 @@ from mansion_scene.structure.dimensions import EXTERIOR_THICKNESS, INTERIOR_THIC
 from mansion_scene.structure.door_positions import Frontage
 from mansion_scene.structure.openings import Opening, OpeningKind
 
-__all__ = ["HeldAccess", "held_openings", "with_furniture", "without_held"]
+__all__ = ["HeldAccess", "held_openings", "takes", "with_furniture", "without_held"]
 
 _OFF_LINE = 5e-3  # metres between a door and the line of its boundary
 _ROUNDING = 1e-3
@@ -55,18 +55,23 @@ def held_openings(held: HeldAccess, boundaries: Sequence[BoundarySegment]) -> li
 
 
 def _opening_in(door: Door, boundary: BoundarySegment) -> Opening | None:
-    if {boundary.left, boundary.right} != set(door.rooms) or boundary.exterior != (None in door.rooms):
-        return None
     segment = _on_outline(door.segment, boundary) if boundary.exterior else door.segment
-    (x0, y0), (dx, dy) = boundary.start, boundary.direction
-    if any(abs((x - x0) * dy - (y - y0) * dx) > _OFF_LINE for x, y in segment):
-        return None
-    low, high = sorted((x - x0) * dx + (y - y0) * dy for x, y in segment)
-    margin = 0.0 if boundary.exterior else INTERIOR_THICKNESS / 2
-    if low < margin - _ROUNDING or high > boundary.length - margin + _ROUNDING:
+    if not takes(boundary, door.rooms, segment):
         return None
     kind = OpeningKind(door.kind, door.width, door.material)
     return Opening(door.rooms, kind, boundary, segment, door.hinge, door.swing)
+
+
+def takes(boundary: BoundarySegment, rooms: tuple[str, str | None], segment: Segment) -> bool:
+    """Whether a door between two regions, or one and the outside, has its place on a boundary."""
+    if {boundary.left, boundary.right} != set(rooms) or boundary.exterior != (None in rooms):
+        return False
+    (x0, y0), (dx, dy) = boundary.start, boundary.direction
+    if any(abs((x - x0) * dy - (y - y0) * dx) > _OFF_LINE for x, y in segment):
+        return False
+    low, high = sorted((x - x0) * dx + (y - y0) * dy for x, y in segment)
+    margin = 0.0 if boundary.exterior else INTERIOR_THICKNESS / 2
+    return low >= margin - _ROUNDING and high <= boundary.length - margin + _ROUNDING
 
 
 def _on_outline(segment: Segment, boundary: BoundarySegment) -> Segment:

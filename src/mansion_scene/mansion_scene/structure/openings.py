@@ -171,10 +171,16 @@ def place_doors(
     plan: AccessPlan,
     shared: Mapping[Pair, Sequence[BoundarySegment]],
     frontages: Mapping[str, Frontage],
+    kinds: Mapping[Pair, OpeningKind] | None = None,
 ) -> tuple[list[Opening], list[Downgrade]]:
     """Place a door for each passage that is not open.
 
     Cores come first, then the pairs with the shortest walls, so that those with the least choice choose first.
+
+    Parameters
+    ----------
+    kinds : mapping, optional
+        Kinds and widths of doors that a plan states; the others follow from what they join.
 
     Raises
     ------
@@ -190,7 +196,9 @@ def place_doors(
     openings: list[Opening] = []
     downgrades: list[Downgrade] = []
     for passage in sorted(passages, key=lambda passage: freedom(passage.pair)):
-        opening, downgrade = _place(floor, passage.pair, shared.get(passage.pair, ()), frontages)
+        opening, downgrade = _place(
+            floor, passage.pair, shared.get(passage.pair, ()), frontages, (kinds or {}).get(passage.pair)
+        )
         openings.append(opening)
         frontages = with_doors(frontages, [opening])
         if downgrade is not None:
@@ -217,10 +225,14 @@ def _without(frontage: Frontage, segment: Segment) -> Frontage:
 
 
 def _place(
-    floor: FloorRegions, pair: Pair, boundaries: Sequence[BoundarySegment], frontages: Mapping[str, Frontage]
+    floor: FloorRegions,
+    pair: Pair,
+    boundaries: Sequence[BoundarySegment],
+    frontages: Mapping[str, Frontage],
+    stated: OpeningKind | None = None,
 ) -> tuple[Opening, Downgrade | None]:
     a, b = floor.by_id[pair[0]], floor.by_id[pair[1]]
-    kind = opening_kind(a, b)
+    kind = stated or opening_kind(a, b)
     stair = next((region for region in (a, b) if region.kind == "stair" and region.core), None)
     if stair is not None and stair.core is not None:
         zone = landing_zone(stair.core, floor.outline)
@@ -242,7 +254,7 @@ def _place(
         return _opening(position, kind), _note(
             floor, pair, "a door off the floor landing", "the shared wall does not reach the landing's end of the core"
         )
-    if position.width < CLEAR_WIDTH - 1e-6:
+    if position.width < min(CLEAR_WIDTH, kind.width) - 1e-6:
         return _opening(position, kind), _note(
             floor, pair, f"{position.width:.2f} m clear", "the shared wall is shorter than 1.02 m"
         )

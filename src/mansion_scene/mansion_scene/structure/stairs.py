@@ -1,7 +1,6 @@
 """Dog-leg stairs that fit their core.
 
-Steps follow the rule of F. Blondel (Cours d'architecture, 1675), two risers and a going of about 0.63 m, with risers
-of 0.15 to 0.19 m. The floor landing lies at the same end of the core on every floor, so that flights stack.
+The floor landing lies at the same end of the core on every floor, so that flights stack.
 """
 
 from collections.abc import Sequence
@@ -10,6 +9,7 @@ from typing import Final
 
 from shapely.geometry import Polygon, box
 
+from mansion_geometry.dog_legs import FLIGHT_WELL, dog_leg, landing_depth
 from mansion_geometry.stair_landings import Side, landing_end
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.program import CorePlan
@@ -17,16 +17,10 @@ from mansion_msgs_py.scene import Box3, StairDetails
 from mansion_msgs_py.shapes import Point, Point3, Ring
 from mansion_scene.structure.dimensions import INTERIOR_THICKNESS
 
-__all__ = ["MAX_RISER", "MIN_RISER", "StairFrame", "core_interior", "landing_zone", "stair_details", "stair_frame"]
+__all__ = ["StairFrame", "core_interior", "landing_zone", "stair_details", "stair_frame"]
 
-MIN_RISER: Final = 0.15
-MAX_RISER: Final = 0.19
-_GOINGS: Final = (0.30, 0.29, 0.28, 0.27, 0.26, 0.25, 0.24, 0.23, 0.22)
-_COMFORT: Final = 0.63
-_WELL: Final = 0.12  # gap between the two flights
 _RAIL_HEIGHT: Final = 0.95
 _LANDING_THICKNESS: Final = 0.18
-_MIN_FLIGHT: Final = 0.75
 
 _INWARD: Final[dict[Side, Point]] = {"south": (0.0, 1.0), "north": (0.0, -1.0), "west": (1.0, 0.0), "east": (-1.0, 0.0)}
 
@@ -53,7 +47,7 @@ class StairFrame:
     @property
     def landing(self) -> float:
         """Depth of the floor landing; depends on the core alone, so that it is the same on every floor."""
-        return min(max(0.24 * self.length, 0.9), 1.6)
+        return landing_depth(self.length)
 
     def point(self, along: float, across: float) -> Point:
         """Return the plan point at a distance up the stair and to the right of its left edge."""
@@ -106,28 +100,6 @@ def landing_zone(core: CorePlan, outline: Polygon) -> Polygon:
     return Polygon(ring).buffer(1e-3, join_style="mitre")
 
 
-def _even_risers(height: float) -> list[int]:
-    counts = [n for n in range(4, 200, 2) if MIN_RISER - 1e-9 <= height / n <= MAX_RISER + 1e-9]
-    return sorted(counts, key=lambda n: (abs(height / n - 0.17), n))
-
-
-def _dog_leg(frame: StairFrame, height: float) -> tuple[int, float] | None:
-    """Return risers and going of the most comfortable dog-leg that fits, if one does."""
-    flight = (frame.width - _WELL) / 2
-    if flight < _MIN_FLIGHT:
-        return None
-    best: tuple[float, int, float] | None = None
-    for risers in _even_risers(height):
-        for going in _GOINGS:
-            half_landing = frame.length - frame.landing - (risers // 2 - 1) * going
-            if half_landing < min(flight, 1.2) - 0.05:
-                continue
-            discomfort = abs(2 * height / risers + going - _COMFORT)
-            if best is None or discomfort < best[0] - 1e-9:
-                best = discomfort, risers, going
-    return best[1:] if best is not None else None
-
-
 def stair_details(
     core_id: str, frame: StairFrame, height: float, *, goes_up: bool, comes_from_below: bool
 ) -> StairDetails:
@@ -146,7 +118,7 @@ def stair_details(
     MansionError
         ``INFEASIBLE`` when no stair with risers of 0.15 to 0.19 m fits the core.
     """
-    fit = _dog_leg(frame, height)
+    fit = dog_leg(frame.length, frame.width, height)
     if fit is None:
         raise MansionError(
             ErrorCode.INFEASIBLE,
@@ -155,7 +127,7 @@ def stair_details(
             path="$.connectivity.cores",
         )
     risers, going = fit
-    width = round((frame.width - _WELL) / 2, 4)
+    width = round((frame.width - FLIGHT_WELL) / 2, 4)
     well = frame.rectangle((frame.landing, frame.length), (0.0, frame.width))
     flights = _flights(frame, height, risers, going, width) if goes_up else _Flights()
     rails = flights.rails

@@ -10,7 +10,7 @@ from mansion_scene.structure.boundaries import BoundarySegment, reentrant_corner
 from mansion_scene.structure.openings import Opening
 from mansion_scene.structure.regions import FloorRegions, Region
 
-__all__ = ["WindowKind", "WindowOpening", "place_windows", "window_kind"]
+__all__ = ["WindowKind", "WindowOpening", "fitting_window", "place_windows", "usual_window", "window_kind"]
 
 _END = 0.3  # metres of wall between a window and a wall end or a door
 _SAME_LINE = 0.01
@@ -68,6 +68,11 @@ def window_kind(region: Region) -> WindowKind | None:
     return _DEFAULT
 
 
+def usual_window(region: Region) -> WindowKind:
+    """Return the windows of a region's type; those of a room like any other where such a room usually has none."""
+    return window_kind(region) or _DEFAULT
+
+
 def place_windows(
     floor: FloorRegions, boundaries: Sequence[BoundarySegment], openings: Sequence[Opening], ceiling: float
 ) -> list[WindowOpening]:
@@ -93,13 +98,14 @@ def place_windows(
         boundary = usable_part(wall, corners)
         if kind is None or boundary is None:
             continue
-        kind = _below(kind, ceiling)
+        kind = fitting_window(kind, ceiling)
         for low, high in _free(boundary, doors.get(boundary.left, [])):
             windows.extend(_row(boundary, kind, low, high))
     return windows
 
 
-def _below(kind: WindowKind, ceiling: float) -> WindowKind:
+def fitting_window(kind: WindowKind, ceiling: float) -> WindowKind:
+    """Return a kind of window that stays below the ceiling, with a wall above it."""
     height = min(kind.height, ceiling - _HEAD - kind.sill)
     return WindowKind(kind.width, round(max(height, 0.3), 4), kind.sill, kind.gap, kind.name)
 
