@@ -36,7 +36,9 @@ def look(
     building: Annotated[Path, typer.Argument(help="Building folder.")],
     output: Annotated[Path, typer.Option("--output", "-o", help="PNG file.")] = Path("look.png"),
     what: Annotated[Picture, typer.Option(help="What to draw.")] = Picture.VIEW,
-    room: Annotated[str, typer.Option(help="Look at this room from its best place, or from a stair or lift, of any floor.")] = "",
+    room: Annotated[
+        str, typer.Option(help="Look at this room from its best place, or from a stair or lift, of any floor.")
+    ] = "",
     floor: Annotated[int | None, typer.Option(help="Of the landmarks, or of the place to look from.")] = None,
     turn: Annotated[float, typer.Option(help="Degrees to the left of where it looks.")] = 0.0,
     width: Annotated[int, typer.Option(help="Pixels.", min=16, max=4096)] = 640,
