@@ -1,8 +1,12 @@
 """Which furniture of the asset catalogue a phrase of a brief names."""
 
 from functools import cache
+from typing import TYPE_CHECKING
 
 from mansion_language import singular
+
+if TYPE_CHECKING:
+    from mansion_assets.catalogue import Catalogue
 
 __all__ = ["furniture_of", "furniture_vocabulary"]
 
@@ -92,18 +96,30 @@ _MEANT = {
 """Category that a phrase means here, before the catalogue's own names and synonyms; empty for none."""
 
 
-@cache
 def furniture_vocabulary() -> frozenset[str]:
     """Return the words of all names of furniture, in the singular."""
-    return frozenset(word for phrase, category in _furniture().items() if category for word in phrase)
+    return _words_of(_present_catalogue())
 
 
 @cache
+def _words_of(catalogue: "Catalogue") -> frozenset[str]:
+    return frozenset(word for phrase, category in _phrases_of(catalogue).items() if category for word in phrase)
+
+
 def _furniture() -> dict[tuple[str, ...], str]:
-    """Phrases of the asset catalogue, by their words in the singular; names win over synonyms."""
+    return _phrases_of(_present_catalogue())
+
+
+def _present_catalogue() -> "Catalogue":
+    """Return the catalogue with the user's own assets, which may be others for another call in this process."""
     from mansion_assets.catalogue import load_catalogue
 
-    catalogue = load_catalogue()
+    return load_catalogue()
+
+
+@cache
+def _phrases_of(catalogue: "Catalogue") -> dict[tuple[str, ...], str]:
+    """Phrases of an asset catalogue, by their words in the singular; names win over synonyms."""
     table: dict[tuple[str, ...], str] = {}
     for names in (True, False):
         for category in catalogue.categories:
