@@ -183,7 +183,6 @@ def unknown_building(reading: Reading) -> tuple[str, str, int, int] | None:
     A noun phrase of the first two sentences that ends in the head of a kind of building ("advertising agency"), or the
     words that open the brief where they stand alone ("Houseboat with two decks").
     """
-    heads = _heads(reading)
     found: list[tuple[bool, tuple[str, str, int, int]]] = []
     first = -1
     for index in range(len(reading.tokens) + 1):
@@ -193,7 +192,7 @@ def unknown_building(reading: Reading) -> tuple[str, str, int, int] | None:
             first = index if first < 0 else first
             continue
         if first >= 0 and _stands_as_building(reading, first) and index - first <= 5:
-            like = "" if reading.plural(index - 1) else heads.get(reading.word(index - 1), "")
+            like = "" if reading.plural(index - 1) else _kind_by_head(reading, first, index)
             if _names_part(reading, first, index, like):
                 first = -1
                 continue
@@ -208,6 +207,13 @@ def unknown_building(reading: Reading) -> tuple[str, str, int, int] | None:
                 found.append((wished, ("_".join(reading.words(first, index)), like, first, index)))
         first = -1
     return max(found, key=lambda entry: (entry[0], -entry[1][2]))[1] if found else None
+
+
+def _kind_by_head(reading: Reading, first: int, last: int) -> str:
+    """Return the kind of building that a name's last noun is most like, of "canteen building" the noun before."""
+    heads = _heads(reading)
+    plain = reading.word(last - 1) == "building" and last - 1 > first
+    return (plain and heads.get(reading.word(last - 2), "")) or heads.get(reading.word(last - 1), "")
 
 
 def _names_part(reading: Reading, first: int, last: int, like: str) -> bool:

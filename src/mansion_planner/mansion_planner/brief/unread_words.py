@@ -45,6 +45,8 @@ def _is_content(reading: Reading, index: int) -> bool:
     if token.text in _SIZES and _has_measure(reading, index):
         return False  # "a gross floor area in the region of 3,200 m2"
     grounded = reading.word(index + 1) in ("ground", "grade") or reading.kind(index + 1) in ("number", "unit")
+    if token.text == "building" and any(mention.building and mention.last == index for mention in reading.mentions):
+        return False  # "a bakery building"
     if token.kind == "ordinal" or (token.text in _RELATING and not grounded):
         return True
     if reading.word(index - 1) == "(" and reading.word(index + 1) == ")" and token.text in PLAIN:
