@@ -136,6 +136,13 @@ def test_layers_may_be_said(tmp_path: Path) -> None:
         read_plan(path, layers={"walls": "OUTLINES"})
 
 
+def test_a_drawing_of_lines_alone_is_told_to_need_polylines(tmp_path: Path) -> None:
+    drawing = ezdxf.new()
+    drawing.modelspace().add_line((0, 0), (4, 0))
+    with pytest.raises(MansionError, match=r"flat\.dxf: it has no closed polyline; draw one around each room"):
+        read_plan(saved(drawing, tmp_path))
+
+
 def test_the_outline_around_rooms_is_none(tmp_path: Path) -> None:
     drawing = flat()
     ring(drawing.modelspace(), (-300, -300, 7300, 4300), "A-AREA")

@@ -131,10 +131,11 @@ def _roles(entities: Sequence[Any], layers: Mapping[str, str], file: Path) -> di
     if "rooms" not in roles.values():
         drawn = list(dict.fromkeys(e.dxf.layer for e in entities if _is_ring(e) and not roles[e.dxf.layer]))
         if len(drawn) != 1:
-            shown = f"closed polylines are on {', '.join(drawn)}" if drawn else "it has no closed polyline"
-            raise MansionError(
-                ErrorCode.INVALID_PAYLOAD, f"{file}: no layer is called rooms; {shown}: say --layers rooms=NAME"
-            )
+            told = f"{file}: it has no closed polyline; draw one around each room, on a layer called rooms"
+            if drawn:
+                where = ", ".join(drawn)
+                told = f"{file}: no layer is called rooms; closed polylines are on {where}: say --layers rooms=NAME"
+            raise MansionError(ErrorCode.INVALID_PAYLOAD, told)
         roles[drawn[0]] = "rooms"
     return roles
 
