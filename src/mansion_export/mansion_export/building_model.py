@@ -23,7 +23,7 @@ from mansion_export.walls import WallBodies, wall_surfaces
 from mansion_msgs_py.scene import FloorScene, SceneObject, StairDetails
 from mansion_msgs_py.shapes import Ring
 
-__all__ = ["asset_surfaces", "building_models", "floor_model", "object_parts", "part_surfaces"]
+__all__ = ["asset_surfaces", "building_models", "floor_model", "object_parts", "part_surfaces", "slab_polygon"]
 
 FINISH = 0.02
 """Thickness of the floor finish on the slab, metres."""
@@ -86,10 +86,10 @@ def building_models(
         outside: list[Part] = []
         if ceilings:
             above = ordered[number + 1] if number + 1 < len(ordered) else None
-            covered = None if above is None else _slab_polygon(above, above=False, openings=False)
-            outside += roof_parts(scene, _slab_polygon(scene, above=True, openings=above is not None), covered)
+            covered = None if above is None else slab_polygon(above, above=False, openings=False)
+            outside += roof_parts(scene, slab_polygon(scene, above=True, openings=above is not None), covered)
         if site and scene.floor == 1:
-            outside += [*plot_parts(scene, _slab_polygon(scene, above=False, openings=False)), *entrance_parts(scene)]
+            outside += [*plot_parts(scene, slab_polygon(scene, above=False, openings=False)), *entrance_parts(scene)]
         models.append(floor_model(scene, ceilings=ceilings, cabins=here, outside=outside, catalogue=catalogue))
     return models
 
@@ -117,7 +117,7 @@ def _slab(scene: FloorScene) -> Iterator[Part]:
     thickness = max(scene.height - max((wall.height for wall in scene.walls), default=2.8), 0.1)
     name = f"F{scene.floor}/slab"
     bottom = -max(thickness, FINISH + 0.05)
-    yield Node(name, name, "structure"), _prisms(_slab_polygon(scene, above=False), bottom, -FINISH, concrete)
+    yield Node(name, name, "structure"), _prisms(slab_polygon(scene, above=False), bottom, -FINISH, concrete)
     for core in scene.cores:
         landing = core.details.floor_landing if isinstance(core.details, StairDetails) else []
         if len(landing) >= 3:
@@ -126,7 +126,7 @@ def _slab(scene: FloorScene) -> Iterator[Part]:
             yield node, [polygon_surface(Polygon(landing), -FINISH, 0.0, concrete)]
 
 
-def _slab_polygon(scene: FloorScene, *, above: bool, openings: bool = True) -> Polygon:
+def slab_polygon(scene: FloorScene, *, above: bool, openings: bool = True) -> Polygon:
     """Return the slab below or above a floor: the outer face of its walls, less the openings of its cores."""
     outer = max((wall.thickness for wall in scene.walls if wall.exterior), default=0.0)
     outline = Polygon(scene.outline, scene.holes)

@@ -271,3 +271,11 @@ register(
         building=Output("mansion_export.rmf.maps:rmf_files", ("NAME.building.yaml", "nav_graphs/0.yaml")),
     )
 )
+register(
+    Format(
+        "ifc",
+        "building model of architects, IFC4",
+        building=Output("mansion_export.ifc:ifc_files", ("building.ifc",)),
+        extra="ifc",
+    )
+)

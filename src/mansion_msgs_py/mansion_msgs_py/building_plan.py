@@ -39,6 +39,8 @@ class PlanRoom(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=
         Corners, in either order, on wall centre lines or on wall faces; absent where the solver is to draw the room.
     area : float, optional
         Square metres of a room without polygon.
+    source : str
+        Where the file has it, ``GlobalId ...`` or ``handle ...``; told with its faults.
     """
 
     name: PlanName = ""
@@ -47,6 +49,7 @@ class PlanRoom(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=
     polygon: PlanRing = []
     holes: list[PlanRing] = []
     area: Area | None = None
+    source: PlanName = ""
 
 
 class PlanDoor(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
@@ -64,6 +67,8 @@ class PlanDoor(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=
         Clear width beside `at`, or of a door without a place; 0.9 m where absent.
     kind : str, optional
         Chosen by what it joins where absent.
+    source : str
+        Where the file has it; told with its faults.
     """
 
     rooms: Annotated[list[PlanName], msgspec.Meta(max_length=2)] = []
@@ -71,6 +76,7 @@ class PlanDoor(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=
     at: PlanPoint | None = None
     width: PlanLength | None = None
     kind: PlanDoorKind | None = None
+    source: PlanName = ""
 
 
 class PlanWindow(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
@@ -85,6 +91,8 @@ class PlanWindow(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_field
         Beside `at`; 1.2 m where absent.
     sill, height : float, optional
         As rooms of the type usually have them where absent.
+    source : str
+        Where the file has it; told with its faults.
     """
 
     segment: tuple[PlanPoint, PlanPoint] | None = None
@@ -92,6 +100,7 @@ class PlanWindow(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_field
     width: PlanLength | None = None
     sill: Annotated[float, msgspec.Meta(ge=0.0)] | None = None
     height: PlanLength | None = None
+    source: PlanName = ""
 
 
 class PlanFloor(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):

@@ -1,6 +1,7 @@
 """A plan that the user has becomes a building that passes the check, in scripts, lists and on the command line."""
 
 import json
+from collections import Counter
 from pathlib import Path
 
 import pytest
@@ -13,6 +14,7 @@ from mansion_bringup.pipeline.build import build_building
 from mansion_bringup.verify import verify_building
 from mansion_msgs_py.building_folder import BuildingFolder
 from mansion_msgs_py.request import BuildRequest, building_id_of
+from mansion_planner.plan import plan_building
 from mansion_planner.plan_files import read_plan
 from mansion_world.brief_files import read_briefs
 
@@ -90,3 +92,29 @@ def test_a_script_gives_a_plan_as_values(tmp_path: Path) -> None:
     building = mansion.build(plan=plan, folder=tmp_path / "flat", complete=["windows"])
     assert building.rooms["kitchen"].area == pytest.approx(12.0)
     assert verify_building(building.folder) == []
+
+
+def test_a_building_that_goes_through_ifc_keeps_its_rooms_doors_and_windows(house: Path, tmp_path: Path) -> None:
+    pytest.importorskip("ifcopenshell", reason="needs the extra ifc")
+    runner = CliRunner()
+    assert runner.invoke(app, ["export", str(house), "--to", "ifc", "-o", str(tmp_path)]).exit_code == 0
+    reply = plan_building(BuildRequest(description="", plan=read_plan(tmp_path / "building.ifc")))
+    for scene, program, problem in zip(
+        BuildingFolder(house).scenes(), reply.program.floors, reply.problems, strict=True
+    ):
+        drawn = {room.id: Polygon(room.polygon) for room in problem.fixed_rooms}
+        assert drawn.keys() == {bare(room.id) for room in scene.rooms}
+        for room in scene.rooms:
+            assert drawn[bare(room.id)].symmetric_difference(Polygon(room.polygon)).area < 0.01 * room.area
+        assert {room.id: room.room_type for room in program.rooms} == {
+            bare(room.id): room.room_type for room in scene.rooms
+        }
+        assert program.openings is not None
+        kept = Counter(frozenset(door.rooms) for door in program.openings.doors)
+        assert kept == Counter(frozenset(name and bare(name) for name in door.rooms) for door in scene.doors)
+        assert len(program.openings.windows or ()) == len(scene.windows)
+
+
+def bare(name: str) -> str:
+    """Return an id without its floor."""
+    return name.rpartition("/")[2]

@@ -1,6 +1,7 @@
 """Files of plans are read by their ending and by what is in them."""
 
 import json
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -8,7 +9,7 @@ import pytest
 
 from mansion_msgs_py.building_plan import BuildingPlan
 from mansion_msgs_py.errors import MansionError
-from mansion_planner.plan_files import read_plan
+from mansion_planner.plan_files import extra_for, read_plan
 
 SQUARE = [[0, 0], [4, 0], [4, 3], [0, 3]]
 
@@ -121,6 +122,18 @@ def test_a_room_graph_without_outline_gets_one_for_its_areas(tmp_path: Path) -> 
     graph = {"nodes": [{**node, "area": 12.0} for node in PROBLEM["nodes"]], "edges": PROBLEM["edges"]}
     (x, y) = read_plan(written(tmp_path, graph)).floors[0].outline[2]
     assert x * y == pytest.approx(36.0)
+
+
+@pytest.mark.parametrize(("name", "module"), [("a.ifc", "ifcopenshell"), ("a.dxf", "ezdxf")])
+def test_without_its_library_a_file_is_refused_with_what_to_install(
+    name: str, module: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(sys.modules, module, None)
+    (tmp_path / name).touch()
+    with pytest.raises(MansionError, match=rf"need the package {module}: pip install 'mansion\[") as refusal:
+        read_plan(tmp_path / name)
+    assert refusal.value.code == "UNAVAILABLE"
+    assert extra_for(tmp_path / name) == name[2:]
 
 
 def test_one_of_several_plans_is_named(tmp_path: Path) -> None:

@@ -1,5 +1,6 @@
 """What is wrong with a plan: all of it, each fault with its floor, its room and its place."""
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
@@ -7,9 +8,21 @@ from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.shapes import Point
 from mansion_msgs_py.wording import counted
 
-__all__ = ["Findings", "PlanFault"]
+__all__ = ["OPENINGS", "Findings", "Origin", "PlanFault"]
 
 _SHOWN = 3
+_SAME = 0.02
+
+OPENINGS = ("door", "window")
+"""What origins of openings are called."""
+
+
+def _apart(one: Point | None, other: Point | None) -> float:
+    return math.dist(one, other) if one is not None and other is not None else math.inf
+
+
+def _same_place(one: Point | None, other: Point | None) -> bool:
+    return _apart(one, other) < _SAME
 
 
 @dataclass(frozen=True)
@@ -24,18 +37,40 @@ class PlanFault:
         The room, the door or whatever else it is about.
     place : Point, optional
         Where it is, in metres.
+    source : str
+        Where the file has it, if that says so.
     """
 
     floor: int | None
     subject: str
     message: str
     place: Point | None = None
+    source: str = ""
 
     def __str__(self) -> str:
         floor = "building" if self.floor is None else f"floor {self.floor}"
         place = f" at ({self.place[0]:.2f}, {self.place[1]:.2f})" if self.place else ""
         subject = f", {self.subject}" if self.subject else ""
-        return f"{floor}{subject}{place}: {self.message}"
+        source = f" [{self.source}]" if self.source else ""
+        return f"{floor}{subject}{place}{source}: {self.message}"
+
+
+@dataclass(frozen=True)
+class Origin:
+    """Where a file has a room, or an opening, of which a fault may be told.
+
+    Attributes
+    ----------
+    subject : str
+        Name of a room; ``door`` or ``window``.
+    place : Point, optional
+        In metres; the middle of an opening, any corner of a room.
+    """
+
+    floor: int
+    subject: str
+    place: Point | None
+    source: str
 
 
 @dataclass
@@ -50,12 +85,28 @@ class Findings:
 
     faults: list[PlanFault] = field(default_factory=list)
     notes: list[tuple[int | None, str, str, str]] = field(default_factory=list)
+    origins: list[Origin] = field(default_factory=list)
 
     def fault(self, floor: int | None, subject: str, message: str, place: Point | None = None) -> None:
         """Add a fault, once."""
-        found = PlanFault(floor, subject, message, place)
+        found = PlanFault(floor, subject, message, place, self._source(floor, subject, place))
         if found not in self.faults:
             self.faults.append(found)
+
+    def _source(self, floor: int | None, subject: str, place: Point | None) -> str:
+        """Return where the file has the subject of a fault: its rooms by their names, openings by their place."""
+        here = [origin for origin in self.origins if origin.floor == floor]
+        at = [origin for origin in here if subject.startswith(origin.subject) and _same_place(origin.place, place)]
+        openings = [origin.source for origin in at if origin.subject in OPENINGS]
+        if openings or subject in OPENINGS:
+            return openings[0] if openings else ""
+        named = [origin for origin in here if origin.subject not in OPENINGS]
+        sources = []
+        for name in (subject,) if any(o.subject == subject for o in named) else subject.split(" and "):
+            same = [origin for origin in named if origin.subject == name]
+            if same:
+                sources.append(min(same, key=lambda origin: _apart(origin.place, place)).source)
+        return ", ".join(dict.fromkeys(sources))
 
     def note(self, floor: int | None, wish: str, got: str, reason: str) -> None:
         """Say what became of something that the plan leaves open, or that cannot be built as it has it."""

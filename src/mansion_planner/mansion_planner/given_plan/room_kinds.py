@@ -8,6 +8,7 @@ from mansion_knowledge import KnowledgeBase, RoomType
 from mansion_language import tokenize
 from mansion_planner.brief.lexicon import lexicon_of
 from mansion_planner.brief.similarity import room_of_building, similar_room_type
+from mansion_planner.given_plan.other_languages import in_english
 
 __all__ = ["RoomKind", "core_kind", "room_kind", "slug"]
 
@@ -45,6 +46,7 @@ def core_kind(name: str, kind: str, knowledge: KnowledgeBase) -> str:
     ['stair', 'elevator', '']
     """
     key = re.sub(r"(_\d+)+$", "", slug(kind or name))
+    key = key if key in knowledge.words or key in knowledge.rooms else slug(in_english(key)) or key
     word = knowledge.words.get(key)
     if key in knowledge.rooms or word is None or word.like != _SHAFT:
         return ""
@@ -57,8 +59,8 @@ def core_kind(name: str, kind: str, knowledge: KnowledgeBase) -> str:
 def room_kind(name: str, kind: str, knowledge: KnowledgeBase) -> RoomKind:
     """Return the room type that the words of a plan mean.
 
-    The stated kind goes before the name. A phrase that the knowledge base has counts wherever it stands, best at the
-    end ("master bedroom", "kitchen, open"); otherwise the nearest type is taken.
+    The stated kind goes before the name, and English before other languages. A phrase that the knowledge base has
+    counts wherever it stands, best at the end ("master bedroom", "kitchen, open"); otherwise the nearest type is taken.
 
     Parameters
     ----------
@@ -74,6 +76,9 @@ def room_kind(name: str, kind: str, knowledge: KnowledgeBase) -> RoomKind:
     """
     for words in (kind, name):
         if found := _known(words, knowledge):
+            return RoomKind(knowledge.room(found))
+    for words in (kind, name):
+        if (english := in_english(slug(words))) and (found := _known(english, knowledge)):
             return RoomKind(knowledge.room(found))
     words = slug(kind or name)
     near = similar_room_type(re.sub(r"(_\d+)+$", "", words), knowledge) if words else "storage"

@@ -2,7 +2,7 @@
 
 import math
 from collections import Counter
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Final
 
@@ -15,7 +15,7 @@ from mansion_knowledge import KnowledgeBase, RoomType
 from mansion_msgs_py.building_plan import BuildingPlan, PlanDoor, PlanFloor, PlanRoom, PlanUnit, PlanWindow
 from mansion_msgs_py.limits import MAX_EXTENT, MAX_FLOOR_AREA
 from mansion_msgs_py.shapes import Point
-from mansion_planner.given_plan.faults import Findings
+from mansion_planner.given_plan.faults import Findings, Origin
 from mansion_planner.given_plan.room_kinds import core_kind, room_kind, slug
 
 __all__ = ["METRES", "PlanStorey", "StoreyRoom", "read_storeys", "suggested_building"]
@@ -213,6 +213,7 @@ def _storey(
     floor: PlanFloor, move: Callable[[Point], Point], scale: float, knowledge: KnowledgeBase, findings: Findings
 ) -> PlanStorey:
     ids = _ids(floor, findings)
+    findings.origins += _origins(floor, ids, move)
     rooms = [_room(floor.floor, room, name, move, knowledge, findings) for room, name in zip(floor.rooms, ids)]
     outline = None
     if floor.outline:
@@ -239,6 +240,22 @@ def _storey(
             if room is None and entry.polygon
         ),
     )
+
+
+def _origins(floor: PlanFloor, ids: Sequence[str], move: Callable[[Point], Point]) -> Iterator[Origin]:
+    """Yield where the file has what it names the places of."""
+    for room, name in zip(floor.rooms, ids):
+        if room.source:
+            place = move(room.polygon[0]) if room.polygon else None
+            yield Origin(floor.floor, room.name or room.id or room.type or name, place, room.source)
+    openings: list[tuple[str, PlanDoor | PlanWindow]] = [("door", door) for door in (*floor.doors, *floor.openings)]
+    openings += [("window", window) for window in floor.windows]
+    for kind, opening in openings:
+        if opening.source:
+            (ax, ay), (bx, by) = opening.segment or ((opening.at or (0.0, 0.0)),) * 2
+            placed = opening.segment is not None or opening.at is not None
+            (x0, y0), (x1, y1) = move((ax, ay)), move((bx, by))
+            yield Origin(floor.floor, kind, ((x0 + x1) / 2, (y0 + y1) / 2) if placed else None, opening.source)
 
 
 def _leafless(opening: PlanDoor) -> PlanDoor:

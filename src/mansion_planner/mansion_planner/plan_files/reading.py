@@ -13,15 +13,17 @@ from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import read_bytes
 from mansion_msgs_py.limits import MAX_PAYLOAD
 from mansion_msgs_py.wording import choices
+from mansion_planner.plan_files.dxf import plan_from_dxf
 from mansion_planner.plan_files.geojson import plan_from_geojson
+from mansion_planner.plan_files.ifc import plan_from_ifc
 from mansion_planner.plan_files.room_graphs import is_room_graph, plan_from_graph
 
 __all__ = ["EXTRAS", "extra_for", "read_plan"]
 
-EXTRAS: Final[Mapping[str, str]] = {}
+EXTRAS: Final[Mapping[str, str]] = {".dxf": "dxf", ".ifc": "ifc"}
 """Endings of files that an optional dependency reads, with its name."""
 
-_EXPECTED = "a plan: our JSON, GeoJSON or a room graph"
+_EXPECTED = "a plan: our JSON, GeoJSON or a room graph; or an .ifc or a .dxf file"
 
 
 def extra_for(path: Path) -> str:
@@ -37,7 +39,8 @@ def read_plan(
     Parameters
     ----------
     path : Path
-        A file; of several plans in one, ``FILE#ID`` names one by its ``plan_id``, or by its place from 1.
+        A file; of several plans in one, ``FILE#ID`` names one by its ``plan_id``, or by its place from 1; of a
+        building in IFC or DXF, ``FILE#STOREY`` is that storey alone.
     complete : sequence of {"doors", "windows"}
         What may be added to it, beside what the file itself says.
     layers : mapping of str to str, optional
@@ -49,7 +52,13 @@ def read_plan(
         ``NOT_FOUND``; ``INVALID_PAYLOAD`` for what is no plan; ``UNAVAILABLE`` where the extra is missing.
     """
     file, wanted = _parted(path)
-    plan = _from_json(file, wanted)
+    kind = extra_for(path)
+    if kind == "ifc":
+        plan = plan_from_ifc(file, wanted)
+    elif kind == "dxf":
+        plan = plan_from_dxf(file, layers or {}, wanted)
+    else:
+        plan = _from_json(file, wanted)
     added = [name for name in complete if name not in plan.complete]
     return msgspec.structs.replace(plan, complete=[*plan.complete, *added])
 
