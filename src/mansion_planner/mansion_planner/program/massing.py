@@ -13,6 +13,7 @@ from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.program import Downgrade, TraceEntry
 from mansion_msgs_py.wording import with_article
 from mansion_planner.program.decisions import AREA_CAP, Decisions, conflict, note
+from mansion_planner.program.exit_stairs import second_stair
 from mansion_planner.program.model import LIFT, CoreBox, CoreWish, Massing, Storey, Wing
 from mansion_planner.program.step_record import Record
 from mansion_planner.program.storey_rooms import Allocation, base_rooms, hub_area
@@ -64,23 +65,9 @@ def vertical_method(
         lifts, reason = min(wanted_lifts, _MOST_LIFTS), f'{levels} storeys, "{decisions.facts.lifts[0].span.words}"'
     if "no_stair" in wishes:
         return "elevator", 0, max(lifts, 1), f'elevator alone, as "{wishes["no_stair"].words}" asks'
-    stairs = 1
-    largest = max(
-        [fact.area or knowledge.room(fact.room_type).usual for facts in allocation.wanted.values() for fact in facts]
-        + [entry.area or knowledge.room(entry.room_type).usual for storey in storeys for entry in entries_of(storey)],
-        default=0.0,
-    )
-    if (
-        not home
-        and decisions.building.parti == "spine"
-        and levels >= 3
-        and decisions.area >= 340
-        and largest <= 150
-        and not decisions.facts.setback
-        and not decisions.facts.protruding
-    ):
-        stairs = 2
-        reason += ", more than 340 m2 a storey: a second stair at the far end"
+    far = second_stair(decisions, storeys, allocation, knowledge)
+    stairs = 2 if far else 1
+    reason += f", {far}: a second stair at the far end" if far else ""
     wanted_stairs = max((int(quantity.value) for quantity in decisions.facts.stairs), default=0)
     if wanted_stairs == 1:
         stairs = 1
