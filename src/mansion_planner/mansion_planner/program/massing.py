@@ -7,6 +7,7 @@ from typing import Literal
 
 import numpy as np
 
+from mansion_geometry.wall_sizes import INTERIOR_THICKNESS
 from mansion_knowledge import BuildingType, KnowledgeBase
 from mansion_knowledge.norms import load_norms
 from mansion_msgs_py.errors import ErrorCode, MansionError
@@ -265,9 +266,11 @@ def corridor_width(use: BuildingType, area: float) -> float:
     """Return the width of the corridors of a building whose storeys have `area` square metres, metres."""
     if use.family == "home" or use.parti == "house":
         return 1.4 if area < 140 else 1.6
+    usual = 1.8 if area < 300 else 2.0
     if use.family in ("health", "education", "retail", "culture", "transport"):
-        return 2.0 if area < 300 else 2.4
-    return 1.8 if area < 300 else 2.0
+        usual = 2.0 if area < 300 else 2.4
+    asked = load_norms().rules["corridor_width"].limit(use.name, use.family) + INTERIOR_THICKNESS
+    return max(usual, math.ceil(10.0 * asked) / 10.0)
 
 
 def _bands(wish: MassingWish) -> list[tuple[float, float, float]]:
