@@ -22,3 +22,16 @@ def test_flights_and_landings_fill_no_more_than_the_core(length: float, width: f
         risers, going = fit
         assert MIN_RISER - 1e-6 <= height / risers <= MAX_RISER + 1e-6
         assert landing_depth(length) + (risers // 2 - 1) * going < length
+
+
+@pytest.mark.parametrize("height", [3.0, 3.2, 3.4, 3.6, 3.8, 4.0, 4.2])
+def test_steps_of_public_stairs_are_deep_enough_at_every_usual_height(height: float) -> None:
+    fit = dog_leg(5.88, 2.88, height)
+    assert fit is not None
+    assert fit[1] >= 0.26
+
+
+def test_a_wide_stair_in_a_short_core_keeps_the_steps_that_fit() -> None:
+    fit = dog_leg(4.4, 2.88, 3.6)
+    assert fit is not None
+    assert fit[1] < 0.26

@@ -15,6 +15,10 @@ FLIGHT_WELL: Final = 0.12
 
 _GOINGS: Final = (0.30, 0.29, 0.28, 0.27, 0.26, 0.25, 0.24, 0.23, 0.22)
 _COMFORT: Final = 0.63
+_WIDE: Final = 1.0
+"""Metres from which a flight is one of a public building (DIN 18065:2015, table 1)."""
+_DEEP: Final = 0.26
+"""Least going of such a flight, metres; it comes before the most comfortable sum."""
 _MIN_FLIGHT: Final = 0.75
 
 
@@ -28,6 +32,8 @@ def landing_depth(length: float) -> float:
 
 def dog_leg(length: float, width: float, height: float) -> tuple[int, float] | None:
     """Return risers and going of the most comfortable dog-leg that fits, if one does.
+
+    Steps of flights from 1.0 m on are at least 0.26 m deep where the core is long enough.
 
     Parameters
     ----------
@@ -44,16 +50,17 @@ def dog_leg(length: float, width: float, height: float) -> tuple[int, float] | N
     flight = (width - FLIGHT_WELL) / 2
     if flight < _MIN_FLIGHT:
         return None
-    best: tuple[float, int, float] | None = None
+    best: tuple[bool, float, int, float] | None = None
     for risers in _even_risers(height):
         for going in _GOINGS:
             half_landing = length - landing_depth(length) - (risers // 2 - 1) * going
             if half_landing < min(flight, 1.2) - 0.05:
                 continue
             discomfort = abs(2 * height / risers + going - _COMFORT)
-            if best is None or discomfort < best[0] - 1e-9:
-                best = discomfort, risers, going
-    return best[1:] if best is not None else None
+            shallow = flight >= _WIDE and going < _DEEP - 1e-9
+            if best is None or (shallow, discomfort) < (best[0], best[1] - 1e-9):
+                best = shallow, discomfort, risers, going
+    return best[2:] if best is not None else None
 
 
 def _even_risers(height: float) -> list[int]:

@@ -392,3 +392,13 @@ def test_what_the_brief_asks_for_does_not_count(rule: str, kind: str, floors: tu
 def test_a_wish_that_was_not_met_causes_nothing() -> None:
     wish = msgspec.structs.replace(wished("elevator", WishValue(unwanted=True)), status="not_met")
     assert "lift" in rules("library_building", *upstairs(LIBRARY, lift=False), wishes=[wish])
+
+
+LONG = {"storage": ("storage", (0.0, 0.0, 40.0, 4.0))}
+
+
+def test_two_exits_that_are_apart_make_a_way_long_enough_for_two() -> None:
+    one, far, near = ("storage", None, across(1, 0)), ("storage", None, across(30, 0)), ("storage", None, across(3, 0))
+    assert "single_exit_travel" in rules("school", Floor(LONG, [one]))
+    assert not {"single_exit_travel", "exit_separation"} & rules("school", Floor(LONG, [one, far]))
+    assert "exit_separation" in rules("school", Floor(LONG, [one, near]))

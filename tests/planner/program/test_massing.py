@@ -15,11 +15,15 @@ from mansion_planner.plan import plan_building
         ("a flat", {}, 0, 0),
         ("a two-storey house", {}, 1, 0),
         ("a five-storey house", {}, 1, 1),
-        ("a two-storey office with an elevator", {}, 1, 1),
-        ("a four-storey office without an elevator", {"floor_area": 300.0}, 1, 0),
+        ("a two-storey office with an elevator", {"floor_area": 200.0}, 1, 1),
+        ("a two-storey office", {"floor_area": 320.0}, 2, 0),
+        ("a two-storey office with one stair", {"floor_area": 320.0}, 1, 0),
+        ("a two-storey gym", {}, 2, 1),
+        ("a four-storey office without an elevator", {"floor_area": 300.0}, 2, 0),
         ("a seven-storey office", {"floor_area": 400.0}, 2, 1),
         ("an eight-storey office", {"floor_area": 400.0}, 2, 2),
-        ("an eight-storey office", {"floor_area": 250.0}, 1, 1),
+        ("an eight-storey office", {"floor_area": 250.0}, 2, 1),
+        ("an eight-storey office", {"floor_area": 120.0}, 1, 1),
     ],
 )
 def test_stairs_and_lifts_follow_height_use_and_area(

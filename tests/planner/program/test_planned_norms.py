@@ -2,9 +2,11 @@
 
 import pytest
 
+from mansion_knowledge import default_knowledge
 from mansion_msgs_py.program import BuildingProgram
 from mansion_msgs_py.request import BuildRequest
 from mansion_planner.plan import plan_building
+from mansion_planner.program.massing import corridor_width
 
 
 def planned(brief: str) -> BuildingProgram:
@@ -47,3 +49,33 @@ def test_a_dwelling_has_no_public_toilets() -> None:
 )
 def test_public_buildings_of_two_storeys_have_a_lift_unless_the_brief_refuses_it(brief: str, method: str) -> None:
     assert planned(brief).vertical_connectivity.method == method
+
+
+def test_a_small_cafe_has_two_toilets_for_everybody_in_which_a_wheelchair_turns() -> None:
+    assert toilets("a cafe") == ["accessible_toilet_1", "accessible_toilet_2"]
+
+
+@pytest.mark.parametrize("brief", ["a pharmacy", "a bakery"])
+@pytest.mark.parametrize("seed", [0, 1])
+def test_the_main_room_of_a_shop_leaves_place_for_a_toilet(brief: str, seed: int) -> None:
+    floor = plan_building(BuildRequest(description=brief, seed=seed)).program.floors[0]
+    areas = {room.room_type: room.area_estimate for room in floor.rooms}
+    assert areas["accessible_toilet"] >= 3.5
+    assert areas["sales_area"] <= 0.7 * floor.gross_floor_area
+
+
+@pytest.mark.parametrize("brief", ["a cafe", "a restaurant", "a swimming center", "a community center", "a factory"])
+def test_an_accessible_toilet_is_as_wide_as_the_rules_ask(brief: str) -> None:
+    problem = plan_building(BuildRequest(description=brief, seed=0)).problems[0]
+    boxes = [node.seed_box for node in problem.nodes if node.room_type == "accessible_toilet"]
+    assert boxes
+    for box in boxes:
+        assert box is not None
+        sides = sorted((box.x[1] - box.x[0], box.y[1] - box.y[0]))
+        assert sides[0] >= 1.5 + 0.12
+        assert sides[1] >= 2.2 + 0.12
+
+
+def test_beds_pass_in_the_corridors_of_a_hospital() -> None:
+    assert corridor_width(default_knowledge().buildings["hospital"], 460.0) >= 2.438 + 0.12
+    assert corridor_width(default_knowledge().buildings["office"], 460.0) == 2.0

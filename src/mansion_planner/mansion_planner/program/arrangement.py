@@ -270,6 +270,10 @@ def _sketch(decisions: Decisions, massing: Massing, storey: Storey, pairs: list[
     return sketched(massing, storey, storey.hub.name, pairs, unwanted_pairs(decisions))
 
 
+_MOST_HUB = 0.75
+"""Of a public hall's storey, what its main room takes at most: the rest is for toilets, stores and staff."""
+
+
 def _rooms(
     storey: Storey, massing: Massing, allocation: Allocation, knowledge: KnowledgeBase, decisions: Decisions
 ) -> tuple[PlannedRoom, ...]:
@@ -281,7 +285,8 @@ def _rooms(
     else:
         room, share = capacity(massing, storey), 0.0
     if massing.hall:
-        share = stated or max(storey.hub.usual, 0.38 * room)
+        most = room if storey.use.family == "home" else _MOST_HUB * room
+        share = stated or min(max(storey.hub.usual, 0.38 * room), most)
     filled = fill_storey(storey, allocation, knowledge, room, hub_share=share)
     chosen = with_public_toilets(storey, filled, allocation, knowledge, share)
     if massing.hall and stated:

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 import msgspec
 
+from mansion_knowledge.norms import load_norms
 from mansion_planner.program.model import Box, Massing, PlannedRoom, Wing
 
 __all__ = [
@@ -24,6 +25,23 @@ DOOR = 1.5
 
 LEAST_FRONT = 1.3
 """Least stretch of corridor, or of its host's wall, that a room gets, metres."""
+
+
+_WALL = 0.15
+"""What walls and rounding take of a room's width, metres."""
+
+
+def least_sides(room: PlannedRoom) -> tuple[float, float]:
+    """Return the least front and depth of a room in the front corner of another, metres."""
+    if _is_wide(room):
+        norm = load_norms().rules["accessible_toilet_size"]
+        return norm.figure + _WALL, norm.limit("length") + _WALL
+    return LEAST_FRONT, 1.2
+
+
+def _is_wide(room: PlannedRoom) -> bool:
+    """Whether a wheelchair turns in a room, however small it is."""
+    return room.kind.name in load_norms().rules["accessible_toilet_size"].rooms
 
 
 def widened(widths: list[float], least: list[float]) -> list[float]:
@@ -72,7 +90,7 @@ class Block(msgspec.Struct, frozen=True):
     @property
     def least_width(self) -> float:
         """Metres of corridor that its rooms need at least."""
-        return max(self.least, LEAST_FRONT * (1 + len(self.smalls)))
+        return max(self.least, sum(least_sides(room)[0] for room in self.fronts()))
 
     def fronts(self) -> list[PlannedRoom]:
         """Return the rooms that touch the corridor."""
@@ -90,7 +108,7 @@ def group_blocks(rooms: Sequence[PlannedRoom], depth: float, pairs: Sequence[tup
     narrow.sort(key=lambda room: -room.area)
     blocks = [Block(room) for room in rooms if not any(room is other for other in narrow)]
     for room in narrow:
-        width = room.area / _front_depth(room.area, depth)
+        width = max(room.area / _front_depth(room.area, depth), least_sides(room)[0] if _is_wide(room) else 0.0)
         hosts = [
             number
             for number, block in enumerate(blocks)
@@ -142,10 +160,11 @@ def lay_block(block: Block, width: float, depth: float) -> list[tuple[PlannedRoo
     x = 0.0
     corner_boxes: list[Box] = []
     for number, room in enumerate(block.smalls):
-        high = _front_depth(room.area * scale, depth)
-        after = LEAST_FRONT * (len(block.smalls) - number)
-        wide = min(max(room.area * scale / high, LEAST_FRONT), max(width - x - after, 0.5))
-        high = min(high, max(room.area * scale / wide, 1.2))
+        front, least = least_sides(room)
+        high = max(_front_depth(room.area * scale, depth), min(least, depth - 1.2))
+        after = sum(least_sides(other)[0] for other in (*block.smalls[number + 1 :], block.host))
+        wide = min(max(room.area * scale / high, front), max(width - x - after, 0.5))
+        high = min(high, max(room.area * scale / wide, least))
         corner_boxes.append((x, 0.0, x + wide, high))
         placed.append((room, [(x, 0.0, x + wide, high)]))
         x += wide

@@ -7,12 +7,14 @@ from typing import Literal
 
 import numpy as np
 
+from mansion_geometry.wall_sizes import INTERIOR_THICKNESS
 from mansion_knowledge import BuildingType, KnowledgeBase
 from mansion_knowledge.norms import load_norms
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.program import Downgrade, TraceEntry
 from mansion_msgs_py.wording import with_article
 from mansion_planner.program.decisions import AREA_CAP, Decisions, conflict, note
+from mansion_planner.program.exit_stairs import second_stair
 from mansion_planner.program.model import LIFT, CoreBox, CoreWish, Massing, Storey, Wing
 from mansion_planner.program.step_record import Record
 from mansion_planner.program.storey_rooms import Allocation, base_rooms, hub_area
@@ -64,23 +66,9 @@ def vertical_method(
         lifts, reason = min(wanted_lifts, _MOST_LIFTS), f'{levels} storeys, "{decisions.facts.lifts[0].span.words}"'
     if "no_stair" in wishes:
         return "elevator", 0, max(lifts, 1), f'elevator alone, as "{wishes["no_stair"].words}" asks'
-    stairs = 1
-    largest = max(
-        [fact.area or knowledge.room(fact.room_type).usual for facts in allocation.wanted.values() for fact in facts]
-        + [entry.area or knowledge.room(entry.room_type).usual for storey in storeys for entry in entries_of(storey)],
-        default=0.0,
-    )
-    if (
-        not home
-        and decisions.building.parti == "spine"
-        and levels >= 3
-        and decisions.area >= 340
-        and largest <= 150
-        and not decisions.facts.setback
-        and not decisions.facts.protruding
-    ):
-        stairs = 2
-        reason += ", more than 340 m2 a storey: a second stair at the far end"
+    far = second_stair(decisions, storeys, allocation, knowledge)
+    stairs = 2 if far else 1
+    reason += f", {far}: a second stair at the far end" if far else ""
     wanted_stairs = max((int(quantity.value) for quantity in decisions.facts.stairs), default=0)
     if wanted_stairs == 1:
         stairs = 1
@@ -278,9 +266,11 @@ def corridor_width(use: BuildingType, area: float) -> float:
     """Return the width of the corridors of a building whose storeys have `area` square metres, metres."""
     if use.family == "home" or use.parti == "house":
         return 1.4 if area < 140 else 1.6
+    usual = 1.8 if area < 300 else 2.0
     if use.family in ("health", "education", "retail", "culture", "transport"):
-        return 2.0 if area < 300 else 2.4
-    return 1.8 if area < 300 else 2.0
+        usual = 2.0 if area < 300 else 2.4
+    asked = load_norms().rules["corridor_width"].limit(use.name, use.family) + INTERIOR_THICKNESS
+    return max(usual, math.ceil(10.0 * asked) / 10.0)
 
 
 def _bands(wish: MassingWish) -> list[tuple[float, float, float]]:

@@ -116,8 +116,27 @@ def bearing_walls(sketches: list[Sketch], frame: Frame) -> list[Wall]:
     for y, spans in sorted(sketches[0].bearing.items()):
         for sketch in sketches[1:]:
             spans = _common(spans, sketch.bearing.get(y, []))
-        walls += [(frame.point((x0, y)), frame.point((x1, y))) for x0, x1 in spans if x1 - x0 >= LEAST_BEARING]
+        clear = [_clear_of_doors(span, y, sketches) for span in spans]
+        walls += [(frame.point((x0, y)), frame.point((x1, y))) for x0, x1 in clear if x1 - x0 >= LEAST_BEARING]
     return walls
+
+
+_DOOR_PIECE = 1.2
+"""Metres of one wall that a door with its frame takes."""
+
+
+def _clear_of_doors(span: tuple[float, float], y: float, sketches: list[Sketch]) -> tuple[float, float]:
+    """Return a stretch without the fronts that its ends cut in two pieces of which neither takes a door."""
+    low, high = span
+    boxes = [box for sketch in sketches for placement in sketch.rooms for box in placement.boxes]
+    for x0, y0, x1, y1 in boxes:
+        if min(abs(y0 - y), abs(y1 - y)) > 0.01:
+            continue
+        if x0 < low < x1 and max(low - x0, x1 - low) < _DOOR_PIECE:
+            low = x1
+        if x0 < high < x1 and max(high - x0, x1 - high) < _DOOR_PIECE:
+            high = x0
+    return low, high
 
 
 def _common(first: list[tuple[float, float]], second: list[tuple[float, float]]) -> list[tuple[float, float]]:

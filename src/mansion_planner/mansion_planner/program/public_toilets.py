@@ -41,17 +41,25 @@ def with_public_toilets(
     settled = any(room.stated for room in own) or not all(allocation.adds(name, storey.index) for name in _TOILETS)
     if settled or storey.role not in ("single", "ground"):
         return kept
-    wanted = _toilets(storey, kept, knowledge, hub)
-    extra = sum(room.gross for room in wanted) - sum(room.gross for room in own)
-    if not wanted or extra > _MOST_SHARE * sum(room.gross for room in kept):
+    before, whole = sum(room.gross for room in own), sum(room.gross for room in kept)
+    choices = _choices(storey, kept, knowledge, hub)
+    most = [_MOST_SHARE * (whole + (hub if number else 0.0)) + before for number in range(len(choices))]
+    wanted = next((rooms for rooms, area in zip(choices, most) if sum(room.gross for room in rooms) <= area), None)
+    if wanted is None:
         return kept
     place = kept.index(own[0]) if own else len(kept)
     others = [room for room in kept if room not in own]
     return [*others[:place], *wanted, *others[place:]]
 
 
-def _toilets(storey: Storey, rooms: Sequence[PlannedRoom], knowledge: KnowledgeBase, hub: float) -> list[PlannedRoom]:
-    """Return the toilets for a storey's occupants; none where its own are enough."""
+def _choices(
+    storey: Storey, rooms: Sequence[PlannedRoom], knowledge: KnowledgeBase, hub: float
+) -> list[list[PlannedRoom]]:
+    """Return the toilets for a storey's occupants, the best first, then for small storeys; none where its own do.
+
+    Where one water closet is enough for each sex, two accessible toilets may serve instead of separate restrooms
+    (International Plumbing Code 2018, 403.2.1).
+    """
     norms, family, kind = load_norms(), storey.use.family, storey.use.name
     separate = norms.rules["separate_toilets"]
     if not separate.holds_for(family):
@@ -59,12 +67,14 @@ def _toilets(storey: Storey, rooms: Sequence[PlannedRoom], knowledge: KnowledgeB
     restroom, accessible = knowledge.room("restroom"), knowledge.room("accessible_toilet")
     people = norms.people(storey.hub.name, hub, knowledge)
     people += sum(norms.people(room.kind.name, room.area, knowledge) for top in rooms for room in top.each())
+    limits = {name: norms.rules[f"water_closets_{name}"].limit(kind, family) for name in ("men", "women")}
+    small = planned_room(accessible, knowledge, area=accessible.least)
     if people <= separate.limit(kind, family):
-        there = any(room.kind.toilet for room in rooms)
-        return [] if there else [planned_room(accessible, knowledge, area=accessible.least)]
+        return [] if any(room.kind.toilet for room in rooms) else [[small]]
+    closets = {name: math.ceil(people / 2 / limit) for name, limit in limits.items()}
     toilets = []
-    for name, rule in (("mens_restroom", "water_closets_men"), ("womens_restroom", "water_closets_women")):
-        closets = math.ceil(people / 2 / norms.rules[rule].limit(kind, family))
-        room = planned_room(restroom, knowledge, area=max(_LEAST, _STALL * closets))
-        toilets.append(msgspec.structs.replace(room, id=name, base=name))
-    return [*toilets, planned_room(accessible, knowledge)]
+    for name in limits:
+        room = planned_room(restroom, knowledge, area=max(_LEAST, _STALL * closets[name]))
+        toilets.append(msgspec.structs.replace(room, id=f"{name}s_restroom", base=f"{name}s_restroom"))
+    choices = [[*toilets, planned_room(accessible, knowledge)]]
+    return choices if max(closets.values()) > 1 else [*choices, [small, small]]

@@ -18,7 +18,7 @@ from mansion_scene.structure.boundaries import BoundarySegment, boundary_segment
 from mansion_scene.structure.cores import scene_cores
 from mansion_scene.structure.dimensions import SLAB_THICKNESS
 from mansion_scene.structure.door_swings import hang_doors
-from mansion_scene.structure.exits import place_second_exit
+from mansion_scene.structure.exits import place_further_exits
 from mansion_scene.structure.given_openings import (
     as_planned,
     given_access,
@@ -42,6 +42,7 @@ from mansion_scene.structure.openings import (
 from mansion_scene.structure.outer_doors import entrance_room, place_entrance, place_garage_doors
 from mansion_scene.structure.payloads import number_doors, number_walls, number_windows, scene_rooms
 from mansion_scene.structure.regions import FloorRegions, Region, floor_regions
+from mansion_scene.structure.second_doors import place_second_doors
 from mansion_scene.structure.windows import place_windows
 
 __all__ = ["FloorStructure", "build_structure", "ceiling_height"]
@@ -119,13 +120,18 @@ def build_structure(request: FurnishRequest, held: HeldAccess | None = None) -> 
         openings.append(entrance)
         if free and not residential:
             beside = with_doors(frontages, [entrance])
-            openings += place_second_exit(floor, usable, entrance, beside, partition.nets, request.building_type)
+            openings += place_further_exits(floor, usable, entrance, beside, partition.nets, request.building_type)
     frontages = with_doors(frontages, openings)
     wide, blocked = place_garage_doors(floor, usable, frontages, partition.nets, _driven(kept)) if free else ([], [])
     frontages = with_doors(frontages, wide)
     kinds = stated_kinds(floor, given) if given is not None else {}
     placed, narrowed = place_doors(floor, without_held(plan, kept), shared, frontages, kinds)
     frontages = with_doors(frontages, placed)
+    if free and held is None:
+        known, kind = [*openings, *wide, *placed], request.building_type
+        second = place_second_doors(floor, usable, shared, known, frontages, partition.nets, kind)
+        placed += second
+        frontages = with_doors(frontages, second)
     fixed = {opening.segment for opening in kept} if given is not None else set()
     openings, leafless = hang_doors(
         floor,

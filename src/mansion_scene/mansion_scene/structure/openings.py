@@ -26,6 +26,7 @@ __all__ = [
     "is_circulation",
     "make_frontages",
     "open_passages",
+    "opening_at",
     "opening_kind",
     "other_places",
     "place_doors",
@@ -216,7 +217,7 @@ def other_places(
     sides = {region: _without(frontages[region], opening.segment) for region in (a, b)}
     for width in sorted({opening.kind.width, min(opening.kind.width, CLEAR_WIDTH)}, reverse=True):
         for position in ranked_positions(shared[pair_key(a, b)], sides, width):
-            yield _opening(position, opening.kind)
+            yield opening_at(position, opening.kind)
 
 
 def _without(frontage: Frontage, segment: Segment) -> Frontage:
@@ -238,7 +239,7 @@ def _place(
         zone = landing_zone(stair.core, floor.outline)
         position = _widest(boundaries, frontages, kind.width, zone)
         if position is not None and position.width >= CLEAR_WIDTH - 1e-6:
-            return _opening(position, kind), None
+            return opening_at(position, kind), None
     lift = next((region for region in (a, b) if region.kind == "elevator"), None)
     center = (lift.polygon.centroid.x, lift.polygon.centroid.y) if lift is not None else None
     position = _widest(boundaries, frontages, kind.width, None, center)
@@ -251,17 +252,17 @@ def _place(
             details={"rooms": list(pair)},
         )
     if stair is not None:
-        return _opening(position, kind), _note(
+        return opening_at(position, kind), _note(
             floor, pair, "a door off the floor landing", "the shared wall does not reach the landing's end of the core"
         )
     if position.width < min(CLEAR_WIDTH, kind.width) - 1e-6:
-        return _opening(position, kind), _note(
+        return opening_at(position, kind), _note(
             floor, pair, f"{position.width:.2f} m clear", "the shared wall is shorter than 1.02 m"
         )
-    return _opening(position, kind), None
+    return opening_at(position, kind), None
 
 
-def _opening(position: Position, wished: OpeningKind) -> Opening:
+def opening_at(position: Position, wished: OpeningKind) -> Opening:
     boundary, kind = position.boundary, replace(wished, width=round(position.width, 4))
     if kind.kind == "double" and kind.leaves < 2:
         kind = replace(kind, kind="single")

@@ -36,11 +36,15 @@ def _exits(premises: Premises, scene: FloorScene) -> Iterator[Deviation]:
     if len(exits) < needed:
         asked = f"{needed} for {people:.0f} occupants, as above {limits[needed - 2]:.0f}" if needed > 1 else "1"
         yield premises.deviation(norm, where, counted(len(exits), "exit"), asked)
-    yield from _distances(premises, scene, exits, "single_exit_travel" if needed < 2 else "travel_distance")
     yield from _exit_width(premises, scene, exits, people)
-    if needed > 1 and len(exits) > 1:
-        yield from _exit_separation(premises, scene, exits)
-        yield from _dead_ends(premises, scene, exits)
+    far = list(_distances(premises, scene, exits, "single_exit_travel")) if needed < 2 else []
+    if needed < 2 and len(exits) < 2:
+        yield from far
+    elif needed > 1 or far:
+        yield from _distances(premises, scene, exits, "travel_distance")
+        if len(exits) > 1:
+            yield from _exit_separation(premises, scene, exits)
+            yield from _dead_ends(premises, scene, exits)
 
 
 def _exit_width(premises: Premises, scene: FloorScene, exits: list[str], people: int) -> Iterator[Deviation]:

@@ -61,11 +61,15 @@ def _water_closets(premises: Premises) -> Iterator[Deviation]:
 
 
 def _separate_toilets(premises: Premises) -> Iterator[Deviation]:
+    """Yield that men and women share toilets; two accessible ones serve where one closet is enough for each."""
     norm = premises.norm("separate_toilets")
     people = sum(premises.people(scene) for scene in premises.scenes)
     if norm is None or people <= premises.limit(norm):
         return
-    restrooms = {room.id for room in _public_toilets(premises) if premises.is_one_of(room, norm.rooms)}
+    rules = premises.norms.rules
+    one_each = all(people / 2 <= premises.limit(rules[name]) for name in ("water_closets_men", "water_closets_women"))
+    names = (*norm.rooms, *norm.others) if one_each else norm.rooms
+    restrooms = {room.id for room in _public_toilets(premises) if premises.is_one_of(room, names)}
     found = max(len(restrooms & {room.id for room in scene.rooms}) for scene in premises.scenes)
     if found < 2:
         asked = f"2 side by side for {people} occupants, as above {premises.limit(norm):.0f}"
