@@ -28,6 +28,7 @@ def request_of(
     *,
     plan: GivenPlan | None = None,
     complete: Sequence[Literal["doors", "windows"]] = (),
+    assets: str | Sequence[str] = (),
     **fields: Any,
 ) -> BuildRequest:
     """Return the validated request of a description and options; a request is returned as it is.
@@ -35,12 +36,16 @@ def request_of(
     Raises
     ------
     MansionError
-        ``INVALID_PAYLOAD`` with the option at fault.
+        ``INVALID_PAYLOAD`` with the option at fault, ``NOT_FOUND`` for a library that is not there.
     """
     if isinstance(description, BuildRequest):
         return description
     outline = None if footprint is None else to_builtins(_footprint(footprint))
     given = None if plan is None else to_builtins(_plan(plan, complete))
+    if assets:
+        from mansion_assets.library.folders import stated_libraries
+
+        fields["assets"] = stated_libraries([assets] if isinstance(assets, str) else assets)
     return convert(BuildRequest, {"description": description, "footprint": outline, "plan": given, **fields})
 
 

@@ -99,11 +99,13 @@ class Graph(Closing):
         footprint: Outline | None = None,
         seed: int = 0,
         planner: Literal["rules", "llm"] = "rules",
+        assets: str | Sequence[str] = (),
     ) -> Plan:
         """Plan a building without making it; see `mansion.plan`."""
         request = request_of(
-            description, footprint, floors=floors, area=area, floor_area=floor_area, seed=seed, planner=planner
-        )
+            description, footprint, floors=floors, area=area, floor_area=floor_area, seed=seed, planner=planner,
+            assets=assets,
+        )  # fmt: skip
         return Plan(request, self.client.plan(request))
 
     def build(
@@ -117,6 +119,7 @@ class Graph(Closing):
         footprint: Outline | None = None,
         seed: int = 0,
         planner: Literal["rules", "llm"] = "rules",
+        assets: str | Sequence[str] = (),
         formats: str | Sequence[str] = (),
         force: bool = False,
     ) -> Building:
@@ -130,8 +133,9 @@ class Graph(Closing):
         from mansion_bringup.exporting import format_names
 
         request = request_of(
-            description, footprint, floors=floors, area=area, floor_area=floor_area, seed=seed, planner=planner
-        )
+            description, footprint, floors=floors, area=area, floor_area=floor_area, seed=seed, planner=planner,
+            assets=assets,
+        )  # fmt: skip
         output = None if folder is None else str(Path(folder).absolute())
         job = BuildJob.of(request, output=output, force=force, formats=format_names(formats))
         reply: BuildReply = self.client.call("build_building", job, reply=BuildReply)

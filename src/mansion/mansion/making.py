@@ -29,6 +29,7 @@ def build(
     complete: Sequence[Literal["doors", "windows"]] = (),
     seed: int = 0,
     planner: Literal["rules", "llm"] = "rules",
+    assets: str | Sequence[str] = (),
     formats: str | Sequence[str] = (),
     jobs: int = 1,
     force: bool = False,
@@ -56,6 +57,8 @@ def build(
     seed : int
         Same seed, same building.
     planner : {"rules", "llm"}
+    assets : str or sequence of str
+        Libraries of own assets that come before the catalogue's, by name, or by a path with a slash in it.
     formats : str or sequence of str
         Formats to write beside plans and pictures, ``["glb", "nav2"]`` or ``"glb,nav2"``, as `Building.export` names
         them; ``"all"`` for maps, AI2-THOR houses, MuJoCo models and the binary glTF.
@@ -70,7 +73,7 @@ def build(
     Raises
     ------
     MansionError
-        ``INVALID_PAYLOAD`` for options that do not fit, ``NOT_FOUND`` for a format that does not exist,
+        ``INVALID_PAYLOAD`` for options that do not fit, ``NOT_FOUND`` for a format or a library that does not exist,
         ``CONTRADICTION`` or ``INFEASIBLE`` for a brief that nothing meets, ``CONFLICT`` for a folder that holds
         something else.
 
@@ -86,7 +89,7 @@ def build(
 
     request = request_of(
         description, footprint, plan=plan, complete=complete, floors=floors, area=area, floor_area=floor_area,
-        seed=seed, planner=planner,
+        seed=seed, planner=planner, assets=assets,
     )  # fmt: skip
     prepare_planner(request)
     home = Home.new() if folder is None else Home(Path(folder))

@@ -1,6 +1,7 @@
 """Plans: the program of a brief and its receipt, before anything is built."""
 
 import html
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
@@ -28,6 +29,7 @@ def plan(
     footprint: Outline | None = None,
     seed: int = 0,
     planner: Literal["rules", "llm"] = "rules",
+    assets: str | Sequence[str] = (),
 ) -> "Plan":
     """Plan a building without making it: floors, rooms, areas, and what becomes of each wish.
 
@@ -44,6 +46,8 @@ def plan(
     seed : int
         Same seed, same plan.
     planner : {"rules", "llm"}
+    assets : str or sequence of str
+        Libraries of own assets, whose words the description may use.
 
     Raises
     ------
@@ -60,8 +64,9 @@ def plan(
     from mansion_bringup.pipeline.planning import plan_request
 
     request = request_of(
-        description, footprint, floors=floors, area=area, floor_area=floor_area, seed=seed, planner=planner
-    )
+        description, footprint, floors=floors, area=area, floor_area=floor_area, seed=seed, planner=planner,
+        assets=assets,
+    )  # fmt: skip
     return Plan(request, plan_request(request))
 
 

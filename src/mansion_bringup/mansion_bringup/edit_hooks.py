@@ -9,6 +9,8 @@ from typing import TypeVar
 
 import msgspec
 
+from mansion_assets.library.building_assets import assets_of
+from mansion_bringup.building.assets import asset_uses, assets_in
 from mansion_bringup.building.files import kept_files
 from mansion_bringup.building.receipt import receipt
 from mansion_bringup.check.cores import check_cores
@@ -148,14 +150,17 @@ def records(folder: Path, scenes: Mapping[int, FloorScene]) -> dict[str, bytes]:
     if building is None:
         return {}
     program = building.program
-    wishes = receipt(program.wishes, program, [scenes[floor] for floor in sorted(scenes)])
+    ordered = [scenes[floor] for floor in sorted(scenes)]
+    with assets_of(folder):
+        wishes = receipt(program.wishes, program, ordered)
+        assets = asset_uses(assets_in(ordered), ordered)
     files = {}
     if wishes != building.wishes:
         files["building.json"] = encode_bytes(msgspec.structs.replace(building, wishes=wishes), indent=1)
     name = building.files.get("report", "report.json")
     report = _read(BuildingReport, folder / name)
-    if report is not None and wishes != report.wishes:
-        files[name] = encode_bytes(msgspec.structs.replace(report, wishes=wishes), indent=1)
+    if report is not None and (wishes, assets) != (report.wishes, report.assets):
+        files[name] = encode_bytes(msgspec.structs.replace(report, wishes=wishes, assets=assets), indent=1)
     return files
 
 

@@ -2,11 +2,12 @@
 
 import getpass
 import os
+from collections.abc import Sequence
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Final
 
-from mansion_assets.catalogue import load_catalogue
+from mansion_assets.library.building_assets import catalogue_for
 from mansion_assets.retrieval.configured import configured_retriever
 from mansion_assets.retrieval.static_vectors import PACKAGED
 from mansion_bringup.edit_hooks import kept_files, new_faults, records
@@ -23,13 +24,19 @@ ENGINE_EXTRAS: Final = {"mujoco": "sim", "thor": "thor"}
 """The extra that an engine needs."""
 
 
-def open_editor(building: Path, *, physics: str = "mujoco", who: str = "") -> SceneEditor:
+def open_editor(building: Path, *, physics: str = "mujoco", who: str = "", assets: Sequence[str] = ()) -> SceneEditor:
     """Return an editor of a folder, with the independent check before each edit.
+
+    Parameters
+    ----------
+    assets : sequence of str
+        Libraries of own assets beside those that the building was made with.
 
     Raises
     ------
     MansionError
-        ``NOT_FOUND`` for no building or no such engine, ``UNAVAILABLE`` when the engine is not installed.
+        ``NOT_FOUND`` for no building, no such engine or no such library, ``UNAVAILABLE`` when the engine is not
+        installed.
     """
     if physics in ENGINE_EXTRAS:
         ensure_extra(ENGINE_EXTRAS[physics])
@@ -38,7 +45,7 @@ def open_editor(building: Path, *, physics: str = "mujoco", who: str = "") -> Sc
     store = BuildingStore(building, validator=new_faults, records=records, clock=_now)
     return SceneEditor(
         store,
-        load_catalogue(),
+        catalogue_for(building, assets, store.building.request.libraries),
         engine_named(physics),
         who=who or getpass.getuser(),
         retriever=configured_retriever(),

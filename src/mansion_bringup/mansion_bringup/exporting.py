@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from pathlib import Path
 
+from mansion_assets.library.building_assets import assets_of
 from mansion_bringup.extras import ensure_extra
 from mansion_export.formats import PLAIN, ExportOptions, Format, export_formats
 from mansion_geometry.sound_shapes import require_sound_shapes
@@ -67,7 +68,8 @@ def write_export(building: Path, to: Format, output: Path | None = None, options
         ensure_extra(to.extra)
     scenes = read.scenes()
     require_sound_shapes(scenes)
-    files = to.make(scenes, options)
+    with assets_of(building):
+        files = to.make(scenes, options)
     for name, data in files.items():
         write_atomic(file_in(target, name), data)
     return [target / name for name in files]
@@ -80,5 +82,7 @@ def write_page(building: Path, output: Path | None = None, *, site: bool = True)
     page = output or building / PAGE
     scenes = BuildingFolder(building).scenes()
     require_sound_shapes(scenes)
-    write_atomic(page, view_page(scenes, site=site).encode())
+    with assets_of(building):
+        text = view_page(scenes, site=site)
+    write_atomic(page, text.encode())
     return page

@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import Any, Final
 
+from mansion_assets.library.building_assets import assets_of
 from mansion_bringup.check import Fault, check_building
 from mansion_bringup.check.building import check_floors, check_records
 from mansion_msgs_py.building import Building
@@ -86,7 +87,8 @@ def verify_building(path: Path | str) -> list[Fault]:
     MansionError
         ``NOT_FOUND`` when `path` is no building folder.
     """
-    return check_building(path, further=_FURTHER)
+    with assets_of(Path(path)):
+        return check_building(path, further=_FURTHER)
 
 
 def floor_faults(building_id: str, scenes: Sequence[FloorScene], topologies: Sequence[FloorTopology]) -> list[Fault]:
@@ -98,4 +100,5 @@ def record_faults(
     folder: Path, building: Building, layouts: Sequence[FloorLayout], scenes: Sequence[FloorScene]
 ) -> list[Fault]:
     """Return the other faults of `verify_building`: those of files and records."""
-    return list(check_records(folder, building, layouts, scenes, _FURTHER))
+    with assets_of(folder):
+        return list(check_records(folder, building, layouts, scenes, _FURTHER))

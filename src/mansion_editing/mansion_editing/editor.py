@@ -7,6 +7,7 @@ from typing import Any, Final, TypeAlias
 import msgspec
 
 from mansion_assets.catalogue import Catalogue
+from mansion_assets.library.building_assets import asset_files, own_assets
 from mansion_assets.retrieval.retriever import Retriever
 from mansion_editing.diff_wording import in_words
 from mansion_editing.physics.engine import PhysicsEngine
@@ -371,10 +372,17 @@ class SceneEditor:
             return EditResult(message="nothing to save", saved=True)
         try:
             told = what or "; ".join(self._what)
-            done = self.store.land(changes, self.who, told, rooms=changed_rooms, documents=documents)
+            done = self.store.land(
+                changes, self.who, told, rooms=changed_rooms, documents=documents, files=self._own_assets()
+            )
         finally:
             self.reload()
         return _landed("saved", done)
+
+    def _own_assets(self) -> dict[str, bytes]:
+        """Return the files of the user's assets that the building shows and its folder does not have."""
+        keys = {item.asset for scene in self.state.scenes.values() for item in scene.objects}
+        return asset_files(own_assets(keys, self.catalogue), self.store.folder)
 
     def undo(self) -> EditResult:
         """Take back the last edit: one that waits, else this user's last one on disk."""

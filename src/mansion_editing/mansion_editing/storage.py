@@ -143,6 +143,7 @@ class BuildingStore:
         *,
         rooms: Sequence[RoomChange] = (),
         documents: Sequence[DocumentChange] = (),
+        files: Mapping[str, bytes] | None = None,
         undoes: int | None = None,
         redoes: int | None = None,
     ) -> Transaction:
@@ -154,6 +155,9 @@ class BuildingStore:
         rooms : sequence of RoomChange
         documents : sequence of DocumentChange
             From `documents.replacement`. A floor whose scene is among them has no other changes.
+        files : mapping of str to bytes, optional
+            What the changes need besides, by path in the folder. It is there before they are, and stays when they are
+            undone.
 
         Raises
         ------
@@ -196,15 +200,17 @@ class BuildingStore:
                 redoes=redoes,
                 time=self._clock(),
             )
-            self._carry_out(transaction)
+            self._carry_out(transaction, files or {})
         return transaction
 
-    def _carry_out(self, transaction: Transaction) -> None:
+    def _carry_out(self, transaction: Transaction, needed: Mapping[str, bytes]) -> None:
         """Write a transaction; where anything fails, all is as it was before, and nothing of it lands later."""
         pending, log = self._edits / "pending.json", self._edits / "log.jsonl"
         length = log.stat().st_size if log.exists() else None
         files = ReplacedFiles(self.folder, self._edits / "former")
         try:
+            for name, data in needed.items():
+                files.write(name, data)
             write_atomic(pending, encode_bytes(transaction), durable=True)
             self._finish(transaction, files)
         except BaseException as error:

@@ -12,6 +12,7 @@ from mansion_assets.materials import material_set
 from mansion_export.building_model import building_models, floor_model
 from mansion_export.gltf_buffer import Buffer
 from mansion_export.gltf_textures import Textures
+from mansion_export.licences import licence_lines, licence_records
 from mansion_export.materials import linear
 from mansion_export.model import Material, Mesh, Model, Node, Surface
 from mansion_export.normals import corner_normals, textured_corners
@@ -56,13 +57,16 @@ def building_glb(
     name = scenes[0].building_id if scenes else "building"
     if models is None:
         models = building_models(scenes, ceilings=ceilings, site=site, catalogue=catalogue)
-    return write_glb(models, name, building_title(scenes), quarter_turns(scenes))
+    return write_glb(models, name, building_title(scenes), quarter_turns(scenes), licence_records(scenes, catalogue))
 
 
 def floor_glb(scene: FloorScene, *, ceilings: bool = True, catalogue: Catalogue | None = None) -> bytes:
     """Write one floor as binary glTF, its finished floor at its elevation; see `building_glb`."""
     return write_glb(
-        [floor_model(scene, ceilings=ceilings, catalogue=catalogue)], scene.building_id, floor_title(scene)
+        [floor_model(scene, ceilings=ceilings, catalogue=catalogue)],
+        scene.building_id,
+        floor_title(scene),
+        licences=licence_records([scene], catalogue),
     )
 
 
@@ -76,7 +80,9 @@ def floor_files(scene: FloorScene) -> dict[str, bytes]:
     return {f"{floor_directory(scene.floor)}/floor.glb": floor_glb(scene)}
 
 
-def write_glb(models: Sequence[Model], name: str, title: str = "", turns: int = 0) -> bytes:
+def write_glb(
+    models: Sequence[Model], name: str, title: str = "", turns: int = 0, licences: Sequence[dict[str, str]] = ()
+) -> bytes:
     """Write models as one binary glTF scene.
 
     Parameters
@@ -89,6 +95,8 @@ def write_glb(models: Sequence[Model], name: str, title: str = "", turns: int = 
         What a person calls the building, kept in the root node's extras.
     turns : int
         Quarters by which to turn the building so that its entrance faces a viewer in the south; kept there, too.
+    licences : sequence of dict
+        Those of the user's assets, `licence_records`; in the extras of ``asset``, whose copyright states all.
 
     Returns
     -------
@@ -99,7 +107,7 @@ def write_glb(models: Sequence[Model], name: str, title: str = "", turns: int = 
     floors = [writer.floor(model) for model in models]
     extras = {key: value for key, value in (("title", title), ("turns", turns)) if value}
     root = writer.node({"name": name, "children": floors, **({"extras": extras} if extras else {})})
-    return writer.finish(root)
+    return writer.finish(root, licences)
 
 
 def _titled(title: str) -> Json:
@@ -189,14 +197,12 @@ class _Writer:
             self._material_index[material] = len(self.materials) - 1
         return self._material_index[material]
 
-    def finish(self, root: int) -> bytes:
+    def finish(self, root: int, licences: Sequence[dict[str, str]]) -> bytes:
         """Write header, JSON chunk and binary chunk (glTF 2.0, 4.4)."""
-        document: Json = {
-            "asset": {"version": "2.0", "generator": "Mansion"},
-            "scene": 0,
-            "scenes": [{"nodes": [root]}],
-            "nodes": self.nodes,
-        }
+        asset: Json = {"version": "2.0", "generator": "Mansion", "copyright": "; ".join(licence_lines(licences))}
+        if licences:
+            asset["extras"] = {"licences": list(licences)}
+        document: Json = {"asset": asset, "scene": 0, "scenes": [{"nodes": [root]}], "nodes": self.nodes}
         views, data = self.buffer.finish()
         if self.meshes:
             document |= {

@@ -15,6 +15,7 @@ from mansion_export.articulation import Assembly, Moving, assemblies, pose_at
 from mansion_export.building_model import floor_model
 from mansion_export.cavities import is_loose, loose_colliders
 from mansion_export.collision import Colliders, Shape, ground_boxes, physique_of, shape_scaled
+from mansion_export.licences import licence_records, xml_notice
 from mansion_export.materials import surface_material
 from mansion_export.model import Material, Mesh, Model, Node, Surface
 from mansion_export.simulator_files import SimulatorModel, mesh_file_name, number_list, write_stl
@@ -94,7 +95,8 @@ def floor_mjcf(
         ]
     for name, solid in ground_boxes(scene):
         writer.solid(name, solid)
-    return SimulatorModel(_document(scene, model, writer, mesh_dir), writer.files)
+    notice = xml_notice(licence_records([scene], catalogue))
+    return SimulatorModel(notice + _document(scene, model, writer, mesh_dir), writer.files)
 
 
 def mjcf_files(scene: FloorScene, *, articulated: bool = False) -> dict[str, bytes]:

@@ -11,6 +11,7 @@ from mansion_assets.convex import Hull
 from mansion_export.articulation import Assembly, Moving, assemblies, pose_at
 from mansion_export.building_model import building_models
 from mansion_export.collision import Colliders, Shape, ground_boxes, physique_of, shape_scaled
+from mansion_export.licences import licence_records, xml_notice
 from mansion_export.model import Material, Mesh, Model, Node
 from mansion_export.simulator_files import SimulatorModel, mesh_file_name, number_list, write_stl
 from mansion_export.solids import Box, box_scaled
@@ -58,7 +59,8 @@ def world_sdf(
     for model, scene in zip(building_models(ordered, site=site, catalogue=catalogue), ordered):
         models += writer.models(model, scene)
     name = ordered[0].building_id if ordered else "building"
-    return SimulatorModel(_world(name, models), dict(sorted(writer.files.items())))
+    notice = xml_notice(licence_records(ordered, catalogue))
+    return SimulatorModel(_world(name, models, notice), dict(sorted(writer.files.items())))
 
 
 def sdf_files(scenes: Sequence[FloorScene], *, articulated: bool = False, site: bool = True) -> dict[str, bytes]:
@@ -67,10 +69,10 @@ def sdf_files(scenes: Sequence[FloorScene], *, articulated: bool = False, site: 
     return {"building.sdf": world.xml.encode(), **{f"meshes/{name}": data for name, data in world.meshes.items()}}
 
 
-def _world(name: str, models: Sequence[str]) -> str:
+def _world(name: str, models: Sequence[str], notice: str) -> str:
     content = "\n".join(models)
     return f"""<?xml version="1.0"?>
-<sdf version="1.9">
+{notice}<sdf version="1.9">
   <world name={quoteattr(name)}>
     <gravity>0 0 -9.81</gravity>
     <scene>

@@ -14,6 +14,7 @@ from mansion_assets.physique import FRICTION
 from mansion_export.articulation import Assembly, Moving, assemblies, pose_at
 from mansion_export.building_model import building_models
 from mansion_export.collision import Colliders, Shape, physique_of, shape_scaled
+from mansion_export.licences import licence_lines, licence_records
 from mansion_export.materials import linear
 from mansion_export.model import Material, Mesh, Model, Node, Surface
 from mansion_export.solids import Box
@@ -63,6 +64,10 @@ def building_usd(
     ordered = sorted(scenes, key=lambda scene: scene.floor)
     if ordered:
         root.GetPrim().SetDisplayName(ordered[0].building_id)
+    records = licence_records(ordered, catalogue)
+    stage.GetRootLayer().customLayerData = {
+        "mansion": {"copyright": "; ".join(licence_lines(records)), "licences": {r["asset"]: r for r in records}}
+    }
     writer = _Writer(stage)
     writer.friction(root.GetPrim())
     if articulated:

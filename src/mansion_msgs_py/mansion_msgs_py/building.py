@@ -10,7 +10,7 @@ from mansion_msgs_py.shapes import BuildingId, FileInFolder, PathText
 from mansion_msgs_py.usage import LlmUsage
 from mansion_msgs_py.wishes import Wish
 
-__all__ = ["Building", "BuildingReport", "FloorEntry", "FloorReport", "LoadBuilding"]
+__all__ = ["Building", "BuildingReport", "FloorEntry", "FloorReport", "LoadBuilding", "OwnAssetUse"]
 
 
 class FloorEntry(msgspec.Struct, frozen=True, kw_only=True):
@@ -62,6 +62,29 @@ class FloorReport(msgspec.Struct, frozen=True, kw_only=True):
     objects_placed: int
 
 
+class OwnAssetUse(msgspec.Struct, frozen=True, kw_only=True):
+    """An asset of the user's own in a building; its files are in the folder ``assets``.
+
+    Attributes
+    ----------
+    objects : int
+        How many objects show it.
+    library : str
+        Name of the library that it was taken from.
+    licence, author, source, sha256 : str
+        As its record states them.
+    """
+
+    asset: str
+    category: str
+    objects: int
+    library: str = ""
+    licence: str = ""
+    author: str = ""
+    source: str = ""
+    sha256: str = ""
+
+
 class BuildingReport(msgspec.Struct, frozen=True, kw_only=True):
     """The content of ``report.json``; the only file of a building that holds times.
 
@@ -73,6 +96,8 @@ class BuildingReport(msgspec.Struct, frozen=True, kw_only=True):
         Answers, tokens, time and cost.
     faults : list of str
         What ``mansion check`` found when it was built; empty for a sound building.
+    assets : list of OwnAssetUse, optional
+        Assets of the user's own in it; absent where there are none.
     """
 
     building_id: BuildingId
@@ -84,6 +109,7 @@ class BuildingReport(msgspec.Struct, frozen=True, kw_only=True):
     llm: LlmUsage | None = None
     wishes: list[Wish] = []
     faults: list[str] = []
+    assets: list[OwnAssetUse] | msgspec.UnsetType = msgspec.UNSET
     schema_version: Literal[1] = 1
 
 

@@ -2,7 +2,7 @@
 
 import hashlib
 import re
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, TypeAlias
 
 import msgspec
 
@@ -13,7 +13,13 @@ from mansion_msgs_py.files import decode_from
 from mansion_msgs_py.limits import MAX_BUILDING_AREA, MAX_FLOORS
 from mansion_msgs_py.shapes import Area, BuildingId, Ring
 
-__all__ = ["BuildRequest", "Footprint", "building_id_of", "footprint_from_json", "identified"]
+__all__ = ["BuildRequest", "Footprint", "Libraries", "building_id_of", "footprint_from_json", "identified"]
+
+
+Libraries: TypeAlias = Annotated[
+    tuple[Annotated[str, msgspec.Meta(min_length=1, max_length=4096)], ...], msgspec.Meta(max_length=50)
+]
+"""Names of libraries of own assets, or paths with a slash in them."""
 
 
 class Footprint(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
@@ -54,6 +60,8 @@ class BuildRequest(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fie
         Names the building in every payload; derived from the request when absent.
     plan : BuildingPlan, optional
         The plan to furnish; the description, which may then be empty, says what it is and what is wished for beside.
+    assets : tuple of str, optional
+        Libraries of own assets that come before the catalogue's, by name, or by a path with a slash in it.
     """
 
     description: Annotated[str, msgspec.Meta(max_length=200_000)]
@@ -66,6 +74,12 @@ class BuildRequest(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fie
     building_id: BuildingId | None = None
     schema_version: Literal[1] = 1
     plan: BuildingPlan | None = None
+    assets: Libraries | msgspec.UnsetType = msgspec.UNSET
+
+    @property
+    def libraries(self) -> tuple[str, ...]:
+        """Libraries of own assets; none where the request does not say."""
+        return () if isinstance(self.assets, msgspec.UnsetType) else self.assets
 
 
 def building_id_of(request: BuildRequest) -> str:
@@ -84,6 +98,8 @@ def building_id_of(request: BuildRequest) -> str:
     said = {name: getattr(request, name) for name in BuildRequest.__struct_fields__}
     if request.plan is None:
         del said["plan"]
+    if isinstance(request.assets, msgspec.UnsetType):
+        del said["assets"]
     digest = hashlib.sha256(msgspec.json.encode(said)).hexdigest()[:8]
     return f"{slug}-{digest}"
 

@@ -8,7 +8,7 @@ import msgspec
 from mansion_msgs_py.building import Building
 from mansion_msgs_py.layout import FloorLayout, FloorProblem
 from mansion_msgs_py.program import BuildingProgram, FloorProgram, VerticalConnectivity
-from mansion_msgs_py.request import BuildRequest
+from mansion_msgs_py.request import BuildRequest, Libraries
 from mansion_msgs_py.shapes import BuildingId, PathText
 from mansion_msgs_py.topology import FloorTopology
 from mansion_msgs_py.usage import LlmUsage
@@ -50,6 +50,8 @@ class FurnishRequest(msgspec.Struct, frozen=True, kw_only=True):
         All floor numbers of the building, ascending; the cores serve them.
     planner : {"rules", "llm"}
         Who chooses the furniture; a model is told the building's `description`.
+    assets : tuple of str, optional
+        Libraries of own assets that come before the catalogue's.
     """
 
     building_id: BuildingId
@@ -64,6 +66,12 @@ class FurnishRequest(msgspec.Struct, frozen=True, kw_only=True):
     seed: int = 0
     planner: Literal["rules", "llm"] = "rules"
     description: str = ""
+    assets: Libraries | msgspec.UnsetType = msgspec.UNSET
+
+    @property
+    def libraries(self) -> tuple[str, ...]:
+        """Libraries of own assets; none where the request does not say."""
+        return () if isinstance(self.assets, msgspec.UnsetType) else self.assets
 
 
 class BuildJob(BuildRequest, kw_only=True, forbid_unknown_fields=True, frozen=True):

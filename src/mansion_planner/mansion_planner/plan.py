@@ -43,7 +43,8 @@ def plan_building(
         ``CONTRADICTION`` for statements that exclude each other (``details`` names both), ``INFEASIBLE`` for what no
         building can meet, ``INVALID_PAYLOAD`` for an empty brief
         or a footprint that is no polygon, ``UNAVAILABLE`` when the request
-        wants a language model and none is configured, ``CANCELED``.
+        wants a language model and none is configured, ``NOT_FOUND`` for a library of own assets that is not there,
+        ``CANCELED``.
 
     Examples
     --------
@@ -52,6 +53,17 @@ def plan_building(
     [1, 2]
     """
     base = knowledge or default_knowledge()
+    if not request.libraries:
+        return _planned(request, base, cancelled)
+    # Words of briefs name own assets as they do the catalogue's.
+    from mansion_assets.catalogue.preferred import preferring
+    from mansion_assets.library.folders import library_folders
+
+    with preferring(library_folders(request.libraries)):
+        return _planned(request, base, cancelled)
+
+
+def _planned(request: BuildRequest, base: KnowledgeBase, cancelled: Callable[[], bool]) -> PlanReply:
     building_id = building_id_of(request)
     if request.plan is not None:
         return _given(request, base, building_id)

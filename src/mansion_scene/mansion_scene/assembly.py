@@ -34,7 +34,8 @@ def furnish_floor(
     progress : callable, optional
         Called with a description and the share done, before each room and at the end.
     catalogue : Catalogue, optional
-        Catalogue with assets and room types of the user's own; the package's by default.
+        Catalogue with assets and room types of the user's own; by default the package's with what the libraries of
+        the request have.
 
     Returns
     -------
@@ -48,6 +49,11 @@ def furnish_floor(
         reached, a stair does not fit its core, or no free position is left for the robot; `details` names the stage.
     """
     report = progress or (lambda what, share: None)
+    if catalogue is None and request.libraries:
+        from mansion_assets.catalogue import load_catalogue
+        from mansion_assets.library.folders import library_folders
+
+        catalogue = load_catalogue(preferred=library_folders(request.libraries))
     try:
         report("walls and openings", 0.0)
         structure = build_structure(request)

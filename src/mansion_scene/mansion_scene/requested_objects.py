@@ -175,7 +175,7 @@ def _assets_for(catalogue: Catalogue, requested: str, *, seed: int, room_id: str
     assets = list(catalogue.by_category(category))
     if not trial:
         drawn = item_generator(seed, "asked", room_id, category).permutation(len(assets))
-        return [assets[int(i)] for i in drawn]
+        return sorted((assets[int(i)] for i in drawn), key=lambda asset: asset.key not in catalogue.preferred)
     if assets and assets[0].mount == "surface":
         assets += [a for a in catalogue.choose_from(stand_ins(requested)) if a.mount == "surface"]
     return sorted(assets, key=lambda a: (a.size[0] * max(a.size[1], a.size[2]), a.key))

@@ -188,6 +188,7 @@ def _request(said: _Row, folder: Path, defaults: BuildRequest, read_plan: PlanRe
         seed=said.seed if said.seed is not None else defaults.seed,
         planner=said.planner or defaults.planner,
         plan=read_plan(folder / said.plan) if said.plan and read_plan else defaults.plan,
+        assets=defaults.assets,
     )
 
 

@@ -55,6 +55,13 @@ def test_a_table_wins_over_the_top_and_reaches_inner_commands() -> None:
     assert defaults["task"]["generate"] == {"seed": 3, "count": 2}
 
 
+def test_libraries_stand_at_the_top_beside_tables_of_the_commands_of_assets() -> None:
+    settings = find_settings(write('assets = ["shop", "./more"]\n[build]\nseed = 4\n'), ROOT)
+    assert settings.default_map(ROOT)["edit"]["assets"] == "shop,./more"
+    settings = find_settings(write("[assets.sheet]\ncolumns = 3\n"), ROOT)
+    assert settings.default_map(ROOT)["assets"]["sheet"] == {"columns": 3}
+
+
 def test_lists_stand_for_names_with_commas() -> None:
     settings = find_settings(write('formats = ["nav2", "mjcf"]\n[up]\nallow = ["a", "b"]\n'), ROOT)
     assert settings.default_map(ROOT)["build"]["formats"] == "nav2,mjcf"

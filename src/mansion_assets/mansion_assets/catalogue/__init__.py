@@ -4,6 +4,7 @@ from mansion_assets.catalogue.asset import Asset, Surface, Volume
 from mansion_assets.catalogue.catalogue import Catalogue, RoomProgramCard
 from mansion_assets.catalogue.furnish import HangRequest, RoomFurnishing, RugRequest, furnish_request
 from mansion_assets.catalogue.loading import load_catalogue
+from mansion_assets.catalogue.preferred import preferred_folders, preferring
 
 __all__ = [
     "Asset",
@@ -16,4 +17,6 @@ __all__ = [
     "Volume",
     "furnish_request",
     "load_catalogue",
+    "preferred_folders",
+    "preferring",
 ]

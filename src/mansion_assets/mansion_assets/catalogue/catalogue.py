@@ -1,6 +1,6 @@
 """The catalogue: assets by key and category, and the object programs of room types."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from typing import Literal
 
 import msgspec
@@ -45,11 +45,19 @@ class Catalogue:
     rooms : iterable of RoomRecord
     arrangements : iterable of Arrangement
         A later record replaces an earlier one of the same key, type or name.
+    preferred : collection of str
+        Keys of the assets that come before others of their categories.
     """
 
     def __init__(
-        self, assets: Iterable[Asset], rooms: Iterable[RoomRecord], arrangements: Iterable[Arrangement]
+        self,
+        assets: Iterable[Asset],
+        rooms: Iterable[RoomRecord],
+        arrangements: Iterable[Arrangement],
+        *,
+        preferred: Collection[str] = (),
     ) -> None:
+        self._preferred = frozenset(preferred)
         self._assets: dict[str, Asset] = {asset.key: asset for asset in assets}
         self._rooms: dict[str, RoomRecord] = {room.room_type: room for room in rooms}
         self._arrangements = {record.name: record for record in arrangements}
@@ -77,6 +85,16 @@ class Catalogue:
     def arrangements(self) -> Mapping[str, Arrangement]:
         """Arrangements of small objects by name."""
         return self._arrangements
+
+    @property
+    def preferred(self) -> frozenset[str]:
+        """Keys of the assets that come before others of their categories."""
+        return self._preferred
+
+    def favoured(self, assets: Sequence[Asset]) -> list[Asset]:
+        """Return those of `assets` that are preferred, or all where none is."""
+        first = [asset for asset in assets if asset.key in self._preferred] if self._preferred else []
+        return first or list(assets)
 
     def asset(self, key: str) -> Asset:
         """Return an asset by key.

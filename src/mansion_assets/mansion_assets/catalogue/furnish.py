@@ -408,14 +408,26 @@ class _Draft:
         return rows, cols
 
     def _asset(self, item: Item, wanted: int) -> Asset | None:
-        """Draw an asset whose copies fit what is left of the share, the smallest ones where none does."""
-        assets = self.catalogue.choose_from(item.category, item.extent)
+        """Draw an asset whose copies fit what is left of the share, the smallest ones where none does.
+
+        Those that are preferred come first, as long as one fits the room and the share.
+        """
+        choices = self.catalogue.choose_from(item.category, item.extent)
+        own = [a for a in choices if a.key in self.catalogue.preferred]
+        first = self._drawn(item, wanted, own) if own else None
+        if first is not None and (item.name in self.asked.least or first.footprint <= max(self.left, 0.0)):
+            return first
+        return self._drawn(item, wanted, choices)
+
+    def _drawn(self, item: Item, wanted: int, assets: list[Asset]) -> Asset | None:
+        """Draw one of `assets`; None where none goes into the room."""
         long, short = self.extent
         inside = [a for a in assets if a.size[0] <= long - 0.3 and a.size[1] <= short - 0.3]
         if not inside and item.name in self.asked.least:  # lengthwise in a narrow room
             inside = [a for a in assets if max(a.size[:2]) <= long - 0.3 and min(a.size[:2]) <= short - 0.3]
         if not inside and item.name in self.asked.least:  # the largest of another size
             others = [a for a in self.catalogue.choose_from(item.category) if max(a.size[:2]) <= short - 0.3]
+            others = self.catalogue.favoured(others)
             inside = sorted(others, key=lambda a: (-a.footprint, a.key))[:1]
         assets = inside
         if not assets:
@@ -487,7 +499,7 @@ class _Draft:
 def _hang(draft: _Draft, item: HangItem) -> HangRequest | None:
     wanted = copies(item.count, draft.area, draft.numbers, draft.rng)
     present = draft.rng.random() < item.p and draft.area >= item.min_area
-    assets = draft.catalogue.choose_from(item.category)
+    assets = draft.catalogue.favoured(draft.catalogue.choose_from(item.category))
     asset = draft.style.pick(assets, draft.rng) if assets else None
     if asset is None or not present or wanted < 1:
         return None
@@ -508,7 +520,8 @@ def _rugs(draft: _Draft) -> list[RugRequest]:
         assets = draft.catalogue.choose_from(item.category)
         order = draft.rng.permutation(len(assets))
         if present and assets and (not item.under or _has(draft, item.under)):
-            chosen = tuple(assets[int(i)] for i in order)
+            drawn = [assets[int(i)] for i in order]
+            chosen = tuple(sorted(drawn, key=lambda asset: asset.key not in draft.catalogue.preferred))
             out.append(
                 RugRequest(assets=chosen, under=draft.category_of(item.under), margin=item.margin, count=item.count)
             )

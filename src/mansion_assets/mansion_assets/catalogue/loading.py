@@ -10,6 +10,7 @@ import msgspec
 
 from mansion_assets.catalogue.asset import Asset
 from mansion_assets.catalogue.catalogue import Catalogue
+from mansion_assets.catalogue.preferred import preferred_folders
 from mansion_assets.catalogue.receptacles import receptacles_of
 from mansion_assets.catalogue.records import Arrangement, AssetRecord, CategoryRecord, Item, RoomRecord
 from mansion_msgs_py.codec import decode
@@ -33,7 +34,7 @@ FOLDERS = "MANSION_CATALOGUE"
 """Environment variable with folders of a user's assets and room types, separated as in ``PATH``."""
 
 
-def load_catalogue(extra: Sequence[Path] | None = None) -> Catalogue:
+def load_catalogue(extra: Sequence[Path] | None = None, *, preferred: Sequence[Path] | None = None) -> Catalogue:
     """Return the catalogue, with the assets and room types of user folders added.
 
     Parameters
@@ -43,6 +44,9 @@ def load_catalogue(extra: Sequence[Path] | None = None) -> Catalogue:
         each) and ``arrangements/*.json`` (one `Arrangement` each). A record replaces the package's of the same name.
         By default the folders that the environment variable ``MANSION_CATALOGUE`` names, so that every stage and
         export sees the same assets.
+    preferred : sequence of Path
+        Such folders whose assets come before others of their categories. Where neither is given, those of the context
+        (`preferring`).
 
     Raises
     ------
@@ -51,22 +55,42 @@ def load_catalogue(extra: Sequence[Path] | None = None) -> Catalogue:
 
     Notes
     -----
-    Cached for each tuple of folders; a catalogue is not written to.
+    Cached for each tuple of folders until a file is put into one; a catalogue is not written to.
     """
+    if preferred is None:
+        preferred = preferred_folders() if extra is None else ()
     if extra is None:
         extra = [Path(name) for name in os.environ.get(FOLDERS, "").split(os.pathsep) if name]
-    return _load(tuple(Path(folder).resolve() for folder in extra))
+    first = tuple(Path(folder).resolve() for folder in preferred)
+    others = tuple(folder for folder in (Path(folder).resolve() for folder in extra) if folder not in first)
+    return _load(others, first, tuple(_stamp(folder) for folder in (*others, *first)))
+
+
+_KINDS: Final = ("assets", "rooms", "arrangements")
+"""Folders of a user's folder that hold records."""
+
+
+def _stamp(folder: Path) -> tuple[int, ...]:
+    """Return what tells a folder's content from an earlier one: files are put there by renaming them."""
+    if not folder.is_dir():
+        raise MansionError(ErrorCode.NOT_FOUND, f"no catalogue folder {folder}")
+    return tuple(_changed(folder / kind) for kind in _KINDS)
+
+
+def _changed(folder: Path) -> int:
+    try:
+        return folder.stat().st_mtime_ns
+    except OSError:
+        return 0
 
 
 @lru_cache(maxsize=8)
-def _load(extra: tuple[Path, ...]) -> Catalogue:
+def _load(extra: tuple[Path, ...], preferred: tuple[Path, ...], stamps: tuple[tuple[int, ...], ...]) -> Catalogue:
     records = [r for file in _files(DATA / "categories") for r in _read(list[CategoryRecord], file)]
     rooms = [r for file in _files(DATA / "rooms") for r in _read(list[RoomRecord], file)]
     arrangements = _read(list[Arrangement], DATA / "arrangements.json")
     own: list[tuple[Path, AssetRecord]] = []
-    for folder in extra:
-        if not folder.is_dir():
-            raise MansionError(ErrorCode.NOT_FOUND, f"no catalogue folder {folder}")
+    for folder in (*extra, *preferred):
         own += [(file, _read(AssetRecord, file)) for file in _files(folder / "assets")]
         rooms += [_read(RoomRecord, file) for file in _files(folder / "rooms")]
         arrangements += [_read(Arrangement, file) for file in _files(folder / "arrangements")]
@@ -75,7 +99,8 @@ def _load(extra: tuple[Path, ...]) -> Catalogue:
     thor = _read(_ThorTable, DATA / "thor.json").types
     assets = [a for record in records for a in _expand(record, thor, used.get(record.category, ()))]
     assets += [_user_asset(file, record, used.get(record.category, ())) for file, record in own]
-    return Catalogue(assets, rooms, arrangements)
+    first = frozenset(record.key for file, record in own if file.parent.parent in preferred)
+    return Catalogue(assets, rooms, arrangements, preferred=first)
 
 
 def _files(folder: Path) -> list[Path]:

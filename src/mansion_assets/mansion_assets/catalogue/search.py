@@ -12,7 +12,7 @@ from mansion_assets.catalogue.palette import COLOURS, FAMILIES
 from mansion_assets.catalogue.word_index import word_index
 from mansion_msgs_py.errors import ErrorCode, MansionError
 
-__all__ = ["PROPERTIES", "SearchHit", "having", "mixed", "search_assets", "word_scores"]
+__all__ = ["PROPERTIES", "SearchHit", "having", "look_bonus", "mixed", "search_assets", "word_scores"]
 
 PROPERTIES: Final[dict[str, str]] = {
     "pickupable": "pickupable",
@@ -56,7 +56,8 @@ def search_assets(catalogue: Catalogue, query: str, top_k: int = 5, properties: 
 
     Notes
     -----
-    The first hits come from different categories where several fit about as well; further variants follow.
+    The first hits come from different categories where several fit about as well; further variants follow. Of a
+    category's variants those come first that the query's colours and materials fit, then those that are preferred.
 
     Raises
     ------
@@ -72,8 +73,8 @@ def search_assets(catalogue: Catalogue, query: str, top_k: int = 5, properties: 
         if scores[i] <= 0.0 or len(groups) > top_k:
             break
         variants = [a for a in catalogue.by_category(index.categories[i]) if _holds(a, fields)]
-        hits = [SearchHit(a, round(scores[i] + _look(a, query), 4)) for a in variants]
-        hits.sort(key=lambda hit: -hit.score)
+        hits = [SearchHit(a, round(scores[i] + look_bonus(a, query), 4)) for a in variants]
+        hits.sort(key=lambda hit: (-hit.score, hit.asset.key not in catalogue.preferred))
         if hits:
             groups.append(hits)
     return mixed(groups, top_k, near=_NEAR_NAMED if index.is_name(query) else _NEAR)
@@ -121,7 +122,7 @@ def _holds(asset: Asset, fields: Sequence[str]) -> bool:
     return all(asset.asset_id is not None if field == "thor" else bool(getattr(asset, field)) for field in fields)
 
 
-def _look(asset: Asset, query: str) -> float:
+def look_bonus(asset: Asset, query: str) -> float:
     """Return a small bonus for each colour or material that the query names and the asset has."""
     words = set(re.findall(r"[a-z]+", query.lower()))
     named = words & (COLOURS.keys() | FAMILIES.keys())

@@ -4,12 +4,13 @@ import re
 from functools import lru_cache
 from typing import Final
 
+from mansion_assets.catalogue.asset import Asset
 from mansion_assets.catalogue.catalogue import Catalogue
 from mansion_language import singular
 from mansion_language.colours import COLOUR_WORDS
 from mansion_msgs_py.scene import SceneObject
 
-__all__ = ["Vocabulary", "stems", "vocabulary_of"]
+__all__ = ["Vocabulary", "named_variants", "stems", "vocabulary_of"]
 
 _FILLER: Final = frozenset(["a", "an", "the", "some", "any", "of", "one", "piece"])
 _GENERIC: Final = {
@@ -40,6 +41,12 @@ def stems(text: str) -> tuple[str, ...]:
     return tuple(singular(word) for word in words if word not in _FILLER)
 
 
+def named_variants(catalogue: Catalogue, category: str) -> list[Asset]:
+    """Return the assets of a category with names of their own: the first, which has the package's, and the user's."""
+    first, *others = catalogue.by_category(category)
+    return [first, *(asset for asset in others if asset.record)]
+
+
 class Vocabulary:
     """The names and synonyms of the catalogue's categories.
 
@@ -54,11 +61,11 @@ class Vocabulary:
         self._memory: dict[tuple[str, ...], frozenset[str]] = {}
         self.categories = catalogue.categories
         for category in catalogue.categories:
-            asset = catalogue.by_category(category)[0]
-            for name in (category.replace("_", " "), asset.name):
-                self._names.setdefault(stems(name), {})[category] = None
-            for synonym in asset.synonyms:
-                self._synonyms.setdefault(stems(synonym), {})[category] = None
+            self._names.setdefault(stems(category.replace("_", " ")), {})[category] = None
+            for asset in named_variants(catalogue, category):
+                self._names.setdefault(stems(asset.name), {})[category] = None
+                for synonym in asset.synonyms:
+                    self._synonyms.setdefault(stems(synonym), {})[category] = None
 
     def exact(self, words: tuple[str, ...]) -> list[str]:
         """Return the categories called exactly so; by synonym where none has the name itself."""

@@ -13,6 +13,7 @@ from typing import Final
 from mansion_assets.catalogue.catalogue import Catalogue
 from mansion_assets.catalogue.descriptions import description_of, hypernyms, hypernyms_of, words_alike
 from mansion_assets.catalogue.query_words import QueryWord, plain_words, query_words, stem
+from mansion_assets.catalogue.vocabulary import named_variants
 from mansion_knowledge.common_words import common_words
 
 __all__ = ["WordIndex", "word_index"]
@@ -196,11 +197,12 @@ class WordIndex:
 
 
 def _texts_of(catalogue: Catalogue, category: str) -> dict[str, list[str]]:
-    asset = catalogue.by_category(category)[0]
+    variants = named_variants(catalogue, category)
+    asset = variants[0]
     known = description_of(category)
     return {
-        "name": [asset.name, category.replace("_", " ")],
-        "synonym": list(asset.synonyms),
+        "name": [asset.name, category.replace("_", " "), *_others([asset.name], [[v.name] for v in variants])],
+        "synonym": [*asset.synonyms, *_others(asset.synonyms, [v.synonyms for v in variants])],
         "called": [phrase for phrase in known.called.split("; ") if phrase],
         "use": [known.use],
         "look": [known.look],
@@ -208,6 +210,11 @@ def _texts_of(catalogue: Catalogue, category: str) -> dict[str, list[str]]:
         "tag": list(asset.tags),
         "room": [room.replace("_", " ") for room in asset.rooms[:12]],
     }
+
+
+def _others(first: Sequence[str], groups: Iterable[Sequence[str]]) -> list[str]:
+    """Return the phrases of all groups that are not among the first, each once."""
+    return [phrase for phrase in dict.fromkeys(phrase for group in groups for phrase in group) if phrase not in first]
 
 
 def _postings(texts: Sequence[dict[str, list[str]]], split: Callable[[str], list[str]]) -> dict[str, dict[int, float]]:

@@ -8,7 +8,7 @@ from typing import Final
 
 from mansion_msgs_py.errors import ErrorCode, MansionError
 
-__all__ = ["LIBRARIES", "known_libraries", "libraries_root", "library_folder", "library_folders"]
+__all__ = ["LIBRARIES", "known_libraries", "libraries_root", "library_folder", "library_folders", "stated_libraries"]
 
 LIBRARIES: Final = "MANSION_LIBRARIES"
 """Environment variable with the folder of all libraries that are called by name."""
@@ -55,6 +55,18 @@ def known_libraries() -> list[str]:
     if not root.is_dir():
         return []
     return sorted(entry.name for entry in root.iterdir() if (entry / "assets").is_dir() and _NAME.fullmatch(entry.name))
+
+
+def stated_libraries(names: Iterable[str]) -> list[str]:
+    """Return libraries, all there, as a request states them: by name, or by a path from the root.
+
+    Raises
+    ------
+    MansionError
+        As `library_folders`.
+    """
+    listed = list(names)
+    return [str(folder) if "/" in name else name for name, folder in zip(listed, library_folders(listed), strict=True)]
 
 
 def library_folders(names: Iterable[str]) -> tuple[Path, ...]:

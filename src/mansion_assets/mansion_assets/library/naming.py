@@ -25,11 +25,12 @@ _ID: Final = re.compile(r"[0-9a-f]{12,}|[0-9a-f]{8}-[0-9a-f-]{20,}")
 
 
 class Named(NamedTuple):
-    """A category, the name in words, and whether the catalogue had the category."""
+    """A category, the name in words, whether the catalogue had the category, and how many words led to it."""
 
     category: str
     name: str
     known: bool
+    words: int = 0
 
 
 def plain_name(text: str) -> str:
@@ -64,21 +65,27 @@ def slug(text: str) -> str:
 def category_of(words: str, catalogue: Catalogue) -> Named:
     """Return the category that words mean: the catalogue's by name or synonym, else a new one of that name.
 
-    The head of the words counts where it is a thing by itself, so that a vintage armchair is an armchair.
+    The head of the words counts where it is a thing by itself, so that a vintage armchair is an armchair; else the
+    longest phrase of several words within them, so that a coffee table round is a coffee table.
     """
     name = plain_name(words)
     new = slug(name)
-    if new in catalogue.categories:
-        return Named(new, name, known=True)
-    vocabulary = vocabulary_of(catalogue)
     asked = stems(name)
+    if new in catalogue.categories:
+        return Named(new, name, known=True, words=len(asked))
+    vocabulary = vocabulary_of(catalogue)
     for start in range(len(asked)):
         window = asked[start:]
         found = vocabulary.exact(window)
         if found and (start == 0 or len(window) > 1 or window[0] not in _VAGUE):
-            return Named(found[0], name, known=True)
+            return Named(found[0], name, known=True, words=len(window))
+    for size in range(len(asked) - 1, 1, -1):
+        for start in range(len(asked) - size, -1, -1):
+            found = vocabulary.exact(asked[start : start + size])
+            if found:
+                return Named(found[0], name, known=True, words=size)
     if len(asked) == 1 and vocabulary.generic(asked):
         hits = search_assets(catalogue, asked[0], 1)
         if hits:
-            return Named(hits[0].asset.category, name, known=True)
+            return Named(hits[0].asset.category, name, known=True, words=1)
     return Named(new, name, known=False)

@@ -19,13 +19,13 @@ from mansion_assets.glb_meshes import PieceRecord
 from mansion_assets.joints import Joint
 from mansion_assets.library.annotations import Annotation
 from mansion_assets.library.carriers import level_surfaces
+from mansion_assets.library.masses import guessed_mass
 from mansion_assets.library.mesh_files import Up, read_model
 from mansion_assets.library.naming import Named, category_of, plain_name, slug
 from mansion_assets.library.pieces import METHODS, decomposed, method, piece_record
 from mansion_assets.library.sizes import sizing
 from mansion_assets.library.source_model import Look, SourceModel, SourceSurface
 from mansion_assets.library.urdf import read_urdf
-from mansion_geometry.building_models import object_mass
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import Mount
 from mansion_msgs_py.shapes import Size3
@@ -124,6 +124,11 @@ def prepared(
     record = _record(path, named, (w, d, h), model, options, annotation, alike, facts)
     free = [Box((s.x, s.y, s.z + s.clearance / 2), (s.w, s.d, s.clearance)) for s in record.surfaces]
     pieces = _pieces(model, record.size, free, facts)
+    if record.mass is None:
+        like, opens = alike[0] if alike else None, any(part.joint for part in model.parts)
+        guess = guessed_mass(pieces, record.size, like, _largest(model).look, opens=opens)
+        facts.add(f"mass: {guess.mass:.3g} kg, {guess.how}", stated=False)
+        record = msgspec.structs.replace(record, mass=guess.mass)
     for note in model.notes:
         facts.add(note, stated=False)
     record = msgspec.structs.replace(record, stated=facts.stated, guessed=facts.guessed)
@@ -155,7 +160,7 @@ def _named(
     annotation: Annotation | None,
     facts: _Facts,
 ) -> Named:
-    """Return the category: the user's, the annotation's, or by the names of the file, the model and the folder."""
+    """Return the category: the user's, the annotation's, or by that name of file, model and folder that says most."""
     if options.category:
         named = category_of(options.category, catalogue)
         how, stated = "as asked", True
@@ -165,7 +170,8 @@ def _named(
     else:
         names = [name for name in (path.stem, model.name, path.parent.name) if plain_name(name)]
         found = [category_of(name, catalogue) for name in names]
-        named = next((each for each in found if each.known), found[0] if found else Named("thing", "thing", False))
+        found = found or [Named("thing", "thing", known=False)]
+        named = max(found, key=lambda each: each.words if each.known else 0)
         how, stated = f"by the name {named.name!r}", False
     own = "" if named.known else ", a new one"
     facts.add(f"category: {named.category}{own}, {how}", stated=stated)
@@ -217,7 +223,8 @@ def _record(
     small = max(size) <= _SMALL and mount == "surface"
     pickupable = _first(said.pickupable, like.pickupable if like else None, small)
     mass = said.mass or model.mass
-    facts.add(f"mass: {mass or object_mass(size):.3g} kg" + ("" if mass else ", by its size"), stated=bool(mass))
+    if mass:
+        facts.add(f"mass: {mass:.3g} kg", stated=True)
     surfaces = _surfaces(model, said, alike, mount, pickupable=pickupable, facts=facts)
     licence = options.licence or said.licence
     facts.add(f"licence: {licence or 'not stated'}", stated=bool(licence))

@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from mansion_assets.catalogue import Asset, Catalogue
-from mansion_assets.catalogue.search import SearchHit, having, mixed, word_scores
+from mansion_assets.catalogue.search import SearchHit, having, look_bonus, mixed, word_scores
 from mansion_assets.retrieval.encoders import TextEncoder
 from mansion_assets.retrieval.retriever import Retrieval, TextRetriever
 from mansion_assets.retrieval.vectors import CatalogueVectors
@@ -87,6 +87,8 @@ class EmbeddingRetriever:
         for i in order:
             hit = SearchHit(candidates[i], round(float(scores[i]), 4))
             groups.setdefault(hit.asset.category, []).append(hit)
+        for group in groups.values() if catalogue.preferred else ():
+            group.sort(key=lambda hit: (-look_bonus(hit.asset, query), hit.asset.key not in catalogue.preferred))
         return Retrieval(mixed(list(groups.values()), top_k), note)
 
     def _combined(self, scores: Scores, keys: Sequence[str], query: str, asked: Vectors) -> Scores:

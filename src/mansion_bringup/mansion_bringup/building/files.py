@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
+from mansion_assets.library.building_assets import assets_of
 from mansion_export.formats import Output, Outputs, indexed_outputs
 from mansion_msgs_py.building_folder import floor_directory
 from mansion_msgs_py.codec import encode_bytes
@@ -74,9 +75,10 @@ def kept_files(folder: Path, scenes: Sequence[FloorScene], changed: Sequence[int
     """
     outputs = kept_outputs(folder, [scene.floor for scene in scenes])
     files: dict[str, bytes] = {}
-    for scene in scenes:
-        for output in outputs.floor if scene.floor in changed else ():
-            files |= output.make(scene)
-    for output in outputs.building:
-        files |= output.make(scenes)
+    with assets_of(folder):
+        for scene in scenes:
+            for output in outputs.floor if scene.floor in changed else ():
+                files |= output.make(scene)
+        for output in outputs.building:
+            files |= output.make(scenes)
     return files

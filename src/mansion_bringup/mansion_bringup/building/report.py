@@ -2,7 +2,9 @@
 
 from collections.abc import Mapping, Sequence
 
+from mansion_assets.catalogue import Asset
 from mansion_bringup import __version__
+from mansion_bringup.building.assets import asset_uses
 from mansion_bringup.building.files import building_file_names, floor_file_names
 from mansion_bringup.building.receipt import receipt
 from mansion_export.formats import Outputs
@@ -60,7 +62,11 @@ def _entry(scene: FloorScene, names: Mapping[str, str]) -> FloorEntry:
 
 
 def building_report(
-    plan: PlanReply, layouts: Sequence[FloorLayout], scenes: Sequence[FloorScene], seconds: dict[str, float]
+    plan: PlanReply,
+    layouts: Sequence[FloorLayout],
+    scenes: Sequence[FloorScene],
+    seconds: dict[str, float],
+    own: Sequence[Asset] = (),
 ) -> BuildingReport:
     """Return the content of ``report.json``: what was asked, what was met, what was downgraded."""
     floors = [
@@ -78,6 +84,7 @@ def building_report(
         llm=total_usage([u for u in (plan.llm, *(scene.llm for scene in scenes)) if u is not None]),
         wishes=receipt(plan.program.wishes, plan.program, scenes),
         warnings=[f"floor {lay.floor}: {text}" for lay in layouts for text in lay.messages],
+        assets=asset_uses(own, scenes),
     )
 
 

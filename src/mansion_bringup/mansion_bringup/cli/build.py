@@ -18,7 +18,7 @@ from mansion_bringup.cli.console import (
     print_json,
     progress_bar,
 )
-from mansion_bringup.cli.receipt_table import print_plan_notes, print_receipt, refuse_unmet
+from mansion_bringup.cli.receipt_table import print_own_assets, print_plan_notes, print_receipt, refuse_unmet
 from mansion_bringup.cli.text_argument import TextCommand
 from mansion_bringup.exporting import format_names
 from mansion_export.formats import ALL, export_formats, formats_of_build
@@ -35,10 +35,12 @@ if TYPE_CHECKING:
     from mansion_bringup.pipeline.build import BuildResult
 
 __all__ = [
+    "ASSETS_HELP",
     "COMPLETE_HELP",
     "LAYERS_HELP",
     "PLAN_HELP",
     "given_plan",
+    "library_names",
     "planner_name",
     "read_footprint",
     "register",
@@ -47,6 +49,7 @@ __all__ = [
 
 PLAN_HELP: Final = "A plan to furnish as it is: our JSON, GeoJSON or a room graph."
 COMPLETE_HELP: Final = "What may be added where the plan lacks it: doors, windows, or doors,windows."
+ASSETS_HELP: Final = "Libraries of your own assets that come first: NAME,NAME (mansion assets add)."
 LAYERS_HELP: Final = "Layers of a drawing: rooms=NAME,names=NAME,doors=NAME,windows=NAME."
 
 FORMATS_HELP: Final = f"What to write beside plans and a picture: {ALL}, or some of {', '.join(export_formats())}."
@@ -66,8 +69,15 @@ def request_from_options(
     seed: int,
     planner: Literal["rules", "llm"],
     plan: BuildingPlan | None = None,
+    assets: str = "",
 ) -> BuildRequest:
-    """Return the validated request that the options make."""
+    """Return the validated request that the options make.
+
+    Raises
+    ------
+    MansionError
+        ``INVALID_PAYLOAD`` for options that do not fit, ``NOT_FOUND`` for a library of own assets that is not there.
+    """
     fields = {
         "description": description,
         "floors": floors,
@@ -78,7 +88,25 @@ def request_from_options(
         "planner": planner,
         "plan": None if plan is None else to_builtins(plan),
     }
+    if names := library_names(assets):
+        fields["assets"] = names
     return convert(BuildRequest, fields)
+
+
+def library_names(listed: str) -> list[str]:
+    """Return the libraries in a list with commas between them, all there; paths lead from the root.
+
+    Raises
+    ------
+    MansionError
+        ``NOT_FOUND`` with those that there are.
+    """
+    named = [name.strip() for name in listed.split(",") if name.strip()]
+    if not named:
+        return []
+    from mansion_assets.library.folders import stated_libraries
+
+    return stated_libraries(named)
 
 
 def given_plan(file: Path | None, complete: str, layers: str) -> BuildingPlan | None:
@@ -137,6 +165,7 @@ def build(
     planner: Annotated[
         str, typer.Option(help="rules, or llm: a language model reads and plans, rules fill its gaps.")
     ] = "rules",
+    assets: Annotated[str, typer.Option(help=ASSETS_HELP)] = "",
     formats: Annotated[str, typer.Option(help=FORMATS_HELP)] = "",
     graph: Annotated[bool, typer.Option("--graph", help="Build through the node graph.")] = False,
     jobs: Annotated[int, typer.Option(min=0, help="Floors in work at once, buildings with --from; 0: all cores.")] = 0,
@@ -162,6 +191,8 @@ def build(
 
       mansion build "a clinic" --formats mjcf,nav2 -o out/clinic
 
+      mansion build "a cafe with an espresso bar" --assets shop -o out/cafe      (docs/tutorial_assets.md)
+
       mansion build --plan house.json --complete windows -o out/house      (docs/plans.md)
 
       mansion build --from briefs.csv --jobs 2 -o out/many     (columns: brief, and name, seed, floors, floor_area, ...)
@@ -169,7 +200,9 @@ def build(
     if briefs is not None:
         beside = {"--graph": graph, "--strict": strict, "--force": force, "--plan": plan is not None}
         _refuse_beside_a_list(description, beside)
-        defaults = request_from_options("", floors, area, floor_area, footprint, seed, planner_name(planner))
+        defaults = request_from_options(
+            "", floors, area, floor_area, footprint, seed, planner_name(planner), assets=assets
+        )
         build_briefs(briefs, output, defaults, jobs, _prepared_formats(formats))
         return
     given = given_plan(plan, complete, layers)
@@ -178,7 +211,7 @@ def build(
             ErrorCode.INVALID_PAYLOAD, "there is no brief; give a sentence, a plan with --plan, or a file with --from"
         )
     request = request_from_options(
-        description or "", floors, area, floor_area, footprint, seed, planner_name(planner), given
+        description or "", floors, area, floor_area, footprint, seed, planner_name(planner), given, assets
     )
     names = _prepared_formats(formats)
     if strict:
@@ -302,5 +335,6 @@ def _print_summary(result: "BuildResult") -> None:
         highlight=False,
     )
     print_receipt(building.wishes)
+    print_own_assets(result.report, building.request.libraries)
     if building.request.plan is not None:
         print_plan_notes(program.downgrades)

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from mansion_bringup.cli.build import ASSETS_HELP, library_names
 from mansion_bringup.cli.console import err, print_json
 from mansion_bringup.cli.text_argument import TextCommand
 from mansion_bringup.extras import ensure_extra
@@ -35,6 +36,7 @@ def edit(
     planner: Annotated[str, typer.Option(help="Who plans an instruction: rules or llm.")] = "rules",
     physics: Annotated[str, typer.Option(help="What settles objects: mujoco, static or thor.")] = "mujoco",
     who: Annotated[str, typer.Option(help="Name for the log; yours when absent.")] = "",
+    assets: Annotated[str, typer.Option(help=ASSETS_HELP)] = "",
     dry_run: Annotated[bool, typer.Option("--dry-run", help="Show it, change nothing.")] = False,
     partly: Annotated[bool, typer.Option("--partly", help="Do what is understood and possible of it.")] = False,
     as_json: Annotated[bool, typer.Option("--json", help="The agent's report as JSON.")] = False,
@@ -61,7 +63,8 @@ def edit(
     is_tool = what in TOOLS
     if arguments is not None and not is_tool:
         raise MansionError(ErrorCode.NOT_FOUND, f"there is no tool {what!r}; tools are {', '.join(TOOLS)}")
-    editor = open_editor(building, physics=physics if not is_tool or what in _WRITES else "static", who=who)
+    settled = physics if not is_tool or what in _WRITES else "static"
+    editor = open_editor(building, physics=settled, who=who, assets=library_names(assets))
     editor.autosave = not dry_run
     reports: list[AgentReport] = []
     if is_tool:

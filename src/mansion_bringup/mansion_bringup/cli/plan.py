@@ -7,6 +7,7 @@ import msgspec
 import typer
 
 from mansion_bringup.cli.build import (
+    ASSETS_HELP,
     COMPLETE_HELP,
     LAYERS_HELP,
     PLAN_HELP,
@@ -40,6 +41,7 @@ def plan(
     planner: Annotated[
         str, typer.Option(help="rules, or llm: a language model reads and plans, rules fill its gaps.")
     ] = "rules",
+    assets: Annotated[str, typer.Option(help=ASSETS_HELP)] = "",
     strict: Annotated[bool, typer.Option("--strict", help="Refuse what meets a wish in part or not at all.")] = False,
     as_json: Annotated[bool, typer.Option("--json", help="The program as JSON alone.")] = False,
 ) -> None:
@@ -58,7 +60,9 @@ def plan(
     from mansion_bringup.pipeline.planning import plan_request
 
     given = given_plan(plan, complete, layers)
-    request = request_from_options(description, floors, area, floor_area, footprint, seed, planner_name(planner), given)
+    request = request_from_options(
+        description, floors, area, floor_area, footprint, seed, planner_name(planner), given, assets
+    )
     reply = plan_request(request)
     wishes = receipt_of_plan(reply.program, reply.topologies)
     if strict:

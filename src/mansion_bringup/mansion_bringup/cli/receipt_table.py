@@ -8,11 +8,12 @@ from rich.text import Text
 
 from mansion_bringup.building.wish_words import STATUS_WORDS, read_as, receipt_summary
 from mansion_bringup.cli.console import out
+from mansion_msgs_py.building import BuildingReport
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.program import Downgrade
 from mansion_msgs_py.wishes import Wish
 
-__all__ = ["print_plan_notes", "print_receipt", "receipt_table", "refuse_unmet"]
+__all__ = ["print_own_assets", "print_plan_notes", "print_receipt", "receipt_table", "refuse_unmet"]
 
 _COLOURS: Final = {"met": "green", "partly": "yellow", "not_met": "red", "not_understood": "magenta", "": ""}
 
@@ -54,6 +55,15 @@ def print_plan_notes(downgrades: Sequence[Downgrade]) -> None:
     for entry in downgrades:
         floor = "" if entry.floor is None else f"floor {entry.floor}, "
         out.print(f"{floor}{entry.wish}: {entry.got} ({entry.reason})", markup=False, highlight=False)
+
+
+def print_own_assets(report: BuildingReport, libraries: Sequence[str]) -> None:
+    """Print which of the user's assets a building has, where libraries were named or it has any."""
+    if report.assets:
+        named = ", ".join(f"{use.objects} x {use.asset}" for use in report.assets)
+        out.print(f"own assets: {named}", markup=False, highlight=False)
+    elif libraries:
+        out.print(f"own assets: none; no room has a use for those of {', '.join(libraries)}", markup=False)
 
 
 def refuse_unmet(wishes: Sequence[Wish]) -> None:

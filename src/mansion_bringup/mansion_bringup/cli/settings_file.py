@@ -36,7 +36,7 @@ DEFAULT_FILE: Final = Path("mansion.toml")
 LLM: Final = "llm"
 """The table of the language model's settings."""
 
-SHARED: Final = ("planner", "formats", "seed", "jobs", "physics", "strict", "namespace", "quiet", "verbose")
+SHARED: Final = ("planner", "formats", "assets", "seed", "jobs", "physics", "strict", "namespace", "quiet", "verbose")
 """Options that may stand at the top: they mean the same to every command that has them."""
 
 _SAID_EACH_TIME: Final = frozenset({"output", "force", "reset", "help", "version", "config"})
@@ -153,7 +153,7 @@ class _Reader:
         for key, value in tables.items():
             if key == LLM:
                 continue
-            if key in SHARED:
+            if key in SHARED and not isinstance(value, Mapping):  # [assets.list] is a command's
                 options[(), key] = self._shared(key, value, by_path)
             elif key in groups and isinstance(value, Mapping):
                 options |= self._table((key,), value, by_path)

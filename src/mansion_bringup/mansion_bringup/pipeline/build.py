@@ -12,6 +12,10 @@ from typing import TypeVar
 import msgspec
 from shapely.geometry import Polygon
 
+from mansion_assets.catalogue.preferred import preferring
+from mansion_assets.library.building_assets import asset_files
+from mansion_assets.library.folders import library_folders
+from mansion_bringup.building.assets import assets_in
 from mansion_bringup.building.files import floor_files
 from mansion_bringup.building.report import building_index, building_report
 from mansion_bringup.building.workspace import Workspace
@@ -53,6 +57,7 @@ class _Job:
     """The state of a running build."""
 
     request: BuildRequest
+    folders: tuple[Path, ...]
     stages: Stages
     report: Report
     cancelled: Callable[[], bool]
@@ -124,19 +129,22 @@ def build_building(
         format that does not exist, ``UNAVAILABLE`` for one whose extra is missing.
     """
     request = identified(request)
+    folders = library_folders(request.libraries)
     chosen, outputs = _formats(formats)
-    job = _Job(request, stages or LocalStages(), report, cancelled, outputs)
+    job = _Job(request, folders, stages or LocalStages(), report, cancelled, outputs)
     started = time.perf_counter()
     executors = local_executors(jobs, outputs) if stages is None else service_executors(stages, jobs, exporter)
     folder = Workspace(output, request, formats=chosen, force=force)
-    with _told_of_killed_workers(), folder as workspace, executors:
+    with _told_of_killed_workers(), folder as workspace, executors, preferring(folders):
         plan = _plan(job, workspace)
         layouts = _solve(job, workspace, executors, plan)
         scenes = _furnish(job, workspace, executors, plan, layouts)
+        own = assets_in(scenes)
+        workspace.write(asset_files(own))
         index = building_index(request, plan, scenes, outputs)
         checking = executors.exporter.submit(floor_faults, index.building_id, scenes, plan.topologies)
         _write_building(job, workspace, executors, index, scenes)
-        summary = building_report(plan, layouts, scenes, job.seconds)
+        summary = building_report(plan, layouts, scenes, job.seconds, own)
         workspace.write({"report.json": encode_bytes(summary, indent=1)})
         faults = _check(job, workspace, checking, index, layouts, scenes)
         job.timed("total", time.perf_counter() - started)
@@ -220,7 +228,9 @@ def _furnish(
     futures: dict[int, Future[tuple[dict[str, bytes], float, float]]] = {}
     for index, floor in enumerate(plan.program.floors):
         if not workspace.floor_done(floor.index):
-            futures[index] = executors.furnish(_furnish_task, plan, layouts[index], index, job.outputs.floor)
+            futures[index] = executors.furnish(
+                _furnish_task, plan, layouts[index], index, job.outputs.floor, job.request.libraries, job.folders
+            )
     scenes = []
     for index, floor in enumerate(plan.program.floors):
         if index in futures:
@@ -243,15 +253,23 @@ def _furnish_task(
     layout: FloorLayout,
     index: int,
     outputs: Sequence[Output],
+    libraries: Sequence[str],
+    folders: Sequence[Path],
 ) -> tuple[dict[str, bytes], float, float]:
     started = time.perf_counter()
-    scene = furnish(stages or LocalStages(), plan, layout, index)
+    scene = furnish(stages or LocalStages(), plan, layout, index, libraries)
     furnished = time.perf_counter()
     files = at_stage(
         f"export (floor {scene.floor})",
-        lambda: _call(exporter, floor_files, plan.topologies[index], layout, scene, outputs),
+        lambda: _call(exporter, _preferring, folders, floor_files, plan.topologies[index], layout, scene, outputs),
     )
     return files, furnished - started, time.perf_counter() - furnished
+
+
+def _preferring(folders: Sequence[Path], make: Callable[..., T], *arguments: object) -> T:
+    """Call a function where the build's own assets are preferred, in whatever thread or process it runs."""
+    with preferring(folders):
+        return make(*arguments)
 
 
 def _call(exporter: Executor | None, export: Callable[..., dict[str, bytes]], *arguments: object) -> dict[str, bytes]:
@@ -274,7 +292,9 @@ def _write_building(
 ) -> None:
     job.step("export", "writing the building")
     started = time.perf_counter()
-    futures = [executors.exporter.submit(output.make, scenes) for output in job.outputs.building]
+    futures = [
+        executors.exporter.submit(_preferring, job.folders, output.make, scenes) for output in job.outputs.building
+    ]
     for made in futures:
         workspace.write(at_stage("export", made.result))
     workspace.write({INDEX: encode_bytes(index, indent=1)})
@@ -357,8 +377,10 @@ def _missed_area(problem: FloorProblem, layout: FloorLayout) -> float:
     return float(sum(abs(found - area) for area, found in wanted if abs(found - area) > _KEPT * area))
 
 
-def furnish(stages: Stages, plan: PlanReply, layout: FloorLayout, index: int) -> FloorScene:
-    """Furnish the floor at position `index` (Algorithm 1, lines 9 to 17)."""
+def furnish(
+    stages: Stages, plan: PlanReply, layout: FloorLayout, index: int, libraries: Sequence[str] = ()
+) -> FloorScene:
+    """Furnish the floor at position `index` (Algorithm 1, lines 9 to 17), with own assets of libraries first."""
     program = plan.program
     floor = program.floors[index]
     request = FurnishRequest(
@@ -374,5 +396,6 @@ def furnish(stages: Stages, plan: PlanReply, layout: FloorLayout, index: int) ->
         seed=program.seed,
         planner="llm" if plan.llm is not None else "rules",
         description=program.description if plan.llm is not None else "",
+        assets=tuple(libraries) or msgspec.UNSET,
     )
     return at_stage(f"furnish_floor (floor {floor.index})", lambda: stages.furnish(request))

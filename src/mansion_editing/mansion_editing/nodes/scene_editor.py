@@ -13,7 +13,7 @@ from rcl_interfaces.msg import ParameterDescriptor, SetParametersResult
 from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
 from rclpy.parameter import Parameter
 
-from mansion_assets.catalogue import load_catalogue
+from mansion_assets.library.building_assets import catalogue_for
 from mansion_assets.retrieval.configured import configured_retriever
 from mansion_editing.editor import TOOLS, SceneEditor
 from mansion_editing.instructions.instruct import instruct
@@ -75,7 +75,7 @@ class SceneEditorNode(MansionNode):
         store = BuildingStore(Path(args.path), validator=validator, records=records, clock=_time, allowed=self._allowed)
         editor = SceneEditor(
             store,
-            load_catalogue(),
+            catalogue_for(store.folder, remembered=store.building.request.libraries),
             engine_named(self._physics()),
             who=args.who or args.editor or "scene_editor",
             autosave=args.autosave,

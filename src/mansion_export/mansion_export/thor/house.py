@@ -8,6 +8,7 @@ import numpy as np
 import shapely
 from shapely.geometry import Polygon, box
 
+from mansion_export.licences import PROJECT, licence_records
 from mansion_export.thor.layers import room_layers
 from mansion_export.thor.reachability import ENOUGH_POSITIONS, GRID, connected_positions
 from mansion_export.thor.vocabulary import AGENT_MODES, LAYERS, SCHEMA, ceiling_material, floor_material, room_type, sky
@@ -224,6 +225,8 @@ def _provenance(scene: FloorScene, omitted: list[Json]) -> Json:
             for core in scene.cores
         ],
         "omitted": omitted,
+        "copyright": PROJECT,
+        "licences": licence_records([scene]),
     }
 
 

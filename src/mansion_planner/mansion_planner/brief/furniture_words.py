@@ -1,6 +1,6 @@
 """Which furniture of the asset catalogue a phrase of a brief names."""
 
-from functools import cache
+from functools import lru_cache
 from typing import TYPE_CHECKING
 
 from mansion_language import singular
@@ -8,7 +8,7 @@ from mansion_language import singular
 if TYPE_CHECKING:
     from mansion_assets.catalogue import Catalogue
 
-__all__ = ["furniture_of", "furniture_vocabulary"]
+__all__ = ["furniture_of", "furniture_vocabulary", "own_furniture_of"]
 
 
 def furniture_of(words: tuple[str, ...]) -> tuple[str, int]:
@@ -25,6 +25,16 @@ def furniture_of(words: tuple[str, ...]) -> tuple[str, int]:
         if category is not None:
             return category, size if category else 0
     return "", 0
+
+
+def own_furniture_of(words: tuple[str, ...]) -> str:
+    """Return the category of a preferred asset whose name, of several words, ends a phrase; empty for none.
+
+    Such a name says the thing and not a room that is called so ("espresso bar").
+    """
+    table = _own_phrases_of(_present_catalogue())
+    tails = (words[start:] for start in range(len(words) - 1)) if table else ()
+    return next((table[tail] for tail in tails if tail in table), "")
 
 
 _MEANT = {
@@ -101,7 +111,7 @@ def furniture_vocabulary() -> frozenset[str]:
     return _words_of(_present_catalogue())
 
 
-@cache
+@lru_cache(maxsize=8)
 def _words_of(catalogue: "Catalogue") -> frozenset[str]:
     return frozenset(word for phrase, category in _phrases_of(catalogue).items() if category for word in phrase)
 
@@ -117,16 +127,30 @@ def _present_catalogue() -> "Catalogue":
     return load_catalogue()
 
 
-@cache
+def _key(phrase: str) -> tuple[str, ...]:
+    return tuple(singular(word) for word in phrase.lower().replace("-", " ").replace("_", " ").split())
+
+
+@lru_cache(maxsize=8)
+def _own_phrases_of(catalogue: "Catalogue") -> dict[tuple[str, ...], str]:
+    """Phrases for preferred assets, by their words in the singular."""
+    table: dict[tuple[str, ...], str] = {}
+    for asset in (catalogue.asset(key) for key in sorted(catalogue.preferred)):
+        for phrase in (asset.category.replace("_", " "), asset.name, *asset.synonyms):
+            table.setdefault(_key(phrase), asset.category)
+    return table
+
+
+@lru_cache(maxsize=8)
 def _phrases_of(catalogue: "Catalogue") -> dict[tuple[str, ...], str]:
     """Phrases of an asset catalogue, by their words in the singular; names win over synonyms."""
     table: dict[tuple[str, ...], str] = {}
     for names in (True, False):
         for category in catalogue.categories:
-            asset = catalogue.by_category(category)[0]
-            for phrase in (category.replace("_", " "), asset.name) if names else asset.synonyms:
-                key = tuple(singular(word) for word in phrase.lower().replace("-", " ").replace("_", " ").split())
-                table.setdefault(key, category)
+            first, *others = catalogue.by_category(category)
+            for asset in (first, *(other for other in others if other.record)):
+                for phrase in (category.replace("_", " "), asset.name) if names else asset.synonyms:
+                    table.setdefault(_key(phrase), category)
     for phrase, category in _MEANT.items():
         table[tuple(phrase.split())] = category
     return table

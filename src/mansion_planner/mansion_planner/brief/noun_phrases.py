@@ -7,7 +7,7 @@ phrase, else a noun that can head a room's name ("honey room"), else a piece of 
 from collections import Counter
 from dataclasses import replace
 
-from mansion_planner.brief.furniture_words import furniture_of
+from mansion_planner.brief.furniture_words import furniture_of, own_furniture_of
 from mansion_planner.brief.lexicon import Mention, lexicon_of
 from mansion_planner.brief.own_names import by_own_name, with_own_names
 from mansion_planner.brief.phrase import (
@@ -299,6 +299,8 @@ def _headed(reading: Reading, begin: int, end: int, *, whole: bool) -> Phrase | 
         return None  # "two kitchens, a meat one and a dairy one"
     if _is_figurative(reading, begin, end):
         return None
+    if own := own_furniture_of(reading.words(begin, end)):
+        return finished_phrase(reading, "object", begin, end, category=own)
     category, size = furniture_of(reading.words(begin, end))
     if last == "screen" and all(word in PLAIN for word in reading.words(begin, end - 1)) and _in_cinema(reading):
         return finished_phrase(reading, "room", begin, end, room="cinema_hall")

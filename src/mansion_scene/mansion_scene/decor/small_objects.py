@@ -285,6 +285,7 @@ class _Filler:
         names = [category] if isinstance(category, str) else category
         name = names[int(self.rng.integers(len(names)))]
         assets = [a for a in self.catalogue.by_category(name) if a.mount in ("surface", "floor")]
+        assets = self.catalogue.favoured(assets)
         if not assets:
             return None
         drawn = assets[int(self.rng.integers(len(assets)))]

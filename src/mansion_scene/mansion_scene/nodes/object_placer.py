@@ -7,6 +7,7 @@ from rcl_interfaces.msg import ParameterDescriptor
 from rclpy.callback_groups import ReentrantCallbackGroup
 
 from mansion_assets.catalogue import load_catalogue
+from mansion_assets.library.folders import library_folders
 from mansion_msgs_py.interfaces import service, topic
 from mansion_msgs_py.nodes.node import MansionNode
 from mansion_msgs_py.nodes.run import run_node
@@ -32,7 +33,8 @@ class ObjectPlacer(MansionNode):
     def furnish(self, request: FurnishRequest) -> FloorScene:
         """Furnish one floor and publish its scene."""
         folders = self.get_parameter("catalogue_folders").value or []
-        catalogue = load_catalogue([Path(folder) for folder in folders if folder] or None)
+        named = [Path(folder) for folder in folders if folder] or None
+        catalogue = load_catalogue(named, preferred=library_folders(request.libraries))
         scene = furnish_floor(request, catalogue=catalogue)
         self._scenes.publish(scene)
         self.get_logger().info(

@@ -105,7 +105,7 @@ class Houses:
 def _read(building: LoadedBuilding, floor: int) -> Json:
     file = exported(building, floor, HOUSE)
     if file is None:
-        (data,) = made(building.scene(floor), HOUSE).values()
+        (data,) = made(building, floor, HOUSE).values()
     else:
         data = file.read_bytes()
     house: Json = json.loads(data)

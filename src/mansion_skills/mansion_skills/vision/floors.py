@@ -80,7 +80,7 @@ class Floors:
             building = self.world.building
             path = exported(building, floor, MODEL)
             if path is None:
-                self._files[floor] = ModelFile.made(made(building.scene(floor), MODEL))
+                self._files[floor] = ModelFile.made(made(building, floor, MODEL))
             else:
                 self._files[floor] = ModelFile.read(path)
         self._files.move_to_end(floor)

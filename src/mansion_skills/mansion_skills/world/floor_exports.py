@@ -46,6 +46,9 @@ class FloorExport:
 MODEL: Final = FloorExport("model", "model.xml", "mjcf", "mansion_export.mjcf:mjcf_files")
 HOUSE: Final = FloorExport("house", "house.json", "thor", "mansion_export.thor.house:house_files")
 
+_ASSETS: Final = "mansion_assets.catalogue.preferred:preferring"
+"""What tells that function of the own assets in the building's folder."""
+
 
 def exported(building: BuildingFolder, floor: int, what: FloorExport) -> Path | None:
     """Return the file of a floor that the building's folder has, or ``None``."""
@@ -53,7 +56,7 @@ def exported(building: BuildingFolder, floor: int, what: FloorExport) -> Path | 
     return file if file.is_file() else None
 
 
-def made(scene: FloorScene, what: FloorExport) -> dict[str, bytes]:
+def made(building: BuildingFolder, floor: int, what: FloorExport) -> dict[str, bytes]:
     """Return the files of a floor by path in the building's folder, made in memory.
 
     Raises
@@ -61,13 +64,16 @@ def made(scene: FloorScene, what: FloorExport) -> dict[str, bytes]:
     MansionError
         ``NOT_FOUND`` where what makes them is not installed.
     """
-    return _made(encode_bytes(scene), what)
+    own = building.path / "assets"
+    return _made(encode_bytes(building.scene(floor)), what, building.path.resolve() if own.is_dir() else None)
 
 
 @lru_cache(maxsize=_KEPT)
-def _made(scene: bytes, what: FloorExport) -> dict[str, bytes]:
+def _made(scene: bytes, what: FloorExport, assets: Path | None) -> dict[str, bytes]:
+    """Make the files of a scene whose own assets, if it has any, are in a building's folder."""
     try:
         function: Any = resolve_name(what.function)
+        preferring: Any = resolve_name(_ASSETS)
     except ImportError:
         raise MansionError(
             ErrorCode.NOT_FOUND,
@@ -75,5 +81,6 @@ def _made(scene: bytes, what: FloorExport) -> dict[str, bytes]:
             f"`mansion export DIR --to {what.to}` writes it where it is",
             path="$.path",
         ) from None
-    files: dict[str, bytes] = function(decode(FloorScene, scene))
+    with preferring([] if assets is None else [assets]):
+        files: dict[str, bytes] = function(decode(FloorScene, scene))
     return files
