@@ -49,6 +49,18 @@ def test_two_exits_are_apart_by_a_third_of_the_diagonal(sample_floors):
     assert apart >= math.hypot(30, 11) / 3
 
 
+def test_no_exit_leads_over_the_parapet_of_a_terrace(sample_floors):
+    rooms = {
+        "hall": ("corridor", box(0, 0, 4, 4)),
+        "dining": ("restaurant", box(0, 4, 30, 11)),
+        "terrace": ("roof_terrace", box(0, 11, 34, 15)),
+    }
+    edges = [("hall", "dining"), ("dining", "terrace")]
+    doors = outer_doors(built(sample_floors, rooms, edges, building_type="restaurant_building"))
+    assert len(doors) >= 2
+    assert not any("F1/terrace" in door.rooms for door in doors)
+
+
 def test_a_way_around_a_corner_counts_in_full(sample_floors):
     rooms = {"hall": ("corridor", box(0, 0, 20, 3)), "store": ("archive", box(0, 3, 20, 17))}
     assert len(outer_doors(built(sample_floors, rooms, [("hall", "store")]))) == 2

@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from shapely.geometry import Polygon
 
-from mansion_knowledge import default_knowledge
+from mansion_knowledge import default_knowledge, is_class
 from mansion_knowledge.norms import load_norms
 from mansion_msgs_py.shapes import Point
 from mansion_scene.structure.boundaries import BoundarySegment
@@ -73,7 +73,7 @@ def _farthest(
         found = [
             opening
             for region in floor.regions
-            if region.is_room and leads_out(region)
+            if region.is_room and leads_out(region) and not is_class(region.room_type, "outdoor")
             for opening in exit_doors(floor, boundaries, region, frontages, nets)
             if away(opening) >= least
         ]
