@@ -16,7 +16,7 @@ from mansion_msgs_py.codec import decode, decode_reply, encode
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.interface_types import DEFAULT_NAMESPACE
 
-__all__ = ["CALL_TIMEOUT", "absolute_namespace", "json_argument", "quick_call"]
+__all__ = ["CALL_TIMEOUT", "absolute_namespace", "json_argument", "call_quickly"]
 
 CALL_TIMEOUT: Final = 600.0
 """Seconds for the answer of a call that does not say how long it may take."""
@@ -27,7 +27,7 @@ SHORTEST: Final = 0.1
 _OPTIONS: Final = {"-n": "namespace", "--namespace": "namespace", "--timeout": "timeout"}
 
 
-def quick_call(words: Sequence[str]) -> bool:
+def call_quickly(words: Sequence[str]) -> bool:
     """Do ``call SERVICE [JSON] [--namespace NAME] [--timeout SECONDS]`` by the socket of a graph, and print the reply.
 
     Parameters
