@@ -13,6 +13,7 @@ from mansion_msgs_py.wording import counted, with_article
 from mansion_planner.brief.facts import BriefFacts, FloorRef, Quantity, Span
 from mansion_planner.program.footprint import check_footprint, is_rectangle
 from mansion_planner.program.program_size import ProgramSize, size_of_program
+from mansion_planner.program.usual_meanings import as_meant_in
 
 __all__ = ["AREA_CAP", "Decisions", "MOST_FLOORS", "conflict", "decide", "note", "quoted"]
 
@@ -88,6 +89,7 @@ def decide(
     given_way: list[Downgrade] = []
     stated, facts = facts, _settled(facts, given_way)
     building = _building(facts, knowledge, trace)
+    stated, facts = as_meant_in(building, stated), as_meant_in(building, facts)
     sized = request.floors or request.area or request.floor_area or request.footprint or facts.floors
     size = None if sized else size_of_program(facts, building, knowledge)
     floors, facts = _floors(request, facts, building, size, trace, generator, given_way)

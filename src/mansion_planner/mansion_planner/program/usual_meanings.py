@@ -1,0 +1,70 @@
+"""What a plain word means in a kind of building: "the kitchen" of a restaurant is a commercial one."""
+
+from dataclasses import replace
+
+from mansion_knowledge import BuildingType
+from mansion_planner.brief.facts import AdjacencyFact, BriefFacts, RoomFact
+
+__all__ = ["as_meant_in"]
+
+_MEANT = {"kitchen": "commercial_kitchen", "open_kitchen": "commercial_kitchen", "dining_room": "restaurant"}
+"""Rooms of homes, by their plain names, and what they are where a building has that for its guests."""
+
+_PRIVATE = frozenset({"bedroom", "master_bedroom", "living_room", "bathroom"})
+
+
+def as_meant_in(building: BuildingType, facts: BriefFacts) -> BriefFacts:
+    """Return facts in which rooms with a plain name are of the kind that the building has of its own.
+
+    Names stay, but the only room of the kind that guests enter by is that one, unless it has an area of its own.
+    Rooms within units are those of a home, and so are rooms on storeys that a home shares; where the brief names the
+    building's own kind as well, it tells the two apart.
+
+    Examples
+    --------
+    >>> from mansion_knowledge import default_knowledge
+    >>> from mansion_planner.brief.facts import Span
+    >>> restaurant = default_knowledge().buildings["restaurant_building"]
+    >>> facts = BriefFacts(rooms=[RoomFact("kitchen", "kitchen", Span(0, 7, "kitchen"))])
+    >>> [(room.name, room.room_type) for room in as_meant_in(restaurant, facts).rooms]
+    [('kitchen', 'commercial_kitchen')]
+    """
+    own = {entry.room_type for entries in building.storeys.values() for entry in entries} | {building.hub}
+    stated = {room.room_type for room in facts.rooms}
+    meant = {plain: kind for plain, kind in _MEANT.items() if kind in own and kind not in stated}
+    at_home = {room.floors for room in facts.rooms if room.room_type in _PRIVATE}
+    if not meant or any(room.name in meant and room.floors in at_home for room in facts.rooms):
+        return facts
+
+    def kind(name: str) -> str:
+        return meant.get(name, name)
+
+    entered = [room for room in facts.rooms if kind(room.name) == building.hub]
+    is_hub = [room.count for room in entered] == [1] and not entered[0].area
+
+    def name(own: str) -> str:
+        return building.hub if is_hub and kind(own) == building.hub else own
+
+    def as_meant(room: RoomFact) -> RoomFact:
+        label = room.label or room.name.replace("_", " ")
+        return replace(room, room_type=kind(room.name), name=name(room.name), label=label)
+
+    def beside(fact: AdjacencyFact) -> AdjacencyFact:
+        first = kind(fact.first) if fact.first_name in ("", fact.first) else fact.first
+        second = kind(fact.second) if fact.second_name in ("", fact.second) else fact.second
+        return replace(fact, first=first, second=second)
+
+    return replace(
+        facts,
+        rooms=[as_meant(room) if room.name in meant else room for room in facts.rooms],
+        excluded=[(kind(name), span) for name, span in facts.excluded],
+        excluded_on=[(kind(name), floor, span) for name, floor, span in facts.excluded_on],
+        adjacent=[beside(fact) for fact in facts.adjacent],
+        apart=[beside(fact) for fact in facts.apart],
+        objects=[
+            replace(o, room_type=kind(o.room_type), room=name(o.room)) if o.room in ("", o.room_type) else o
+            for o in facts.objects
+        ],
+        heights=[replace(fact, room_type=kind(fact.room_type)) for fact in facts.heights],
+        materials=[replace(fact, room_type=kind(fact.room_type)) for fact in facts.materials],
+    )

@@ -1,0 +1,61 @@
+"""Plain names of rooms mean what the kind of building has: guests of a restaurant eat from one kitchen."""
+
+import pytest
+
+from mansion_msgs_py.program import FloorProgram
+from mansion_msgs_py.request import BuildRequest
+from mansion_planner.plan import plan_building
+
+
+def floors(text: str) -> list[FloorProgram]:
+    """Return the storeys planned for a description."""
+    return plan_building(BuildRequest(description=text)).program.floors
+
+
+def types(floor: FloorProgram) -> list[tuple[str, str]]:
+    """Return (name, type) of the kitchens and dining rooms of a storey."""
+    return sorted(
+        (room.id, room.room_type)
+        for room in floor.rooms
+        if room.room_type in ("kitchen", "open_kitchen", "commercial_kitchen", "dining_room", "restaurant")
+    )
+
+
+@pytest.mark.parametrize("kitchen", ["kitchen", "open kitchen"])
+def test_the_kitchen_of_a_restaurant_is_its_commercial_one(kitchen: str) -> None:
+    (ground,) = floors(f"a restaurant with a {kitchen}")
+    assert types(ground) == [(kitchen.replace(" ", "_"), "commercial_kitchen"), ("restaurant", "restaurant")]
+
+
+def test_the_dining_room_of_a_restaurant_is_where_guests_come_in() -> None:
+    (ground,) = floors("a restaurant with a dining room and a kitchen")
+    assert types(ground) == [("kitchen", "commercial_kitchen"), ("restaurant", "restaurant")]
+    assert ground.rooms[0].name == "dining room"
+
+
+def test_several_dining_rooms_are_rooms_for_guests() -> None:
+    (ground,) = floors("a restaurant with two dining rooms and a kitchen")
+    assert [kind for name, kind in types(ground) if name.startswith("dining_room")] == ["restaurant"] * 2
+
+
+def test_a_restaurant_without_a_kitchen_has_none() -> None:
+    (ground,) = floors("a restaurant without a kitchen")
+    assert types(ground) == [("restaurant", "restaurant")]
+
+
+def test_the_kitchen_of_a_flat_above_is_that_of_a_home() -> None:
+    ground, upper = floors(
+        "A restaurant on two floors. Ground floor: restaurant and bar. Upper floor: kitchen, living room, bedroom."
+    )
+    assert ("kitchen", "kitchen") in types(upper)
+    assert "commercial_kitchen" in dict(types(ground))
+
+
+def test_a_brief_that_tells_two_kitchens_apart_gets_both() -> None:
+    (ground,) = floors("a restaurant with a commercial kitchen and a kitchen")
+    assert {"commercial_kitchen", "kitchen"} <= {kind for _, kind in types(ground)}
+
+
+def test_the_kitchen_of_a_house_stays_one() -> None:
+    (ground,) = floors("a bungalow with a kitchen and a dining room")
+    assert {kind for _, kind in types(ground)} == {"kitchen", "dining_room"}
