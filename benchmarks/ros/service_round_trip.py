@@ -10,8 +10,9 @@ side and are measured in turns; the others stand idle meanwhile:
     (c) MansionClient and a node of run_node and add_json_service, loopback profile (the aim is 1.3 times (a))
 
 Bare clients call synchronously beside a thread that spins. The tables give
-milliseconds of small calls and of large texts, and then the seconds of whole commands: ``mansion call`` of the echo
-(the aim is 0.7 s), and a script from its start to the moment at which its MansionClient sees the service.
+milliseconds of small calls and of large texts, and then the seconds of whole commands in turns: ``mansion call`` of the
+echo by way of a resident client, as ``mansion up`` offers one (the aim is 0.7 s), the same with a participant of its
+own, a Python that ends at once, and a script from its start to the moment at which its MansionClient sees the service.
 
 The command runs as ``python -m mansion_bringup``; with ``--launcher`` as ``./mansion``, which first makes its
 environment anew when the requirements have changed.
@@ -22,6 +23,7 @@ import json
 import statistics
 import subprocess
 import sys
+import tempfile
 import threading
 import time
 from collections.abc import Callable, Sequence
@@ -139,6 +141,16 @@ def match() -> None:
         say([*moments, time.monotonic()])
 
 
+def keep() -> None:
+    """Offer a resident client, as ``mansion up`` does, until the end of the input."""
+    from mansion_bringup.graph.resident_client import ResidentClient
+    from mansion_msgs_py.interfaces import DEFAULT_NAMESPACE
+
+    with ResidentClient(DEFAULT_NAMESPACE):
+        say("ready")
+        sys.stdin.read()
+
+
 def worker(role: str, pair: str, domains: dict[str, int]) -> Worker:
     """Start one side of a pair."""
     setting = PAIRS[pair][1]
@@ -168,26 +180,38 @@ def print_round_trips(title: str, seconds: dict[str, list[float]]) -> None:
 
 
 def print_commands(command: Sequence[str], repeat: int, domain: int) -> None:
-    """Print the median seconds of ``mansion call`` and of a script's way to its first match."""
-    variables = environment(LOOPBACK, domain)
-    calls: list[float] = []
-    steps: list[list[float]] = []
-    for _ in range(repeat):
-        begin = time.monotonic()
-        subprocess.run(
-            [*command, "call", "echo", '"x"'], env=variables, stdout=subprocess.DEVNULL, timeout=PATIENCE, check=True
+    """Print the seconds of ``mansion call``, and of a script's way to its first match."""
+    with tempfile.TemporaryDirectory() as runtime:
+        variables = {**environment(LOOPBACK, domain), "XDG_RUNTIME_DIR": runtime}
+        keeper = Worker([__file__, "--role", "keeper"], variables)
+        with all_ended([keeper]):
+            keeper.hear(PATIENCE)
+            ways = {
+                "by the resident client": ([*command, "call", "echo", '"x"'], variables),
+                "with a participant of its own": (
+                    [*command, "call", "echo", '"x"'],
+                    {**variables, "XDG_RUNTIME_DIR": f"{runtime}/none"},
+                ),
+                "a Python that ends at once": ([sys.executable, "-c", "pass"], variables),
+            }
+            calls: dict[str, list[float]] = {name: [] for name in ways}
+            steps: list[list[float]] = []
+            for _ in range(repeat):
+                for name, (words, chosen) in ways.items():
+                    begin = time.monotonic()
+                    subprocess.run(words, env=chosen, stdout=subprocess.DEVNULL, timeout=PATIENCE, check=True)
+                    calls[name].append(time.monotonic() - begin)
+                begin = time.monotonic()
+                script = Worker([__file__, "--role", "match"], variables)
+                with all_ended([script]):
+                    steps.append([moment - begin for moment in script.hear(PATIENCE)])
+                    script.process.wait(PATIENCE)
+    for name, seconds in calls.items():
+        what = name if name.startswith("a ") else f"mansion call echo {name}"
+        print(
+            f"{what}: median {statistics.median(seconds):.2f} s, {min(seconds):.2f} to {max(seconds):.2f} s of {repeat}"
         )
-        calls.append(time.monotonic() - begin)
-        begin = time.monotonic()
-        script = Worker([__file__, "--role", "match"], variables)
-        with all_ended([script]):
-            steps.append([moment - begin for moment in script.hear(PATIENCE)])
-            script.process.wait(PATIENCE)
     imported, made, matched = (statistics.median(column) for column in zip(*steps, strict=True))
-    print(
-        f"mansion call echo: median {statistics.median(calls):.2f} s, "
-        f"{min(calls):.2f} to {max(calls):.2f} s of {repeat}"
-    )
     print(
         f"from a script's start: client imported {imported:.2f} s, made {made:.2f} s, "
         f"service seen {matched:.2f} s (at most {max(step[-1] for step in steps):.2f} s)"
@@ -223,6 +247,7 @@ def main() -> None:
         "mansion_server": serve_mansion,
         "bare_client": lambda: measure(bare_client()),
         "mansion_client": lambda: measure(mansion_client()),
+        "keeper": keep,
         "match": match,
     }
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)

@@ -8,6 +8,7 @@ import os
 import shutil
 import subprocess
 import sys
+import tempfile
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -150,8 +151,17 @@ def test_no_socket_of_mansions_is_bound_to_another_address_than_loopback() -> No
         process.communicate()
 
 
-def test_no_process_of_a_graph_listens_on_another_address_than_loopback(tmp_path: Path) -> None:
-    variables = environment(PYTHONPATH=os.pathsep.join(sys.path), ROS_DOMAIN_ID=str(free_domain()))
+@pytest.fixture
+def runtime() -> Iterator[Path]:
+    """A folder for sockets; its path is short, as paths of sockets must be."""
+    with tempfile.TemporaryDirectory() as folder:
+        yield Path(folder)
+
+
+def test_no_process_of_a_graph_listens_on_another_address_than_loopback(tmp_path: Path, runtime: Path) -> None:
+    variables = environment(
+        PYTHONPATH=os.pathsep.join(sys.path), ROS_DOMAIN_ID=str(free_domain()), XDG_RUNTIME_DIR=str(runtime)
+    )
     variables.pop("AMENT_PREFIX_PATH", None)
     command = [sys.executable, "-m", "mansion_bringup", "up", "--processes"]
     graph = subprocess.Popen(command, env=variables, cwd=tmp_path, stderr=subprocess.PIPE, text=True)
@@ -163,6 +173,7 @@ def test_no_process_of_a_graph_listens_on_another_address_than_loopback(tmp_path
         assert all(any(node.module.encode() in name for name in names) for node in GRAPH_NODES)
         addresses = set[str]().union(*map(bound_addresses, processes))
         assert "127.0.0.1" in addresses and addresses <= {"127.0.0.1", "239.255.0.1"}, addresses
+        assert [path.is_socket() for path in runtime.rglob("*.*")] == [True]  # which mansion call finds
     finally:
         graph.terminate()
         graph.communicate(timeout=30)

@@ -1,15 +1,17 @@
 """The front door of Mansion: buildings from one sentence, and robots in them, in a line of Python each.
 
+`build`, `load` and `plan` work in this process; `connect` gives the same names over a running node graph. Everything is
+imported when it is first asked for, and `rclpy` by `connect` alone. What goes wrong is a `MansionError` with a code and
+a message, as the command line prints them.
+
+Examples
+--------
 >>> import mansion
 >>> plan = mansion.plan("a two-storey house with three bedrooms and a sauna upstairs")
 >>> [floor.label for floor in plan.floors]
 ['G', '2']
 >>> [wish.status for wish in plan.wishes.filter(kind="floors")]
 ['met']
-
-`build`, `load` and `plan` work in this process; `connect` gives the same names over a running node graph. Everything is
-imported when it is first asked for, and `rclpy` by `connect` alone. What goes wrong is a `MansionError` with a code and
-a message, as the command line prints them.
 """
 
 from typing import TYPE_CHECKING, Any

@@ -5,8 +5,7 @@ import sys
 from collections.abc import Sequence
 from typing import NoReturn
 
-from mansion_bringup.cli.app import app
-from mansion_bringup.cli.console import EXIT_INTERRUPTED, details, print_json
+from mansion_bringup.cli.quick_call import call_quickly
 from mansion_bringup.discovery import keep_to_this_machine
 from mansion_bringup.graph.rclpy_available import NO_RCLPY
 from mansion_msgs_py.errors import ErrorCode, MansionError, refused_by_system
@@ -28,13 +27,27 @@ def _require_text(arguments: Sequence[str]) -> None:
             ) from None
 
 
+def _print_more(error: MansionError) -> None:
+    """Print what ``--verbose`` and ``--json`` add to an error."""
+    from mansion_bringup.cli.console import details, print_json
+
+    details.print(str(error.info.details), markup=False, highlight=False)
+    if "--json" in sys.argv[1:]:
+        print_json(error.reply())
+
+
 def main() -> NoReturn:
     """Run the command line; expected failures print one line and end with status 1, an infeasible brief with 2."""
     keep_to_this_machine()
     try:
         _require_text(sys.argv[1:])
-        app(prog_name="mansion")
+        if not call_quickly(sys.argv[1:]):
+            from mansion_bringup.cli.app import app
+
+            app(prog_name="mansion")
     except KeyboardInterrupt:
+        from mansion_bringup.cli.console import EXIT_INTERRUPTED
+
         sys.exit(EXIT_INTERRUPTED)
     except ModuleNotFoundError as error:
         if error.name != "rclpy" or "MANSION_DEBUG" in os.environ:
@@ -47,9 +60,8 @@ def main() -> NoReturn:
         print(f"error: {error}", file=sys.stderr)
         for fault in error.info.details.get("faults", ()):
             print(f"  {fault}", file=sys.stderr)
-        details.print(str(error.info.details), markup=False, highlight=False)
-        if "--json" in sys.argv[1:]:
-            print_json(error.reply())
+        if "--json" in sys.argv[1:] or "mansion_bringup.cli.console" in sys.modules:  # which hears --verbose
+            _print_more(error)
         trace = error.info.details.get("traceback")
         if error.code == ErrorCode.INTERNAL and trace:
             print(f"This is a fault of Mansion; please report it with this:\n{trace}", file=sys.stderr)

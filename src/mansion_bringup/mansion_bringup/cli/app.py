@@ -6,28 +6,8 @@ from typing import Annotated
 
 import typer
 
-from mansion_bringup.about import about
-from mansion_bringup.cli import (
-    assets,
-    bench,
-    build,
-    config,
-    edit,
-    export,
-    graph,
-    look,
-    plan,
-    quality,
-    record,
-    schema,
-    skill,
-    solve,
-    task,
-    world,
-)
-from mansion_bringup.cli.common_options import MansionGroup
+from mansion_bringup.cli.command_group import MansionGroup
 from mansion_bringup.cli.settings_file import SettingsFile, find_settings
-from mansion_llm.settings import setting_variable
 
 __all__ = ["app"]
 
@@ -44,6 +24,8 @@ app = typer.Typer(
 
 def _print_version(wanted: bool) -> None:
     if wanted:
+        from mansion_bringup.about import about
+
         for name, value in about().items():
             typer.echo(f"{name} {value}" if name == "mansion" else f"  {name:<11} {value}")
         raise typer.Exit
@@ -74,26 +56,9 @@ def common(
 
 def _pass_on(settings: SettingsFile) -> None:
     """Give the settings of the language model to this process and all that it starts; variables of the user's win."""
+    if not settings.llm:
+        return
+    from mansion_llm.settings import setting_variable
+
     for name, value in settings.llm.items():
         os.environ.setdefault(setting_variable(name), value)
-
-
-for module in (
-    build,
-    assets,
-    bench,
-    plan,
-    edit,
-    export,
-    graph,
-    solve,
-    schema,
-    quality,
-    skill,
-    look,
-    task,
-    world,
-    config,
-    record,
-):
-    module.register(app)

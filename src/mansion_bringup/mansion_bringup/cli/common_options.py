@@ -4,21 +4,11 @@ from typing import Annotated, Any
 
 import typer
 import typer.main
-from typer.core import TyperGroup
 
 from mansion_bringup.cli.console import details, err
-from mansion_bringup.cli.settings_file import SettingsFile, commands_below
+from mansion_bringup.cli.settings_file import SettingsFile
 
-__all__ = ["MansionGroup"]
-
-
-class MansionGroup(TyperGroup):
-    """The group of all commands; it gives each of them the common options."""
-
-    def __init__(self, **attributes: Any) -> None:
-        super().__init__(**attributes)
-        for _, command in commands_below(self):
-            command.params.extend(_common_options())
+__all__ = ["common_options"]
 
 
 def _set_quiet(value: bool) -> bool:
@@ -59,7 +49,7 @@ def _declare(
     """Carry the declarations of the common options."""
 
 
-def _common_options() -> list[Any]:
+def common_options() -> list[Any]:
     """Return the options as typer makes them of their declarations."""
     carrier = typer.Typer(add_completion=False)
     carrier.command()(_declare)

@@ -5,14 +5,16 @@ import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 from rich.console import Console
 
 from mansion_msgs_py.codec import encode
 from mansion_msgs_py.errors import ErrorCode, MansionError
-from mansion_msgs_py.world import Progress as ProgressPayload
+
+if TYPE_CHECKING:
+    from mansion_msgs_py.world import Progress as ProgressPayload
 
 __all__ = [
     "EXIT_INTERRUPTED",
@@ -53,7 +55,7 @@ def print_json(value: Any) -> None:
 
 
 @contextmanager
-def progress_bar() -> Iterator[Callable[[ProgressPayload], None]]:
+def progress_bar() -> Iterator["Callable[[ProgressPayload], None]"]:
     """Show `Progress` payloads: a bar on a terminal, plain lines elsewhere and with ``--verbose``.
 
     The bar's thread starts with the first payload, so that a command can fork its workers before.
@@ -76,7 +78,7 @@ def progress_bar() -> Iterator[Callable[[ProgressPayload], None]]:
     bar = Progress(*columns, console=err, transient=True)
     task = bar.add_task("starting", total=None)
 
-    def show(payload: ProgressPayload) -> None:
+    def show(payload: "ProgressPayload") -> None:
         bar.start()
         bar.update(task, description=payload.message, completed=payload.done, total=payload.total)
 

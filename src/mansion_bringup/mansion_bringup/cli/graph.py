@@ -10,9 +10,12 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from mansion_bringup.cli.console import AsJson, err, print_json
-from mansion_msgs_py.codec import decode, encode
+from mansion_bringup.cli.quick_call import CALL_TIMEOUT, absolute_namespace, json_argument
+from mansion_bringup.graph.call_socket import ask_resident
+from mansion_bringup.graph.rclpy_available import check_domain
+from mansion_msgs_py.codec import decode, decode_reply, encode
 from mansion_msgs_py.errors import ErrorCode, MansionError
-from mansion_msgs_py.interfaces import DEFAULT_NAMESPACE
+from mansion_msgs_py.interface_types import DEFAULT_NAMESPACE
 
 if TYPE_CHECKING:
     from mansion_bringup.graph.processes import GraphProcesses
@@ -82,16 +85,19 @@ def up(
     if with_tf and not has_tf2():
         build_tf2_msgs(lambda text: err.print(text, highlight=False))
     options = GraphOptions(
-        namespace=_namespace(namespace), log_level=log_level, params_file=params_file, allow=tuple(allow or ())
+        namespace=absolute_namespace(namespace), log_level=log_level, params_file=params_file, allow=tuple(allow or ())
     )
     with GraphProcesses(options) as running:
         running.wait_ready()
+        from mansion_bringup.graph.resident_client import ResidentClient
+
         names = ", ".join(f"{node.executable}" for node in running.nodes)
-        err.print(f"up in {options.namespace}: {names}. Ctrl-C ends them.", highlight=False)
-        try:
-            _watch(running, respawn=respawn)
-        except KeyboardInterrupt:
-            err.print("ending the nodes")
+        with ResidentClient(options.namespace):
+            err.print(f"up in {options.namespace}: {names}. Ctrl-C ends them.", highlight=False)
+            try:
+                _watch(running, respawn=respawn)
+            except KeyboardInterrupt:
+                err.print("ending the nodes")
 
 
 def _watch(running: "GraphProcesses", *, respawn: bool) -> None:
@@ -109,10 +115,6 @@ def _watch(running: "GraphProcesses", *, respawn: bool) -> None:
         time.sleep(0.2)
 
 
-def _namespace(text: str) -> str:
-    return "/" + text.strip("/")
-
-
 def _has_launch() -> bool:
     share = Path("share/ament_index/resource_index/packages/mansion_bringup")
     prefixes = os.environ.get("AMENT_PREFIX_PATH", "").split(os.pathsep)
@@ -120,7 +122,11 @@ def _has_launch() -> bool:
 
 
 def _exec_launch(namespace: str, log_level: str, params_file: Path | None, allow: list[Path], *, respawn: bool) -> None:
-    arguments = [f"namespace:={_namespace(namespace)}", f"log_level:={log_level}", f"respawn:={str(respawn).lower()}"]
+    arguments = [
+        f"namespace:={absolute_namespace(namespace)}",
+        f"log_level:={log_level}",
+        f"respawn:={str(respawn).lower()}",
+    ]
     if params_file is not None:
         arguments.append(f"params_file:={params_file.absolute()}")
     if allow:
@@ -133,7 +139,7 @@ def call(
     service: Annotated[str, typer.Argument(help="Name below the namespace, or absolute.")],
     arguments: Annotated[str | None, typer.Argument(help="JSON; @FILE reads a file.")] = None,
     namespace: Namespace = DEFAULT_NAMESPACE,
-    timeout: Annotated[float, typer.Option(min=0.1, help="Seconds for the answer.")] = 600.0,
+    timeout: Annotated[float, typer.Option(min=0.1, help="Seconds for the answer.")] = CALL_TIMEOUT,
 ) -> None:
     """Call a service and print the reply's JSON; exit status 1 when it fails.
 
@@ -145,24 +151,24 @@ def call(
 
       mansion call skills/call_elevator
     """
+    payload = None if arguments is None else json_argument(arguments)
+    check_domain()
+    try:
+        print_json(_answer(service, payload, absolute_namespace(namespace), timeout))
+    except MansionError as error:
+        print_json(error.reply())
+        raise
+
+
+def _answer(service: str, payload: Any, namespace: str, timeout: float) -> Any:
+    """Return a reply by way of the process that keeps the graph, or of a participant of this process."""
+    answer = ask_resident(service, payload, namespace=namespace, timeout=timeout)
+    if answer is not None:
+        return decode_reply(object, answer.message, success=answer.success)
     from mansion_bringup.client import MansionClient
 
-    payload = None if arguments is None else _json_argument(arguments)
-    with MansionClient(namespace=_namespace(namespace)) as client:
-        try:
-            print_json(client.call(service, payload, timeout=timeout))
-        except MansionError as error:
-            print_json(error.reply())
-            raise
-
-
-def _json_argument(text: str) -> Any:
-    if not text.startswith("@"):
-        return decode(object, text)
-    try:
-        return decode(object, Path(text[1:]).read_bytes())
-    except OSError as error:
-        raise MansionError(ErrorCode.NOT_FOUND, f"{text[1:]}: {error.strerror}") from None
+    with MansionClient(namespace=namespace) as client:
+        return client.call(service, payload, timeout=timeout)
 
 
 def echo(
@@ -188,7 +194,7 @@ def echo(
     from mansion_bringup.graph.topic_echo import silence
 
     received: queue.Queue[str] = queue.Queue()
-    with MansionClient(namespace=_namespace(namespace)) as client:
+    with MansionClient(namespace=absolute_namespace(namespace)) as client:
         printed, begun, said, listening = 0, time.monotonic(), False, False
         try:
             while count == 0 or printed < count:
@@ -256,7 +262,7 @@ def graph(
     """
     from mansion_bringup.client import MansionClient
 
-    with MansionClient(namespace=_namespace(namespace)) as client:
+    with MansionClient(namespace=absolute_namespace(namespace)) as client:
         time.sleep(wait)
         node = client.node
         found = {

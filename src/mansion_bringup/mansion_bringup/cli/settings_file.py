@@ -14,7 +14,6 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Final
 
-from mansion_llm.settings import checked_setting, setting_names
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import read_bytes
 from mansion_msgs_py.wording import choices
@@ -77,6 +76,8 @@ class SettingsFile:
     def default_map(self, root: Any) -> dict[str, Any]:
         """Return the defaults as the command line's parser takes them, a dictionary for each command and group."""
         whole: dict[str, Any] = {}
+        if not self.options:
+            return whole
         for path, command in commands_below(root):
             inner = whole
             for name in path:
@@ -215,6 +216,8 @@ class _Reader:
         return given
 
     def _llm(self, values: Any) -> dict[str, str]:
+        from mansion_llm.settings import checked_setting, setting_names
+
         if not isinstance(values, Mapping):
             raise self._fault(LLM, "must be a table: [llm]")
         found = {}
@@ -251,6 +254,8 @@ class _Reader:
 
     def _elsewhere(self, name: str) -> str:
         """Name the tables in which a misplaced option would be one."""
+        from mansion_llm.settings import setting_names
+
         places = {
             ".".join(path)
             for path, command in commands_below(self.root)

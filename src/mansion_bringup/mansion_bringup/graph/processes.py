@@ -19,7 +19,7 @@ from mansion_bringup.graph.rclpy_available import check_rclpy
 from mansion_bringup.graph.shared_memory import SegmentLedger, remove_left_behind
 from mansion_msgs_py.codec import encode
 from mansion_msgs_py.errors import ErrorCode, MansionError
-from mansion_msgs_py.interfaces import DEFAULT_NAMESPACE
+from mansion_msgs_py.interface_types import DEFAULT_NAMESPACE
 
 if TYPE_CHECKING:
     from mansion_bringup.client import MansionClient

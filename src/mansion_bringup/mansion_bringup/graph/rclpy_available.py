@@ -6,7 +6,7 @@ from typing import Final
 
 from mansion_msgs_py.errors import ErrorCode, MansionError
 
-__all__ = ["NO_RCLPY", "check_rclpy"]
+__all__ = ["NO_RCLPY", "check_domain", "check_rclpy"]
 
 NO_RCLPY: Final = (
     "the node graph needs rclpy, which is not installed here: on Linux with x86-64 and glibc 2.28 `./mansion` installs "
@@ -27,7 +27,7 @@ def check_rclpy() -> None:
     """
     if importlib.util.find_spec("rclpy") is None:
         raise MansionError(ErrorCode.UNAVAILABLE, NO_RCLPY)
-    _check_domain(os.environ.get("ROS_DOMAIN_ID", ""))
+    check_domain()
     wanted = os.environ.get("RMW_IMPLEMENTATION", "")
     if "AMENT_PREFIX_PATH" not in os.environ and wanted not in ("", WHEELS):
         raise MansionError(
@@ -41,7 +41,9 @@ LAST_DOMAIN: Final = 232
 """Of ROS: above it, there are no ports left for a domain."""
 
 
-def _check_domain(text: str) -> None:
+def check_domain() -> None:
+    """Refuse a ``ROS_DOMAIN_ID`` that is none, with ``INVALID_PAYLOAD``."""
+    text = os.environ.get("ROS_DOMAIN_ID", "")
     if text and not (text.isascii() and text.isdecimal() and int(text) <= LAST_DOMAIN):
         raise MansionError(
             ErrorCode.INVALID_PAYLOAD,

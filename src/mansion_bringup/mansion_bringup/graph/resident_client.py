@@ -1,0 +1,124 @@
+"""The client that the process of a graph lends to its user's commands, by a Unix socket that is theirs alone."""
+
+import contextlib
+import os
+import socket
+import socketserver
+import threading
+from pathlib import Path
+from typing import Any, Final
+
+import msgspec
+
+from mansion_bringup.client import MansionClient
+from mansion_bringup.graph.call_socket import (
+    Answer,
+    Call,
+    Greeting,
+    graph_key,
+    is_same_user,
+    private_folder,
+    receive,
+    send,
+    sockets,
+)
+from mansion_msgs_py.closing import Closing
+from mansion_msgs_py.codec import decode, encode
+from mansion_msgs_py.errors import MansionError
+
+__all__ = ["ResidentClient"]
+
+IDLE: Final = 10.0
+"""Seconds after which a command that asks nothing, or does not take its answer, is left alone."""
+
+LOOK_FOR_END: Final = 0.2
+"""Seconds between two looks whether the process ends."""
+
+
+class ResidentClient(Closing):
+    """Answers commands in the namespace of a graph, in threads of its own, until it is closed.
+
+    Where there is no folder that this user has alone, nothing is offered; commands then make participants of their own.
+
+    Parameters
+    ----------
+    namespace : str
+
+    Attributes
+    ----------
+    path : Path, optional
+        Of the socket.
+    """
+
+    def __init__(self, namespace: str) -> None:
+        self.path: Path | None = None
+        folder = private_folder()
+        if folder is None:
+            return
+        _remove_left_behind(folder)
+        self._client = MansionClient(namespace=namespace)
+        path = folder / f"{graph_key(namespace)}-{os.getpid()}.sock"
+        # Under its name only once it listens: what does not answer there counts as left behind.
+        early = path.with_suffix(".new")
+        early.unlink(missing_ok=True)
+        self._server = _Server(str(early), self._client)
+        self.path = early.rename(path)
+        self._thread = threading.Thread(
+            target=self._server.serve_forever, args=(LOOK_FOR_END,), name="resident_client", daemon=True
+        )
+        self._thread.start()
+
+    def close(self) -> None:
+        """Take the socket away and end the client; to close it again does nothing."""
+        if self.path is None:
+            return
+        self.path.unlink(missing_ok=True)
+        self.path = None
+        self._server.shutdown()
+        self._server.server_close()
+        self._client.close()
+
+
+class _Server(socketserver.ThreadingUnixStreamServer):
+    """Accepts commands; `client` is shared by the threads that answer them."""
+
+    daemon_threads = True
+    request_queue_size = 64
+
+    def __init__(self, path: str, client: MansionClient) -> None:
+        self.client = client
+        super().__init__(path, _Handler)
+
+
+class _Handler(socketserver.BaseRequestHandler):
+    """Answers one command; whatever goes wrong with its connection ends nothing but that."""
+
+    server: _Server
+    request: socket.socket
+
+    def handle(self) -> None:
+        self.request.settimeout(IDLE)
+        with contextlib.suppress(OSError, EOFError, msgspec.DecodeError):
+            if is_same_user(self.request):
+                send(self.request, Greeting())
+                send(self.request, self._answer(receive(self.request, Call)))
+
+    def _answer(self, asked: Call) -> Answer:
+        try:
+            arguments: Any = None if asked.arguments is None else decode(object, asked.arguments)
+            return Answer(True, encode(self.server.client.call(asked.service, arguments, timeout=asked.timeout)))
+        except MansionError as error:
+            return Answer(False, encode(error.reply()))
+
+
+def _remove_left_behind(folder: Path) -> None:
+    """Remove the sockets of processes that were killed: nobody listens at them."""
+    for path in sockets(folder):
+        with socket.socket(socket.AF_UNIX, socket.SOCK_STREAM) as probe:
+            probe.settimeout(IDLE)
+            try:
+                probe.connect(str(path))
+            except ConnectionRefusedError:
+                path.unlink(missing_ok=True)
+            except OSError:
+                continue
