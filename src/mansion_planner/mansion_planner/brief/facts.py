@@ -257,6 +257,8 @@ class BriefFacts:
         Words that no fact was read from.
     unheeded : list of Span
         Words within other facts' that say how something is to be, and that nothing is made of.
+    corrections : list of Span
+        From a number that the brief takes back to the end of the one that it gives instead.
     """
 
     floors: list[Quantity] = field(default_factory=list)
@@ -290,3 +292,4 @@ class BriefFacts:
     only: list[Span] = field(default_factory=list)
     unread: list[Span] = field(default_factory=list)
     unheeded: list[Span] = field(default_factory=list)
+    corrections: list[Span] = field(default_factory=list)

@@ -140,6 +140,7 @@ class _Ledger:
         self, kind: WishKind, span: Span, value: WishValue, scope: Scope | None = None, *, reason: str = ""
     ) -> None:
         """Add a statement, unless the same words say the same already."""
+        span = self._as_corrected(span)
         text = " ".join(span.words.split()[:12])
         unread = kind == "unread"
         unheeded = [w.words for w in self.facts.unheeded if span.start <= w.start and w.end <= span.end]
@@ -157,6 +158,14 @@ class _Ledger:
         )
         if wish not in self.found:
             self.found.append(wish)
+
+    def _as_corrected(self, span: Span) -> Span:
+        """Return the words of a statement up to the number that its own was replaced by."""
+        for correction in self.facts.corrections:
+            if span.start <= correction.start < span.end < correction.end:
+                words = span.words[: correction.start - span.start] + correction.words
+                return Span(words, span.start, correction.end)
+        return span
 
     def floors(self, refs: tuple[FloorRef, ...]) -> list[int]:
         """Return the floor numbers that references mean."""
