@@ -178,6 +178,8 @@ class ObjectFact:
         None of it is wanted.
     exact : bool
         No more of them are wanted.
+    some : int
+        Of how many such rooms each has its share; 0 where all do.
     """
 
     words: str
@@ -191,6 +193,7 @@ class ObjectFact:
     floors: tuple[FloorRef, ...] = ()
     noun: str = ""
     exact: bool = False
+    some: int = 0
 
 
 @dataclass(frozen=True)

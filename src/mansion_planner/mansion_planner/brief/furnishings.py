@@ -58,6 +58,8 @@ def read_furnishings(
         if room is not None and number in negated and _replaced(reading, phrases, negated, number):
             room, each = None, False
         each = each or (room is not None and owner in attached and attached[owner].each)
+        some = _rooms_having(reading, room, phrase)
+        each = each and not some
         last = phrase.last if room is not None else _unread_place(reading, phrase)
         if last > phrase.last:
             reading.facts.unheeded.append(reading.span(phrase.last, last))
@@ -66,9 +68,9 @@ def read_furnishings(
                 words=phrase.label,
                 category=phrase.category,
                 span=reading.span(phrase.first, last),
-                count=phrase.count and phrase.count * _sets(reading, phrases, number)
+                count=phrase.count and phrase.count * _sets(reading, phrases, number) * (some or 1)
                 if phrase.counted
-                else people_served(reading, phrases, number) or phrase.count,
+                else people_served(reading, phrases, number) or (phrase.count and phrase.count * (some or 1)),
                 room=room.name if room is not None else "",
                 room_type=room.room_type if room is not None else "",
                 each=each or (room is None and number in attached and attached[number].each),
@@ -76,9 +78,19 @@ def read_furnishings(
                 floors=attached[number].refs if number in attached and room is None else (),
                 noun=phrase.label,
                 exact=phrase.counted and "least" not in reading.words(phrase.first, phrase.last),
+                some=some,
             )
         )
     return found
+
+
+def _rooms_having(reading: Reading, room: Phrase | None, phrase: Phrase) -> int:
+    """Return how many of several rooms have furniture: two in "six classrooms, two of them with a piano"; else 0."""
+    at = _some_of_them(reading, room.last, phrase.first) if room is not None and room.last <= phrase.first else 0
+    if not at:
+        return 0
+    reading.take(at, at + 1)
+    return int(reading.value(at))
 
 
 def people_served(reading: Reading, phrases: list[Phrase], number: int) -> int:
@@ -295,10 +307,6 @@ def _owner(reading: Reading, phrases: list[Phrase], rooms: list[int], number: in
     ahead = reading.words(max(phrases[before].first - 3, 0), phrases[before].first)
     if ("each", "of") in itertools.pairwise(ahead):
         return before, True  # "in each of the five bedrooms a wardrobe"
-    some = _some_of_them(reading, phrases[before].last, phrase.first)
-    if some:
-        reading.take(some, some + 1)
-        return before, False
     each = not _EACH.isdisjoint(gap) or phrases[before].determiner in _EACH or bool({"each", "apiece"} & set(tail))
     return before, each or ((phrases[before].count or 2) > 1 and "with" in gap)
 
@@ -306,7 +314,8 @@ def _owner(reading: Reading, phrases: list[Phrase], rooms: list[int], number: in
 def _some_of_them(reading: Reading, first: int, last: int) -> int:
     """Return the token of "one" in "five practice rooms, one of them with a grand piano", or 0."""
     for index in range(first, last - 2):
-        if reading.value(index) == 1 and reading.words(index + 1, index + 3) in (("of", "them"), ("of", "which")):
+        counts = reading.kind(index) == "number" and 1 <= reading.value(index) <= 100
+        if counts and reading.words(index + 1, index + 3) in (("of", "them"), ("of", "which")):
             return index if _EACH.isdisjoint(reading.words(index, last)) else 0
     return 0
 

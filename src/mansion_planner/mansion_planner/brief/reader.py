@@ -10,6 +10,7 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from mansion_knowledge import KnowledgeBase
+from mansion_planner.brief.accessible_parts import with_accessible_ones
 from mansion_planner.brief.adverts import read_adverts, read_bedrooms_of_building
 from mansion_planner.brief.background_phrases import without_bystanders
 from mansion_planner.brief.bare_areas import with_bare_areas
@@ -111,7 +112,7 @@ class _Reader:
         read_adverts(reading, self.places)
         self.opening = unknown_building(reading)
         phrases = without_bystanders(reading, noun_phrases(reading))
-        phrases = desks_as_places(reading, rooms_by_name(reading, phrases))
+        phrases = with_accessible_ones(reading, desks_as_places(reading, rooms_by_name(reading, phrases)))
         reading.go_on()
         stacked = read_stacking(reading, phrases)
         phrases = [phrase for number, phrase in enumerate(phrases) if number not in stacked]

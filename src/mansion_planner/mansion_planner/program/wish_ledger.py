@@ -61,6 +61,8 @@ def _shared_out(
         return [
             (max(group, key=lambda entry: _likelihood(fact, entry)), count) for group in groups or [matching or rooms]
         ]
+    if fact.some and fact.some <= len(matching):
+        return [(entry, -(-count // fact.some)) for entry in matching[: fact.some]]
     if fact.each or not fact.exact or count < len(matching):
         return [(entry, count if fact.each else -(-count // len(matching))) for entry in matching]
     shares = [count // len(matching) + (number < count % len(matching)) for number in range(len(matching))]
