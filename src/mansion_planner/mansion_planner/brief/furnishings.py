@@ -315,7 +315,9 @@ def _some_of_them(reading: Reading, first: int, last: int) -> int:
     """Return the token of "one" in "five practice rooms, one of them with a grand piano", or 0."""
     for index in range(first, last - 2):
         counts = reading.kind(index) == "number" and 1 <= reading.value(index) <= 100
-        if counts and reading.words(index + 1, index + 3) in (("of", "them"), ("of", "which")):
+        if not counts or reading.words(index + 1, index + 3) not in (("of", "them"), ("of", "which")):
+            continue
+        if reading.value(index) == 1 or reading.word(index + 3) in ("with", "have", "has", "having", "get", "hold"):
             return index if _EACH.isdisjoint(reading.words(index, last)) else 0
     return 0
 

@@ -10,6 +10,7 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from mansion_knowledge import KnowledgeBase
+from mansion_planner.brief.absences import read_absent_parts
 from mansion_planner.brief.accessible_parts import with_accessible_ones
 from mansion_planner.brief.adverts import read_adverts, read_bedrooms_of_building
 from mansion_planner.brief.background_phrases import without_bystanders
@@ -171,6 +172,7 @@ class _Reader:
         read_desk_areas(self.facts)
         self._relations()
         read_completeness(reading)
+        read_absent_parts(reading)
         self.facts.excluded.sort(key=lambda entry: entry[1].end)
         for index, token in enumerate(reading.tokens):
             if (

@@ -146,7 +146,7 @@ class _Ledger:
         text = " ".join(span.words.split()[:12])
         unread = kind == "unread"
         unheeded = [w.words for w in self.facts.unheeded if span.start <= w.start and w.end <= span.end]
-        if unheeded and kind in _QUALIFIED:
+        if unheeded and kind in _QUALIFIED and not value.unwanted:
             value = msgspec.structs.replace(value, unheeded=unheeded)
         wish = Wish(
             id="wish",
