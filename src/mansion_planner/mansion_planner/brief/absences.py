@@ -47,10 +47,8 @@ def time_end(reading: Reading, index: int) -> int:
     while reading.word(at) in _ONCE:
         at += 1
     noun = at + 2 + (reading.word(at + 2) in ("old", "same"))
-    if reading.word(at) in ("in", "at", "during", "of") and reading.word(at + 1) in _POINTERS:
-        if reading.word(noun) in _TIMES:
-            return noun + 1
-    return at
+    led = reading.word(at) in ("in", "at", "during", "of") and reading.word(at + 1) in _POINTERS
+    return noun + 1 if led and reading.word(noun) in _TIMES else at
 
 
 def read_absent_parts(reading: Reading) -> None:

@@ -180,8 +180,8 @@ def _numbered_places(reading: Reading, phrases: list[Phrase], negated: dict[int,
     found = []
     for number, phrase in enumerate(phrases):
         named = phrase.head == "room" or (phrase.head == "building" and not _whole(reading, phrase))
-        if not named or not phrase.room_type or number in negated:
-            continue
+        if not named or not phrase.room_type or number in negated or reading.knowledge.room(phrase.room_type).unit:
+            continue  # "two-bed flats" have two bedrooms
         for index in range(max(phrase.first - 2, 0), phrase.noun_end - 1):
             category = _PLACES.get(reading.word(index + 1))
             joined = not reading.tokens[index + 1].spaced and reading.kind(index) == "number"

@@ -28,7 +28,7 @@ from mansion_planner.brief.distant_counts import (
     without_totals,
 )
 from mansion_planner.brief.exclusions import negated_phrases, read_completeness
-from mansion_planner.brief.facts import AdjacencyFact, BriefFacts, OccupantFact, Quantity
+from mansion_planner.brief.facts import AdjacencyFact, BriefFacts, OccupantFact, Quantity, Span
 from mansion_planner.brief.finishes import read_materials, read_style
 from mansion_planner.brief.furnishings import people_served, read_furnishings
 from mansion_planner.brief.furniture_words import furniture_of
@@ -190,6 +190,9 @@ class _Reader:
         number = building_phrase(reading, phrases, self.places)
         if number is not None and are_units(phrases[number]):
             number = None
+        if number is not None and self._is_type_of_flat(phrases, number):
+            self.facts.building.append(("apartment_building", Span("", 0, 0)))
+            number = None
         opening = self.opening
         if opening is not None:
             rooms_before = any(p.begin < opening[2] for p in phrases if p.head == "room")
@@ -218,6 +221,13 @@ class _Reader:
             self.facts.building[-1] = (name, self.reading.span(phrase.begin, phrase.noun_end))
             return None  # "two flats side by side" are a building and its rooms
         return number
+
+    def _is_type_of_flat(self, phrases: list[Phrase], number: int) -> bool:
+        """Whether what names the building is one of several types of flats: "two one-bed flats and a two-bed flat"."""
+        phrase = phrases[number]
+        sized = {"bed", "bedroom", "br"} & set(self.reading.words(phrase.begin, phrase.noun_end))
+        others = [p for n, p in enumerate(phrases) if n != number and p.building == phrase.building]
+        return phrase.building == "flat" and bool(sized) and any(are_units(other) for other in others)
 
     def _plain_rooms(self, phrase: Phrase) -> Phrase:
         """Read "40 rooms" in a hotel, hospital or dormitory as the rooms that it is for; elsewhere they stay unread."""
