@@ -1,10 +1,12 @@
 """Read which furniture a brief wants, and in which room: "a fireplace in the living room", "each with two beds"."""
 
 import itertools
+from collections.abc import Sequence
 
 from mansion_planner.brief.facts import ObjectFact
 from mansion_planner.brief.phrase import FUNCTION_WORDS, Phrase
 from mansion_planner.brief.reading import Reading
+from mansion_planner.brief.relations import Relation
 from mansion_planner.brief.storey_attachment import Attachment
 
 __all__ = ["read_furnishings"]
@@ -23,6 +25,7 @@ def read_furnishings(
     attached: dict[int, Attachment],
     negated: dict[int, tuple[int, int]],
     same: dict[int, int],
+    relations: Sequence[Relation] = (),
 ) -> list[ObjectFact]:
     """Return the wishes for furniture.
 
@@ -34,6 +37,8 @@ def read_furnishings(
         Phrases that are not wanted.
     same : dict of int to int
         Phrases that only name an earlier room again, and which.
+    relations : sequence of Relation
+        Which rooms lie beside which.
     """
     found = _seats(reading, phrases, negated) + _numbered_places(reading, phrases, negated)
     owners: dict[int, tuple[int | None, bool]] = {}
@@ -45,6 +50,7 @@ def read_furnishings(
     for number in reversed(range(len(phrases))):
         if phrases[number].head == "object":
             owners[number] = _shared_owner(reading, phrases, owners, number) or _owner(reading, phrases, rooms, number)
+            owners[number] = _of_subject(reading, phrases, relations, owners[number], number)
     for number, phrase in enumerate(phrases):
         if phrase.head != "object" or _passes_by(reading, phrases, number):
             continue
@@ -260,6 +266,34 @@ def _shared_owner(
     return following if set(between) <= {"and", ",", "&", "a", "an", "plus"} and between else None
 
 
+def _of_subject(
+    reading: Reading,
+    phrases: list[Phrase],
+    relations: Sequence[Relation],
+    owner: tuple[int | None, bool],
+    number: int,
+) -> tuple[int | None, bool]:
+    """Return the room that a clause is about, where the nearest one only tells where it lies.
+
+    "A kitchen beside the dining room and with an oven in it", "the office next to the archive has two desks".
+    """
+    room = owner[0]
+    if room is None or phrases[room].last > phrases[number].first:
+        return owner
+    relation = next((r for r in relations if room in r.rights and not r.apart and r.last <= phrases[room].first), None)
+    if relation is None or relation.lefts[-1] >= room or phrases[relation.lefts[-1]].last > relation.first:
+        return owner
+    if reading.sentence[phrases[room].first] != reading.sentence[phrases[number].first]:
+        return owner
+    gap = reading.words(phrases[room].last, phrases[number].first)
+    inside = reading.words(phrases[number].last, phrases[number].last + 2) in (("in", "it"), ("inside", "it"))
+    joined = gap[:2] == ("and", "with") or gap[:3] == (",", "and", "with") or gap[:1] in _HAS
+    return (relation.lefts[-1], owner[1]) if inside or joined else owner
+
+
+_HAS = (("has",), ("have",), ("contain",), ("hold",), ("get",), ("need",))
+
+
 def _led_by_room(reading: Reading, phrases: list[Phrase], number: int) -> bool:
     """Whether a room has the furniture already: "a hall with five counters and two machines in the porch"."""
     before = phrases[number - 1] if number else None
@@ -301,6 +335,8 @@ def _owner(reading: Reading, phrases: list[Phrase], rooms: list[int], number: in
         )
         if before is None or not _continues(reading, phrase):
             return None, False
+    if _is_own_entry(reading, phrases, before, number):
+        return None, False
     before = _listed_with(reading, phrases, rooms, before, number)
     gap = reading.words(phrases[before].last, phrase.first)
     tail = reading.words(phrase.last, phrase.last + 2)
@@ -309,6 +345,19 @@ def _owner(reading: Reading, phrases: list[Phrase], rooms: list[int], number: in
         return before, True  # "in each of the five bedrooms a wardrobe"
     each = not _EACH.isdisjoint(gap) or phrases[before].determiner in _EACH or bool({"each", "apiece"} & set(tail))
     return before, each or ((phrases[before].count or 2) > 1 and "with" in gap)
+
+
+def _is_own_entry(reading: Reading, phrases: list[Phrase], before: int, number: int) -> bool:
+    """Whether furniture is an entry of a list beside a room: "a kitchen corner with fridge and stove, one desk"."""
+    things = [phrase for phrase in phrases[before + 1 : number + 1] if phrase.head == "object"]
+    first = things[0]
+    listed = reading.words(phrases[before].last, first.first) == (",",) and not phrases[before].areas
+    if listed and phrases[before].determiner in ("a", "an"):
+        return first.determiner in ("a", "an") or first.counted  # "a kitchen corner, one bed and a desk"
+    if len(things) < 3 or reading.words(phrases[before].last, first.first)[:1] != ("with",):
+        return False
+    closed = set(reading.words(things[-3].last, things[-2].first)) <= {"and", "a", "an", "&"}
+    return closed and reading.words(things[-2].last, phrases[number].first)[:1] == (",",)
 
 
 def _some_of_them(reading: Reading, first: int, last: int) -> int:

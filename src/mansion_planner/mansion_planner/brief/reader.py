@@ -157,7 +157,9 @@ class _Reader:
         reading.go_on()
         self._occupants()
         self._vertical()
-        self.facts.objects += read_furnishings(reading, self.phrases, self.attached, self.negated, self.same)
+        self.facts.objects += read_furnishings(
+            reading, self.phrases, self.attached, self.negated, self.same, self.relations
+        )
         RoomStatements(
             reading,
             self.places,
