@@ -92,7 +92,7 @@ def test_furniture_that_a_room_is_said_to_have_does_not_move_on_to_the_next_room
 
 def test_entries_of_a_list_do_not_share_the_room_of_the_last() -> None:
     found = wanted("A tiny house. A kitchen, a writing desk, a washing machine in the bathroom.")
-    assert {fact.category: fact.room for fact in found} == {"desk": "kitchen", "washing_machine": "bathroom"}
+    assert {fact.category: fact.room for fact in found} == {"desk": "", "washing_machine": "bathroom"}
 
 
 @pytest.mark.parametrize(
