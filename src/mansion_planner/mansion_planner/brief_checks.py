@@ -93,7 +93,9 @@ def _stated(facts: BriefFacts) -> list[str]:
     return [name for name, value in vars(facts).items() if value and name not in _UNSTATED]
 
 
-_UNSTATED = frozenset({"unread", "unheeded", "corrections", "building_name", "building_like", "building_span", "size"})
+_UNSTATED = frozenset(
+    {"unread", "unheeded", "corrections", "combined", "building_name", "building_like", "building_span", "size"}
+)
 """Fields of the facts that say nothing of a building by themselves."""
 
 

@@ -260,6 +260,8 @@ class BriefFacts:
         Words that no fact was read from.
     unheeded : list of Span
         Words within other facts' that say how something is to be, and that nothing is made of.
+    combined : list of str
+        Room types that a room of several uses stands for: none of them is added.
     corrections : list of Span
         From a number that the brief takes back to the end of the one that it gives instead.
     """
@@ -295,4 +297,5 @@ class BriefFacts:
     only: list[Span] = field(default_factory=list)
     unread: list[Span] = field(default_factory=list)
     unheeded: list[Span] = field(default_factory=list)
+    combined: list[str] = field(default_factory=list)
     corrections: list[Span] = field(default_factory=list)

@@ -267,11 +267,7 @@ def _shared_owner(
 
 
 def _of_subject(
-    reading: Reading,
-    phrases: list[Phrase],
-    relations: Sequence[Relation],
-    owner: tuple[int | None, bool],
-    number: int,
+    reading: Reading, phrases: list[Phrase], relations: Sequence[Relation], owner: tuple[int | None, bool], number: int
 ) -> tuple[int | None, bool]:
     """Return the room that a clause is about, where the nearest one only tells where it lies.
 
@@ -356,7 +352,8 @@ def _is_own_entry(reading: Reading, phrases: list[Phrase], before: int, number: 
         return first.determiner in ("a", "an") or first.counted  # "a kitchen corner, one bed and a desk"
     if len(things) < 3 or reading.words(phrases[before].last, first.first)[:1] != ("with",):
         return False
-    closed = set(reading.words(things[-3].last, things[-2].first)) <= {"and", "a", "an", "&"}
+    pairs = itertools.pairwise(things[-12:-1])
+    closed = any(reading.words(a.last, b.first)[:1] in (("and",), ("&",)) for a, b in pairs)
     return closed and reading.words(things[-2].last, phrases[number].first)[:1] == (",",)
 
 

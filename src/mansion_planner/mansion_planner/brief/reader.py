@@ -42,6 +42,7 @@ from mansion_planner.brief.qualifiers import unheeded_words
 from mansion_planner.brief.reading import Place, Reading, start_reading
 from mansion_planner.brief.relations import Relation, read_relations
 from mansion_planner.brief.room_facts import RoomStatements, identifier
+from mansion_planner.brief.shared_rooms import as_studio_flat, rooms_of_several_uses
 from mansion_planner.brief.shared_sizes import with_shared_sizes
 from mansion_planner.brief.similarity import HEAD_TYPES, similar_room_type
 from mansion_planner.brief.sizes import sized
@@ -50,7 +51,7 @@ from mansion_planner.brief.storey_attachment import Attachment
 from mansion_planner.brief.storeys import read_storeys
 from mansion_planner.brief.suites import read_suites
 from mansion_planner.brief.unit_storeys import attach_units
-from mansion_planner.brief.units import are_units
+from mansion_planner.brief.units import are_units, is_type_of_flat
 from mansion_planner.brief.unread_words import leave_unread
 
 __all__ = ["read_brief"]
@@ -112,12 +113,13 @@ class _Reader:
         reading = self.reading
         read_adverts(reading, self.places)
         self.opening = unknown_building(reading)
-        phrases = without_bystanders(reading, noun_phrases(reading))
+        phrases = rooms_of_several_uses(reading, without_bystanders(reading, noun_phrases(reading)))
         phrases = with_accessible_ones(reading, desks_as_places(reading, rooms_by_name(reading, phrases)))
         reading.go_on()
         stacked = read_stacking(reading, phrases)
         phrases = [phrase for number, phrase in enumerate(phrases) if number not in stacked]
         self.building = self._name_building(phrases)
+        as_studio_flat(reading, phrases)
         phrases = with_shared_sizes(reading, measures, phrases)
         self.phrases = [self._plain_rooms(phrase) for phrase in give_measures(reading, measures, phrases)]
         self.phrases = sized(reading, with_bare_areas(reading, self.phrases), self.building)
@@ -192,7 +194,7 @@ class _Reader:
         number = building_phrase(reading, phrases, self.places)
         if number is not None and are_units(phrases[number]):
             number = None
-        if number is not None and self._is_type_of_flat(phrases, number):
+        if number is not None and is_type_of_flat(reading, phrases, number):
             self.facts.building.append(("apartment_building", Span("", 0, 0)))
             number = None
         opening = self.opening
@@ -223,13 +225,6 @@ class _Reader:
             self.facts.building[-1] = (name, self.reading.span(phrase.begin, phrase.noun_end))
             return None  # "two flats side by side" are a building and its rooms
         return number
-
-    def _is_type_of_flat(self, phrases: list[Phrase], number: int) -> bool:
-        """Whether what names the building is one of several types of flats: "two one-bed flats and a two-bed flat"."""
-        phrase = phrases[number]
-        sized = {"bed", "bedroom", "br"} & set(self.reading.words(phrase.begin, phrase.noun_end))
-        others = [p for n, p in enumerate(phrases) if n != number and p.building == phrase.building]
-        return phrase.building == "flat" and bool(sized) and any(are_units(other) for other in others)
 
     def _plain_rooms(self, phrase: Phrase) -> Phrase:
         """Read "40 rooms" in a hotel, hospital or dormitory as the rooms that it is for; elsewhere they stay unread."""
@@ -472,8 +467,6 @@ class _Reader:
             for n, p in enumerate(self.phrases)
             if p.head in ("room", "building") and n != self.building and n not in self.negated
         ]
-
-    # Facts ----------------------------------------------------------------------------------------------------------
 
     def _occupants(self) -> None:
         reading = self.reading

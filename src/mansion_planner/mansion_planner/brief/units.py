@@ -6,7 +6,17 @@ from mansion_planner.brief.facts import FloorRef
 from mansion_planner.brief.phrase import Phrase, finished_phrase
 from mansion_planner.brief.reading import Reading
 
-__all__ = ["ALL", "GENERAL", "LODGINGS", "Households", "are_dwellings", "are_units", "find_units", "put_phrase"]
+__all__ = [
+    "ALL",
+    "GENERAL",
+    "LODGINGS",
+    "Households",
+    "are_dwellings",
+    "are_units",
+    "find_units",
+    "is_type_of_flat",
+    "put_phrase",
+]
 
 _NOUNS = {"unit": "apartment", "dwelling": "apartment", "home": "apartment", "residence": "apartment",
           "cluster": "common_room"}  # fmt: skip
@@ -75,6 +85,14 @@ def are_units(phrase: Phrase) -> bool:
     """Whether a phrase that names homes is of several in one building: "nine flats", "four houses"."""
     several = phrase.plural and phrase.counted and (phrase.count or 0) > 1
     return phrase.building in _ROWS and (several or phrase.determiner in ALL)
+
+
+def is_type_of_flat(reading: Reading, phrases: list[Phrase], number: int) -> bool:
+    """Whether a phrase names one of several types of flats, and no building: "two one-bed flats and a two-bed flat"."""
+    phrase = phrases[number]
+    sized = not _BEDS.isdisjoint(reading.words(phrase.begin, phrase.noun_end))
+    others = [p for n, p in enumerate(phrases) if n != number and p.building == phrase.building]
+    return phrase.building == "flat" and sized and any(are_units(other) for other in others)
 
 
 def are_dwellings(phrase: Phrase) -> bool:
