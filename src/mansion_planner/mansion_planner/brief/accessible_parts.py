@@ -1,5 +1,6 @@
 """Read what some of several rooms are to be: "toilets, one of them accessible", "12 rooms, two of which are large"."""
 
+import itertools
 from dataclasses import replace
 
 from mansion_planner.brief.phrase import Phrase
@@ -35,7 +36,8 @@ def with_accessible_ones(reading: Reading, phrases: list[Phrase]) -> list[Phrase
             continue
         first, count, begin, last = part
         accessible = begin < last and _accessible(reading, begin) == last
-        inside = any(other.first < last and other.head == "room" for other in phrases[number + 1 :])
+        following = itertools.islice(phrases, number + 1, number + 5)
+        inside = any(other.first < last and other.head == "room" for other in following)
         if accessible and phrase.room_type in _TOILETS and count < (phrase.count or count + 1):
             read = last
             reading.take(phrase.last, last + (reading.word(last) == ")"))
