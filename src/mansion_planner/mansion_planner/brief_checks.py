@@ -90,11 +90,13 @@ def states_something(facts: BriefFacts) -> bool:
 
 
 def _stated(facts: BriefFacts) -> list[str]:
-    return [
-        name
-        for name, value in vars(facts).items()
-        if value and name not in ("unread", "unheeded", "building_name", "building_like", "building_span", "size")
-    ]
+    return [name for name, value in vars(facts).items() if value and name not in _UNSTATED]
+
+
+_UNSTATED = frozenset(
+    {"unread", "unheeded", "corrections", "combined", "building_name", "building_like", "building_span", "size"}
+)
+"""Fields of the facts that say nothing of a building by themselves."""
 
 
 def check_understood(facts: BriefFacts, description: str) -> None:
@@ -110,7 +112,7 @@ def check_understood(facts: BriefFacts, description: str) -> None:
     words = len(description.split())
     if facts.building and words <= 8:
         return  # "Flat: 3½ rooms"
-    if (stated and unread < 0.6 * words) or (len(stated) > 2 and unread < 0.8 * words):
+    if (stated and unread <= 0.6 * words) or (len(stated) > 2 and unread < 0.8 * words):
         return
     raise nothing_understood(facts, description)
 

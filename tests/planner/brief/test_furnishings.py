@@ -92,4 +92,20 @@ def test_furniture_that_a_room_is_said_to_have_does_not_move_on_to_the_next_room
 
 def test_entries_of_a_list_do_not_share_the_room_of_the_last() -> None:
     found = wanted("A tiny house. A kitchen, a writing desk, a washing machine in the bathroom.")
-    assert {fact.category: fact.room for fact in found} == {"desk": "kitchen", "washing_machine": "bathroom"}
+    assert {fact.category: fact.room for fact in found} == {"desk": "", "washing_machine": "bathroom"}
+
+
+@pytest.mark.parametrize(
+    ("text", "room"),
+    [
+        ("A restaurant with a kitchen next to the dining room and with an oven in it", "kitchen"),
+        ("A restaurant: kitchen beside the dining room, with an oven in it", "kitchen"),
+        ("A restaurant with a dining room and a kitchen with an oven", "kitchen"),
+        ("A restaurant with a kitchen beside the store, with a dining room and an oven in the store", "store"),
+        ("A flat with a kitchen corner with sink and fridge, one oven, two bedrooms", ""),
+        ("A flat with a kitchen corner, a bed and an oven", ""),
+    ],
+)
+def test_furniture_stands_in_the_room_that_its_clause_is_about(text: str, room: str) -> None:
+    objects = read_brief(text, default_knowledge()).objects
+    assert [fact.room for fact in objects if fact.category in ("stove", "oven")] == [room]

@@ -21,6 +21,9 @@ def read_adverts(reading: Reading, places: Sequence[Place]) -> None:
             continue
         if stated.get(reading.sentence[index], index) < index:
             continue
+        one_more = reading.word(index - 1) in ("a", "an") and reading.word(index - 2) in ("and", ",", "plus")
+        if reading.word(index + 2) == "flat" and (one_more or reading.kind(index - 1) == "number"):
+            continue  # "two 2BR flats"
         singular = not reading.plural(index + 1)
         several = reading.value(index) > 1 or index + 2 in reading.mention_at
         beds = word == "bed" and (several if singular else _lists_baths(reading, index + 2))

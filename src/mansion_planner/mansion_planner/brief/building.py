@@ -159,7 +159,11 @@ def is_compound(reading: Reading, phrase: Phrase) -> bool:
     words = reading.words(phrase.begin, phrase.noun_end)
     if len(words) < 2 or any(words[-size:] in known for size in range(2, len(words) + 1)):
         return False
-    return words[-2] not in PLAIN
+    return words[-2] not in PLAIN | _ROOMS_OF_FLATS
+
+
+_ROOMS_OF_FLATS = frozenset({"bed", "bedroom", "room", "br", "bdr"})
+"""What "two-bed flats" are counted by: they are flats all the same."""
 
 
 def _are_told_apart(phrase: Phrase, other: Phrase) -> bool:
@@ -193,7 +197,8 @@ def unknown_building(reading: Reading) -> tuple[str, str, int, int] | None:
             continue
         if first >= 0 and _stands_as_building(reading, first) and index - first <= 5:
             like = "" if reading.plural(index - 1) else _kind_by_head(reading, first, index)
-            if _names_part(reading, first, index, like):
+            sized = reading.kind(first - 1) == "number" and reading.word(first) in _ROOMS_OF_FLATS  # "a two-bed flat"
+            if sized or _names_part(reading, first, index, like):
                 first = -1
                 continue
             opens = _opens_brief(reading, first) and (

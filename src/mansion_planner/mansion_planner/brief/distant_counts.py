@@ -4,7 +4,7 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 
 from mansion_planner.brief.facts import Quantity
-from mansion_planner.brief.phrase import Phrase
+from mansion_planner.brief.phrase import Phrase, tells_some
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
 from mansion_planner.brief.storey_attachment import Attachment
 from mansion_planner.brief.suites import read_suites
@@ -36,7 +36,7 @@ def read_late_counts(reading: Reading, phrases: list[Phrase]) -> None:
         )
         if apiece and _count_apiece(reading, phrases, index):
             continue
-        of_them = reading.words(index + 1, index + 3) == ("of", "them")
+        of_them = reading.words(index + 1, index + 3) == ("of", "them") and not tells_some(reading, index)
         corrects = not {"sorry", "mean", "correction"}.isdisjoint(reading.words(index - 3, index))
         if not of_them and not corrects:
             continue

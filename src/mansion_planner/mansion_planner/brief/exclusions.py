@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+from mansion_planner.brief.absences import absence_end, time_end
 from mansion_planner.brief.phrase import FUNCTION_WORDS, Phrase
 from mansion_planner.brief.reading import Reading
 
@@ -138,11 +139,12 @@ def negated_phrases(reading: Reading, phrases: list[Phrase]) -> dict[int, tuple[
             and reading.breaks(phrase.last + 2)
         ):
             after = (",", "no")  # "lift, yes; cafe, no"
-        if after is not None:
-            found[number] = (phrase.first, phrase.last + len(after))
-            reading.take(phrase.last, phrase.last + len(after))
+        end = phrase.last + len(after) if after is not None else absence_end(reading, phrase.last)
+        if end > phrase.last:
+            found[number] = (phrase.first, end)
+            reading.take(phrase.last, end)
             for earlier in _joined_before(reading, phrases, number):
-                found[earlier] = (phrases[earlier].first, phrase.last + len(after))
+                found[earlier] = (phrases[earlier].first, end)
     for index in range(len(reading.tokens)):
         refused = _refused(reading, phrases, index)
         if refused is not None:
@@ -158,6 +160,7 @@ def negated_phrases(reading: Reading, phrases: list[Phrase]) -> dict[int, tuple[
                     phrases[number] = replace(phrases[number], head="unknown")  # "instead of the second bedroom"
                     continue
                 found.setdefault(number, (index, phrases[number].last))
+                reading.take(phrases[number].last, time_end(reading, phrases[number].last))
             if length and any(first == index for first, _ in found.values()):
                 reading.take(index, index + length)
     return found

@@ -178,6 +178,8 @@ class ObjectFact:
         None of it is wanted.
     exact : bool
         No more of them are wanted.
+    some : int
+        Of how many such rooms each has its share; 0 where all do.
     """
 
     words: str
@@ -191,6 +193,7 @@ class ObjectFact:
     floors: tuple[FloorRef, ...] = ()
     noun: str = ""
     exact: bool = False
+    some: int = 0
 
 
 @dataclass(frozen=True)
@@ -257,6 +260,10 @@ class BriefFacts:
         Words that no fact was read from.
     unheeded : list of Span
         Words within other facts' that say how something is to be, and that nothing is made of.
+    combined : list of str
+        Room types that a room of several uses stands for: none of them is added.
+    corrections : list of Span
+        From a number that the brief takes back to the end of the one that it gives instead.
     """
 
     floors: list[Quantity] = field(default_factory=list)
@@ -290,3 +297,5 @@ class BriefFacts:
     only: list[Span] = field(default_factory=list)
     unread: list[Span] = field(default_factory=list)
     unheeded: list[Span] = field(default_factory=list)
+    combined: list[str] = field(default_factory=list)
+    corrections: list[Span] = field(default_factory=list)

@@ -107,8 +107,8 @@ def read_style(reading: Reading, *, named: bool) -> None:
         modifies = not named and reading.modifiers.issuperset(range(mention.first, mention.last))
         if not mention.style or not (modifies or reading.free(mention.first, mention.last)):
             continue
-        if modifies and is_property(reading.word(mention.first)):
-            continue  # "two bright bedrooms" says nothing of the building
+        if modifies and (is_property(reading.word(mention.first)) or reading.word(mention.first) == "grand"):
+            continue  # "two bright bedrooms" and "a grand hall" say nothing of the building
         if reading.word(mention.last) in ("rectangle", "rectangular", "box", "outline"):
             continue
         last = mention.last

@@ -1,10 +1,12 @@
 """Read which furniture a brief wants, and in which room: "a fireplace in the living room", "each with two beds"."""
 
 import itertools
+from collections.abc import Sequence
 
 from mansion_planner.brief.facts import ObjectFact
 from mansion_planner.brief.phrase import FUNCTION_WORDS, Phrase
 from mansion_planner.brief.reading import Reading
+from mansion_planner.brief.relations import Relation
 from mansion_planner.brief.storey_attachment import Attachment
 
 __all__ = ["read_furnishings"]
@@ -23,6 +25,7 @@ def read_furnishings(
     attached: dict[int, Attachment],
     negated: dict[int, tuple[int, int]],
     same: dict[int, int],
+    relations: Sequence[Relation] = (),
 ) -> list[ObjectFact]:
     """Return the wishes for furniture.
 
@@ -34,6 +37,8 @@ def read_furnishings(
         Phrases that are not wanted.
     same : dict of int to int
         Phrases that only name an earlier room again, and which.
+    relations : sequence of Relation
+        Which rooms lie beside which.
     """
     found = _seats(reading, phrases, negated) + _numbered_places(reading, phrases, negated)
     owners: dict[int, tuple[int | None, bool]] = {}
@@ -45,6 +50,7 @@ def read_furnishings(
     for number in reversed(range(len(phrases))):
         if phrases[number].head == "object":
             owners[number] = _shared_owner(reading, phrases, owners, number) or _owner(reading, phrases, rooms, number)
+            owners[number] = _of_subject(reading, phrases, relations, owners[number], number)
     for number, phrase in enumerate(phrases):
         if phrase.head != "object" or _passes_by(reading, phrases, number):
             continue
@@ -58,6 +64,8 @@ def read_furnishings(
         if room is not None and number in negated and _replaced(reading, phrases, negated, number):
             room, each = None, False
         each = each or (room is not None and owner in attached and attached[owner].each)
+        some = _rooms_having(reading, room, phrase)
+        each = each and not some
         last = phrase.last if room is not None else _unread_place(reading, phrase)
         if last > phrase.last:
             reading.facts.unheeded.append(reading.span(phrase.last, last))
@@ -66,9 +74,9 @@ def read_furnishings(
                 words=phrase.label,
                 category=phrase.category,
                 span=reading.span(phrase.first, last),
-                count=phrase.count and phrase.count * _sets(reading, phrases, number)
+                count=phrase.count and phrase.count * _sets(reading, phrases, number) * (some or 1)
                 if phrase.counted
-                else people_served(reading, phrases, number) or phrase.count,
+                else people_served(reading, phrases, number) or (phrase.count and phrase.count * (some or 1)),
                 room=room.name if room is not None else "",
                 room_type=room.room_type if room is not None else "",
                 each=each or (room is None and number in attached and attached[number].each),
@@ -76,9 +84,19 @@ def read_furnishings(
                 floors=attached[number].refs if number in attached and room is None else (),
                 noun=phrase.label,
                 exact=phrase.counted and "least" not in reading.words(phrase.first, phrase.last),
+                some=some,
             )
         )
     return found
+
+
+def _rooms_having(reading: Reading, room: Phrase | None, phrase: Phrase) -> int:
+    """Return how many of several rooms have furniture: two in "six classrooms, two of them with a piano"; else 0."""
+    at = _some_of_them(reading, room.last, phrase.first) if room is not None and room.last <= phrase.first else 0
+    if not at:
+        return 0
+    reading.take(at, at + 1)
+    return int(reading.value(at))
 
 
 def people_served(reading: Reading, phrases: list[Phrase], number: int) -> int:
@@ -168,8 +186,8 @@ def _numbered_places(reading: Reading, phrases: list[Phrase], negated: dict[int,
     found = []
     for number, phrase in enumerate(phrases):
         named = phrase.head == "room" or (phrase.head == "building" and not _whole(reading, phrase))
-        if not named or not phrase.room_type or number in negated:
-            continue
+        if not named or not phrase.room_type or number in negated or reading.knowledge.room(phrase.room_type).unit:
+            continue  # "two-bed flats" have two bedrooms
         for index in range(max(phrase.first - 2, 0), phrase.noun_end - 1):
             category = _PLACES.get(reading.word(index + 1))
             joined = not reading.tokens[index + 1].spaced and reading.kind(index) == "number"
@@ -248,6 +266,30 @@ def _shared_owner(
     return following if set(between) <= {"and", ",", "&", "a", "an", "plus"} and between else None
 
 
+def _of_subject(
+    reading: Reading, phrases: list[Phrase], relations: Sequence[Relation], owner: tuple[int | None, bool], number: int
+) -> tuple[int | None, bool]:
+    """Return the room that a clause is about, where the nearest one only tells where it lies.
+
+    "A kitchen beside the dining room and with an oven in it", "the office next to the archive has two desks".
+    """
+    room = owner[0]
+    if room is None or phrases[room].last > phrases[number].first:
+        return owner
+    relation = next((r for r in relations if room in r.rights and not r.apart and r.last <= phrases[room].first), None)
+    if relation is None or relation.lefts[-1] >= room or phrases[relation.lefts[-1]].last > relation.first:
+        return owner
+    if reading.sentence[phrases[room].first] != reading.sentence[phrases[number].first]:
+        return owner
+    gap = reading.words(phrases[room].last, phrases[number].first)
+    inside = reading.words(phrases[number].last, phrases[number].last + 2) in (("in", "it"), ("inside", "it"))
+    joined = gap[:2] == ("and", "with") or gap[:3] == (",", "and", "with") or gap[:1] in _HAS
+    return (relation.lefts[-1], owner[1]) if inside or joined else owner
+
+
+_HAS = (("has",), ("have",), ("contain",), ("hold",), ("get",), ("need",))
+
+
 def _led_by_room(reading: Reading, phrases: list[Phrase], number: int) -> bool:
     """Whether a room has the furniture already: "a hall with five counters and two machines in the porch"."""
     before = phrases[number - 1] if number else None
@@ -289,24 +331,39 @@ def _owner(reading: Reading, phrases: list[Phrase], rooms: list[int], number: in
         )
         if before is None or not _continues(reading, phrase):
             return None, False
+    if _is_own_entry(reading, phrases, before, number):
+        return None, False
     before = _listed_with(reading, phrases, rooms, before, number)
     gap = reading.words(phrases[before].last, phrase.first)
     tail = reading.words(phrase.last, phrase.last + 2)
     ahead = reading.words(max(phrases[before].first - 3, 0), phrases[before].first)
     if ("each", "of") in itertools.pairwise(ahead):
         return before, True  # "in each of the five bedrooms a wardrobe"
-    some = _some_of_them(reading, phrases[before].last, phrase.first)
-    if some:
-        reading.take(some, some + 1)
-        return before, False
     each = not _EACH.isdisjoint(gap) or phrases[before].determiner in _EACH or bool({"each", "apiece"} & set(tail))
     return before, each or ((phrases[before].count or 2) > 1 and "with" in gap)
+
+
+def _is_own_entry(reading: Reading, phrases: list[Phrase], before: int, number: int) -> bool:
+    """Whether furniture is an entry of a list beside a room: "a kitchen corner with fridge and stove, one desk"."""
+    things = [phrase for phrase in phrases[before + 1 : number + 1] if phrase.head == "object"]
+    first = things[0]
+    listed = reading.words(phrases[before].last, first.first) == (",",) and not phrases[before].areas
+    if listed and phrases[before].determiner in ("a", "an"):
+        return first.determiner in ("a", "an") or first.counted  # "a kitchen corner, one bed and a desk"
+    if len(things) < 3 or reading.words(phrases[before].last, first.first)[:1] != ("with",):
+        return False
+    pairs = itertools.pairwise(things[-12:-1])
+    closed = any(reading.words(a.last, b.first)[:1] in (("and",), ("&",)) for a, b in pairs)
+    return closed and reading.words(things[-2].last, phrases[number].first)[:1] == (",",)
 
 
 def _some_of_them(reading: Reading, first: int, last: int) -> int:
     """Return the token of "one" in "five practice rooms, one of them with a grand piano", or 0."""
     for index in range(first, last - 2):
-        if reading.value(index) == 1 and reading.words(index + 1, index + 3) in (("of", "them"), ("of", "which")):
+        counts = reading.kind(index) == "number" and 1 <= reading.value(index) <= 100
+        if not counts or reading.words(index + 1, index + 3) not in (("of", "them"), ("of", "which")):
+            continue
+        if reading.value(index) == 1 or reading.word(index + 3) in ("with", "have", "has", "having", "get", "hold"):
             return index if _EACH.isdisjoint(reading.words(index, last)) else 0
     return 0
 

@@ -18,6 +18,7 @@ __all__ = [
     "count_before",
     "finished_phrase",
     "name_of",
+    "tells_some",
 ]
 
 Head: TypeAlias = Literal["room", "building", "stair", "elevator", "object", "people", "unknown"]
@@ -312,6 +313,7 @@ def count_after(reading: Reading, end: int) -> tuple[int, int | None]:
         word in (":", "-", ",", "–", "(")
         and whole
         and reading.words(end + 2, end + 4) in (("of", "them"), ("of", "those"), ("in", "number"), ("in", "total"))
+        and not tells_some(reading, end + 1)
     ):
         return end + 4, int(value)
     least = reading.words(end + 1, end + 3) in (("at", "least"), ("not", "less"), ("a", "minimum")) or reading.word(
@@ -330,6 +332,18 @@ def count_after(reading: Reading, end: int) -> tuple[int, int | None]:
     if word in (",", ":") and whole and reading.word(end + 2) in ("no", "nos", "number", "off", "pcs", "piece"):
         return end + 3 + (reading.word(end + 3) == "."), int(value)
     return end, None
+
+
+def tells_some(reading: Reading, index: int) -> bool:
+    """Whether a number speaks of some of several rooms, and not of all: "toilets, two of them accessible"."""
+    of_them = reading.word(index + 1) == "of" and reading.word(index + 2) in ("them", "those", "these", "which")
+    return of_them and (reading.value(index) == 1 or reading.word(index + 3) in _OF_SOME)
+
+
+_OF_SOME = frozenset(
+    "accessible wheelchair barrier step for with is are being must should suitable large small".split()
+)
+"""What is said of some of several rooms."""
 
 
 def _per_storey(reading: Reading, index: int) -> bool:

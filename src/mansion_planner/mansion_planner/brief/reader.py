@@ -10,6 +10,8 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from mansion_knowledge import KnowledgeBase
+from mansion_planner.brief.absences import read_absent_parts
+from mansion_planner.brief.accessible_parts import with_accessible_ones
 from mansion_planner.brief.adverts import read_adverts, read_bedrooms_of_building
 from mansion_planner.brief.background_phrases import without_bystanders
 from mansion_planner.brief.bare_areas import with_bare_areas
@@ -26,7 +28,7 @@ from mansion_planner.brief.distant_counts import (
     without_totals,
 )
 from mansion_planner.brief.exclusions import negated_phrases, read_completeness
-from mansion_planner.brief.facts import AdjacencyFact, BriefFacts, OccupantFact, Quantity
+from mansion_planner.brief.facts import AdjacencyFact, BriefFacts, OccupantFact, Quantity, Span
 from mansion_planner.brief.finishes import read_materials, read_style
 from mansion_planner.brief.furnishings import people_served, read_furnishings
 from mansion_planner.brief.furniture_words import furniture_of
@@ -40,6 +42,7 @@ from mansion_planner.brief.qualifiers import unheeded_words
 from mansion_planner.brief.reading import Place, Reading, start_reading
 from mansion_planner.brief.relations import Relation, read_relations
 from mansion_planner.brief.room_facts import RoomStatements, identifier
+from mansion_planner.brief.shared_rooms import as_studio_flat, rooms_of_several_uses
 from mansion_planner.brief.shared_sizes import with_shared_sizes
 from mansion_planner.brief.similarity import HEAD_TYPES, similar_room_type
 from mansion_planner.brief.sizes import sized
@@ -48,7 +51,7 @@ from mansion_planner.brief.storey_attachment import Attachment
 from mansion_planner.brief.storeys import read_storeys
 from mansion_planner.brief.suites import read_suites
 from mansion_planner.brief.unit_storeys import attach_units
-from mansion_planner.brief.units import are_units
+from mansion_planner.brief.units import are_units, is_type_of_flat
 from mansion_planner.brief.unread_words import leave_unread
 
 __all__ = ["read_brief"]
@@ -110,12 +113,13 @@ class _Reader:
         reading = self.reading
         read_adverts(reading, self.places)
         self.opening = unknown_building(reading)
-        phrases = without_bystanders(reading, noun_phrases(reading))
-        phrases = desks_as_places(reading, rooms_by_name(reading, phrases))
+        phrases = rooms_of_several_uses(reading, without_bystanders(reading, noun_phrases(reading)))
+        phrases = with_accessible_ones(reading, desks_as_places(reading, rooms_by_name(reading, phrases)))
         reading.go_on()
         stacked = read_stacking(reading, phrases)
         phrases = [phrase for number, phrase in enumerate(phrases) if number not in stacked]
         self.building = self._name_building(phrases)
+        as_studio_flat(reading, phrases)
         phrases = with_shared_sizes(reading, measures, phrases)
         self.phrases = [self._plain_rooms(phrase) for phrase in give_measures(reading, measures, phrases)]
         self.phrases = sized(reading, with_bare_areas(reading, self.phrases), self.building)
@@ -155,7 +159,9 @@ class _Reader:
         reading.go_on()
         self._occupants()
         self._vertical()
-        self.facts.objects += read_furnishings(reading, self.phrases, self.attached, self.negated, self.same)
+        self.facts.objects += read_furnishings(
+            reading, self.phrases, self.attached, self.negated, self.same, self.relations
+        )
         RoomStatements(
             reading,
             self.places,
@@ -170,6 +176,7 @@ class _Reader:
         read_desk_areas(self.facts)
         self._relations()
         read_completeness(reading)
+        read_absent_parts(reading)
         self.facts.excluded.sort(key=lambda entry: entry[1].end)
         for index, token in enumerate(reading.tokens):
             if (
@@ -186,6 +193,9 @@ class _Reader:
         reading = self.reading
         number = building_phrase(reading, phrases, self.places)
         if number is not None and are_units(phrases[number]):
+            number = None
+        if number is not None and is_type_of_flat(reading, phrases, number):
+            self.facts.building.append(("apartment_building", Span("", 0, 0)))
             number = None
         opening = self.opening
         if opening is not None:
@@ -457,8 +467,6 @@ class _Reader:
             for n, p in enumerate(self.phrases)
             if p.head in ("room", "building") and n != self.building and n not in self.negated
         ]
-
-    # Facts ----------------------------------------------------------------------------------------------------------
 
     def _occupants(self) -> None:
         reading = self.reading

@@ -6,8 +6,10 @@ from dataclasses import dataclass, field
 from mansion_knowledge import KnowledgeBase
 from mansion_language import Token, tokenize
 from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_planner.brief.corrections import corrected_numbers
 from mansion_planner.brief.count_forms import count_forms
 from mansion_planner.brief.facts import BriefFacts, FloorRef, Span
+from mansion_planner.brief.flat_types import flat_types
 from mansion_planner.brief.furniture_words import furniture_vocabulary
 from mansion_planner.brief.lexicon import Mention, lexicon_of
 from mansion_planner.brief.spelling import corrected
@@ -154,7 +156,8 @@ class Reading:
 def start_reading(text: str, knowledge: KnowledgeBase, cancelled: Callable[[], bool] = lambda: False) -> Reading:
     """Tokenise `text`, correct misspelt words and find the phrases of the knowledge base."""
     lexicon = lexicon_of(knowledge)
-    tokens = count_forms(storey_forms(text, storey_tables(tokenize(text), FLOOR_WORDS)))
+    tokens, corrections = corrected_numbers(tokenize(text))
+    tokens = flat_types(count_forms(storey_forms(text, storey_tables(tokens, FLOOR_WORDS))))
     tokens = compounds(corrected(tokens, lexicon.words, furniture_vocabulary()), lexicon.words)
     tokens = capacities(foreign_storeys(open_decks(gross_areas(tokens))), lexicon.heads)
     mentions = lexicon.find(tokens)
@@ -166,6 +169,7 @@ def start_reading(text: str, knowledge: KnowledgeBase, cancelled: Callable[[], b
         mention_at={mention.first: mention for mention in mentions},
         cancelled=cancelled,
     )
+    reading.facts.corrections += [Span(text[start:end], start, end) for start, end in corrections]
     number = 0
     for index in range(len(tokens)):
         reading.sentence.append(number)

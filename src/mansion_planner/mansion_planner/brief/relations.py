@@ -210,9 +210,22 @@ def read_relations(reading: Reading, phrases: list[Phrase], excluded_phrases: se
         relation, last = found
         relation = _of_subject(reading, phrases, relation, relations[-1] if relations else None)
         relations.append(relation)
-        reading.take(relation.first, relation.last)
+        reading.take(_with_adverbs(reading, relation.first), relation.last)
         index = max(last, index + 1)
     return relations
+
+
+def _with_adverbs(reading: Reading, first: int) -> int:
+    """Return where a relation begins with the adverbs that strengthen it: "right beside", "immediately next to"."""
+    while reading.word(first - 1) in _STRENGTHS and first - 1 not in reading.taken:
+        first -= 1
+    return first
+
+
+_STRENGTHS = frozenset(
+    "right immediately directly just straight close closely well very conveniently handily situated".split()
+)
+"""Adverbs before a relation that ask for nothing more than it does."""
 
 
 def _of_subject(reading: Reading, phrases: list[Phrase], relation: Relation, before: Relation | None) -> Relation:

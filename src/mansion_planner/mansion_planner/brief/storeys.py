@@ -11,6 +11,7 @@ from mansion_planner.brief.facts import FloorRef, Quantity
 from mansion_planner.brief.named_storeys import COPULAS, TOPS, NamedStoreys
 from mansion_planner.brief.numbered_storeys import NumberedStoreys
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
+from mansion_planner.brief.relative_storeys import RelativeStoreys
 from mansion_planner.brief.storey_counts import CLOSERS, DEFINITE, STOREY_ADJECTIVES, StoreyCounts, settle_counts
 from mansion_planner.brief.storey_forms import ABOVE_GROUND
 from mansion_planner.brief.storey_sequences import StoreySequence, resolve_rest
@@ -107,6 +108,7 @@ class _Scanner:
         self.numbered = NumberedStoreys(reading, self.places, has_floors=self.has_floors)
         self.named = NamedStoreys(reading, has_floors=self.has_floors, british=self.numbered.british)
         self.elliptic = EllipticStoreys(reading, has_floors=self.has_floors)
+        self.relative = RelativeStoreys(reading, self.named, self.numbered)
 
     def scan(self) -> None:
         """Find all counts and references."""
@@ -159,6 +161,7 @@ class _Scanner:
             self.numbered.level,
             self.named.basement,
             self._rest,
+            self._relative,
             self._counted_set,
             self._in_sequence,
             self._elliptic,
@@ -183,6 +186,9 @@ class _Scanner:
 
     def _elliptic(self, index: int) -> tuple[list[FloorRef], int] | None:
         return self.elliptic.read(index, self.previous)
+
+    def _relative(self, index: int) -> tuple[list[FloorRef], int] | None:
+        return self.relative.read(index, self.previous)
 
     def _rest(self, index: int) -> tuple[list[FloorRef], int] | None:
         """Read "the rest", "all the others", "the remaining floors": the storeys that the brief does not name."""

@@ -6,7 +6,17 @@ from mansion_planner.brief.facts import FloorRef
 from mansion_planner.brief.phrase import Phrase, finished_phrase
 from mansion_planner.brief.reading import Reading
 
-__all__ = ["ALL", "GENERAL", "LODGINGS", "Households", "are_dwellings", "are_units", "find_units", "put_phrase"]
+__all__ = [
+    "ALL",
+    "GENERAL",
+    "LODGINGS",
+    "Households",
+    "are_dwellings",
+    "are_units",
+    "find_units",
+    "is_type_of_flat",
+    "put_phrase",
+]
 
 _NOUNS = {"unit": "apartment", "dwelling": "apartment", "home": "apartment", "residence": "apartment",
           "cluster": "common_room"}  # fmt: skip
@@ -75,6 +85,14 @@ def are_units(phrase: Phrase) -> bool:
     """Whether a phrase that names homes is of several in one building: "nine flats", "four houses"."""
     several = phrase.plural and phrase.counted and (phrase.count or 0) > 1
     return phrase.building in _ROWS and (several or phrase.determiner in ALL)
+
+
+def is_type_of_flat(reading: Reading, phrases: list[Phrase], number: int) -> bool:
+    """Whether a phrase names one of several types of flats, and no building: "two one-bed flats and a two-bed flat"."""
+    phrase = phrases[number]
+    sized = not _BEDS.isdisjoint(reading.words(phrase.begin, phrase.noun_end))
+    others = [p for n, p in enumerate(phrases) if n != number and p.building == phrase.building]
+    return phrase.building == "flat" and sized and any(are_units(other) for other in others)
 
 
 def are_dwellings(phrase: Phrase) -> bool:
@@ -181,6 +199,12 @@ class _Units:
             counting = index == phrase.first and reading.tokens[index + 1].spaced
             if reading.kind(index) == "number" and reading.word(index + 1) in _BEDS and not counting:
                 self.found.sizes[phrase.first] = self._bedrooms(index)
+            rooms = reading.value(index) if _counts_rooms(reading, index) else 0.0
+            if rooms > 1 and phrase.room_type == "apartment":
+                self.found.sizes[phrase.first] = replace(self._bedrooms(index), count=int(rooms) - 1)
+            elif rooms == 1 and phrase.room_type == "apartment":
+                label = f"one-room {reading.word(phrase.noun_end - 1)}"
+                return replace(phrase, room_type="studio_apartment", name="one_room_flat", label=label)
         words = [
             index
             for index in range(phrase.begin, phrase.noun_end)
@@ -190,6 +214,8 @@ class _Units:
             return phrase
         name = "_".join(part for part in phrase.name.split("_") if part in {reading.word(i) for i in words})
         label = reading.text[reading.tokens[words[0]].start : reading.tokens[phrase.noun_end - 1].end]
+        if reading.tokens[words[0]].start == reading.tokens[words[0] - 1].start:
+            label = reading.word(words[0])  # a noun that the text leaves out
         return replace(phrase, name=name or reading.word(words[-1]), label=label)
 
     def _bedrooms(self, index: int) -> Phrase:
@@ -217,6 +243,13 @@ class _Units:
             self.found.sizes[first] = self._bedrooms(size)
             self.found.copies[first] = unit.first
             end = first
+
+
+def _counts_rooms(reading: Reading, index: int) -> bool:
+    """Whether "3-room" stands at a token: a living room and bedrooms, as flats are counted on the continent."""
+    return reading.kind(index) == "number" and (
+        reading.word(index + 1) == "room" and not reading.tokens[index + 1].spaced and reading.value(index) <= 8
+    )
 
 
 def put_phrase(reading: Reading, phrases: list[Phrase], phrase: Phrase) -> None:

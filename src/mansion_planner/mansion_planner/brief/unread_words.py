@@ -29,6 +29,7 @@ _RELATING = frozenset(
 """Words that tell where a room is, or what it shares; where no relation was read they are told of."""
 
 _WAYS = frozenset({"through", "from", "via", "by"})
+_LAID = frozenset("wrapped grouped built laid set folded closed clustered".split())
 _YARDS = frozenset({"courtyard", "patio", "yard", "atrium", "cloister"})
 """What an outline is read from where a building stands around it."""
 
@@ -57,6 +58,9 @@ def _is_content(reading: Reading, index: int) -> bool:
         and index + 1 not in reading.taken
     ):
         return True  # "on the same floor as"
+    around = reading.word(index + 1) in ("around", "round") and reading.word(index + 2) in ("a", "an", "the", "one")
+    if token.text in _LAID and around and _YARDS & set(reading.words(index + 2, index + 6)):
+        return False  # "wrapped around a courtyard"
     if token.text in ("around", "round") and reading.word(index + 1) in ("a", "an", "the", "one"):
         return not _YARDS & set(reading.words(index + 1, index + 5))
     if token.text == "like" and reading.word(index + 1) == "the" and _names_storey(reading, index + 2):

@@ -172,7 +172,8 @@ def allocate(decisions: Decisions, knowledge: KnowledgeBase, storeys: Sequence[S
 def _settled_types(facts: Iterable[RoomFact], decisions: Decisions, knowledge: KnowledgeBase) -> frozenset[str]:
     """Return the room types whose number the brief settles, or that it excludes and does not ask for by name."""
     asked = {fact.room_type for fact in decisions.facts.rooms}
-    refused = {name for name, _ in decisions.facts.excluded} - asked
+    refused = {name for name, _ in decisions.facts.excluded} | set(decisions.facts.combined)
+    refused -= asked
     settled = refused.union(*(group for group in _REFUSED_TOGETHER if group & refused)) - asked
     for fact in facts:
         settled.update(*(_LEAVES_OUT.get(child.room_type, ()) for child in fact.suite))

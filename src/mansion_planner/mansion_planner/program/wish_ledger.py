@@ -61,6 +61,8 @@ def _shared_out(
         return [
             (max(group, key=lambda entry: _likelihood(fact, entry)), count) for group in groups or [matching or rooms]
         ]
+    if fact.some and fact.some <= len(matching):
+        return [(entry, -(-count // fact.some)) for entry in matching[: fact.some]]
     if fact.each or not fact.exact or count < len(matching):
         return [(entry, count if fact.each else -(-count // len(matching))) for entry in matching]
     shares = [count // len(matching) + (number < count % len(matching)) for number in range(len(matching))]
@@ -140,10 +142,11 @@ class _Ledger:
         self, kind: WishKind, span: Span, value: WishValue, scope: Scope | None = None, *, reason: str = ""
     ) -> None:
         """Add a statement, unless the same words say the same already."""
+        span = self._as_corrected(span)
         text = " ".join(span.words.split()[:12])
         unread = kind == "unread"
         unheeded = [w.words for w in self.facts.unheeded if span.start <= w.start and w.end <= span.end]
-        if unheeded and kind in _QUALIFIED:
+        if unheeded and kind in _QUALIFIED and not value.unwanted:
             value = msgspec.structs.replace(value, unheeded=unheeded)
         wish = Wish(
             id="wish",
@@ -157,6 +160,14 @@ class _Ledger:
         )
         if wish not in self.found:
             self.found.append(wish)
+
+    def _as_corrected(self, span: Span) -> Span:
+        """Return the words of a statement up to the number that its own was replaced by."""
+        for correction in self.facts.corrections:
+            if span.start <= correction.start < span.end < correction.end:
+                words = span.words[: correction.start - span.start] + correction.words
+                return Span(words, span.start, correction.end)
+        return span
 
     def floors(self, refs: tuple[FloorRef, ...]) -> list[int]:
         """Return the floor numbers that references mean."""

@@ -1,0 +1,107 @@
+"""Read numbers that a brief takes back: "80 m2, no, 92 m2", "two lifts (sorry, three)", "two rooms, make that four".
+
+The number that is given last holds; it takes the place of the first, and the words that take that back are left out.
+"""
+
+from dataclasses import replace
+
+from mansion_language import Token
+from mansion_language.units import AREA
+
+__all__ = ["corrected_numbers"]
+
+_SIGNS = (
+    ("make", "that"), ("make", "it"), ("i", "mean"), ("or", "rather"), ("or", "better"), ("scratch", "that"),
+    ("strike", "that"), ("no", "wait"), ("hold", "on"), ("wait",), ("sorry",), ("pardon",), ("oop",), ("no",),
+    ("correction",), ("actually",), ("rather",), ("i", "meant"), ("better",), ("well",),
+    ("excuse", "me"),
+)  # fmt: skip
+"""What is said to take back a number, several of them one after the other at times."""
+_WEAK = frozenset({("no",), ("well",), ("better",), ("rather",), ("actually",), ("make", "it"), ("wait",)})
+"""Signs that take something back only after a comma, a bracket or a dash."""
+_PAUSES = frozenset({",", "(", "-", "–", "…", ":"})
+_ENDS = frozenset({"", ",", ".", ")", ";", "-", "–", "\n", "and", "with", "in", "on", "plus", "!"})
+_REACH = 14
+"""Tokens before a sign among which the number that it takes back is looked for."""
+
+
+def corrected_numbers(tokens: list[Token]) -> tuple[list[Token], list[tuple[int, int]]]:
+    """Return the tokens with every number as it is told last, and where numbers are told twice.
+
+    Returns
+    -------
+    tokens : list of Token
+        The later number stands in the place of the earlier one.
+    places : list of (int, int)
+        From each earlier number to the end of what takes it back, in characters.
+    """
+    result: list[Token] = []
+    places: list[tuple[int, int]] = []
+    index = 0
+    while index < len(tokens):
+        found = _correction(tokens, result, index)
+        if found is None:
+            result.append(tokens[index])
+            index += 1
+            continue
+        earlier, number, last = found
+        old, new = result[earlier], tokens[number]
+        result[earlier] = replace(old, text=new.text, value=new.value, soft=new.soft)
+        places.append((old.start, tokens[last - 1].end))
+        index = last
+    return result, places
+
+
+def _word(tokens: list[Token], index: int) -> str:
+    return tokens[index].text if 0 <= index < len(tokens) else ""
+
+
+def _correction(tokens: list[Token], before: list[Token], index: int) -> tuple[int, int, int] | None:
+    """Return which earlier number is taken back at a token, the token of the later one, and where that ends."""
+    at, paused = index, False
+    while _word(tokens, at) in _PAUSES or _word(tokens, at) == _word(tokens, at + 1) == "." or (
+        at > index and _word(tokens, at) == _word(tokens, at - 1) == "."
+    ):  # fmt: skip
+        at, paused = at + 1, True
+    first, weak = at, True
+    while (sign := _sign(tokens, at)) is not None:
+        weak = weak and sign in _WEAK
+        at += len(sign)
+        while _word(tokens, at) in _PAUSES:
+            at += 1
+    if at == first or (weak and not paused) or at >= len(tokens) or tokens[at].kind != "number":
+        return None
+    earlier = _taken_back(tokens, before, at)
+    return None if earlier is None else (earlier, at, _end(tokens, before, earlier, at, opened=_word(tokens, index)))
+
+
+def _sign(tokens: list[Token], index: int) -> tuple[str, ...] | None:
+    return next((s for s in _SIGNS if tuple(t.text for t in tokens[index : index + len(s)]) == s), None)
+
+
+def _taken_back(tokens: list[Token], before: list[Token], number: int) -> int | None:
+    """Return the last number before that is of the same thing as a later one; of anything where that stands alone."""
+    of = _word(tokens, number + 1)
+    for at in range(len(before) - 1, max(len(before) - _REACH, 0) - 1, -1):
+        token = before[at]
+        if token.text in (";", "\n") or (token.text == "." and _word(before, at - 1) != "." != _word(before, at + 1)):
+            return None
+        if token.kind != "number":
+            continue
+        if of in _ENDS or at == len(before) - 1:
+            return at
+        if of in AREA:
+            return at if _word(before, at + 1) in AREA else None
+        if any(before[noun].text == of for noun in range(at + 1, min(at + 4, len(before)))):
+            return at
+    return None
+
+
+def _end(tokens: list[Token], before: list[Token], earlier: int, number: int, *, opened: str) -> int:
+    """Return where what takes a number back ends: after the noun that is said again, and after a closing mark."""
+    nouns = [token.text for token in before[earlier + 1 : earlier + 4]]
+    last = number + 1
+    while last < len(tokens) and tokens[last].text not in _ENDS and tokens[last].text in nouns:
+        last += 1
+    closed = {"(": ")", "-": "-", "–": "–"}.get(opened)
+    return last + (closed is not None and _word(tokens, last) == closed)

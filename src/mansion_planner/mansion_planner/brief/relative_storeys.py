@@ -1,0 +1,98 @@
+"""Read sets of storeys told from another one: "each of the four floors above", "all levels over the ground floor"."""
+
+from mansion_planner.brief.facts import FloorRef
+from mansion_planner.brief.named_storeys import NamedStoreys
+from mansion_planner.brief.numbered_storeys import NumberedStoreys
+from mansion_planner.brief.reading import FLOOR_WORDS, Reading
+from mansion_planner.brief.storey_counts import DEFINITE, STOREY_ADJECTIVES
+
+__all__ = ["RelativeStoreys"]
+
+_EACH = frozenset({"each", "every", "all", "both", "any"})
+_FURTHER = frozenset({"other", "upper", "further", "remaining", "higher", "following", "next"})
+_ABOVE = (
+    ("further", "up"),
+    ("higher", "up"),
+    ("on", "top"),
+    ("above",),
+    ("over",),
+    ("overhead",),
+    ("upward",),
+    ("up",),
+)
+_ANAPHORS = frozenset({"it", "that", "them", "this", "these", "those"})
+_STREET = frozenset({"ground", "street", "grade", "lobby", "entrance"})
+
+
+class RelativeStoreys:
+    """Reads such sets; `named` and `numbered` read the storey that they are told from."""
+
+    def __init__(self, reading: Reading, named: NamedStoreys, numbered: NumberedStoreys) -> None:
+        self.reading, self.named, self.numbered = reading, named, numbered
+
+    def read(self, index: int, previous: FloorRef | None) -> tuple[list[FloorRef], int] | None:
+        """Return the storeys meant at a token and the token after them; `previous` is the storey named last."""
+        reading = self.reading
+        each = reading.word(index) in _EACH
+        if not each and reading.word(index - 1) not in DEFINITE:
+            return None
+        at = index + each
+        at += each and reading.word(at) == "one"
+        at += reading.word(at) == "of"
+        at += reading.word(at) in ("the", "its", "our", "these", "those")
+        upper, at = self._adjectives(at)
+        many = int(reading.value(at)) if reading.kind(at) == "number" and 1 < reading.value(at) < 200 else 0
+        at += bool(many)
+        more, at = self._adjectives(at)
+        if reading.word(at) not in FLOOR_WORDS or not (each or many):
+            return None
+        told = self._told_from(at + 1, previous)
+        if told is None:
+            return ([FloorRef("top", many, many)], at + 1) if each and many and (upper or more) else None
+        base, last = told
+        floors = int(reading.facts.floors[0].value) if reading.facts.floors else 0
+        if not many:
+            ranged = FloorRef("range", base + 1, floors) if base < floors else None
+            return None if ranged is None and base != 1 else ([ranged or FloorRef("upper")], last)
+        if base + many > floors > many:
+            base = floors - many
+        return [FloorRef("range", base + 1, base + many)], last
+
+    def _adjectives(self, index: int) -> tuple[bool, int]:
+        """Return whether words tell storeys from the lowest, and the token after all their adjectives."""
+        upper = False
+        while self.reading.word(index) in _FURTHER | STOREY_ADJECTIVES:
+            upper = upper or self.reading.word(index) in ("upper", "further", "higher")
+            index += 1
+        return upper, index
+
+    def _told_from(self, index: int, previous: FloorRef | None) -> tuple[int, int] | None:
+        """Return the number of the storey below the set, and the token after the words that tell it."""
+        reading = self.reading
+        above = next((words for words in _ABOVE if reading.words(index, index + len(words)) == words), None)
+        if above is None:
+            return None
+        last = index + len(above)
+        if reading.kind(last) == "number" and above in (("over",), ("above",), ("up",)):
+            nouns = reading.words(last + 1, last + 3)
+            if reading.kind(last + 1) == "unit" or nouns[:1] == ("x",):
+                return None  # "each of the floors above 300 m2"
+        last += above == ("on", "top") and reading.word(last) == "of"
+        if reading.word(last) in _ANAPHORS:
+            return self._number_of(previous), last + 1
+        at = last + (reading.word(last) in ("the", "our"))
+        for read in (self.named.ground, self.numbered.level, self.numbered.numbered, self.numbered.ordinal):
+            found = read(at)
+            if found is not None and found[0][-1].kind in ("number", "range"):
+                return found[0][-1].last, found[1]
+        if reading.kind(at) == "ordinal" and at > last:
+            return int(reading.value(at)) + int(self.numbered.british), at + 1  # "all floors above the first"
+        if at == last and reading.word(at) in ("ground", "grade"):
+            return 0, at + 1  # "each of the three floors above ground"
+        if at > last and reading.word(at) in _STREET:
+            return 1, at + 1 + (reading.word(at + 1) in FLOOR_WORDS)
+        return self._number_of(previous), last
+
+    def _number_of(self, previous: FloorRef | None) -> int:
+        numbered = previous is not None and previous.kind in ("number", "range")
+        return previous.last if previous is not None and numbered else 1
