@@ -23,6 +23,18 @@ if __name__ == "__main__":
     time.sleep(600)
 """
 
+INTERRUPTED = """
+import os, signal, sys
+from mansion_msgs_py.workers import worker_pool
+
+if __name__ == "__main__":
+    signal.signal(signal.SIGINT, lambda number, frame: None)
+    with worker_pool(2, sys.argv[1]) as pool:
+        work = [pool.submit(abs, -k) for k in range(4)]
+        os.killpg(0, signal.SIGINT)
+        print(*(done.result() for done in work))
+"""
+
 
 def is_running(pid: int) -> bool:
     try:
@@ -63,3 +75,14 @@ def test_workers_end_when_their_parent_is_killed(tmp_path: Path, method: str, bu
 def children(pid: int) -> list[int]:
     """Return the direct children of a process: its workers, a fork server, a tracker of resources."""
     return [int(child) for child in Path(f"/proc/{pid}/task/{pid}/children").read_text().split()]
+
+
+@pytest.mark.parametrize("method", ["fork", "forkserver", "spawn"])
+def test_an_interrupt_while_workers_start_is_left_to_their_owner(tmp_path: Path, method: str) -> None:
+    script = tmp_path / "owner.py"
+    script.write_text(INTERRUPTED)
+    done = subprocess.run(
+        [sys.executable, str(script), method],
+        capture_output=True, text=True, timeout=60, check=False, start_new_session=True,
+    )  # fmt: skip
+    assert (done.stdout, done.stderr) == ("0 1 2 3\n", "")

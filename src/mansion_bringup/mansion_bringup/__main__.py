@@ -1,10 +1,11 @@
 """``python -m mansion_bringup``."""
 
+import os
 import signal
-import sys
 
-# Until the command line is there to answer an interrupt, one ends the process quietly.
-signal.signal(signal.SIGINT, lambda number, frame: sys.exit(128 + number))
+# Until the command line is there to answer an interrupt, one ends the process at once: there is nothing to save, and an
+# exception between two steps of an import may come up where it can only be printed.
+signal.signal(signal.SIGINT, lambda number, frame: os._exit(128 + number))
 
 from mansion_bringup.cli import main  # noqa: E402
 

@@ -6,11 +6,14 @@ import signal
 import sys
 import threading
 from collections.abc import Callable
-from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures import Future, ProcessPoolExecutor
 from multiprocessing import connection, get_context, parent_process
-from typing import Final, Literal
+from typing import Final, Literal, ParamSpec, TypeVar
 
 __all__ = ["end_with_parent", "worker_pool"]
+
+P = ParamSpec("P")
+T = TypeVar("T")
 
 PR_SET_PDEATHSIG: Final = 1
 """Option of prctl(2)."""
@@ -57,11 +60,27 @@ def worker_pool(
     context = get_context(method)
     if preload:
         context.set_forkserver_preload(list(preload))
-    return ProcessPoolExecutor(workers, mp_context=context, initializer=_begin, initargs=(ending, prepare))
+    return _Pool(workers, mp_context=context, initializer=_begin, initargs=(ending, prepare))
+
+
+class _Pool(ProcessPoolExecutor):
+    """A pool whose workers are deaf to Ctrl-C from their first instruction on.
+
+    A worker inherits the signals that are blocked where it is made, and takes an interrupt no sooner than `_begin` has
+    chosen to ignore it. Otherwise one that comes while its interpreter starts ends it with a traceback.
+    """
+
+    def submit(self, fn: Callable[P, T], /, *args: P.args, **kwargs: P.kwargs) -> Future[T]:
+        blocked = signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT])
+        try:
+            return super().submit(fn, *args, **kwargs)
+        finally:
+            signal.pthread_sigmask(signal.SIG_SETMASK, blocked)
 
 
 def _begin(ending: signal.Signals, prepare: Callable[[], None] | None) -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+    signal.pthread_sigmask(signal.SIG_UNBLOCK, [signal.SIGINT])
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
     threading.Thread(target=_follow_parent, args=(ending,), daemon=True).start()
     if sys.platform == "linux":

@@ -137,6 +137,20 @@ def test_a_description_beside_a_plan_says_what_is_wished_for(plan: Plans, flat: 
     assert [(entry.category, entry.count) for entry in bedroom.objects] == [("armchair", 2)]
 
 
+def test_areas_that_are_rounded_add_up_to_no_more_than_the_floor(plan: Plans) -> None:
+    width = 3.3333
+    rooms = [
+        {
+            "name": f"Room {k}",
+            "type": "bedroom",
+            "polygon": [[k * width, 0], [(k + 1) * width, 0], [(k + 1) * width, 3.335], [k * width, 3.335]],
+        }
+        for k in range(6)
+    ]
+    floor = plan({"floors": [{"rooms": rooms}], "complete": ["doors"]}).program.floors[0]
+    assert sum(room.area_estimate for room in floor.rooms) <= floor.gross_floor_area
+
+
 def test_a_plan_and_sizes_exclude_each_other(flat: dict[str, Any]) -> None:
     request = BuildRequest(description="", floors=2, plan=convert(BuildingPlan, flat))
     with pytest.raises(MansionError, match="a plan says itself what floors would"):

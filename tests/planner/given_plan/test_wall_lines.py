@@ -34,6 +34,13 @@ def test_a_slanted_wall_is_closed_along_its_middle() -> None:
     assert shapely.union_all(joined).area == pytest.approx(36.0, abs=0.01)
 
 
+def test_a_strip_too_thin_for_anything_goes_to_what_lies_beside_it() -> None:
+    around = Polygon([(0, 0), (4, 0), (4, 3), (7.97, 3), (7.97, 0), (8, 0), (8, 6), (0, 6)])
+    living, kitchen = on_centre_lines([around, box(4, 0, 7.97, 3)])
+    assert living.area == pytest.approx(48.0 - 12.0)
+    assert kitchen.bounds == (4.0, 0.0, 7.97, 3.0)
+
+
 def test_rooms_farther_apart_than_a_wall_stay_apart() -> None:
     rooms = [box(0, 0, 4, 3), box(4.8, 0, 8, 3)]
     assert [room.bounds for room in on_centre_lines(rooms)] == [room.bounds for room in rooms]

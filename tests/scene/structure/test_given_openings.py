@@ -1,5 +1,6 @@
 """Doors and windows of a plan are built where and as wide as the plan has them, and no others."""
 
+import math
 from typing import Any
 
 import msgspec
@@ -25,9 +26,9 @@ PLAN: dict[str, Any] = {
 }
 
 
-def request() -> FurnishRequest:
-    """Return the furnish request of a plan of three rooms."""
-    reply = plan_building(BuildRequest(description="", plan=convert(BuildingPlan, PLAN)))
+def request(plan: dict[str, Any]) -> FurnishRequest:
+    """Return the furnish request of a plan."""
+    reply = plan_building(BuildRequest(description="", plan=convert(BuildingPlan, plan)))
     program = reply.program
     return FurnishRequest(
         building_id=program.building_id,
@@ -44,7 +45,7 @@ def request() -> FurnishRequest:
 
 def built(openings: GivenOpenings) -> FloorStructure:
     """Return the structure of the three rooms with other openings."""
-    plain = request()
+    plain = request(PLAN)
     floor = msgspec.structs.replace(plain.floor, openings=openings)
     return build_structure(msgspec.structs.replace(plain, floor=floor))
 
@@ -63,6 +64,25 @@ def test_doors_with_a_place_stand_there_and_the_others_find_one() -> None:
     assert sorted(door.segment) == [(1.0, 2.0), (1.8, 2.0)]
     assert door.kind == "single"
     assert [(entry.stage, entry.got) for entry in structure.downgrades] == [("plan", "0.80 m clear")]
+
+
+def test_a_door_that_its_wall_makes_narrow_is_the_plans_own() -> None:
+    rooms = [
+        {"name": "Hall", "polygon": [[0, 0], [6, 0], [6, 2], [0, 2]]},
+        {"name": "Store", "polygon": [[0, 2], [0.95, 2], [0.95, 4], [0, 4]]},
+        {"name": "Living room", "polygon": [[0.95, 2], [6, 2], [6, 4], [0.95, 4]]},
+    ]
+    doors = [{"rooms": ["Hall", name]} for name in ("Store", "Living room", "outside")]
+    structure = build_structure(request({"floors": [{"rooms": rooms, "doors": doors}]}))
+    assert {entry.stage for entry in structure.downgrades} == {"plan"}
+    door = next(door for door in structure.doors if "F1/store" in door.rooms)
+    assert 0.7 <= door.width < 0.9
+
+
+def test_a_ledge_half_as_deep_as_a_wall_has_none_of_its_own() -> None:
+    rooms = [{"name": "Studio", "polygon": [[0, 0], [6, 0], [6, 2], [6.12, 2], [6.12, 5], [6, 5], [6, 7], [0, 7]]}]
+    structure = build_structure(request({"floors": [{"rooms": rooms, "doors": [{"rooms": ["Studio", "outside"]}]}]}))
+    assert all(math.dist(*wall.segment) > 0.01 for wall in structure.walls)
 
 
 def test_a_width_without_a_place_is_kept() -> None:

@@ -61,7 +61,9 @@ def _door(
     door: Door, places: dict[str, BaseGeometry], walls: dict[str, Wall], given: Container[str]
 ) -> Iterator[Fault]:
     length = segment_length(door.segment)
-    narrow = f"door of {CLEAR_WIDTH} m between {door.rooms[0]} and {door.rooms[1] or 'outside'}" in given
+    first, second = door.rooms[0], door.rooms[1] or "outside"
+    pairs = ((first, second), (second, first))
+    narrow = any(f"door of {CLEAR_WIDTH} m between {one} and {other}" in given for one, other in pairs)
     least = GARAGE_WIDTH if door.kind == "garage" else GIVEN_WIDTH if narrow else CLEAR_WIDTH
     if length < least - ROUNDING:
         yield Fault("DOOR_NARROW", door.id, f"{length:.2f} m clear; at least {least} m are needed")

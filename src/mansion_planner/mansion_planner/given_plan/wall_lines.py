@@ -8,7 +8,6 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-import numpy as np
 import shapely
 from shapely.geometry import LineString, Polygon
 from shapely.geometry.polygon import orient
@@ -26,6 +25,9 @@ _TOUCH = 1.5e-3
 _FACING = 0.2  # metres of edges that run side by side
 _PARALLEL = math.cos(math.radians(1.0))
 _SAME_LINE = 3e-3
+_SLIVER = 0.08  # metres up to which a strip of a room is one of its drawing alone
+_DOUBLE = 1e-4  # metres up to which points are one, and a corner is on a straight line
+_LOST = 5e-3  # square metres
 _SPUR = 0.05  # sine of the least angle at which two moved lines are cut with each other
 
 
@@ -97,6 +99,7 @@ def on_centre_lines(shapes: Sequence[Polygon]) -> list[Polygon]:
     >>> [room.bounds for room in on_centre_lines([box(0, 0, 3.9, 3), box(4.1, 0, 8, 3)])]
     [(0.0, 0.0, 4.0, 3.0), (4.0, 0.0, 8.0, 3.0)]
     """
+    shapes = [_without_slivers(shape) for shape in shapes]
     rings = [_rings(shape) for shape in shapes]
     edges = [edge for room in rings for ring in room for edge in ring]
     for room, ring in ((room, ring) for room, per_room in enumerate(rings) for ring in per_room):
@@ -115,6 +118,16 @@ def on_centre_lines(shapes: Sequence[Polygon]) -> list[Polygon]:
     targets = [walls[_root(owner, line)].middle for line in range(len(walls))]
     moved = [_moved(shape, per_room, targets) for shape, per_room in zip(shapes, rings)]
     return _without_gaps(moved)
+
+
+def _without_slivers(shape: Polygon) -> Polygon:
+    """Return a room without strips too thin for anything, as it is where it has none."""
+    inner = polygon_parts(shape.buffer(-_SLIVER / 2, join_style="mitre"))
+    if not inner:
+        return shape
+    kept = max(inner, key=lambda part: part.area).buffer(_SLIVER / 2, join_style="mitre").intersection(shape)
+    lost = float(shape.area - kept.area)
+    return kept if lost > _LOST and isinstance(kept, Polygon) else shape
 
 
 def _rings(shape: Polygon) -> list[list[_Edge]]:
@@ -202,7 +215,7 @@ def _moved(shape: Polygon, rings: Sequence[Sequence[_Edge]], targets: Sequence[f
     made = Polygon(_corners(rings[0], targets), [_corners(ring, targets) for ring in rings[1:]])
     if not made.is_valid:
         made = max(polygon_parts(made.buffer(0)), key=lambda part: part.area, default=shape)
-    return orient(made)
+    return orient(made.simplify(_DOUBLE))
 
 
 def _corners(ring: Sequence[_Edge], targets: Sequence[float]) -> list[Point]:
@@ -234,15 +247,12 @@ def _without_gaps(shapes: list[Polygon]) -> list[Polygon]:
     half = THICKEST_WALL / 2
     closed = union.buffer(half, join_style="mitre").buffer(-half, join_style="mitre")
     for piece in polygon_parts(closed.difference(union)):
+        if piece.area < 1e-3:
+            continue
         beside = [k for k, shape in enumerate(shapes) if shape.distance(piece) < 1e-2]
-        if piece.area > 1e-3 and len(beside) > 1:
+        if len(beside) > 1:
             k = max(beside, key=lambda k: (round(shapes[k].boundary.intersection(piece.buffer(2e-3)).length, 3), -k))
             grown = polygon_parts(shapely.union_all([shapes[k], piece], grid_size=1e-4))
             if len(grown) == 1:
                 shapes[k] = grown[0]
     return [orient(shape) for shape in shapes]
-
-
-def thickness_range(before: Sequence[Polygon], after: Sequence[Polygon]) -> float:
-    """Return by how many metres boundaries moved at the most."""
-    return float(np.max([shapely.hausdorff_distance(a, b) for a, b in zip(before, after)], initial=0.0))

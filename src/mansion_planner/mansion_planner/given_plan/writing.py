@@ -39,6 +39,8 @@ from mansion_planner.topology import ACCESS_WALL
 __all__ = ["problem_of", "program_of", "topology_of"]
 
 _MOST_WORDS = 12
+_CENT = 0.01
+"""Square metres by which rounded areas may differ from their sum, for each room."""
 
 
 def program_of(
@@ -101,12 +103,14 @@ def _floor_program(
                 aliases=[*aliases, *([kind] if room.known and kind != room.name.casefold() else [])],
             )
         )  # fmt: skip
-    gross = float(floor.outline.area)
     total = sum(room.area_estimate for room in rooms)
+    gross = round(float(floor.outline.area), 2)
+    if total > gross:
+        gross = round(gross + _CENT * len(rooms), 2)
     return FloorProgram(
         index=storey.index,
         requirement=f"{counted(len(rooms), 'room')} of the plan",
-        gross_floor_area=round(max(gross, total), 2),
+        gross_floor_area=gross,
         rooms=rooms,
         area_summary=AreaSummary(
             sum_rooms=round(total, 2), reserve_ratio=round(max(1.0 - total / gross, 0.0), 4), fits_within_gfa=True,

@@ -20,6 +20,7 @@ from mansion_scene.structure.dimensions import SLAB_THICKNESS
 from mansion_scene.structure.door_swings import hang_doors
 from mansion_scene.structure.exits import place_second_exit
 from mansion_scene.structure.given_openings import (
+    as_planned,
     given_access,
     given_doors,
     given_windows,
@@ -133,7 +134,7 @@ def build_structure(request: FurnishRequest, held: HeldAccess | None = None) -> 
         lambda opening: () if opening.segment in fixed else other_places(opening, shared, frontages),
     )
     if given is not None:
-        narrowed += narrow_doors(floor, given, openings)
+        narrowed = [*as_planned(narrowed), *narrow_doors(floor, given, openings)]
     rooms = scene_rooms(request, floor, partition, ceiling)
     facade = facade_material(request.building_type, request.seed)
     walls = number_walls(floor, partition.walls, {room.id: room for room in rooms}, ceiling, facade)

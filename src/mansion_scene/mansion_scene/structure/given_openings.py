@@ -5,6 +5,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Literal
 
+import msgspec
+
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.openings import GivenDoor, GivenOpenings, GivenWindow
 from mansion_msgs_py.program import Downgrade
@@ -17,7 +19,15 @@ from mansion_scene.structure.openings import Opening, OpeningKind, entrance_kind
 from mansion_scene.structure.regions import FloorRegions, Region
 from mansion_scene.structure.windows import WindowKind, WindowOpening, fitting_window, usual_window
 
-__all__ = ["given_access", "given_doors", "given_windows", "narrow_doors", "stated_entrance", "stated_kinds"]
+__all__ = [
+    "as_planned",
+    "given_access",
+    "given_doors",
+    "given_windows",
+    "narrow_doors",
+    "stated_entrance",
+    "stated_kinds",
+]
 
 _DOUBLE = 1.4
 """Clear width from which a door has two leaves, metres."""
@@ -127,6 +137,11 @@ def narrow_doors(floor: FloorRegions, given: GivenOpenings, openings: Sequence[O
         for opening in openings
         if (frozenset(opening.regions), opening.kind.width) in stated and opening.kind.width < CLEAR_WIDTH - 1e-6
     ]
+
+
+def as_planned(narrowed: Sequence[Downgrade]) -> list[Downgrade]:
+    """Return records of doors that walls made narrower, as those of the plan's own walls."""
+    return [msgspec.structs.replace(entry, stage="plan") for entry in narrowed]
 
 
 def _stated_widths(floor: FloorRegions, given: GivenOpenings) -> Iterator[tuple[frozenset[str | None], float]]:

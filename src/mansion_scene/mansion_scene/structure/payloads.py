@@ -110,6 +110,8 @@ def _ceiling(region: Region) -> str:
 
 
 _CORE_WALL = "raw_concrete"
+_NO_WALL = 1e-3
+"""Metres of centre line up to which there is no wall."""
 
 
 def _outside(boundary: BoundarySegment, point: Point) -> Point:
@@ -162,18 +164,21 @@ def number_walls(
 ) -> list[tuple[BoundarySegment, Wall]]:
     """Return each boundary with its wall; ids count in the floor's order.
 
-    Balconies and terraces have a parapet towards the outside instead of a wall.
+    Balconies and terraces have a parapet towards the outside instead of a wall. A ledge of the outline half as deep as
+    its walls are thick has no wall of its own: the centre lines of its neighbours meet.
     """
     corners = _outline_corners(floor)
     walls = []
-    for number, boundary in enumerate(boundaries, start=1):
+    lines = [(boundary, _center_line(boundary, corners)) for boundary in boundaries]
+    standing = [(boundary, line) for boundary, line in lines if math.dist(*line) > _NO_WALL]
+    for number, (boundary, line) in enumerate(standing, start=1):
         parapet = boundary.exterior and is_class(floor.by_id[boundary.left].room_type, "outdoor")
         walls.append(
             (
                 boundary,
                 Wall(
                     id=f"F{floor.floor}/wall_{number}",
-                    segment=_center_line(boundary, corners),
+                    segment=line,
                     thickness=EXTERIOR_THICKNESS if boundary.exterior else INTERIOR_THICKNESS,
                     height=PARAPET_HEIGHT if parapet else ceiling,
                     exterior=boundary.exterior,
