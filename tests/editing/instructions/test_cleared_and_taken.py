@@ -35,6 +35,11 @@ def test_one_relative_clause_tells_of_all_things_of_its_list(furnished_state: Sc
     assert plate.things.place == mug.things.place == clear.place
 
 
+def test_one_of_those_that_are_there_leaves_first_too(furnished_state: SceneState) -> None:
+    move, clear = _asked("Clear the desk and put one of the mugs on the table in the kitchen.", furnished_state)
+    assert isinstance(move, Move) and isinstance(clear, Clear)
+
+
 def test_what_comes_onto_it_comes_after_the_clearing(furnished_state: SceneState) -> None:
     clear, move = _asked("Clear the desk, then put the mug from the kitchen on it.", furnished_state)
     assert isinstance(clear, Clear) and isinstance(move, Move)

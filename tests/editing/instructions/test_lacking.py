@@ -39,6 +39,7 @@ def test_one_for_each_that_has_none_counts_those_there(furnished_state: SceneSta
         "Put a red mug on every dining table that has none.",
         "Put a mug on every dining table that has no plate.",
         "Put a mug on the dining table that has none.",
+        "Put a mug on every dining table, where the cook eats.",
     ],
 )
 def test_what_cannot_be_counted_afterwards_is_not_guessed(furnished_state: SceneState, text: str) -> None:

@@ -45,7 +45,7 @@ def _leaves(statement: Statement, emptied: Place, lexicon: Lexicon) -> bool:
     """Whether a statement moves single things to another place, or asks for nothing."""
     if isinstance(statement, Mention):
         return not statement.rooms
-    if not isinstance(statement, Move) or not statement.things.definite or not statement.things.noun:
+    if not isinstance(statement, Move) or not statement.things.noun:
         return False
     if lexicon.stands(tuple(statement.things.noun.split())):
         return False

@@ -13,8 +13,8 @@ __all__ = ["end_of_presence", "given_where_none_is", "lacking_at"]
 
 _DENYING: Final = frozenset("not no none without lack lacking missing".split())
 _OF_LACKING: Final = _DENYING | frozenset(
-    "that which where still yet already do does did has have had got there is are been one any it a so far of its own "
-    "their them".split()
+    "that which where on in still yet already do does did has have had got there is are been one any it a so far of "
+    "its own their them".split()
 )
 _MEANT: Final = frozenset("one any none it".split())
 _LONGEST: Final = 9
