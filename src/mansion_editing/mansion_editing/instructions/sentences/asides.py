@@ -72,7 +72,7 @@ class Asides(Progress):
         whole = self._so_far()
         listed = listed_in(self._reader(words))
         for start, end in _parts(words):
-            if listed and any(listed[0].start < words[cut - 1].end < listed[-1].start for cut in (start, end) if cut):
+            if listed and start == 0 and listed[0].start < words[end - 1].end < listed[-1].start:
                 continue
             part, rest = words[start:end], [*words[:start], *words[end:]]
             before = start == 0
