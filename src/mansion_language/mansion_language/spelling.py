@@ -69,14 +69,16 @@ class Speller:
         --------
         >>> Speller({"apple", "plant"}, set()).completed("plnt")
         'plant'
+        >>> Speller({"lamp"}, {"move"}).completed("mov")
+        'move'
         """
-        found = {
-            known
+        longer = {
+            word[:at] + letter + word[at:]
             for letter in sorted({*"aeiou", *word})
-            for at in range(1, len(word))
-            for known in [word[:at] + letter + word[at:]]
-            if known in self.words and (letter in "aeiou" or letter in (word[at - 1], word[at]))
+            for at in range(1, len(word) + 1)
+            if letter in "aeiou" or letter in word[at - 1 : at + 1]
         }
+        found = longer & self.words or longer & self.favoured
         return found.pop() if len(found) == 1 else word
 
     def _order(self, word: str) -> tuple[bool, bool, str]:

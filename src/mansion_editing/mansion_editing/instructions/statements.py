@@ -357,6 +357,8 @@ class Reshape(_Said, kw_only=True, frozen=True):
     what : str
         ``area``: `rooms` grows by `area` m2 (negative: shrinks), or to it where `absolute`; ``door``: a door between
         `rooms` and `other`; ``stair``, ``elevator``: one more.
+    share : float
+        The area changes by so much of what it is ("a little larger"); 0 where it is given in m2.
     """
 
     what: Literal["area", "door", "stair", "elevator"]
@@ -364,6 +366,7 @@ class Reshape(_Said, kw_only=True, frozen=True):
     other: Rooms | None = None
     area: float = 0.0
     absolute: bool = False
+    share: float = 0.0
 
 
 class Ask(_Said, kw_only=True, frozen=True):

@@ -1,5 +1,7 @@
 """Things and rooms that become other ones."""
 
+from typing import Final
+
 from mansion_editing.instructions.clauses.items import Item, NotUnderstood
 from mansion_editing.instructions.clauses.moving import Moving
 from mansion_editing.instructions.clauses.sizes import Sizes
@@ -8,6 +10,12 @@ from mansion_editing.instructions.phrases.word_sets import PROPERTIES
 from mansion_editing.instructions.statements import Furnish, Mention, Reshape, Statement
 
 __all__ = ["Changing"]
+
+_SLIGHTLY: Final = frozenset("a little bit tad slightly somewhat touch".split())
+_LARGER: Final = frozenset("larger bigger wider roomier".split())
+_SMALLER: Final = frozenset("smaller narrower".split())
+_A_LITTLE: Final = 0.1
+"""Share of its area by which a room becomes a little larger or smaller."""
 
 
 class Changing(Wishes, Moving, Sizes):
@@ -46,6 +54,18 @@ class Changing(Wishes, Moving, Sizes):
             raise NotUnderstood(at, self.boundary(at))
         return self._replaced_by(at, place, joint)
 
+    def _a_little(self, item: Item, at: int, start: int) -> tuple[list[Statement], int] | None:
+        """Read ``a little larger``, ``slightly smaller`` of a room: by a tenth of what it is."""
+        end = at
+        while self.text(end) in _SLIGHTLY:
+            end += 1
+        said = self.text(end)
+        room = item.is_room and not item.rooms().every
+        if end == at or not room or said not in _LARGER | _SMALLER or self.text(end + 1) in ("by", "than"):
+            return None
+        share = _A_LITTLE if said in _LARGER else -_A_LITTLE
+        return [Reshape(what="area", rooms=item.rooms(), share=share, quote=self.quote(start, end + 1))], end + 1
+
     def _make(self, at: int, place: int) -> tuple[list[Statement], int]:
         """Read ``make the cafeteria 10 m2 larger``, ``make the sofa red``, ``make sure``, ``make it two``."""
         if self.text(place) in ("it", "this") and self.text(place + 1) in ("look", "so", "happen", "seem"):
@@ -79,6 +99,9 @@ class Changing(Wishes, Moving, Sizes):
                     what="area", rooms=rooms, area=value * (sign or 1.0), absolute=absolute or not sign, quote=quote
                 )
             ], stop
+        little = self._a_little(item, end, at)
+        if little is not None:
+            return little
         if self.text(end) in ("larger", "bigger", "smaller", "wider"):
             sign = -1.0 if self.text(end) == "smaller" else 1.0
             area = self._amount_of_area(end + 1)

@@ -321,7 +321,7 @@ class Predicates(States, Colours, Ways):
                     start, end = found
             goal = item.rooms() if item.phrase.noun.kind in ("room", "both") else item.things()
             return [Reach(start=start, end=goal, quote=self.quote(at, end))], end
-        if place == item.end:
+        if place == item.end or self.bothers(place):
             return None
         places, end = self.places(place)
         if not places:
@@ -365,6 +365,7 @@ class Predicates(States, Colours, Ways):
         ):
             stop += 1
         told = self.words[item.end + 1 : stop]
+        told = told[:-3] or told[:1] if self.bothers(stop - 3) else told
         named = any(self.lexicon.is_object((w.text,)) or self.lexicon.is_own_room((w.text,)) for w in told)
         scarce = {"enough", "sufficient"} & {w.text for w in told}
         if (

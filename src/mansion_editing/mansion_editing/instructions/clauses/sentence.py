@@ -382,6 +382,10 @@ class Sentence(ABC):
             return True
         return self._participle(at) is not None
 
+    def bothers(self, at: int) -> bool:
+        """Whether ``in the way`` stands at a place, which only says that something bothers."""
+        return (self.text(at), self.text(at + 1), self.text(at + 2)) == ("in", "the", "way")
+
     def _participle(self, at: int) -> tuple[Deed, int] | None:
         for length in (2, 1):
             span = tuple(w.text for w in self.words[at : at + length])

@@ -268,6 +268,9 @@ class Wishes(Subjects, Negations):
     def _wanted(self, at: int, place: int) -> tuple[list[Statement], int]:
         """Read what is wanted: a clause after ``to``, a thing with a predicate, or a thing."""
         place += self.text(place) in ("that", "for", "me", "us")
+        door = self._door_between(at, place)
+        if door is not None:
+            return door
         if self.text(place) == "nothing":
             nothing = self._nothing(place)
             if nothing is not None:

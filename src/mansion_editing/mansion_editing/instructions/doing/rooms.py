@@ -1,6 +1,6 @@
 """Rename, Finish, Furnish, Reshape and the exchange of rooms: what changes a room rather than a thing in it."""
 
-from typing import Any
+from typing import Any, Final
 
 from mansion_editing.instructions.doing.work import Done, Work
 from mansion_editing.instructions.meaning.choices import one_room_each
@@ -12,6 +12,10 @@ from mansion_editing.state import SceneState
 from mansion_msgs_py.scene import SceneRoom
 
 __all__ = ["finish", "furnish_rooms", "rename", "reshape", "swap_rooms"]
+
+
+_LEAST_CHANGE: Final = 1.0
+"""Square metres by which a room becomes a little larger or smaller, at least."""
 
 
 def _one(state: SceneState, rooms: Rooms, context: Context) -> SceneRoom:
@@ -72,6 +76,10 @@ def reshape(statement: Reshape, state: SceneState, context: Context) -> Work:
         arguments["room_id"] = _one(state, statement.rooms, context).id
     if statement.other is not None:
         arguments["other_id"] = _one(state, statement.other, context).id
+    if statement.share and statement.rooms is not None:
+        now = float(_one(state, statement.rooms, context).area)
+        change = max(_LEAST_CHANGE, abs(statement.share) * now)
+        arguments["area"] = round(change if statement.share > 0 else -change, 1)
     if statement.area:
         arguments |= {"area": statement.area, "absolute": statement.absolute}
     report = yield from ask("The storey changes.", "ReshapeFloor", arguments)

@@ -117,6 +117,12 @@ class Lexicon:
         asset = self._state.catalogue.by_category(kinds[0])[0] if kinds else None
         return asset is not None and bool(asset.volumes or asset.surfaces)
 
+    def lies_beside_others(self, words: tuple[str, ...]) -> bool:
+        """Whether words name loose things that hold nothing, which others of a set lie beside: plates, laptops."""
+        kinds = vocabulary_of(self._state.catalogue).nouns(" ".join(words))
+        asset = self._state.catalogue.by_category(kinds[0])[0] if kinds else None
+        return asset is not None and asset.pickupable and not asset.volumes
+
     @cached_property
     def speller(self) -> Speller:
         """Mends words to names of the building and the catalogue, and to the words of instructions."""

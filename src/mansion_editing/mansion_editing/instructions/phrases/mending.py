@@ -11,7 +11,7 @@ from mansion_editing.instructions.phrases.words import FUNCTION_WORDS, VAGUE, Wo
 __all__ = ["mended"]
 
 _SHORT: Final = 4
-"""Letters of words that are too short for any but the plainest mistake."""
+"""Letters of words that are too short for any but the plainest mistake; still shorter ones may be people's names."""
 _TELLING: Final = 6
 """Least letters of an English word that may stand for another one in a name."""
 _LEAST_PART: Final = 3
@@ -32,7 +32,8 @@ def mended(words: Sequence[Word], lexicon: Lexicon) -> list[Word]:
 def _mended(word: Word, following: Word | None, lexicon: Lexicon) -> list[Word]:
     speller = lexicon.speller
     known = word.text in speller.words
-    if len(word.text) == _SHORT and not known and word.text not in lexicon.kept:
+    name = word.capital and len(word.text) < _SHORT
+    if _LEAST_PART <= len(word.text) <= _SHORT and not (known or name) and word.text not in lexicon.kept:
         return [replace(word, text=speller.completed(word.text))]
     if len(word.text) < _TELLING or known:
         return [word]

@@ -333,6 +333,9 @@ def _spot(
     while text_at(words, place) in BEFORE_SPOTS:
         place += 1
     word = text_at(words, place)
+    room = _window_of_room(words, place, lexicon) if phrase[0] in NEAR_SPOTS else None
+    if room is not None:
+        return ReadPlace(Place(spot="window", rooms=room[0]), start, room[1], goal, source)
     if text_at(words, place - 1) == "one" and word == "of":
         place += 1 + (text_at(words, place + 1) == "the")
         word = text_at(words, place)
@@ -360,6 +363,15 @@ def _spot(
         elif inner is not None:
             return None
     return ReadPlace(Place(spot=spot, rooms=rooms), start, end, goal, source)
+
+
+def _window_of_room(words: Sequence[Word], at: int, lexicon: Lexicon) -> tuple[Rooms, int] | None:
+    """Read ``kitchen window``, ``bedroom 2 window``: the window of a room that the building has."""
+    end = next((k for k in range(at + 1, min(at + 5, len(words))) if words[k].text == "window"), 0)
+    name = tuple(word.text for word in words[at:end])
+    if not end or not lexicon.is_own_room(name) or lexicon.is_object((*name[-1:], "window")):
+        return None
+    return Rooms(words=" ".join(name)), end + 1
 
 
 def _between(
@@ -420,6 +432,8 @@ def _at_noun(
             rooms = Rooms(next_to=rooms.words, floors=rooms.floors)
         return ReadPlace(Place(rooms=rooms), start, target.end, goal, source, each=target.each or rooms.every)
     own: Relation = "" if phrase == ("from",) else relation or "on"
+    if phrase == ("for",) and target.each and lexicon.lies_beside_others(noun.words):
+        own = "beside"  # "a glass for every plate"
     outside = phrase == ("away", "from")
     place = Place(relation=own, anchor=target.things(), outside=outside)
     return ReadPlace(place, start, target.end, goal, source, each=target.each)

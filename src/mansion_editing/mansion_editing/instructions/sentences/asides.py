@@ -19,19 +19,23 @@ from mansion_editing.instructions.sentences.bystanding import (
 )
 from mansion_editing.instructions.sentences.circumstances import is_circumstance
 from mansion_editing.instructions.sentences.progress import Progress
+from mansion_editing.instructions.sentences.taking_up import listed_in, with_list_for_pronoun
 from mansion_editing.instructions.statements import Add, Amount, Ensure, Mention, Place, Remove, Things
 
 __all__ = ["Asides"]
 
 _CUTS: Final = frozenset([",", "(", ")", "-", ":"])
 _JOINTS: Final = frozenset("and but so as since".split())
+_RELATIVE: Final = frozenset("where which whose".split())
+"""Words of clauses that may tell which of several is meant, and are therefore no asides."""
+
 _MOST_CUTS: Final = 8
 """In longer sentences only beginnings and ends are tried."""
 
 _MOST_ASIDES: Final = 3
 """In one sentence."""
 
-_TAKING_UP: Final = frozenset("it its them they one there that this those these another ones".split())
+_TAKING_UP: Final = frozenset("it its them they one there that this those these another ones both".split())
 """Words by which a sentence goes on with what the one before it told of."""
 
 
@@ -66,7 +70,10 @@ class Asides(Progress):
         if asks_for_one_each(words) and self._once_each(words, first):
             return
         whole = self._so_far()
+        listed = listed_in(self._reader(words))
         for start, end in _parts(words):
+            if listed and start == 0 and listed[0].start < words[end - 1].end < listed[-1].start:
+                continue
             part, rest = words[start:end], [*words[:start], *words[end:]]
             before = start == 0
             staying = bool(rest) and not before and end == len(words) and self._reader(_trimmed(part)).says_what_stays()
@@ -79,8 +86,11 @@ class Asides(Progress):
             if not self._is_aside(part, followed=before and bool(rest or later), marked=marked):
                 continue
             self._go_back(first)
+            if before and self._is_unclear(part, rest or later):
+                continue
             if before:
                 self._pass_over(part, rest or later)
+                rest = list(self._with_listed(rest))
             if rest:
                 again = self._with_subject(part, _trimmed(rest)) if before else _trimmed(rest)
                 self._read_rest(again, later, marked=marked and before, depth=depth)
@@ -99,6 +109,8 @@ class Asides(Progress):
 
     def _is_aside(self, words: Sequence[Word], *, followed: bool, marked: bool) -> bool:
         words = _trimmed(words)
+        if words and words[0].text in _RELATIVE:
+            return False
         joints = [at for at, word in enumerate(words) if at and word.text in _CUTS | _JOINTS | {"then", "or"}]
         if any(verb_at(words, at + 1, self.lexicon) is not None for at in joints):
             return False
@@ -116,9 +128,10 @@ class Asides(Progress):
         named = _named(self._reader(words))
         nouns = {text for things in named for text in things.noun.split()}
         taken_up = any(word.text in _TAKING_UP or word.text in nouns for word in later)
+        self.listed = list(listed_in(self._reader(words))) if taken_up else []
         rooms = None
         if taken_up and named:
-            self.topic = named[0] if named[0].noun else self._lacking(words)
+            self.topic = self._told_of(words, named[0]) if named[0].noun else self._lacking(words)
             rooms = None if named[0].noun or named[0].place is None else named[0].place.rooms
         quote = self._quote(words, 0, len(words))
         untouched = () if taken_up else named
@@ -127,6 +140,25 @@ class Asides(Progress):
             rooms = where[0].place.rooms if where[0].place is not None else None
             untouched = tuple(things for things in untouched if things is not where[0])
         self.statements.append(Mention(quote=quote, rooms=rooms, passed_over=True, untouched=untouched))
+
+    def _told_of(self, words: Sequence[Word], named: Things) -> Things:
+        """Return what a clause names first as it says it: one thing, and not all of its kind."""
+        reader = self._reader(words)
+        items = (reader.item(at) for at in range(len(words)))
+        said = (item.things() for item in items if item is not None and item.phrase.definite and not item.is_room)
+        return next((things for things in said if things.noun == named.noun and not things.plural), named)
+
+    def _with_listed(self, words: Sequence[Word]) -> Sequence[Word]:
+        """Return words in which the list that the clause before told of stands for its pronoun."""
+        if not self.listed or not words:
+            return words
+        told, self.listed = self.listed, []
+        return with_list_for_pronoun(words, told, self._reader(words))
+
+    def _is_unclear(self, told: Sequence[Word], later: Sequence[Word]) -> bool:
+        """Whether ``it`` may mean one or the other of several things that a clause tells of."""
+        texts = [word.text for word in later]
+        return "it" in texts and len(listed_in(self._reader(_trimmed(told)))) > 0
 
     def _lacking(self, words: Sequence[Word]) -> Things | None:
         """Return what was mentioned last where words say of a room that it has none."""

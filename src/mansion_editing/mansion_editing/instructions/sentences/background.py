@@ -86,6 +86,10 @@ _GOING: Final = frozenset(
 """Words of requests and of what refers to things, which a clause that only tells something has not."""
 
 
+_NOT_TOLD: Final = frozenset("there if unless where which".split())
+"""First words of clauses that say under what condition or of which of several something is asked."""
+
+
 def is_told(words: Sequence[Word], named: Callable[[Word], bool]) -> bool:
     """Whether a clause with a subject and a verb only tells something: ``Grandma is visiting``, ``My back hurts``.
 
@@ -95,7 +99,7 @@ def is_told(words: Sequence[Word], named: Callable[[Word], bool]) -> bool:
         Tells whether a word names a thing or a room, which a clause that asks for something does.
     """
     texts = [word.text for word in words]
-    if len(words) < 2 or words[0].kind != "word" or texts[0] in PREPOSITIONS | {"there", "if", "unless"}:
+    if len(words) < 2 or words[0].kind != "word" or texts[0] in PREPOSITIONS | _NOT_TOLD:
         return False
     if any(w.text in _ASKING | _GOING or w.text in COLOUR_WORDS or named(w) for w in words):
         return False

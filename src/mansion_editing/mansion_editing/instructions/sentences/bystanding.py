@@ -125,6 +125,8 @@ def _only_tells(words: Sequence[Word], verb: int, lexicon: Lexicon) -> bool:
         told = rest[1:] if rest and rest[0].text in ("already", "still", "not", "now", "being") else rest
         if any((w.text,) in PARTICIPLES or (w.raw,) in PARTICIPLES for w in told[:2]):
             return False
+        if [w.text for w in told] == ["in", "the", "way"]:
+            return True
         if told and (told[0].text in PREPOSITIONS or told[0].text in _COUNTED):
             return rest[0].text == "not" or "already" in [w.text for w in rest]
     if any(w.text in STATE_WORDS for w in rest[-1:]) or any(w.text in COLOUR_WORDS for w in rest):

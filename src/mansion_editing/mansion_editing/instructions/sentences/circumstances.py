@@ -4,6 +4,7 @@ They name nothing of the building, or have a subject that is no part of it, and 
 """
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Final
 
 from mansion_editing.instructions.phrases.lexicon import HYPERNYMS, Lexicon
@@ -128,11 +129,22 @@ def _bare(words: Sequence[Word]) -> Sequence[Word]:
 
 
 def _from_subject(words: Sequence[Word], lexicon: Lexicon) -> Sequence[Word]:
-    """Return words without a time before their subject: ``From August we will have a visitor``."""
+    """Return words without a time before their subject, and with a subject where they have none.
+
+    ``From August we will have a visitor``, ``Sold the bicycle``.
+    """
+    if len(words) > 1 and _is_past(words[0]) and words[1].text in DETERMINERS - {"a", "an", "some", "no"}:
+        given = words[:-1] if words[0].raw == "gave" and words[-1].text == "away" else words
+        return [replace(words[0], text="we", raw="we"), *given]
     if not words or words[0].text not in _TIMES:
         return words
     start = next((at for at in range(1, min(len(words), 6)) if words[at].text in _SOMEBODY), 0)
     return words[start:] if start and not _names(words[:start], lexicon) else words
+
+
+def _is_past(word: Word) -> bool:
+    """Whether a word alone tells what somebody did: ``Sold``, ``Donated``."""
+    return word.raw in _HAPPENED - {"left", "saw", "found", "meant", "kept"} or word.raw in ("donated", "binned")
 
 
 def _is_foreign(words: Sequence[Word], lexicon: Lexicon) -> bool:
@@ -202,7 +214,7 @@ def _asks_nothing(words: Sequence[Word], verb: int, lexicon: Lexicon) -> bool:
         return False
     main = verb
     while main + 1 < len(words) and (
-        words[main].text in MODALS | {"not", "be", "been", "being"} or _is_aux(words, main)
+        words[main].text in MODALS | {"not", "be", "been", "being"} or _is_aux(words, main) or _goes_on(words, main)
     ):
         main += 1
     said = words[main]
@@ -236,6 +248,11 @@ def _is_aux(words: Sequence[Word], at: int) -> bool:
     return words[at].raw in ("has", "have", "had", "is", "are", "was", "were", "am") and following.raw.endswith(
         ("ed", "ing", "en")
     )
+
+
+def _goes_on(words: Sequence[Word], at: int) -> bool:
+    """Whether a verb only says that something happens again and again: ``keeps tripping``."""
+    return words[at].text == "keep" and words[at + 1].raw.endswith("ing")
 
 
 def _is_thing_after(words: Sequence[Word], at: int, lexicon: Lexicon) -> bool:

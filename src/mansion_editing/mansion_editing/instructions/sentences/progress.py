@@ -31,6 +31,7 @@ class Progress:
         self.spared: tuple[Things, ...] = ()
         self.frames: tuple[Place, ...] = ()
         self.last_noun: Noun | None = None
+        self.listed: list[Word] = []
         self.told: list[tuple[str, Place]] = []
         self.clause: list[Statement] = []
         self.is_last = False

@@ -7,7 +7,7 @@ from typing import Final, Literal
 import msgspec
 
 from mansion_assets.catalogue.descriptions import hypernyms_of
-from mansion_editing.instructions.clauses.items import NotUnderstood, TwoReadings
+from mansion_editing.instructions.clauses.items import NotUnderstood, TwoReadings, joined_places
 from mansion_editing.instructions.clauses.reader import ClauseReader
 from mansion_editing.instructions.phrases.lexicon import HYPERNYMS
 from mansion_editing.instructions.phrases.places import merged, read_place, with_place
@@ -18,12 +18,14 @@ from mansion_editing.instructions.phrases.words import STATE_WORDS, UNRECORDED, 
 from mansion_editing.instructions.sentences.accounting import unaccounted
 from mansion_editing.instructions.sentences.asides import Asides
 from mansion_editing.instructions.sentences.background import is_background, is_told, split_sentences
+from mansion_editing.instructions.sentences.clearing import with_takings_first
 from mansion_editing.instructions.sentences.conditions import Condition, begins_condition, else_at
 from mansion_editing.instructions.sentences.depending import Depending
 from mansion_editing.instructions.sentences.owners import owners_named
 from mansion_editing.instructions.sentences.questions import read_question
 from mansion_editing.instructions.sentences.referring import Referring
 from mansion_editing.instructions.sentences.refinement import (
+    adds_it,
     exactly,
     in_place_of,
     is_everything,
@@ -49,6 +51,7 @@ from mansion_editing.instructions.statements import (
     Paint,
     Place,
     Remove,
+    Reshape,
     Rooms,
     SetState,
     Statement,
@@ -88,10 +91,11 @@ class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending):
     def read(self) -> Instruction:
         """Read all sentences in order."""
         sentences = list(split_sentences(self.words))
-        for number, (sentence, marked) in enumerate(sentences):
+        for number, (own, marked) in enumerate(sentences):
             self.is_last = number + 1 == len(sentences)
             later = [] if self.is_last else sentences[number + 1][0]
-            self._read_beside_asides(owners_named(sentence, self.lexicon), later, marked=marked)
+            sentence = self._with_listed(owners_named(own, self.lexicon))
+            self._read_beside_asides(sentence, later, marked=marked)
         self.statements = [
             Mention(quote=s.quote) if self._introduces(s, self.statements[number + 1 :]) else s
             for number, s in enumerate(self.statements)
@@ -105,7 +109,8 @@ class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending):
         told = msgspec.json.encode(self.statements).decode()
         plain = [word for word in self.words if word.text in UNRECORDED]
         ignored = list(dict.fromkeys(w.raw for w in plain if not re.search(rf'"noun":"[^"]*\b{w.text}\b', told)))
-        return Instruction(statements=with_storeys(self.statements), not_understood=self.unknown, ignored=ignored)
+        statements = with_storeys(with_takings_first(self.statements, self.lexicon))
+        return Instruction(statements=statements, not_understood=self.unknown, ignored=ignored)
 
     def _introduces(self, statement: Statement, later: Sequence[Statement]) -> bool:
         """Whether things of a general name are told one by one later: ``something to eat with: two forks``."""
@@ -311,6 +316,9 @@ class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending):
             covered = self._surface_too(reader, words, at, last)
             if covered is not None:
                 return covered
+        there_too = self._same_there(reader, words, at)
+        if there_too is not None:
+            return there_too
         if not isinstance(last, SetState | Remove | Paint | Turn) or at == 0 or reader.starts_clause(at):
             return None
         if words[at - 1].text not in ("and", "also", ",", "plus"):
@@ -328,6 +336,24 @@ class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending):
         if things.plural and things.amount.number == 0:
             things = msgspec.structs.replace(things, amount=Amount(kind="all", number=0))
         self.statements.append(msgspec.structs.replace(last, things=things, quote=self._quote(words, at, end)))
+        return end
+
+    def _same_there(self, reader: ClauseReader, words: Sequence[Word], at: int) -> int | None:
+        """Read ``and in the kitchen`` after a state or a removal in another room: the same there."""
+        last = self.statements[-1] if self.statements else None
+        if not isinstance(last, SetState | Remove | Paint) or at == 0 or words[at - 1].text != "and":
+            return None
+        places, end = reader.places(at)
+        before = last.things.place
+        if not places or before is None or before.anchor is not None or before.rooms is None or before.outside:
+            return None
+        place, _ = joined_places(places)
+        counted = last.things.amount.number > 0 and not last.things.definite
+        plain = place.anchor is None and place.rooms is not None and bool(place.rooms.words) and not place.outside
+        if not plain or counted or last.things.beside or (end < len(words) and words[end].kind != "mark"):
+            return None
+        there = msgspec.structs.replace(last.things, place=place)
+        self.statements.append(msgspec.structs.replace(last, things=there, quote=self._quote(words, at, end)))
         return end
 
     def _surface_too(self, reader: ClauseReader, words: Sequence[Word], at: int, last: Finish) -> int | None:
@@ -394,6 +420,8 @@ class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending):
                 statement = msgspec.structs.replace(statement, spare=(*statement.spare, *self.spared))
                 self.spared = ()
             if isinstance(last, Clear) and removes_all_of_it(statement):
+                continue
+            if isinstance(last, Reshape) and last.what == "door" and adds_it(statement):
                 continue
             if isinstance(last, Remove) and removes_what_went(statement):
                 continue

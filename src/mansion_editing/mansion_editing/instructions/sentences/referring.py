@@ -4,6 +4,7 @@ from typing import Any
 
 import msgspec
 
+from mansion_editing.instructions.phrases.places import with_place
 from mansion_editing.instructions.sentences.progress import Progress
 from mansion_editing.instructions.sentences.refinement import held_there, so_many
 from mansion_editing.instructions.statements import (
@@ -93,7 +94,9 @@ class Referring(Progress):
                 if value.amount.number and value.amount.kind == "some" and topic.amount.kind != "all":
                     several = value.amount.number > 1
                     return msgspec.structs.replace(topic, amount=value.amount, plural=several, definite=False)
-                return topic
+                where = value.place
+                told = topic.place is None and where is not None and where.anchor is None and not where.outside
+                return with_place(topic, where) if told and where is not None else topic
             if not isinstance(value, msgspec.Struct):
                 return tuple(named(part) for part in value) if isinstance(value, tuple) else value
             return msgspec.structs.replace(value, **{f: named(getattr(value, f)) for f in value.__struct_fields__})

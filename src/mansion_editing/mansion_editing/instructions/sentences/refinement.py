@@ -21,6 +21,7 @@ from mansion_editing.instructions.statements import (
 )
 
 __all__ = [
+    "adds_it",
     "counting_those_there",
     "exactly",
     "held_there",
@@ -181,6 +182,15 @@ def removes_all_of_it(statement: Statement) -> bool:
     things = statement.things
     bare = not things.noun and not things.refers and things.place is None and not things.beside
     return bare and things.amount.kind == "all"
+
+
+def adds_it(statement: Statement) -> bool:
+    """Whether a statement only says once more of what was asked for just before that it comes: ``can you add one``."""
+    if not isinstance(statement, Add | Ensure):
+        return False
+    things = statement.things
+    bare = (things.refers == "last" and not things.noun) or things.noun == "one"
+    return bare and things.amount.number <= 1 and not things.colour and statement.place.anchor is None
 
 
 def removes_what_went(statement: Statement) -> bool:

@@ -11,6 +11,7 @@ from mansion_editing.instructions.phrases.word_sets import AFTER_CLAUSES, JOININ
 from mansion_editing.instructions.phrases.words import COURTESIES, Word
 from mansion_editing.instructions.sentences.background import end_of_background
 from mansion_editing.instructions.sentences.conditions import on_condition, read_condition
+from mansion_editing.instructions.sentences.lacking import end_of_presence, given_where_none_is, lacking_at
 from mansion_editing.instructions.sentences.progress import Progress
 from mansion_editing.instructions.sentences.refinement import counting_those_there
 from mansion_editing.instructions.statements import (
@@ -82,6 +83,11 @@ class Tails(Progress):
             if untouched:
                 end = untouched
                 continue
+            told = end_of_presence(reader, end) or self._where_none_is(reader, end)
+            if told:
+                self.statements.append(Mention(quote=self._quote(words, end, told)))
+                end = told
+                continue
             fits = self._if_it_fits(words, end)
             depends = 0 if fits else self._depends_on(reader, end + (text == ","))
             if depends:
@@ -109,6 +115,15 @@ class Tails(Progress):
             return stop, exact
         self.unknown.append(self._quote(words, end, stop))
         return stop, exact
+
+    def _where_none_is(self, reader: ClauseReader, at: int) -> int:
+        """Read ``that has none yet`` after places that are each given one; return its end, 0 for others."""
+        end = lacking_at(reader, at, self.clause)
+        given = given_where_none_is(self.clause) if end else None
+        if given is None:
+            return 0
+        self.clause = given
+        return end
 
     def _without_touching(self, reader: ClauseReader, at: int) -> int:
         """Read ``without moving the tables``, ``without touching what is on it``; return its end, 0 for others."""

@@ -54,7 +54,7 @@ class Telling(Progress):
         indicative = reader.text(end) in ("is", "are")
         contracted = reader.words[item.phrase.end - 1].genitive and item.end > item.phrase.end
         pronoun = item.phrase.refers == "last" and reader.words[at].raw in ("it's", "they're")
-        if not (indicative or contracted or pronoun):
+        if not (indicative or contracted or pronoun) or reader.bothers(end + indicative):
             return False
         places, stop = reader.places(end + indicative) if indicative or not item.places else (item.places, item.end)
         if not places or reader.skip(stop) < len(reader.words):

@@ -1,0 +1,74 @@
+"""What leaves furniture that is cleared: ``Clear the bench, the toolbox that lies on it goes onto a shelf``."""
+
+from collections.abc import Sequence
+from typing import Any
+
+import msgspec
+
+from mansion_editing.instructions.phrases.lexicon import Lexicon
+from mansion_editing.instructions.statements import Clear, Mention, Move, Place, Remove, Statement, Things
+
+__all__ = ["with_takings_first"]
+
+
+def with_takings_first(statements: Sequence[Statement], lexicon: Lexicon) -> list[Statement]:
+    """Return statements in which what goes elsewhere leaves furniture before the rest of what is there is removed.
+
+    An instruction names the clearing first, but what it then moves is what stands there, and not a new thing of its
+    kind. ``It`` in the words for what is moved is the furniture that is cleared; other words are looked up in its room
+    first, as they would be after the clearing.
+    """
+    out: list[Statement] = []
+    at = 0
+    while at < len(statements):
+        emptied = _emptied(statements[at])
+        end = at + 1
+        while emptied is not None and end < len(statements) and _leaves(statements[end], emptied, lexicon):
+            end += 1
+        taken = [] if emptied is None else _from_there(statements[at + 1 : end], emptied)
+        out += [*taken, statements[at], *(s for s in statements[at + 1 : end] if isinstance(s, Mention))]
+        at = end
+    return out
+
+
+def _emptied(statement: Statement) -> Place | None:
+    """Return the furniture that a statement leaves nothing on or in; None for others."""
+    place = statement.place if isinstance(statement, Clear) else None
+    if isinstance(statement, Remove) and not statement.things.noun and statement.things.amount.kind == "all":
+        place = statement.things.place
+    if place is None or place.anchor is None or place.anchor.refers or place.outside or not place.anchor.noun:
+        return None
+    return place
+
+
+def _leaves(statement: Statement, emptied: Place, lexicon: Lexicon) -> bool:
+    """Whether a statement moves single things to another place, or asks for nothing."""
+    if isinstance(statement, Mention):
+        return not statement.rooms
+    if not isinstance(statement, Move) or not statement.things.noun:
+        return False
+    if lexicon.stands(tuple(statement.things.noun.split())):
+        return False
+    anchor = statement.place.anchor
+    return anchor is None or not (anchor.refers or anchor == emptied.anchor)
+
+
+def _from_there(statements: Sequence[Statement], emptied: Place) -> list[Statement]:
+    moves = [statement for statement in statements if isinstance(statement, Move)]
+    referring = {move.quote for move in moves if _is_on_it(move.things)}
+    where = emptied.rooms
+    out: list[Statement] = [Mention(rooms=where)] if moves and where is not None and not where.same else []
+    for move in moves:
+        things = move.things
+        if _is_on_it(things) or (things.place is None and move.quote in referring):
+            things = msgspec.structs.replace(things, place=emptied)
+            move = msgspec.structs.replace(move, things=things, or_new=False)
+        out.append(move)
+    return out
+
+
+def _is_on_it(things: Things) -> bool:
+    """Whether things are on, in or at what was mentioned last, and no more is said of where."""
+    place: Any = things.place
+    anchor = None if place is None else place.anchor
+    return anchor is not None and anchor.refers == "last" and not anchor.noun and place.rooms is None

@@ -1,0 +1,104 @@
+"""Places that are each given one where they have none, and clauses that only tell what is there already."""
+
+import pytest
+
+from mansion_editing.editor import SceneEditor
+from mansion_editing.instructions.instruct import instruct
+from mansion_editing.instructions.sentences.reader import read_instruction
+from mansion_editing.instructions.statements import (
+    Add,
+    Ensure,
+    Mention,
+    Move,
+    Place,
+    Remove,
+    Reshape,
+    Rooms,
+    SetState,
+    Statement,
+)
+from mansion_editing.state import SceneState
+
+
+def _asked(text: str, state: SceneState) -> list[Statement]:
+    read = read_instruction(text, state)
+    assert read.not_understood == [], read.not_understood
+    return [statement for statement in read.statements if not isinstance(statement, Mention)]
+
+
+@pytest.mark.parametrize("lacking", ["that has none yet", "which does not have one", "that doesn't have a mug"])
+def test_one_for_each_that_has_none_counts_those_there(furnished_state: SceneState, lacking: str) -> None:
+    (one,) = _asked(f"Put a mug on every dining table {lacking}.", furnished_state)
+    assert isinstance(one, Ensure) and one.each and one.things.amount.number == 1
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Put two mugs on every dining table that has none.",
+        "Put a red mug on every dining table that has none.",
+        "Put a mug on every dining table that has no plate.",
+        "Put a mug on the dining table that has none.",
+        "Put a mug on every dining table, where the cook eats.",
+    ],
+)
+def test_what_cannot_be_counted_afterwards_is_not_guessed(furnished_state: SceneState, text: str) -> None:
+    assert read_instruction(text, furnished_state).not_understood
+
+
+def test_a_table_that_has_one_gets_no_other(editor: SceneEditor) -> None:
+    before = {item.id for _, item in editor.state.objects()}
+    report = instruct(editor, "Put a plate on every dining table that has none yet.")
+    assert report.done, report.message
+    new = [item for _, item in editor.state.objects() if item.id not in before]
+    assert [item.id.split("/")[1] for item in new] == ["private_office_1"]
+
+
+def test_what_is_there_already_is_only_told(furnished_state: SceneState) -> None:
+    (move,) = _asked("Move the plate onto the desk, where there is already one.", furnished_state)
+    assert isinstance(move, Move)
+
+
+@pytest.mark.parametrize("text", ["We want a door between the hall and the kitchen, can you add one?",
+                                  "I would like a door between the hall and the kitchen."])  # fmt: skip
+def test_a_door_can_be_wished_for(furnished_state: SceneState, text: str) -> None:
+    (door,) = _asked(text, furnished_state)
+    assert isinstance(door, Reshape) and door.what == "door"
+
+
+@pytest.mark.parametrize(("said", "sign"), [("a little larger", 1), ("a bit bigger", 1), ("slightly smaller", -1)])
+def test_a_little_is_a_share_of_the_area(furnished_state: SceneState, said: str, sign: int) -> None:
+    (change,) = _asked(f"Make the kitchen {said}.", furnished_state)
+    assert isinstance(change, Reshape) and change.share * sign > 0 and change.area == 0
+
+
+def test_much_larger_says_no_area(furnished_state: SceneState) -> None:
+    assert read_instruction("Make the kitchen much larger.", furnished_state).not_understood
+
+
+def test_a_further_room_after_and_means_the_same_there(furnished_state: SceneState) -> None:
+    first, second = _asked("Turn off the ceiling lights in the kitchen and in the hall.", furnished_state)
+    assert isinstance(first, SetState) and isinstance(second, SetState) and second.things.place is not None
+    assert second.things.place.rooms == Rooms(words="hall") and second.value == first.value
+
+
+def test_a_number_in_two_rooms_is_not_guessed(furnished_state: SceneState) -> None:
+    assert read_instruction("Remove two chairs in the hall and in the kitchen.", furnished_state).not_understood
+    assert all(isinstance(s, Remove) for s in _asked("Remove the chairs in the hall and in the kitchen.",
+                                                     furnished_state))  # fmt: skip
+
+
+def test_the_window_of_a_room_is_in_it(furnished_state: SceneState) -> None:
+    (chair,) = _asked("Put a chair by the kitchen window.", furnished_state)
+    assert isinstance(chair, Add) and chair.place == Place(spot="window", rooms=Rooms(words="kitchen"))
+
+
+def test_one_for_every_plate_lies_beside_it(furnished_state: SceneState) -> None:
+    (mug,) = _asked("A mug for every plate on the table in the kitchen.", furnished_state)
+    assert isinstance(mug, Add) and mug.place.relation == "beside" and mug.each
+
+
+@pytest.mark.parametrize("text", ["mov the plate frm the kitchen to the hall", "pls mov the plate nxt to the mug"])
+def test_a_letter_left_out_of_a_short_word_is_mended(furnished_state: SceneState, text: str) -> None:
+    (move,) = _asked(text, furnished_state)
+    assert isinstance(move, Move) and move.things.noun == "plate"
