@@ -8,6 +8,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, Final
 
+import msgspec
+
 from mansion_editing.instructions.checking.changes import check_paint, check_reach, check_rooms, check_state
 from mansion_editing.instructions.checking.differences import Differences, differences
 from mansion_editing.instructions.checking.finding import Finding
@@ -179,7 +181,7 @@ def _lasting(statement: Statement, first: SceneState, last: SceneState, context:
         return next((fault for fault in found if fault), "")
     if isinstance(statement, Keep):
         kept = things_of(first, statement.things, context)
-        touched = [item.id for item in kept if last.find(item.id) is None or last.get(item.id)[1] != item]
+        touched = [item.id for item in kept if not _stays(item, statement.things, first, last)]
         if not touched and not statement.things.noun and statement.things.place is not None:
             touched_rooms = _changed_rooms(statement.things.place, first, last, context)
             return f"{', '.join(touched_rooms)} is not as it was, though it shall stay" if touched_rooms else ""
@@ -187,6 +189,18 @@ def _lasting(statement: Statement, first: SceneState, last: SceneState, context:
             f"{listed(touched)} is not as it was, though {thing_words(statement.things)} shall stay" if touched else ""
         )
     return ""
+
+
+def _stays(item: SceneObject, things: Things, first: SceneState, last: SceneState) -> bool:
+    """Whether an object is as it was, or stays on what it was said to stay on, which turned or moved with it."""
+    if last.find(item.id) is None:
+        return False
+    now = last.get(item.id)[1]
+    on_it = things.place is not None and things.place.anchor is not None and item.parent is not None
+    if now == item or not on_it or item.parent is None or last.find(item.parent) is None:
+        return now == item
+    carried = now.parent == item.parent and last.get(item.parent)[1] != first.get(item.parent)[1]
+    return carried and msgspec.structs.replace(now, position=item.position, rotation=item.rotation) == item
 
 
 def _touched(things: Things, first: SceneState, last: SceneState, context: Context) -> str:

@@ -15,6 +15,8 @@ from mansion_editing.instructions.statements import (
     History,
     Mention,
     Place,
+    Relation,
+    Replace,
     Rooms,
     Statement,
     Things,
@@ -83,7 +85,7 @@ class Adding(States, Colours):
                 raise NotUnderstood(place, end)
             out += [msgspec.structs.replace(statement, place=place_too) for statement in out[: len(items)]]
         out = [msgspec.structs.replace(statement, quote=self.quote(at, end)) for statement in out]
-        return self._with_companions(items[-1], out, at, end)
+        return self.with_companions(out, at, end)
 
     def _more_of_them(self, item: Item, quote: str) -> Add | None:
         """Read ``add one``, ``add two``: so many more of what was mentioned last, where that is."""
@@ -128,15 +130,24 @@ class Adding(States, Colours):
                 return items[:at], items[at:]
         return items, []
 
-    def _with_companions(self, item: Item, said: list[Statement], at: int, end: int) -> tuple[list[Statement], int]:
-        """Read what comes with new things: ``12 desks, each with a chair``, ``a tray with two mugs``."""
+    def with_companions(self, said: list[Statement], at: int, end: int) -> tuple[list[Statement], int]:
+        """Read what comes with new things: ``12 desks, each with a chair``, ``a tray with two mugs``.
+
+        Parameters
+        ----------
+        said : list of Statement
+            What was read so far, the last of which brings the things.
+        """
         place = end + (self.text(end) == ",")
         each = self.text(place) == "each"
         place += each
         main = said[-1]
-        if self.text(place) != "with" or not isinstance(main, Add | Ensure):
+        if self.text(place) != "with" or not isinstance(main, Add | Ensure | Replace):
             return said, end
-        if main.place == Place():
+        new = main.by if isinstance(main, Replace) else main.things
+        near = Place(relation="beside", anchor=Things(refers="last", definite=True, amount=Amount(number=0)))
+        goal = near if isinstance(main, Replace) else main.place
+        if isinstance(main, Add | Ensure) and main.place == Place():
             return self._with_contents(said[:-1], main, at, place + 1)
         try:
             others = self.items(place + 1)
@@ -145,7 +156,7 @@ class Adding(States, Colours):
         stop = others[-1].end + (self.text(others[-1].end) == "each")
         each = each or stop > others[-1].end
         quote = self.quote(at, stop)
-        times = max(1, main.things.amount.number) if each else 1
+        times = max(1, new.amount.number) if each else 1
         out = [*said]
         for other in others:
             things = other.phrase.things()
@@ -155,7 +166,7 @@ class Adding(States, Colours):
             if where == Place():
                 on_it = not self.lexicon.stands(other.phrase.noun.words)
                 last = Things(refers="last", definite=True, amount=Amount(number=0))
-                where = Place(relation="on", anchor=last) if on_it else main.place
+                where = Place(relation="on", anchor=last) if on_it else goal
             out.append(Add(things=things, place=where, quote=quote))
         return out, stop
 
@@ -165,14 +176,18 @@ class Adding(States, Colours):
         """Read ``a box with bandages on the trolley``: the box goes there, and they into or onto it."""
         others = self.items(place)
         end = others[-1].end
-        goal = self._framed(self._shared_goal(others, others[-1]))[0]
+        there = [p for p in others[-1].places if p.place.anchor is None or p.place.anchor.refers != "last"]
+        shared = Item(others[-1].phrase, tuple(there), others[-1].end)
+        goal = self._framed(self._shared_goal([*others[:-1], shared], shared))[0]
         quote = self.quote(at, end)
         holder = Things(refers="last", definite=True, amount=Amount(number=0))
         out: list[Statement] = [*said, msgspec.structs.replace(main, place=goal, quote=quote)]
         for other in others:
-            if self.lexicon.stands(other.phrase.noun.words):
+            stands = self.lexicon.stands(other.phrase.noun.words)
+            if stands and other.phrase.amount.kind not in ("some", "more"):
                 raise NotUnderstood(place, end)
-            out.append(Add(things=other.phrase.things(), place=Place(relation="on", anchor=holder), quote=quote))
+            relation: Relation = "on" if not stands else "around" if other.phrase.plural else "beside"
+            out.append(Add(things=other.phrase.things(), place=Place(relation=relation, anchor=holder), quote=quote))
         return out, end
 
     def _give(self, at: int, place: int) -> tuple[list[Statement], int]:

@@ -29,6 +29,9 @@ class Changing(Wishes, Moving, Sizes):
             place += 2 + (self.text(place + 2) == "of")
             if what == "name":
                 return self._rename(at, place)
+        by = next((k for k in range(place + 1, len(self.words)) if self._begins_new_by(k)), None)
+        if by is not None:
+            return self._replaced_by(at, place, by)
         found = self.items_or_surfaces(place)
         if found is not None:
             subject, end = found
@@ -53,6 +56,12 @@ class Changing(Wishes, Moving, Sizes):
         if joint is None:
             raise NotUnderstood(at, self.boundary(at))
         return self._replaced_by(at, place, joint)
+
+    def _begins_new_by(self, at: int) -> bool:
+        """Whether ``by a sofa`` stands at a place: what something is changed by is new."""
+        new = self.phrase(at + 1) if self.text(at) == "by" else None
+        article = self.text(at + 1) in ("a", "an", "another", "one")
+        return new is not None and article and new.noun.kind == "object" and not new.noun.unknown
 
     def _a_little(self, item: Item, at: int, start: int) -> tuple[list[Statement], int] | None:
         """Read ``a little larger``, ``slightly smaller`` of a room: by a tenth of what it is."""

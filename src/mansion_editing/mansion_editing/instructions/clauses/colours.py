@@ -139,6 +139,11 @@ class Colours(Outcomes):
                 out.append(Finish(rooms=item.rooms(), part="walls", colour=colour, material=material, quote=quote))
             else:
                 out.append(
-                    Paint(things=self._all_if_plural(item.things()), colour=colour, material=material, quote=quote)
+                    Paint(
+                        things=self._within_frame(self._all_if_plural(item.things())),
+                        colour=colour,
+                        material=material,
+                        quote=quote,
+                    )
                 )
         return out

@@ -26,7 +26,12 @@ class Fronting(Sentence):
         item = self.item(at)
         if item is None or item.is_room or not item.phrase.definite or item.phrase.refers:
             return None
-        if self.text(item.end) not in _PEOPLE or not (item.phrase.noun.words or item.places):
+        if not (item.phrase.noun.words or item.places):
+            return None
+        verb = verb_at(self.words, item.end + 1, self.lexicon) if self.text(item.end) == "please" else None
+        if verb is not None and self.phrase(verb[1]) is None:
+            return self._done_with(item, at, item.end + 1)
+        if self.text(item.end) not in _PEOPLE:
             return None
         place = item.end + 1
         said: set[str] = set()
@@ -42,6 +47,7 @@ class Fronting(Sentence):
 
     def _kept_or_not(self, item: Item, at: int, verb: int, *, denied: bool) -> tuple[list[Statement], int] | None:
         end = verb + 1
+        end += self.text(end) in ("it", "them")
         while self.text(end) in ANY_LONGER:
             end += 1
         if end < len(self.words) and self.words[end].kind != "mark" and self.text(end) not in ("and", "but", "so"):

@@ -86,6 +86,21 @@ class Keeping(Staying, Wishes, Adding, Removing):
         quote = self.quote(at, items[-1].end)
         return [Clear(place=where, spare=tuple(item.phrase.things() for item in items), quote=quote)], items[-1].end
 
+    def _only_kept(self, at: int, place: int) -> tuple[list[Statement], int] | None:
+        """Read ``keep just laptop + lamp on it``: what furniture is cleared of is all but these."""
+        items = self.items(place)
+        if not all(self._are_those_there(item.phrase) for item in items):
+            return None
+        where = joined_places(list(items[-1].places))[0]
+        quote = self.quote(at, items[-1].end)
+        spare = tuple(self._all(self._as_those_there(item.phrase)) for item in items)
+        if where == Place() and self.frame.anchor is None:
+            return [Keep(things=things, quote=quote) for things in spare], items[-1].end
+        where, _ = self._framed((where, False))
+        if where.relation not in ("on", "in") or where.anchor is None:
+            return None
+        return [Clear(place=where, spare=spare, quote=quote)], items[-1].end
+
     def _others_elsewhere(self, at: int, items: list[Item]) -> tuple[list[Statement], int] | None:
         """Read ``leave one chair at the table and put the other one ...``: all but one of those there."""
         phrase, end = items[0].phrase, items[0].end
@@ -113,6 +128,10 @@ class Keeping(Staying, Wishes, Adding, Removing):
 
     def _keep(self, at: int, place: int) -> tuple[list[Statement], int]:
         """Read ``keep the door closed``, ``keep the sofa``, ``keep the desk free of mugs``."""
+        if self.text(place) in ("only", "just"):
+            only = self._only_kept(at, place + 1)
+            if only is not None:
+                return only
         item = self.item(place)
         if item is None:
             raise NotUnderstood(at, self.boundary(at))
@@ -125,6 +144,12 @@ class Keeping(Staying, Wishes, Adding, Removing):
         )
         if found is not None:
             return found
+        if self._is_bare(item.phrase):
+            items = self.items(place)
+            if not all(self._are_those_there(i.phrase) for i in items):
+                raise NotUnderstood(at, items[-1].end)
+            quote = self.quote(at, items[-1].end)
+            return [Keep(things=self._bare_kept(i), quote=quote) for i in items], items[-1].end
         if (item.phrase.definite or item.phrase.refers) and self.text(item.end) not in (
             "as",
             "where",

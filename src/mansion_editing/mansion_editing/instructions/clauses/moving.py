@@ -6,7 +6,7 @@ from mansion_editing.instructions.clauses.items import Item, NotUnderstood, join
 from mansion_editing.instructions.clauses.shifting import Shifting
 from mansion_editing.instructions.phrases.places import read_place, with_place
 from mansion_editing.instructions.phrases.words import MODALS
-from mansion_editing.instructions.statements import Add, Move, Place, Replace, Rooms, Statement, Swap, Things
+from mansion_editing.instructions.statements import Add, Move, Place, Replace, Rooms, Statement, Swap
 
 __all__ = ["Moving"]
 
@@ -95,12 +95,6 @@ class Moving(Shifting):
         return [
             Swap(one=self._within_frame(one.things()), other=self._within_frame(other.things()), quote=quote)
         ], end + 2
-
-    def _within_frame(self, things: Things) -> Things:
-        """Return things that are in the room that the sentence began with, where they are in no other."""
-        rooms = self.frame.rooms
-        own = things.place is not None and things.place.rooms is not None
-        return things if rooms is None or own else with_place(things, Place(rooms=rooms))
 
     def _replaced_by(self, at: int, place: int, joint: int) -> tuple[list[Statement], int]:
         """Read ``X with Y``: an exchange of places where both are there, else something new for something old."""

@@ -166,12 +166,12 @@ class Outcomes(Sentence):
         at = items.index(item)
         own = item.places or next((other.places for other in (*items[at:], *reversed(items[:at])) if other.places), ())
         place, _ = self._framed(joined_places([*own, *more]))
-        things = item.phrase.things()
+        things = self._in_each_room(item.phrase)
         number = next((b.amount.number for b in besides if b.refers == "last" and b.amount.number), 0)
         if number and things.amount.kind == "all":
             things = msgspec.structs.replace(things, amount=Amount(kind="all_but", number=number))
             besides = ()
-        told = next((b.place for b in besides if b.place is not None and b.noun != things.noun), None)
+        told = next((b.place for b in besides if b.place is not None and b.noun not in ("", "one", things.noun)), None)
         if place == Place() and told is not None:
             place = told
         if things.noun == "" and not things.refers:

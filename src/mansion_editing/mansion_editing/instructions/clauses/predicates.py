@@ -230,6 +230,8 @@ class Predicates(States, Colours, Ways):
             end = place + 1
             if self.text(end) in STATE_WORDS and word in ("stay", "remain") and self.phrase(end + 1) is None:
                 return self._said_state(item, end, at, negated)
+            if self._is_bare(item.phrase) and word in ("stay", "remain") and not negated:
+                return self._bare_stays(item, end, at)
             if item.phrase.amount.number and not item.phrase.definite and not negated:
                 return self._remaining(item, place + 1 + (word == "be"), at)
             places, after = self.places(end)
@@ -270,6 +272,16 @@ class Predicates(States, Colours, Ways):
             if places:
                 return [self._brought(item, places, self.quote(at, end))], end
         return None
+
+    def _bare_stays(self, item: Item, after: int, at: int) -> tuple[list[Statement], int]:
+        """Read ``juice stays`` and ``monitor stays on it`` of things that are there, which adds none."""
+        places, end = self.places(after)
+        where = () if any(p.goal for p in places) else places
+        end = end if where else after
+        while self.text(end) in STAYING_AS_IT_IS:
+            end += 1
+        whole = Item(item.phrase, (*item.places, *where), end)
+        return [Keep(things=self._bare_kept(whole), quote=self.quote(at, end))], end
 
     def _remaining(self, item: Item, after: int, at: int) -> tuple[list[Statement], int]:
         """Read ``only two chairs should remain in the hall``: what is more than that goes."""

@@ -13,9 +13,9 @@ from mansion_editing.instructions.clauses.taking import Taking
 from mansion_editing.instructions.phrases.places import with_place
 from mansion_editing.instructions.phrases.verb_words import Deed
 from mansion_editing.instructions.phrases.verbs import verb_at
-from mansion_editing.instructions.statements import Move, Place, Remove, Statement, Things
+from mansion_editing.instructions.statements import Move, Paint, Place, Remove, SetState, Statement, Things
 
-__all__ = ["ClauseReader"]
+__all__ = ["ClauseReader", "sparing"]
 
 
 class ClauseReader(Keeping, Changing, Taking, PastSteps, Fronting):
@@ -149,10 +149,14 @@ class ClauseReader(Keeping, Changing, Taking, PastSteps, Fronting):
         return out, end
 
 
-def _sparing(statement: Statement, besides: tuple[Things, ...]) -> Statement:
-    """Return a removal but for the exceptions: ``no plants upstairs except the one in the study``."""
-    if not isinstance(statement, Remove) or not besides:
-        return statement
+def sparing(statement: SetState | Remove | Paint, besides: tuple[Things, ...]) -> Statement:
+    """Return what is done with all of a kind but for exceptions: ``all plants except the one in the study``."""
     noun = statement.things.noun
     spared = tuple(msgspec.structs.replace(one, noun=noun) if one.noun in ("", "one") else one for one in besides)
-    return msgspec.structs.replace(statement, things=msgspec.structs.replace(statement.things, beside=spared))
+    beside = (*statement.things.beside, *spared)
+    return msgspec.structs.replace(statement, things=msgspec.structs.replace(statement.things, beside=beside))
+
+
+def _sparing(statement: Statement, besides: tuple[Things, ...]) -> Statement:
+    """Return a removal but for the exceptions: ``no plants upstairs except the one in the study``."""
+    return sparing(statement, besides) if isinstance(statement, Remove) and besides else statement

@@ -61,7 +61,8 @@ class Removing(Moving):
         end = items[-1].end
         item = items[0]
         comes_from = any(p.source or p.place.relation in ("on", "in") for p in item.places)
-        if item.phrase.noun.kind == "anything" or (comes_from and not item.is_room and item.phrase.plural):
+        furniture = item.phrase.noun.words == ("furniture",)  # it goes itself: "clear all furniture"
+        if item.phrase.noun.kind == "anything" or furniture or (comes_from and not item.is_room and item.phrase.plural):
             return self._remove(at, place)
         if self.text(end) == "of" or (
             item.places and item.places[-1].start and self.words[item.places[-1].start].text == "of"

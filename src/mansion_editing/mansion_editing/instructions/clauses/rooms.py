@@ -1,6 +1,7 @@
 """Names, uses, doors, stairs and lifts of rooms."""
 
 from collections.abc import Sequence
+from typing import Final
 
 import msgspec
 
@@ -8,9 +9,13 @@ from mansion_editing.instructions.clauses.giving import Giving
 from mansion_editing.instructions.clauses.items import Item, NotUnderstood
 from mansion_editing.instructions.phrases.places import ReadPlace, read_place
 from mansion_editing.instructions.phrases.word_sets import BEFORE_DOORS, BEFORE_NAMES
-from mansion_editing.instructions.statements import Furnish, Rename, Reshape, Statement
+from mansion_editing.instructions.statements import Furnish, Rename, Reshape, Rooms, Statement
 
 __all__ = ["RoomChanges"]
+
+
+_BETWEEN_ROOMS: Final = ("/", "-")
+"""Marks between the two rooms of a door in notes."""
 
 
 class RoomChanges(Giving):
@@ -49,6 +54,9 @@ class RoomChanges(Giving):
         return name, stop
 
     def _furnish(self, at: int, place: int) -> tuple[list[Statement], int]:
+        framed = self.frame.rooms if self.text(place) in ("to", "into") else None
+        if framed is not None:
+            return self._furnish_as(at, place, framed)
         item = self.item(place, places=False)
         if item is None:
             raise NotUnderstood(at, self.boundary(at))
@@ -67,13 +75,17 @@ class RoomChanges(Giving):
             end += 1
         if self.text(end) == "with":
             return self._equip(at, place)
-        kind = ""
         if self.text(end) in ("into", "as", "to", "for", "like"):
-            found = self.phrase(end + 1)
-            if found is None or found.noun.kind not in ("room", "both"):
-                raise NotUnderstood(end, self.boundary(end))
-            kind, end = " ".join((*filter(None, [found.noun.owned]), *found.noun.words)), found.end
-        return [Furnish(rooms=rooms, kind=kind, quote=self.quote(at, end))], end
+            return self._furnish_as(at, end, rooms)
+        return [Furnish(rooms=rooms, quote=self.quote(at, end))], end
+
+    def _furnish_as(self, at: int, joint: int, rooms: Rooms) -> tuple[list[Statement], int]:
+        """Read ``into a study`` after the room that becomes one, which a heading may have named."""
+        found = self.phrase(joint + 1)
+        if found is None or found.noun.kind not in ("room", "both") or found.noun.unknown:
+            raise NotUnderstood(joint, self.boundary(joint))
+        kind = " ".join((*filter(None, [found.noun.owned]), *found.noun.words))
+        return [Furnish(rooms=rooms, kind=kind, quote=self.quote(at, found.end))], found.end
 
     def _use(self, at: int, place: int) -> tuple[list[Statement], int]:
         """Read ``use the storage as an office``."""
@@ -83,13 +95,16 @@ class RoomChanges(Giving):
         return self._furnish(at, place)
 
     def _door_between(self, at: int, place: int) -> tuple[list[Statement], int] | None:
-        """Read ``add a door between the kitchen and the dining room``."""
+        """Read ``add a door between the kitchen and the dining room``, ``add door kitchen / dining room``."""
         start = place
         while self.text(place) in BEFORE_DOORS:
             place += 1
         if self.text(place) not in ("door", "doorway", "opening", "passage"):
             return None
         linking = self.text(place + 1)
+        room = self.item(place + 1, places=False)
+        if room is not None and room.is_room and self.text(room.end) in _BETWEEN_ROOMS:
+            return self._connect(at, place + 1)
         if linking not in ("between", "from", "connecting", "linking", "joining") and start == place:
             return None
         if linking not in ("between", "from", "connecting", "linking", "joining"):
@@ -102,7 +117,7 @@ class RoomChanges(Giving):
         if one is None or one.phrase.noun.kind not in ("room", "both"):
             raise NotUnderstood(place, self.boundary(place))
         end = one.end
-        if self.text(end) not in ("and", "to", "with"):
+        if self.text(end) not in ("and", "to", "with", *_BETWEEN_ROOMS):
             raise NotUnderstood(place, self.boundary(place))
         other = self.item(end + 1)
         if other is None or other.phrase.noun.kind not in ("room", "both"):

@@ -25,13 +25,14 @@ from mansion_editing.instructions.phrases.word_sets import (
 from mansion_editing.instructions.phrases.words import (
     BE,
     COURTESIES,
+    DETERMINERS,
     MODALS,
     PARTICIPLES_OF_REST,
     STATE_WORDS,
     Word,
     text_at,
 )
-from mansion_editing.instructions.statements import Amount, Place, Rooms, Statement, Things
+from mansion_editing.instructions.statements import JOINED, Amount, Place, Rooms, Statement, Things
 
 __all__ = ["Sentence"]
 
@@ -244,6 +245,9 @@ class Sentence(ABC):
                 if found:
                     return found
                 raise NotUnderstood(at, self.boundary(at))
+            instead = (self.text(item.end), self.text(item.end + 2)) == ("in", "place") and not item.phrase.definite
+            if found and instead and self.words[item.end + 1].raw in ("its", "their"):
+                return found
             placed = self._participle(item.phrase.end)
             new = placed is not None and placed[0] == "add" and not item.phrase.definite
             if found and (self._is_way(item.phrase) or new):
@@ -467,6 +471,38 @@ class Sentence(ABC):
         inner = self.words[phrase.start : phrase.end]
         return any(w.text == "of" and self.text(phrase.start + k + 1) in _THOSE for k, w in enumerate(inner))
 
+    def _is_bare(self, phrase: NounPhrase) -> bool:
+        """Whether a thing is named without an article, an owner or a number, as in notes: ``monitor stays``."""
+        first = self.words[phrase.start]
+        counted = first.kind == "number" or first.text in DETERMINERS
+        plain = phrase.amount.kind == "some" and phrase.amount.number <= 1 and not phrase.definite
+        return plain and not counted and not phrase.refers and phrase.noun.kind == "object"
+
+    def _are_those_there(self, phrase: NounPhrase) -> bool:
+        """Whether a phrase means things that are there: named with ``the``, or in the way of notes."""
+        return phrase.definite or self._is_bare(phrase)
+
+    def _as_those_there(self, phrase: NounPhrase) -> Things:
+        """Return the things that are there, where they are named without an article too."""
+        things = phrase.things()
+        if not self._is_bare(phrase):
+            return things
+        return msgspec.structs.replace(things, amount=Amount(number=0), definite=True)
+
+    def _in_each_room(self, phrase: NounPhrase) -> Things:
+        """Return things; in notes for several rooms a bare noun means those of each: ``rooms 4+5: minibar open``."""
+        rooms = self.frame.rooms
+        several = rooms is not None and JOINED in rooms.words
+        return self._as_those_there(phrase) if several else phrase.things()
+
+    def _bare_kept(self, item: Item) -> Things:
+        """Return all that is named without an article, in the room that the sentence began with."""
+        things = self._all(Item(item.phrase, item.places, item.end).things())
+        things = msgspec.structs.replace(things, amount=Amount(kind="all", number=0), definite=True)
+        rooms = self.frame.rooms
+        own = things.place is not None and (things.place.rooms is not None or things.place.anchor is not None)
+        return things if rooms is None or own else with_place(things, Place(rooms=rooms))
+
     def _is_way(self, phrase: NounPhrase) -> bool:
         return bool(phrase.noun.words) and self.lexicon.is_way(phrase.noun.words[-1])
 
@@ -478,6 +514,12 @@ class Sentence(ABC):
 
     def _all_if_plural(self, things: Things) -> Things:
         return self._all(things) if things.plural else things
+
+    def _within_frame(self, things: Things) -> Things:
+        """Return things that are in the room that the sentence began with, where they are in no other."""
+        rooms = self.frame.rooms
+        own = things.place is not None and things.place.rooms is not None
+        return things if rooms is None or own else with_place(things, Place(rooms=rooms))
 
     def _framed(self, goal: tuple[Place, bool]) -> tuple[Place, bool]:
         """Return a place with what the sentence began with."""

@@ -53,7 +53,7 @@ class States(RoomChanges, Turning):
     ) -> Statement:
         own = item.places or next((other.places for other in items[items.index(item) :] if other.places), ())
         place, _ = self._framed(joined_places(list(own)))
-        things = item.phrase.things()
+        things = self._in_each_room(item.phrase)
         if item.is_room:
             rooms = item.rooms()
             things, place = (

@@ -58,9 +58,10 @@ class Staying(Subjects):
         return [Keep(things=self._all(item.things()), quote=self.quote(at, item.end))], item.end
 
     def _all_else(self, at: int) -> tuple[list[Statement], int] | None:
-        """Read ``everything else stays the same``, which is checked of every instruction."""
+        """Read ``everything else (in the hall) stays the same``, which is checked of every instruction."""
         said = self.text(at) in ("everything", "all", "anything") and self.text(at + 1) == "else"
-        stop = self._as_it_is(at + 2) if said else 0
+        end = self.places(at + 2)[1] if said else at
+        stop = self._as_it_is(end) if said else 0
         return ([Mention(quote=self.quote(at, stop))], stop) if stop else None
 
     def _nothing_changes(self, at: int) -> tuple[list[Statement], int] | None:
@@ -160,6 +161,8 @@ class Staying(Subjects):
 
     def _as_it_is(self, at: int) -> int:
         """Return the end of ``may stay as they are``, ``is fine``, ``must not be moved``; 0 where it is not said."""
+        if self.text(at) in ("untouched", "unchanged") and self._clause_ends(at + 1):
+            return at + 1
         end = at
         if self.text(at) == "as" and self.text(at + 1) in ("it", "they"):
             while self.text(end) in KEPT_AS_IT_IS:

@@ -22,7 +22,7 @@ class Turning(Outcomes):
         while self.text(end) in ("by", "around", "through", "about", "round"):
             degrees = self._degrees(end + 1) or self._degrees(end + 2)
             if self.text(end) == "around" and degrees is None:
-                return [Turn(things=things, degrees=180.0, quote=self.quote(at, end + 1))], end + 1
+                return [Turn(things=self._within_frame(things), degrees=180.0, quote=self.quote(at, end + 1))], end + 1
             end += 1
         degrees = self._degrees(end)
         if degrees is not None:
@@ -30,13 +30,13 @@ class Turning(Outcomes):
             places, last = self.places(stop)
             if places:
                 things = with_place(things, joined_places(places)[0])
-            return [Turn(things=things, degrees=value, quote=self.quote(at, last))], last
+            return [Turn(things=self._within_frame(things), degrees=value, quote=self.quote(at, last))], last
         while self.text(end) in TOWARDS:
             end += 1
         goal = self.item(end)
         if goal is None or goal.is_room:
             raise NotUnderstood(at, self.boundary(at))
-        return [Turn(things=things, facing=goal.things(), quote=self.quote(at, goal.end))], goal.end
+        return [Turn(things=self._within_frame(things), facing=goal.things(), quote=self.quote(at, goal.end))], goal.end
 
     def _places_before_turn(self, item: Item) -> tuple[tuple[ReadPlace, ...], int]:
         found: list[ReadPlace] = []

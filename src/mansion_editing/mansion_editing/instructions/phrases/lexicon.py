@@ -69,6 +69,16 @@ class Lexicon:
         """Whether words name a room that this building has."""
         return words in self._room_names
 
+    def written_in_full(self, short: str, following: str) -> str:
+        """Return the first word of the room's name that a shorter one stands for: ``exam room`` of an examination room.
+
+        The word itself where no room here is called so, or rooms of several names are.
+        """
+        if (short, following) in self._room_names:
+            return short
+        whole = {name[0] for name in self._room_names if name[1:2] == (following,) and name[0].startswith(short)}
+        return whole.pop() if len(whole) == 1 else short
+
     def is_room_id(self, text: str) -> bool:
         """Whether a text is the id of a room, or the end of one (``meeting_room_1``)."""
         low = text.lower()

@@ -19,6 +19,7 @@ _LEAST_PART: Final = 3
 
 def mended(words: Sequence[Word], lexicon: Lexicon) -> list[Word]:
     """Return words with what only fits a name of the building or the catalogue put right."""
+    words = _with_parts_joined(words, lexicon)
     out: list[Word] = []
     for at, word in enumerate(words):
         if word.kind != "word" or word.text in FUNCTION_WORDS | VAGUE | VERB_WORDS:
@@ -29,8 +30,32 @@ def mended(words: Sequence[Word], lexicon: Lexicon) -> list[Word]:
     return out
 
 
+def _with_parts_joined(words: Sequence[Word], lexicon: Lexicon) -> list[Word]:
+    """Return ``fireplace`` for ``fire place``, where only the whole names a thing or a room here."""
+    out: list[Word] = []
+    for word in words:
+        last = out[-1] if out else None
+        if last is not None and _is_name_in_parts(last, word, lexicon):
+            out[-1] = replace(word, text=last.text + word.text, raw=last.raw + word.raw, start=last.start)
+            continue
+        out.append(word)
+    return out
+
+
+def _is_name_in_parts(first: Word, second: Word, lexicon: Lexicon) -> bool:
+    plain = first.kind == second.kind == "word" and not (first.plural or first.genitive)
+    if not plain or min(len(first.text), len(second.text)) < _LEAST_PART or first.text in FUNCTION_WORDS | VAGUE:
+        return False
+    parts, whole = (first.text, second.text), (first.text + second.text,)
+    return not _is_name(parts, lexicon) and (lexicon.is_called(whole) or lexicon.is_own_room(whole))
+
+
 def _mended(word: Word, following: Word | None, lexicon: Lexicon) -> list[Word]:
     speller = lexicon.speller
+    if following is not None and len(word.text) >= _SHORT:
+        full = lexicon.written_in_full(word.text, following.text)
+        if full != word.text:
+            return [replace(word, text=full)]
     known = word.text in speller.words
     name = word.capital and len(word.text) < _SHORT
     if _LEAST_PART <= len(word.text) <= _SHORT and not (known or name) and word.text not in lexicon.kept:

@@ -12,9 +12,11 @@ from mansion_editing.instructions.phrases.storeys import read_storeys
 from mansion_editing.instructions.phrases.word_sets import BARE_PRONOUNS
 from mansion_editing.instructions.phrases.words import ADVERBS, DETERMINERS, STATE_WORDS, Word, text_at
 from mansion_editing.instructions.statements import JOINED, Amount, AmountKind, Place, Rooms, Things
+from mansion_language.colours import COLOUR_WORDS
 
 __all__ = ["NounPhrase", "noun_phrase"]
 
+_COLOUR: Final = ("colour", "color")
 _IN_PHRASES: Final = frozenset(["only", "just", "exactly", "back", "first", "next"])
 """Adverbs that may belong to a noun phrase."""
 
@@ -132,6 +134,8 @@ def noun_phrase(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Sequen
         return NounPhrase(
             replace(found, floors=storeys), Amount(kind=kind, number=amount.number), False, start, end + 1
         )
+    found, end = _coloured(words, found, end)
+    found, end = _of_owner(words, found, end, lexicon)
     count = _number_after(words, end)
     if count is not None and amount.number in (0, 1) and not definite:
         amount, end = Amount(number=count[0]), count[1]
@@ -148,13 +152,38 @@ def noun_phrase(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Sequen
     return NounPhrase(noun, amount, definite, start, end, each=each)
 
 
+def _coloured(words: Sequence[Word], noun: Noun, at: int) -> tuple[Noun, int]:
+    """Read ``in green colour``, ``in the colour green`` after a noun."""
+    if text_at(words, at) != "in" or noun.kind == "room" or noun.colour:
+        return noun, at
+    place = at + 1 + (text_at(words, at + 1) in ("a", "the"))
+    first, second = text_at(words, place), text_at(words, place + 1)
+    if second in _COLOUR and first in COLOUR_WORDS:
+        return replace(noun, colour=COLOUR_WORDS[first]), place + 2
+    if first in _COLOUR and second in COLOUR_WORDS:
+        return replace(noun, colour=COLOUR_WORDS[second]), place + 2
+    return noun, at
+
+
+def _of_owner(words: Sequence[Word], noun: Noun, at: int, lexicon: Lexicon) -> tuple[Noun, int]:
+    """Read ``bedroom of the parents`` as the parents' bedroom, where a room is called so."""
+    if text_at(words, at) != "of" or noun.kind not in ("room", "both") or noun.owned or noun.number:
+        return noun, at
+    start = at + 1 + (text_at(words, at + 1) in ("the", "our", "my"))
+    for end in (start + 2, start + 1):
+        owner = tuple(word.text for word in words[start:end])
+        if len(owner) == end - start and lexicon.is_own_room((*owner, *noun.words)):
+            return replace(noun, words=(*owner, *noun.words), kind="room"), end
+    return noun, at
+
+
 def _further_numbers(words: Sequence[Word], noun: Noun, at: int, lexicon: Lexicon) -> tuple[tuple[str, ...], int]:
-    """Read ``2 and 3`` of ``classrooms 1, 2 and 3``."""
+    """Read ``2 and 3`` of ``classrooms 1, 2 and 3``, ``+5`` of ``rooms 4+5``."""
     out: list[str] = []
     while noun.number and noun.plural and noun.kind in ("room", "both"):
         through = text_at(words, at) in ("to", "-", "through")
         place = at + (text_at(words, at) == "," or through)
-        place += text_at(words, place) in ("and", "&")
+        place += text_at(words, place) in ("and", "&", "+")
         if place == at or place >= len(words) or not (words[place].kind == "code" or words[place].raw.isdecimal()):
             break
         following = words[place + 1] if place + 1 < len(words) else None

@@ -204,4 +204,6 @@ def _owner(rest: list[Word], lexicon: Lexicon) -> tuple[str, tuple[str, ...]]:
         return " ".join(texts), ()
     if lexicon.is_object(texts):
         return " ".join(texts), ()
+    if len(texts) == 1 and lexicon.is_own_room((*texts, "room")):
+        return f"{texts[0]} room", ()  # "every guest bed"
     return "", tuple(w.raw for w in rest)

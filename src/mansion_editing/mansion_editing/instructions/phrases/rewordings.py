@@ -51,7 +51,27 @@ _PHRASES: Final[dict[tuple[str, ...], tuple[str, ...]]] = {
     ("while", "you", "are", "at", "it"): ("also",),
     ("while", "you", "at", "it"): ("also",),
     ("when", "you", "at", "it"): ("also",),
+    ("while", "at", "it"): ("also",),
     ("while", "you", "there"): ("also",),
+    ("beside", "of"): ("beside",),
+    ("besides", "of"): ("beside",),
+    ("behind", "of"): ("behind",),
+    ("under", "of"): ("under",),
+    ("near", "of"): ("near",),
+    ("near", "by", "to"): ("near",),
+    ("near", "from"): ("near",),
+    ("close", "from"): ("close", "to"),
+    ("next", "of"): ("next", "to"),
+    ("in", "front", "from"): ("in", "front", "of"),
+    ("on", "top", "from"): ("on", "top", "of"),
+    ("look", "to", "the"): ("face", "the"),
+    ("right", "up", "to", "it"): ("beside", "it"),
+    ("right", "up", "to", "them"): ("beside", "them"),
+    ("wash", "machine"): ("washing", "machine"),
+    ("need", "it", "no", "more"): ("need", "it", "anymore"),
+    ("need", "it", "more"): ("need", "it", "anymore"),
+    ("need", "them", "more"): ("need", "them", "anymore"),
+    ("please", "to"): ("please",),
     ("while", "you", "are", "there"): ("also",),
     ("at", "the", "same", "time"): ("also",),
     ("for", "the", "time", "being"): ("for", "now"),
@@ -90,6 +110,11 @@ def reworded(words: Sequence[Word]) -> list[Word]:
             continue
         if words[at].text in _LATER and at and _is_edge(words, at, at + 1):
             out += _in_place_of(words[at : at + 1], ("please",))
+            at += 1
+            continue
+        if _is_foreign(words, at):
+            new = "of" if words[at].text == "from" else "that"
+            out.append(replace(words[at], text=new, raw=new))
             at += 1
             continue
         if not _is_idle_out(words, at):
@@ -141,6 +166,16 @@ def _topped_up(words: Sequence[Word], at: int) -> Word | None:
         return None
     raised = any((text_at(words, k), text_at(words, k + 1)) == ("up", "to") for k in range(at + 2, at + 7))
     return replace(words[at], text="increase") if raised else None
+
+
+def _is_foreign(words: Sequence[Word], at: int) -> bool:
+    """Whether ``from`` stands for ``of`` ("one from the two plants"), or ``what`` for ``that`` ("plants what are")."""
+    before = words[at - 1] if at else None
+    if words[at].text == "from" and before is not None and before.text in _FEW:
+        number = text_at(words, at + 2) in _FEW
+        return number and text_at(words, at + 1) in ("the", "these", "those", "our", "my")
+    relative = words[at].text == "what" and text_at(words, at + 1) in ("is", "are")
+    return relative and before is not None and before.kind == "word" and before.plural and before.text not in PRONOUNS
 
 
 def _is_idle_out(words: Sequence[Word], at: int) -> bool:

@@ -154,6 +154,9 @@ def _names_number(words: Sequence[Word], end: int, lexicon: Lexicon, at: int) ->
     rooms = any(lexicon.is_room(before[k:]) or lexicon.is_object(before[k:]) for k in range(len(before)))
     following = words[end + 1] if end + 1 < len(words) else None
     own = any(lexicon.is_room(before[k:]) for k in range(len(before)))
+    called = own and text_at(words, at - 1) == "the" and lexicon.is_own_room((*before, word.raw))
+    if called and following is not None and lexicon.is_object((following.text,)):
+        return True  # "the bedroom 2 dresser"
     counts = following is not None and (following.kind == "unit" or lexicon.is_object((following.text,)))
     ends = own or following is None or following.kind == "mark" or following.text in PREPOSITIONS
     return rooms and ends and not counts

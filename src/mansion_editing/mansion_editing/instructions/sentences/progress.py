@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 from mansion_editing.instructions.phrases.lexicon import Lexicon
 from mansion_editing.instructions.phrases.mending import mended
+from mansion_editing.instructions.phrases.notation import written_out
 from mansion_editing.instructions.phrases.nouns import Noun
 from mansion_editing.instructions.phrases.rewordings import reworded
 from mansion_editing.instructions.phrases.storey_counts import counted_from_ground, counts_above_ground
@@ -22,7 +23,7 @@ class Progress:
         self.lexicon = Lexicon(state)
         self.floors = state.floors
         words = split_words(text, self.lexicon.speller, self.lexicon.kept)
-        self.words = reworded(mended(words, self.lexicon))
+        self.words = reworded(mended(written_out(words, text), self.lexicon))
         if counts_above_ground(text, brief):
             self.words = counted_from_ground(self.words)
         self.statements: list[Statement] = []

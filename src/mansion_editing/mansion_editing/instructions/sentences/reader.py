@@ -10,6 +10,7 @@ from mansion_assets.catalogue.descriptions import hypernyms_of
 from mansion_editing.instructions.clauses.items import NotUnderstood, TwoReadings, joined_places
 from mansion_editing.instructions.clauses.reader import ClauseReader
 from mansion_editing.instructions.phrases.lexicon import HYPERNYMS
+from mansion_editing.instructions.phrases.noun_phrases import noun_phrase
 from mansion_editing.instructions.phrases.places import merged, read_place, with_place
 from mansion_editing.instructions.phrases.storeys import read_storeys
 from mansion_editing.instructions.phrases.verbs import verb_at
@@ -410,7 +411,13 @@ class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending):
         usual = HEADINGS
         nouns = [w.text for w in words[at:stop] if w.text not in usual]
         named = any(self.lexicon.is_object((noun,)) or self.lexicon.is_own_room((noun,)) for noun in nouns)
+        named = named or self._begins_with_own_room(words, at)
         return not named or words[at].text in ("we", "i")
+
+    def _begins_with_own_room(self, words: Sequence[Word], at: int) -> bool:
+        """Whether words begin with a room's name of several words: ``head teacher's office``, ``guest rooms 4``."""
+        room = noun_phrase(words, at, self.lexicon, self.floors)
+        return room is not None and room.noun.kind in ("room", "both") and self.lexicon.is_own_room(room.noun.words)
 
     def _take(self, found: Iterable[Statement]) -> None:
         """Add statements; what stays is an exception of what is cleared or removed just before."""
@@ -419,6 +426,9 @@ class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending):
             if self.spared and isinstance(statement, Clear):
                 statement = msgspec.structs.replace(statement, spare=(*statement.spare, *self.spared))
                 self.spared = ()
+            if isinstance(last, Clear) and isinstance(statement, Clear) and _is_of_it(statement, last):
+                self.statements[-1] = msgspec.structs.replace(last, spare=(*last.spare, *statement.spare))
+                continue
             if isinstance(last, Clear) and removes_all_of_it(statement):
                 continue
             if isinstance(last, Reshape) and last.what == "door" and adds_it(statement):
@@ -522,3 +532,12 @@ class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending):
             place = read.place if place == Place() else merged(place, read.place)
         reader.frame = place
         return after if not comma else end + 1
+
+
+def _is_of_it(statement: Clear, last: Clear) -> bool:
+    """Whether a clearing only tells what stays of the one before: ``clear the desk, keep only the lamp on it``."""
+    return _is_at_it(statement.place) and bool(statement.spare) and last.place.anchor is not None
+
+
+def _is_at_it(place: Place) -> bool:
+    return place.anchor is not None and place.anchor.refers == "last" and not place.anchor.noun

@@ -5,7 +5,8 @@ from typing import Final
 
 import msgspec
 
-from mansion_editing.instructions.clauses.reader import ClauseReader
+from mansion_editing.instructions.clauses.items import NotUnderstood
+from mansion_editing.instructions.clauses.reader import ClauseReader, sparing
 from mansion_editing.instructions.phrases.places import with_place
 from mansion_editing.instructions.phrases.word_sets import AFTER_CLAUSES, JOINING
 from mansion_editing.instructions.phrases.words import COURTESIES, Word
@@ -18,12 +19,15 @@ from mansion_editing.instructions.statements import (
     Add,
     Amount,
     Ensure,
+    Furnish,
     Keep,
     Mention,
     Move,
+    Paint,
     Place,
     Remove,
     Replace,
+    Rooms,
     SetState,
     Statement,
     Things,
@@ -41,6 +45,9 @@ _PAIRS_AFTER_CLAUSES: Final = (
 )  # fmt: skip
 
 
+_LIDS: Final = frozenset("lid door cover flap screen drawer".split())
+_LID_STATES: Final = {"open": True, "opened": True, "ajar": True, "closed": False, "shut": False}
+_EXCEPTING: Final = frozenset("except apart save excluding".split())
 _DISTURBING: Final = frozenset(
     "touching moving shifting disturbing removing changing altering displacing rearranging opening closing".split()
 )
@@ -88,6 +95,10 @@ class Tails(Progress):
                 self.statements.append(Mention(quote=self._quote(words, end, told)))
                 end = told
                 continue
+            beside = self._besides(reader, end)
+            if beside:
+                end = beside
+                continue
             fits = self._if_it_fits(words, end)
             depends = 0 if fits else self._depends_on(reader, end + (text == ","))
             if depends:
@@ -115,6 +126,84 @@ class Tails(Progress):
             return stop, exact
         self.unknown.append(self._quote(words, end, stop))
         return stop, exact
+
+    def _besides(self, reader: ClauseReader, at: int) -> int:
+        """Read what comes with new things, a lid that is open, or an exception; return its end, 0 for others."""
+        furnished = self._furnished_with(reader, at)
+        return (
+            furnished or self._with_lid(reader, at) or self._with_companions(reader, at) or self._all_except(reader, at)
+        )
+
+    def _furnished_with(self, reader: ClauseReader, at: int) -> int:
+        """Read ``with two single beds``, ``, must contain a piano`` of a room that becomes another one."""
+        if not self.clause or not isinstance(self.clause[-1], Furnish):
+            return 0
+        start = at + (reader.text(at) == ",")
+        start += 1 if reader.text(start) == "with" else 2 * self._must_hold(reader, start)
+        if start <= at + 1 and reader.text(start - 1) != "with":
+            return 0
+        try:
+            items = reader.items(start)
+        except NotUnderstood:
+            return 0
+        plain = all(i.phrase.amount.kind == "some" and not (i.phrase.definite or i.places or i.is_room) for i in items)
+        if not plain:
+            return 0
+        quote = self._quote(reader.words, at + (reader.text(at) == ","), items[-1].end)
+        there = Place(rooms=Rooms(same=True))
+        self.clause += [Ensure(things=item.phrase.things(), place=there, quote=quote) for item in items]
+        return items[-1].end
+
+    def _must_hold(self, reader: ClauseReader, at: int) -> bool:
+        return reader.text(at) in ("must", "should") and reader.text(at + 1) in ("contain", "have", "hold", "include")
+
+    def _with_companions(self, reader: ClauseReader, at: int) -> int:
+        """Read ``, with a stool each`` after a clause that brings something."""
+        if not self.clause or not isinstance(self.clause[-1], Add | Ensure | Replace):
+            return 0
+        start = at + (reader.text(at) == ",")
+        start += reader.text(start) == "each"
+        if reader.text(start) != "with" or reader.phrase(start + 1) is None:
+            return 0
+        try:
+            said, end = reader.with_companions(self.clause, start, at)
+        except NotUnderstood:
+            return 0
+        if end <= start:
+            return 0
+        begins = self.text.find(self.clause[0].quote)
+        quote = self.text[max(0, begins) : reader.words[end - 1].end]
+        known = len(self.clause)
+        self.clause = [*said[:known], *(msgspec.structs.replace(s, quote=quote) for s in said[known:])]
+        return end
+
+    def _with_lid(self, reader: ClauseReader, at: int) -> int:
+        """Read ``with the lid open`` of what a clause puts somewhere."""
+        said = [reader.text(at + k) for k in range(4)]
+        last = self.clause[-1] if self.clause else None
+        owned = said[1] in ("the", "its", "their", "both") and said[2] in _LIDS
+        if said[0] != "with" or not owned or said[3] not in _LID_STATES or not isinstance(last, Add | Ensure | Move):
+            return 0
+        noun = last.things.noun
+        things = Things(noun=noun, definite=True, plural=last.things.plural, amount=Amount(number=0), place=last.place)
+        if not noun or last.place == Place():
+            things = Things(refers="last", definite=True, amount=Amount(number=0))
+        quote = self._quote(reader.words, at, at + 4)
+        self.clause = [*self.clause, SetState(things=things, state="open", value=_LID_STATES[said[3]], quote=quote)]
+        return at + 4
+
+    def _all_except(self, reader: ClauseReader, at: int) -> int:
+        """Read ``, except for the one in the bathroom`` after what is done with all of a kind."""
+        if not self.clause or not all(isinstance(s, SetState | Remove | Paint) for s in self.clause):
+            return 0
+        if reader.text(at + (reader.text(at) == ",")) not in _EXCEPTING:
+            return 0
+        end, spared = reader.exceptions(at)
+        done = [s for s in self.clause if isinstance(s, SetState | Remove | Paint)]
+        if not spared or any(s.things.amount.kind != "all" for s in done):
+            return 0
+        self.clause = [sparing(s, spared) for s in done]
+        return end
 
     def _where_none_is(self, reader: ClauseReader, at: int) -> int:
         """Read ``that has none yet`` after places that are each given one; return its end, 0 for others."""
@@ -197,7 +286,7 @@ class Tails(Progress):
         new = self.clause[0] if len(self.clause) == 1 else None
         if said not in (["in", "its", "place"], ["in", "their", "place"]) or not isinstance(last, Remove):
             return False
-        if not isinstance(new, Add | Ensure) or new.place != Place():
+        if not isinstance(new, Add | Ensure) or new.place not in (Place(), last.things.place):
             return False
         self.statements.pop()
         self.clause = [Replace(things=last.things, by=new.things, quote=self._from_to(last, new))]
