@@ -118,3 +118,17 @@ def test_what_takes_a_place_is_no_part_of_the_list_before_it(furnished_state: Sc
 def test_prepositions_of_other_languages(furnished_state: SceneState, near: str) -> None:
     (added,) = _statements(f"Put a plant {near} the fridge in the kitchen.", furnished_state)
     assert isinstance(added, Add) and added.place.anchor is not None and added.place.anchor.noun == "fridge"
+
+
+def test_a_heading_goes_for_the_sentences_after_it(furnished_state: SceneState) -> None:
+    told = _statements(
+        "Hall: chairs 3 -> 2. Paint the chairs red. Open the fridge in the kitchen. Mugs out.", furnished_state
+    )
+    rooms = [s.place.rooms for s in told if isinstance(s, Ensure)]
+    rooms += [s.things.place.rooms for s in told if isinstance(s, Paint | SetState) and s.things.place is not None]
+    assert [found.words for found in rooms if found is not None] == ["hall", "hall", "kitchen"]
+    assert isinstance(told[-1], Remove) and told[-1].things.place is None
+
+
+def test_what_alone_is_kept_needs_a_place(furnished_state: SceneState) -> None:
+    assert read_instruction("Open the fridge. Keep only the plate.", furnished_state).not_understood

@@ -31,6 +31,7 @@ class Progress:
         self.topic: Things | None = None
         self.spared: tuple[Things, ...] = ()
         self.frames: tuple[Place, ...] = ()
+        self.heading = Place()
         self.last_noun: Noun | None = None
         self.listed: list[Word] = []
         self.told: list[tuple[str, Place]] = []

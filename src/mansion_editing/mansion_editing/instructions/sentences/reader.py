@@ -67,6 +67,11 @@ __all__ = ["read_instruction"]
 _ASKED_OF_ALL: Final = frozenset("everything all anything nothing none no not out away gone".split()) | set(STATE_WORDS)
 """Words by which a heading asks for something itself: ``All off: ...``."""
 
+_ELSEWHERE: Final = frozenset("building house everywhere anywhere room".split())
+"""Words of sentences that go on with something else than the room of a heading."""
+_REFERRING: Final = frozenset("it its them they there here".split())
+"""Words that mean what was mentioned last, wherever it is by now."""
+
 
 def read_instruction(text: str, state: SceneState, brief: str = "") -> Instruction:
     """Read what an instruction says.
@@ -180,6 +185,7 @@ class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending):
         at = self._read_heading(reader, words, at)
         at = self._read_exception(reader, at)
         at = self._read_frame(reader, at)
+        self._keep_heading(reader, words, at)
         if self._repeats(reader, words, at):
             return
         if self._reads_state_of_topic(words, at):
@@ -414,6 +420,23 @@ class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending):
         named = named or self._begins_with_own_room(words, at)
         return not named or words[at].text in ("we", "i")
 
+    def _keep_heading(self, reader: ClauseReader, words: Sequence[Word], at: int) -> None:
+        """Put the room of a heading before later sentences that name no room: ``Study: lamp off. Chairs out.``"""
+        if reader.frame != Place():
+            self.heading = reader.frame if at and words[at - 1].text == ":" else Place()
+        elif any(word.text in _ELSEWHERE for word in words) or self._names_place(reader, words):
+            self.heading = Place()
+        elif not any(word.text in _REFERRING for word in words):
+            reader.frame = self.heading
+
+    def _names_place(self, reader: ClauseReader, words: Sequence[Word]) -> bool:
+        """Whether words name a room or a storey."""
+        for at in range(len(words)):
+            room = reader.item(at, places=False)
+            if (room is not None and room.is_room) or read_storeys(words, at, self.floors) is not None:
+                return True
+        return False
+
     def _begins_with_own_room(self, words: Sequence[Word], at: int) -> bool:
         """Whether words begin with a room's name of several words: ``head teacher's office``, ``guest rooms 4``."""
         room = noun_phrase(words, at, self.lexicon, self.floors)
@@ -444,6 +467,10 @@ class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending):
                 self.statements[-1] = msgspec.structs.replace(last, spare=(*last.spare, statement.things))
                 continue
             only = re.search(r"\b(only|just|nothing but)\b", statement.quote)
+            alone = isinstance(statement, Keep) and not isinstance(last, Clear | Remove) and not statement.things.place
+            if alone and re.match(r"(keep|leave) (only|just)\b", statement.quote.lower()):
+                self.unknown.append(statement.quote)  # it is not told what all else is
+                continue
             if isinstance(statement, Keep) and isinstance(last, Remove) and last.things.noun and only:
                 self.unknown.append(statement.quote)  # more than what was named would have to go
                 continue
