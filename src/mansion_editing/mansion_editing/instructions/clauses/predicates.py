@@ -348,6 +348,9 @@ class Predicates(States, Colours, Ways):
             if goal is not None and not goal.is_room:
                 quote = self.quote(at, goal.end)
                 return [Turn(things=self._all_if_plural(item.things()), facing=goal.things(), quote=quote)], goal.end
+        faced = self._said_to_look(item, place, at)
+        if faced is not None:
+            return faced
         verb = self.words[item.end].raw if item.end < len(self.words) else ""
         if verb in FAILING and place == item.end:
             self.topic = item.things()
@@ -380,6 +383,17 @@ class Predicates(States, Colours, Ways):
             return [Mention(rooms=item.rooms(), quote=self.quote(at, stop))], stop
         self.topic = item.things()
         return [Mention(quote=self.quote(at, stop))], stop
+
+    def _said_to_look(self, item: Item, place: int, at: int) -> tuple[list[Statement], int] | None:
+        """Read ``must look to the bed``, which its front shall turn to."""
+        asked = any(word.text in MODALS for word in self.words[item.end : place])
+        if not asked or self.text(place) != "look" or self.text(place + 1) not in ("to", "at", "towards", "toward"):
+            return None
+        goal = self.item(place + 2)
+        if goal is None or goal.is_room:
+            return None
+        quote = self.quote(at, goal.end)
+        return [Turn(things=self._all_if_plural(item.things()), facing=goal.things(), quote=quote)], goal.end
 
     def _said_colour(self, item: Item, place: int, at: int, negated: bool) -> tuple[list[Statement], int] | None:
         if negated or place == item.end:

@@ -32,6 +32,7 @@ from mansion_editing.instructions.sentences.refinement import (
     moves_it,
     removes_all_of_it,
     removes_what_went,
+    spared_of,
     with_noun_at,
     with_storeys,
 )
@@ -430,16 +431,17 @@ class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending):
             if isinstance(statement, Keep) and is_everything(statement.things):
                 self.statements.append(statement)
                 continue
-            if isinstance(statement, Keep) and isinstance(last, Clear) and not statement.things.place:
-                self.statements[-1] = msgspec.structs.replace(last, spare=(*last.spare, statement.things))
+            spared = spared_of(statement) if isinstance(last, Clear) else ()
+            if isinstance(last, Clear) and spared:
+                self.statements[-1] = msgspec.structs.replace(last, spare=(*last.spare, *spared))
                 continue
             only = re.search(r"\b(only|just|nothing but)\b", statement.quote)
             if isinstance(statement, Keep) and isinstance(last, Remove) and last.things.noun and only:
                 self.unknown.append(statement.quote)  # more than what was named would have to go
                 continue
             if isinstance(statement, Keep) and isinstance(last, Remove) and last.things.amount.kind == "all":
-                spared = msgspec.structs.replace(last.things, beside=(*last.things.beside, statement.things))
-                self.statements[-1] = msgspec.structs.replace(last, things=spared)
+                but = msgspec.structs.replace(last.things, beside=(*last.things.beside, statement.things))
+                self.statements[-1] = msgspec.structs.replace(last, things=but)
                 continue
             if isinstance(last, Remove) and isinstance(statement, Move) and last.things.noun and moves_it(statement):
                 moved = Move(things=last.things, place=statement.place, quote=self._from_to(last, statement))

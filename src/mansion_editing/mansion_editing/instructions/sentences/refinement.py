@@ -11,6 +11,7 @@ from mansion_editing.instructions.statements import (
     Add,
     Amount,
     Ensure,
+    Keep,
     Move,
     Place,
     Remove,
@@ -33,6 +34,7 @@ __all__ = [
     "removes_all_of_it",
     "removes_what_went",
     "so_many",
+    "spared_of",
     "with_noun_at",
     "with_storeys",
 ]
@@ -200,3 +202,15 @@ def removes_what_went(statement: Statement) -> bool:
     things = statement.things
     bare = things.refers == "last" and not things.noun and things.place is None and not things.beside
     return bare and not things.amount.number
+
+
+def spared_of(statement: Statement) -> tuple[Things, ...]:
+    """Return what stays of what is cleared just before: ``keep the lamp on it``."""
+    if isinstance(statement, Keep) and (statement.things.place is None or _is_of_it(statement.things.place)):
+        return (msgspec.structs.replace(statement.things, place=None),)
+    return ()
+
+
+def _is_of_it(place: Place) -> bool:
+    anchor = place.anchor
+    return place.rooms is None and anchor is not None and anchor.refers == "last" and not anchor.noun
