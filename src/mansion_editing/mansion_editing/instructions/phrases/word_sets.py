@@ -73,6 +73,7 @@ __all__ = [
     "PREDICATE_VERBS",
     "PROPERTIES",
     "RELATIVES",
+    "RESTING_VERBS",
     "SOMEBODY",
     "SO_DOING",
     "STAYING",
@@ -146,6 +147,7 @@ AFTER_STAYING: Final = frozenset(
 )
 NOT_MEANT: Final = frozenset("affected concerned included involved meant touched".split())
 LYING: Final = frozenset("lying standing sitting hanging lie stand sit hang".split())
+RESTING_VERBS: Final = frozenset("is are lies stands sits hangs".split())
 SO_DOING: Final = frozenset("do does is are shall should may".split())
 STAYING: Final = frozenset("stay remain fine untouched unchanged alone".split())
 BACK_IN_PLACE: Final = frozenset("where it they was were to its place there again".split())

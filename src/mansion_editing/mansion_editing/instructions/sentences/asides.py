@@ -141,6 +141,12 @@ class Asides(Progress):
             untouched = tuple(things for things in untouched if things is not where[0])
         self.statements.append(Mention(quote=quote, rooms=rooms, passed_over=True, untouched=untouched))
 
+    def _take_up_what_is_told(self, words: Sequence[Word]) -> None:
+        """Make the one thing that a remark names what ``it`` means next, where nothing was asked for before."""
+        named = [things for things in _named(self._reader(words)) if things.noun]
+        if len(named) == 1 and all(isinstance(statement, Mention) for statement in self.statements):
+            self.topic = self._told_of(words, named[0])
+
     def _told_of(self, words: Sequence[Word], named: Things) -> Things:
         """Return what a clause names first as it says it: one thing, and not all of its kind."""
         reader = self._reader(words)

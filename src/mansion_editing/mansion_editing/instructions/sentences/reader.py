@@ -30,6 +30,7 @@ from mansion_editing.instructions.sentences.refinement import (
     in_place_of,
     is_everything,
     moves_it,
+    only_brings_it,
     removes_all_of_it,
     removes_what_went,
     spared_of,
@@ -294,6 +295,7 @@ class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending):
                 return told
             only_told = verb_at(words, at, self.lexicon) is None and is_told(words[at:stop], self._is_named)
             if only_told or is_background(words[at:stop]) or self._is_label(words, at, stop):
+                self._take_up_what_is_told(words[at:stop])
                 self.statements.append(Mention(quote=self._quote(words, at, stop)))
             else:
                 start = min(fault.start, at) if fault.start < len(words) else at
@@ -425,6 +427,8 @@ class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending):
             if isinstance(last, Reshape) and last.what == "door" and adds_it(statement):
                 continue
             if isinstance(last, Remove) and removes_what_went(statement):
+                continue
+            if isinstance(last, Add | Ensure) and isinstance(statement, Move) and only_brings_it(statement):
                 continue
             if isinstance(statement, Keep):
                 statement = self._of_the_kind(statement)

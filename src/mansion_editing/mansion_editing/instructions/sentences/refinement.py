@@ -31,6 +31,7 @@ __all__ = [
     "is_open",
     "moves_it",
     "narrowed",
+    "only_brings_it",
     "removes_all_of_it",
     "removes_what_went",
     "so_many",
@@ -175,6 +176,12 @@ def is_everything(things: Things) -> bool:
 def moves_it(statement: Move) -> bool:
     """Whether a statement moves only what was mentioned last."""
     return statement.things.refers == "last" and not statement.things.noun
+
+
+def only_brings_it(statement: Move) -> bool:
+    """Whether a statement only says once more of what was asked for just before that it comes: ``add it``."""
+    things = statement.things
+    return moves_it(statement) and statement.place == Place() and things.place is None and not things.amount.number
 
 
 def removes_all_of_it(statement: Statement) -> bool:

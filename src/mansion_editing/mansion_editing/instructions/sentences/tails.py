@@ -8,7 +8,7 @@ import msgspec
 from mansion_editing.instructions.clauses.reader import ClauseReader
 from mansion_editing.instructions.phrases.places import with_place
 from mansion_editing.instructions.phrases.word_sets import AFTER_CLAUSES, JOINING
-from mansion_editing.instructions.phrases.words import COURTESIES, Word
+from mansion_editing.instructions.phrases.words import COURTESIES, STATE_WORDS, Word
 from mansion_editing.instructions.sentences.background import end_of_background
 from mansion_editing.instructions.sentences.conditions import on_condition, read_condition
 from mansion_editing.instructions.sentences.lacking import end_of_presence, given_where_none_is, lacking_at
@@ -46,6 +46,10 @@ _DISTURBING: Final = frozenset(
 )
 
 
+_LIDS: Final = frozenset("lid door cover screen flap".split())
+"""Parts by which a thing opens."""
+
+
 class Tails(Progress):
     """Reads what follows a clause and is none itself."""
 
@@ -78,6 +82,10 @@ class Tails(Progress):
             if counted:
                 self.clause = [counting_those_there(statement) for statement in self.clause]
                 end = counted
+                continue
+            opened = self._with_lid(reader, end)
+            if opened:
+                end = opened
                 continue
             untouched = self._without_touching(reader, end)
             if untouched:
@@ -123,6 +131,22 @@ class Tails(Progress):
         if given is None:
             return 0
         self.clause = given
+        return end
+
+    def _with_lid(self, reader: ClauseReader, at: int) -> int:
+        """Read ``with the lid open`` after what is put somewhere; return its end, 0 for others."""
+        at += reader.text(at) == ","
+        own = reader.text(at) == "with" and reader.text(at + 1) in ("the", "its", "their")
+        state = STATE_WORDS.get(reader.text(at + 3))
+        if not own or reader.text(at + 2) not in _LIDS or state is None or state[0] != "open" or not self.clause:
+            return 0
+        last = self.clause[-1]
+        if not isinstance(last, Add | Ensure | Move):
+            return 0
+        end = at + 4
+        quote = self._quote(reader.words, at, end)
+        it = Things(amount=Amount(number=0), definite=True, refers="last")
+        self.clause = [*self.clause, SetState(things=it, state="open", value=state[1], quote=quote)]
         return end
 
     def _without_touching(self, reader: ClauseReader, at: int) -> int:
