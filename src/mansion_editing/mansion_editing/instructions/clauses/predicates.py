@@ -130,6 +130,8 @@ class Predicates(States, Colours, Ways):
                 whole = Item(item.phrase, (*item.places, *places), end)
                 if deed == "move":
                     source, goal, _ = self._source_and_goal(whole.places)
+                    if places and self.text(places[0].start) in ("upstairs", "downstairs"):
+                        source, goal = joined_places(item.places)[0], joined_places(places)[0]
                     things = item.phrase.things() if source == Place() else with_place(item.phrase.things(), source)
                     return [Move(things=self._all_if_plural(things), place=goal, quote=self.quote(at, end))], end
                 return [self._added([whole], whole, self.quote(at, end))], end

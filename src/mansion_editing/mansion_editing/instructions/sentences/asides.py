@@ -14,8 +14,11 @@ from mansion_editing.instructions.sentences.bystanding import (
     asks_for_nothing,
     asks_for_one_each,
     is_exclamation,
+    is_habit,
     is_purpose,
+    is_regret,
     is_rhetorical,
+    needs_the_space,
 )
 from mansion_editing.instructions.sentences.circumstances import is_circumstance
 from mansion_editing.instructions.sentences.progress import Progress
@@ -118,6 +121,8 @@ class Asides(Progress):
             return is_rhetorical(words)
         last = words[-1].end if words else 0
         called = self.text[last : last + 1] == "!" and is_exclamation(words, self.lexicon)
+        if is_habit(words) or needs_the_space(words) or (followed and is_regret(words)):
+            return True
         if called or is_purpose(words, self.lexicon) or asks_for_nothing(words, self.lexicon, followed=followed):
             return True
         return is_circumstance(words, self.lexicon, followed=followed)

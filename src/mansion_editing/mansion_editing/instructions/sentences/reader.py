@@ -20,6 +20,7 @@ from mansion_editing.instructions.sentences.asides import Asides
 from mansion_editing.instructions.sentences.background import is_background, is_told, split_sentences
 from mansion_editing.instructions.sentences.clearing import with_takings_first
 from mansion_editing.instructions.sentences.conditions import Condition, begins_condition, else_at
+from mansion_editing.instructions.sentences.correcting import Correcting
 from mansion_editing.instructions.sentences.depending import Depending
 from mansion_editing.instructions.sentences.owners import owners_named
 from mansion_editing.instructions.sentences.questions import read_question
@@ -30,6 +31,7 @@ from mansion_editing.instructions.sentences.refinement import (
     in_place_of,
     is_everything,
     moves_it,
+    must_contain,
     only_brings_it,
     removes_all_of_it,
     removes_what_went,
@@ -46,6 +48,7 @@ from mansion_editing.instructions.statements import (
     Clear,
     Ensure,
     Finish,
+    Furnish,
     Instruction,
     Keep,
     Mention,
@@ -87,7 +90,7 @@ def read_instruction(text: str, state: SceneState, brief: str = "") -> Instructi
     return _Reader(text, state, brief).read()
 
 
-class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending):
+class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending, Correcting):
     """Reads one instruction."""
 
     def read(self) -> Instruction:
@@ -161,7 +164,7 @@ class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending):
         self.last_noun = reader.last_noun
 
     def _read_words(self, reader: ClauseReader, words: Sequence[Word], *, marked: bool) -> None:
-        at = reader.skip(0)
+        at = self._corrected(reader, words, 0) or reader.skip(0)
         if reader.text(at) in ("no", "nope") and (reader.text(at + 1) in (",", "wait", "-") or at + 1 >= len(words)):
             at = reader.skip(at + 1 + (reader.text(at + 1) == "wait"))
         if tuple(w.text for w in words[at : at + 3]) == ("from", "now", "on"):
@@ -186,7 +189,7 @@ class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending):
         if self._reads_state_of_topic(words, at):
             return
         while at < len(words):
-            at = reader.skip(at)
+            at = reader.skip(self._corrected(reader, words, at) or at)
             if at >= len(words):
                 return
             if words[at].text == "otherwise":
@@ -269,6 +272,14 @@ class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending):
         if same is not None:
             return same
         last = self.statements[-1] if self.statements else None
+        if isinstance(last, Furnish) and must_contain(reader, at):
+            try:
+                contents, end = reader.contained(at + 2)
+            except NotUnderstood:
+                contents, end = [], at
+            if contents and (end >= len(words) or words[end].kind == "mark"):
+                self._take(contents)
+                return end
         reader.follows = isinstance(last, Add | Ensure | Move)
         try:
             found, end = reader.read(at)
@@ -302,6 +313,7 @@ class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending):
                 self.unknown.append(self._quote(words, start, stop))
             return stop
         found, end = in_place_of(reader, found, end)
+        self._name_ones(reader, found)
         topic, reader.topic = reader.topic, None
         found = [self._referred(statement) for statement in found]
         if topic is not None or any(not isinstance(statement, Mention) for statement in found):
@@ -311,6 +323,12 @@ class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending):
         found = self.clause
         self._take([exactly(statement) for statement in found] if exact else found)
         return end
+
+    def _name_ones(self, reader: ClauseReader, found: Sequence[Statement]) -> None:
+        """Let ``a second one`` after a wish mean what was wished for."""
+        wished = next((s.things.noun for s in found if isinstance(s, Add | Ensure) and s.things.noun), "")
+        if wished and reader.last_noun is None:
+            reader.last_noun = reader.phrase_of(wished)
 
     def _same_of_others(self, reader: ClauseReader, words: Sequence[Word], at: int) -> int | None:
         """Read things without a verb after a state, a removal or the like: ``turn the TV on and the beer tap too``."""

@@ -30,6 +30,7 @@ __all__ = [
     "is_everything",
     "is_open",
     "moves_it",
+    "must_contain",
     "narrowed",
     "only_brings_it",
     "removes_all_of_it",
@@ -176,6 +177,11 @@ def is_everything(things: Things) -> bool:
 def moves_it(statement: Move) -> bool:
     """Whether a statement moves only what was mentioned last."""
     return statement.things.refers == "last" and not statement.things.noun
+
+
+def must_contain(reader: ClauseReader, at: int) -> bool:
+    """Whether words without a subject tell what a room must have: ``must contain a piano``."""
+    return reader.text(at) in ("must", "should", "shall") and reader.text(at + 1) in ("contain", "have", "include")
 
 
 def only_brings_it(statement: Move) -> bool:

@@ -46,6 +46,9 @@ _DISTURBING: Final = frozenset(
 )
 
 
+_INTENTS: Final = frozenset("welcome surprise treat greeting memento thank-you present gift joke reward".split())
+"""What something is meant as, which no scene records."""
+
 _LIDS: Final = frozenset("lid door cover screen flap".split())
 """Parts by which a thing opens."""
 
@@ -82,6 +85,11 @@ class Tails(Progress):
             if counted:
                 self.clause = [counting_those_there(statement) for statement in self.clause]
                 end = counted
+                continue
+            meant = self._end_of_intent(words, end)
+            if meant:
+                self.statements.append(Mention(quote=self._quote(words, end, meant), passed_over=True))
+                end = meant
                 continue
             opened = self._with_lid(reader, end)
             if opened:
@@ -131,6 +139,19 @@ class Tails(Progress):
         if given is None:
             return 0
         self.clause = given
+        return end
+
+    def _end_of_intent(self, words: Sequence[Word], at: int) -> int:
+        """Return the end of ``as a welcome``, ``as a surprise for Ann``; 0 for words that ask for something."""
+        texts = [word.text for word in words[at : at + 3]]
+        if len(texts) < 3 or texts[0] != "as" or texts[1] not in ("a", "an", "our", "my") or texts[2] not in _INTENTS:
+            return 0
+        end = at + 3
+        if end < len(words) and words[end].text == "for":
+            stop = next((k for k in range(end, len(words)) if words[k].kind == "mark"), len(words))
+            whom = words[end + 1 : stop]
+            plain = len(whom) <= 3 and all(word.kind == "word" for word in whom) and not self._names_anything(whom)
+            end = stop if plain else end
         return end
 
     def _with_lid(self, reader: ClauseReader, at: int) -> int:
