@@ -57,7 +57,7 @@ def test_a_lid_is_that_of_what_is_put_somewhere(furnished_state: SceneState, sta
     text = f"Put a laptop on the dining table in the kitchen with the lid {state}."
     added, opened = _statements(text, furnished_state)
     assert isinstance(added, Add) and isinstance(opened, SetState)
-    assert (opened.things.noun, opened.state, opened.value) == ("laptop", "open", value)
+    assert (opened.things.refers, opened.state, opened.value) == ("last", "open", value)
 
 
 @pytest.mark.parametrize("words", ["except for the one in the kitchen", ", apart from those in the kitchen"])

@@ -5,7 +5,7 @@ import pytest
 from mansion_editing.editor import SceneEditor
 from mansion_editing.instructions.instruct import instruct
 from mansion_editing.instructions.sentences.reader import read_instruction
-from mansion_editing.instructions.statements import Keep, Remove
+from mansion_editing.instructions.statements import Clear, Keep, Mention, Remove, SetState, Turn
 from mansion_editing.state import SceneState
 
 
@@ -72,3 +72,54 @@ def test_what_was_named_before_is_the_kind_that_is_kept(furnished_state: SceneSt
     statements = read_instruction("Remove one mug. The kitchen keeps its own.", furnished_state).statements
     assert isinstance(statements[0], Remove) and isinstance(statements[1], Keep)
     assert statements[1].things.noun == "mug" and statements[1].things.place is not None
+
+
+@pytest.mark.parametrize(
+    "staying",
+    [
+        "The mugs should of course remain.",
+        "The mugs can also stay there.",
+        "Kitchen untouched.",
+        "mugs stay",
+        "The fridge and the dining table stay as is.",
+    ],
+)
+def test_what_stays_may_be_said_in_short_or_with_more_words(furnished_state: SceneState, staying: str) -> None:
+    instruction = read_instruction(f"Switch off the ceiling lights. {staying}", furnished_state)
+    assert instruction.not_understood == []
+    assert {type(statement) for statement in instruction.statements[1:]} == {Keep}
+
+
+@pytest.mark.parametrize(
+    "rest",
+    [
+        "Everything else in the kitchen stays as it is please.",
+        "Everything else upstairs can of course stay.",
+        "The rest of the room is to remain untouched.",
+        "The rest of the furniture stays where it is.",
+        "The rest is good like this.",
+    ],
+)
+def test_that_all_the_rest_stays_asks_for_nothing(furnished_state: SceneState, rest: str) -> None:
+    instruction = read_instruction(f"Open the fridge. {rest}", furnished_state)
+    assert instruction.not_understood == []
+    assert [type(s) for s in instruction.statements] == [SetState, Mention]
+
+
+@pytest.mark.parametrize("rest", ["Everything else in the kitchen goes.", "The rest is to leave.", "Two mugs stay."])
+def test_what_is_to_go_is_not_said_to_stay(furnished_state: SceneState, rest: str) -> None:
+    instruction = read_instruction(f"Open the fridge. {rest}", furnished_state)
+    asked = [s for s in instruction.statements[1:] if not isinstance(s, Mention)]
+    assert instruction.not_understood or asked
+    assert not any(isinstance(s, Keep) for s in asked)
+
+
+def test_what_stays_on_what_is_cleared_is_spared(furnished_state: SceneState) -> None:
+    text = "Clear the dining table, keep the plate and the mug on it"
+    (cleared,) = read_instruction(text, furnished_state).statements
+    assert isinstance(cleared, Clear) and [things.noun for things in cleared.spare] == ["plate", "mug"]
+
+
+def test_what_shall_look_at_something_is_turned(furnished_state: SceneState) -> None:
+    (turned,) = read_instruction("The chair in the hall must look towards the fridge.", furnished_state).statements
+    assert isinstance(turned, Turn) and turned.facing is not None and turned.facing.noun == "fridge"

@@ -168,7 +168,8 @@ class Outcomes(Sentence):
         place, _ = self._framed(joined_places([*own, *more]))
         things = self._in_each_room(item.phrase)
         number = next((b.amount.number for b in besides if b.refers == "last" and b.amount.number), 0)
-        if number and things.amount.kind == "all":
+        bare_all = things.refers == "last" and not things.noun and self.text(item.phrase.start) == "all"
+        if number and (things.amount.kind == "all" or bare_all):
             things = msgspec.structs.replace(things, amount=Amount(kind="all_but", number=number))
             besides = ()
         told = next((b.place for b in besides if b.place is not None and b.noun not in ("", "one", things.noun)), None)

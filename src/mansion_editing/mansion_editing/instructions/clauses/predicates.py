@@ -130,6 +130,8 @@ class Predicates(States, Colours, Ways):
                 whole = Item(item.phrase, (*item.places, *places), end)
                 if deed == "move":
                     source, goal, _ = self._source_and_goal(whole.places)
+                    if places and self.text(places[0].start) in ("upstairs", "downstairs"):
+                        source, goal = joined_places(item.places)[0], joined_places(places)[0]
                     things = item.phrase.things() if source == Place() else with_place(item.phrase.things(), source)
                     return [Move(things=self._all_if_plural(things), place=goal, quote=self.quote(at, end))], end
                 return [self._added([whole], whole, self.quote(at, end))], end
@@ -170,6 +172,9 @@ class Predicates(States, Colours, Ways):
             places, end = self.places(place + 3 + (self.text(place + 3) == "being"))
             gone = Item(item.phrase, (*item.places, *places), end).things()
             return [Remove(things=self._all_if_plural(gone), quote=self.quote(at, end))], end
+        lacked = self._said_alone_without(item, place, at, negated)
+        if lacked is not None:
+            return lacked
         if (
             word not in HAVE
             and word not in ("carry", "bear", "store")
@@ -222,6 +227,22 @@ class Predicates(States, Colours, Ways):
             else:
                 out.append(Ensure(things=thing.phrase.things(), place=where, each=each, quote=quote))
         return out, end
+
+    def _said_alone_without(self, item: Item, place: int, at: int, negated: bool) -> tuple[list[Statement], int] | None:
+        """Read ``is the only one without a wardrobe`` of a room, which tells what it lacks."""
+        said = tuple(self.text(place + k) for k in range(3))
+        if negated or not item.is_room or said not in (("the", "only", "one"), ("the", "only", "room")):
+            return None
+        end = place + 3
+        denying = [("without", "a"), ("without", "an"), ("that", "has", "no"), ("which", "has", "no"), ("with", "no")]
+        joint = next((j for j in denying if tuple(self.text(end + k) for k in range(len(j))) == j), None)
+        lacking = None if joint is None else self.item(end + len(joint), places=False)
+        if lacking is None or lacking.is_room or lacking.phrase.noun.kind != "object":
+            return None
+        things, quote = lacking.phrase.things(), self.quote(at, lacking.end)
+        there = Place(rooms=item.rooms())
+        self.topic = msgspec.structs.replace(things, amount=Amount(kind="more"), plural=False, place=there)
+        return [Mention(quote=quote)], lacking.end
 
     def _said_gone(self, item: Item, place: int, at: int, negated: bool) -> tuple[list[Statement], int] | None:
         """Read ``must go``, ``should disappear``, ``goes``."""
@@ -360,6 +381,9 @@ class Predicates(States, Colours, Ways):
             if goal is not None and not goal.is_room:
                 quote = self.quote(at, goal.end)
                 return [Turn(things=self._all_if_plural(item.things()), facing=goal.things(), quote=quote)], goal.end
+        faced = self._said_to_look(item, place, at)
+        if faced is not None:
+            return faced
         verb = self.words[item.end].raw if item.end < len(self.words) else ""
         if verb in FAILING and place == item.end:
             self.topic = item.things()
@@ -390,8 +414,20 @@ class Predicates(States, Colours, Ways):
         if item.is_room:
             self.frame = Place(rooms=item.rooms())
             return [Mention(rooms=item.rooms(), quote=self.quote(at, stop))], stop
-        self.topic = item.things()
+        if item.phrase.refers != "last" or item.phrase.noun.words:
+            self.topic = item.things()
         return [Mention(quote=self.quote(at, stop))], stop
+
+    def _said_to_look(self, item: Item, place: int, at: int) -> tuple[list[Statement], int] | None:
+        """Read ``must look to the bed``, which its front shall turn to."""
+        asked = any(word.text in MODALS for word in self.words[item.end : place])
+        if not asked or self.text(place) != "look" or self.text(place + 1) not in ("to", "at", "towards", "toward"):
+            return None
+        goal = self.item(place + 2)
+        if goal is None or goal.is_room:
+            return None
+        quote = self.quote(at, goal.end)
+        return [Turn(things=self._all_if_plural(item.things()), facing=goal.things(), quote=quote)], goal.end
 
     def _said_colour(self, item: Item, place: int, at: int, negated: bool) -> tuple[list[Statement], int] | None:
         if negated or place == item.end:

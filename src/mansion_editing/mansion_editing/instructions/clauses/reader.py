@@ -47,8 +47,8 @@ class ClauseReader(Keeping, Changing, Taking, PastSteps, Fronting):
             raise NotUnderstood(len(self.words) - 1, len(self.words))
         if self.text(at) == "that" and {w.text for w in self.words[:at]} & {"sure", "ensure", "check", "certain"}:
             return self._check(at, at + 1)
-        for opening in (self._negated, self._existential, self._going, self._desired, self._of_persons, self._with_verb,
-                        self._with_predicate):  # fmt: skip
+        for opening in (self._negated, self._existential, self._inverted, self._going, self._desired,
+                        self._of_persons, self._with_verb, self._with_predicate):  # fmt: skip
             found = opening(at)
             if found is not None:
                 return found

@@ -9,7 +9,7 @@ from mansion_editing.instructions.clauses.giving import Giving
 from mansion_editing.instructions.clauses.items import Item, NotUnderstood
 from mansion_editing.instructions.phrases.places import ReadPlace, read_place
 from mansion_editing.instructions.phrases.word_sets import BEFORE_DOORS, BEFORE_NAMES
-from mansion_editing.instructions.statements import Furnish, Rename, Reshape, Rooms, Statement
+from mansion_editing.instructions.statements import Ensure, Furnish, Place, Rename, Reshape, Rooms, Statement
 
 __all__ = ["RoomChanges"]
 
@@ -84,8 +84,17 @@ class RoomChanges(Giving):
         found = self.phrase(joint + 1)
         if found is None or found.noun.kind not in ("room", "both") or found.noun.unknown:
             raise NotUnderstood(joint, self.boundary(joint))
-        kind = " ".join((*filter(None, [found.noun.owned]), *found.noun.words))
-        return [Furnish(rooms=rooms, kind=kind, quote=self.quote(at, found.end))], found.end
+        kind, end = " ".join((*filter(None, [found.noun.owned]), *found.noun.words)), found.end
+        return [Furnish(rooms=rooms, kind=kind, quote=self.quote(at, end))], end
+
+    def contained(self, at: int) -> tuple[list[Statement], int]:
+        """Read what a room that was furnished just before must contain: ``a piano and two chairs``."""
+        items = self.items(at)
+        if any(item.is_room or item.phrase.definite or item.phrase.refers or item.places for item in items):
+            raise NotUnderstood(at, self.boundary(at))
+        end = items[-1].end
+        here, quote = Place(rooms=Rooms(same=True)), self.quote(at, end)
+        return [Ensure(things=item.phrase.things(), place=here, quote=quote) for item in items], end
 
     def _use(self, at: int, place: int) -> tuple[list[Statement], int]:
         """Read ``use the storage as an office``."""

@@ -296,6 +296,9 @@ class Sentence(ABC):
         anchor = item.places[0].place.anchor
         if anchor is None or anchor.refers != "last" or anchor.noun:
             return item
+        holds = not self.lexicon.lies_beside_others(last.phrase.noun.words)
+        if item.places[0].place.relation in _HOLDING and not holds:
+            return item  # "the laptop and the pen on it" are on what was named before
         place = msgspec.structs.replace(item.places[0].place, anchor=last.things())
         return Item(item.phrase, (replace(item.places[0], place=place), *item.places[1:]), item.end)
 

@@ -4,10 +4,12 @@ from mansion_editing.instructions.clauses.coordination import is_for_one
 from mansion_editing.instructions.clauses.items import joined_places
 from mansion_editing.instructions.clauses.outcomes import everything_at
 from mansion_editing.instructions.clauses.subjects import Subjects
+from mansion_editing.instructions.phrases.lexicon import HYPERNYMS
 from mansion_editing.instructions.phrases.places import with_place
 from mansion_editing.instructions.phrases.storeys import read_storeys
 from mansion_editing.instructions.phrases.word_sets import (
     AFTER_STAYING,
+    ASSURING,
     CHANGED,
     DISTURBING,
     GOOD_AS_IT_IS,
@@ -58,11 +60,27 @@ class Staying(Subjects):
         return [Keep(things=self._all(item.things()), quote=self.quote(at, item.end))], item.end
 
     def _all_else(self, at: int) -> tuple[list[Statement], int] | None:
-        """Read ``everything else (in the hall) stays the same``, which is checked of every instruction."""
-        said = self.text(at) in ("everything", "all", "anything") and self.text(at + 1) == "else"
-        end = self.places(at + 2)[1] if said else at
-        stop = self._as_it_is(end) if said else 0
+        """Read ``everything else in the hall stays the same``, which is checked of every instruction."""
+        if self.text(at) in ("everything", "all", "anything") and self.text(at + 1) == "else":
+            end = at + 2
+        elif self.text(at) == "the" and self.text(at + 1) == "rest":
+            end = self._of_the_whole(at + 2)
+            if end == at + 2 and self.text(end) in ("stay", "remain"):
+                return None  # the others of a kind
+        else:
+            return None
+        stop = self._as_it_is(self.places(end)[1])
         return ([Mention(quote=self.quote(at, stop))], stop) if stop else None
+
+    def _of_the_whole(self, at: int) -> int:
+        """Return the end of ``of it``, ``of the furniture``, ``of the room`` after ``the rest``."""
+        if self.text(at) != "of":
+            return at
+        whole = self.item(at + 1, places=False)
+        if whole is None:
+            return at
+        general = whole.phrase.definite and " ".join(whole.phrase.noun.words) in HYPERNYMS
+        return whole.end if whole.is_room or whole.phrase.refers or general else at
 
     def _nothing_changes(self, at: int) -> tuple[list[Statement], int] | None:
         """Read ``nothing in the kitchen may be moved`` and ``nothing may change on the third floor``."""
@@ -164,12 +182,12 @@ class Staying(Subjects):
         if self.text(at) in ("untouched", "unchanged") and self._clause_ends(at + 1):
             return at + 1
         end = at
-        if self.text(at) == "as" and self.text(at + 1) in ("it", "they"):
+        if self.text(at) == "as" and self.text(at + 1) in ("it", "they", "is"):
             while self.text(end) in KEPT_AS_IT_IS:
                 end += 1
             return end if self._clause_ends(end) else 0
-        while self.text(end) in MODALS or self.text(end) in BE or self.text(end) in ("all", "both", "just", "to"):
-            end += 1
+        while self._is_before_staying(end):
+            end += 1 + (self.text(end) == "of")
         said = [word.text for word in self.words[at:end]]
         denied = self.text(end) in ("not", "never")
         if denied:
@@ -190,6 +208,12 @@ class Staying(Subjects):
         if left and end == start:
             return 0
         return end if self._clause_ends(end) else 0
+
+    def _is_before_staying(self, at: int) -> bool:
+        """Whether a word only joins a subject with what is said of it: ``should``, ``of course``, ``can also``."""
+        word = self.text(at)
+        assured = word in ASSURING or (word == "of" and self.text(at + 1) == "course")
+        return assured or word in MODALS or word in BE or word in ("all", "both", "just", "to")
 
     def _not_part_of_it(self, at: int) -> int:
         """Return the end of what says that something is not meant, or still needed: ``don't touch``, ``we do need``."""

@@ -19,6 +19,7 @@ from mansion_editing.instructions.phrases.word_sets import (
     OPINIONS,
     PEOPLE,
     PRAISE,
+    RESTING_VERBS,
     SOMEBODY,
     THIRD_PERSON_WISHES,
     TOLD_EXISTENCE,
@@ -82,6 +83,28 @@ class Wishes(Subjects, Negations):
         for item in items:
             out += self._there(item, self._shared_goal(items, item), self.quote(at, end), negated=negated)
         return out, end
+
+    def _inverted(self, at: int) -> tuple[list[Statement], int] | None:
+        """Read ``on the counter are two tomatoes``, ``in the hall stands a plant``: what is there."""
+        places, end = self.places(at)
+        if not places and self.frame != Place():
+            end = at
+        elif not places or any(p.source or p.goal for p in places):
+            return None
+        word = self.words[end] if end < len(self.words) else None
+        if word is None or word.raw not in RESTING_VERBS:
+            return None
+        item = self.item(end + 1, places=False)
+        if item is None or item.is_room or item.phrase.definite or item.phrase.refers or item.phrase.noun.unknown:
+            return None
+        number = item.phrase.amount.number
+        if item.phrase.amount.kind != "some" or not number or self.conjunction(item.end):
+            return None
+        place, each = self._framed(joined_places(places))
+        things = with_place(item.phrase.things(), place)
+        self.topic = self.affirmed = things
+        quote = self.quote(at, item.end)
+        return self._there(item, (place, each), quote), item.end
 
     def _all_of_mass(self, phrase: NounPhrase, things: Things) -> Things:
         """Return all that is told to be there where a noun has neither an article nor a number: ``there is beer``."""

@@ -116,6 +116,8 @@ def _all(words: Sequence[Word], at: int) -> Amounted:
             place += 2
             while text_at(words, place) in ("of", "the", "these", "those"):
                 place += 1
+            if text_at(words, place - 1) == "of" and text_at(words, place) == "them":
+                return Amount(kind="all_but", number=number), True, False, place + 1
             whole = number_at(words, place)
             return Amount(kind="all_but", number=number, of=whole or 0), True, False, place + (whole is not None)
     if first == "everything":

@@ -234,8 +234,11 @@ def _whatever(words: Sequence[Word], at: int) -> NounPhrase | None:
 def _bare_amount(words: Sequence[Word], start: int, place: int, amount: Amount) -> NounPhrase | None:
     """Read an amount without a noun: ``one more``, ``two``, ``none``."""
     counted = place > start and (amount.kind == "more" or words[place - 1].kind == "number")
-    if not counted:
+    of_them = amount.kind == "all_but" and text_at(words, place - 1) == "them"
+    if not (counted or of_them):
         return None
+    if amount.kind == "all_but":
+        return NounPhrase(Noun((), "anything", plural=True), amount, True, start, place, refers="last")
     if text_at(words, place - 1) == "one" and text_at(words, place - 2) in ("the", "that", "this"):
         return NounPhrase(Noun(("one",), "anything"), Amount(number=0), True, start, place)
     return NounPhrase(Noun((), "anything"), amount, amount.of > 0, start, place, refers="last")

@@ -34,8 +34,8 @@ ENDS_RUN: Final = (
     PREPOSITIONS | CONJUNCTIONS | BE | MODALS | (HAVE - {"hold"}) | (NEED - {"miss"}) | PARTICIPLES_OF_REST
     | frozenset(
         "not there please to thanks it them i we you she he they do than because since switched turned powered "
-        "painted removed gone moved replaced empty emptied cleared closed shut opened open running lit already too "
-        "instead again "
+        "painted removed gone moved taken brought carried replaced empty emptied cleared closed shut opened open "
+        "running lit already too instead again "
         "somewhere anywhere here now also as if so that facing exactly which upstairs downstairs each both all every "
         "ajar deleted reachable accessible where belong sit lie apart rather wherever whose whatever died broke fell "
         "short away does did look seem anew afresh want visible go disappear vanish put exceed trade untouched alone "

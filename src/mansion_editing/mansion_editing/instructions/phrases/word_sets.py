@@ -19,6 +19,7 @@ __all__ = [
     "ALL_THE_REST",
     "ALONG_WAYS",
     "ANY_LONGER",
+    "ASSURING",
     "AWAY",
     "BACK_IN_PLACE",
     "BARE_PRONOUNS",
@@ -72,6 +73,7 @@ __all__ = [
     "PREDICATE_VERBS",
     "PROPERTIES",
     "RELATIVES",
+    "RESTING_VERBS",
     "SOMEBODY",
     "SO_DOING",
     "STAYING",
@@ -139,9 +141,13 @@ CHANGED: Final = frozenset(
     "change changed moved touched altered disturbed replaced modified rearranged moving touching changing".split()
 )
 GOOD_AS_IT_IS: Final = frozenset("fine good ok okay alright perfect great".split())
-AFTER_STAYING: Final = frozenset("put out up here inside so the same dark locked empty dry now still always".split())
+ASSURING: Final = frozenset("also too naturally obviously definitely certainly please simply still".split())
+AFTER_STAYING: Final = frozenset(
+    "put out up here inside so the same dark locked empty dry now still always also too this".split()
+)
 NOT_MEANT: Final = frozenset("affected concerned included involved meant touched".split())
 LYING: Final = frozenset("lying standing sitting hanging lie stand sit hang".split())
+RESTING_VERBS: Final = frozenset("is are lies stands sits hangs".split())
 SO_DOING: Final = frozenset("do does is are shall should may".split())
 STAYING: Final = frozenset("stay remain fine untouched unchanged alone".split())
 BACK_IN_PLACE: Final = frozenset("where it they was were to its place there again".split())

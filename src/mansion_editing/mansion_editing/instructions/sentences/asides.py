@@ -14,8 +14,11 @@ from mansion_editing.instructions.sentences.bystanding import (
     asks_for_nothing,
     asks_for_one_each,
     is_exclamation,
+    is_habit,
     is_purpose,
+    is_regret,
     is_rhetorical,
+    needs_the_space,
 )
 from mansion_editing.instructions.sentences.circumstances import is_circumstance
 from mansion_editing.instructions.sentences.progress import Progress
@@ -118,6 +121,8 @@ class Asides(Progress):
             return is_rhetorical(words)
         last = words[-1].end if words else 0
         called = self.text[last : last + 1] == "!" and is_exclamation(words, self.lexicon)
+        if is_habit(words) or needs_the_space(words) or (followed and is_regret(words)):
+            return True
         if called or is_purpose(words, self.lexicon) or asks_for_nothing(words, self.lexicon, followed=followed):
             return True
         return is_circumstance(words, self.lexicon, followed=followed)
@@ -140,6 +145,12 @@ class Asides(Progress):
             rooms = where[0].place.rooms if where[0].place is not None else None
             untouched = tuple(things for things in untouched if things is not where[0])
         self.statements.append(Mention(quote=quote, rooms=rooms, passed_over=True, untouched=untouched))
+
+    def _take_up_what_is_told(self, words: Sequence[Word]) -> None:
+        """Make the one thing that a remark names what ``it`` means next, where nothing was asked for before."""
+        named = [things for things in _named(self._reader(words)) if things.noun]
+        if len(named) == 1 and all(isinstance(statement, Mention) for statement in self.statements):
+            self.topic = self._told_of(words, named[0])
 
     def _told_of(self, words: Sequence[Word], named: Things) -> Things:
         """Return what a clause names first as it says it: one thing, and not all of its kind."""

@@ -6,7 +6,7 @@ from typing import Final
 from mansion_editing.instructions.phrases.lexicon import Lexicon
 from mansion_editing.instructions.phrases.verb_words import BY_WORDS, PARTICIPLES
 from mansion_editing.instructions.phrases.verbs import verb_at
-from mansion_editing.instructions.phrases.word_sets import RELATIVES
+from mansion_editing.instructions.phrases.word_sets import PEOPLE, RELATIVES
 from mansion_editing.instructions.phrases.words import (
     BE,
     COURTESIES,
@@ -19,7 +19,16 @@ from mansion_editing.instructions.phrases.words import (
 )
 from mansion_language.colours import COLOUR_WORDS
 
-__all__ = ["asks_for_nothing", "asks_for_one_each", "is_exclamation", "is_purpose", "is_rhetorical"]
+__all__ = [
+    "asks_for_nothing",
+    "asks_for_one_each",
+    "is_exclamation",
+    "is_habit",
+    "is_purpose",
+    "is_regret",
+    "is_rhetorical",
+    "needs_the_space",
+]
 
 _ASKING: Final = MODALS | NEED | frozenset(
     "please let make wish prefer like love fancy expect missing belong deserve instead only just another more less "
@@ -33,11 +42,14 @@ _LACKING: Final = frozenset("no none nothing not never without broken defective 
 """Words of complaints, which ask for something where no request follows that mends them."""
 
 _NOT_OURS: Final = frozenset("a an part my mine ours hers his theirs yours concerned affected involved".split())
+_OTHERS: Final = PEOPLE | frozenset("people nobody everyone everybody somebody child kid".split())
+_THOSE: Final = frozenset("it them those these that this".split())
 _CONTRACTED: Final = frozenset("isn't aren't wasn't weren't".split())
 _RESTING: Final = frozenset("stand sit lie hang rest live".split())
 _COUNTED: Final = frozenset("a an some any several".split())
 _SAID_BY_NOBODY: Final = frozenset("everything anything something all these those which that who".split())
 _PAST: Final = frozenset("was were had did came got said bought forgot left broke told gave".split())
+_DONE: Final = _PAST | frozenset("put let taken given made brought kept chosen hung built done been".split())
 _HAVING: Final = frozenset("has have had".split())
 
 
@@ -162,6 +174,40 @@ def is_exclamation(words: Sequence[Word], lexicon: Lexicon) -> bool:
     if any(word.kind != "word" for word in words) or texts[0] in _COUNTED | {"the"}:
         return False
     return not _names(words[-1:], lexicon)
+
+
+def is_habit(words: Sequence[Word]) -> bool:
+    """Whether words tell what others do with what was named: ``people do buy those``, ``nobody ever uses it``."""
+    words = _bare(words)
+    texts = [word.text for word in words]
+    start = texts[:1] in (["the"], ["our"])
+    if not 3 <= len(words) - start <= 6 or texts[start] not in _OTHERS or texts[-1] not in _THOSE:
+        return False
+    middle = texts[start + 1 : -1]
+    return not {*middle} & (_ASKING | BE | {"not", "have", "get"}) and all(word.kind == "word" for word in words)
+
+
+def is_regret(words: Sequence[Word]) -> bool:
+    """Whether words regret what was done: ``we should never have bought that sofa``."""
+    texts = [word.text for word in _bare(words)]
+    if texts[:1] not in (["i"], ["we"], ["you"], ["they"], ["somebody"], ["someone"]) or "have" not in texts[2:5]:
+        return False
+    at = texts.index("have")
+    done = _bare(words)[at + 1 : at + 2]
+    past = any(word.raw in _DONE or (word.raw.endswith("ed") and word.kind == "word") for word in done)
+    before = set(texts[1:at])
+    return past and before in ({"should", "never"}, {"should", "not"}, {"should", "really", "not"})
+
+
+def needs_the_space(words: Sequence[Word]) -> bool:
+    """Whether somebody needs ``the space`` that a request leaves or makes free: ``we need the space for plates``."""
+    texts = [word.text for word in _bare(words)]
+    needing = texts.index("need") if "need" in texts else 0
+    subject = [word for word in _bare(words)[:needing] if word.text not in ("the", "our", "my")]
+    somebody = len(subject) == 1 and subject[0].text in PERSONS | RELATIVES | PEOPLE | {"they"}
+    after = texts[needing + 1 : needing + 4]
+    plain = all(word.kind == "word" for word in _bare(words)) and not {*texts} & {"more", "from", "in", "not"}
+    return somebody and plain and after[:2] == ["the", "space"] and after[2:] in ([], ["for"])
 
 
 def is_rhetorical(words: Sequence[Word]) -> bool:

@@ -21,6 +21,7 @@ from mansion_editing.instructions.sentences.asides import Asides
 from mansion_editing.instructions.sentences.background import is_background, is_told, split_sentences
 from mansion_editing.instructions.sentences.clearing import with_takings_first
 from mansion_editing.instructions.sentences.conditions import Condition, begins_condition, else_at
+from mansion_editing.instructions.sentences.correcting import Correcting
 from mansion_editing.instructions.sentences.depending import Depending
 from mansion_editing.instructions.sentences.owners import owners_named
 from mansion_editing.instructions.sentences.questions import read_question
@@ -31,8 +32,11 @@ from mansion_editing.instructions.sentences.refinement import (
     in_place_of,
     is_everything,
     moves_it,
+    must_contain,
+    only_brings_it,
     removes_all_of_it,
     removes_what_went,
+    spared_of,
     with_noun_at,
     with_storeys,
 )
@@ -45,6 +49,7 @@ from mansion_editing.instructions.statements import (
     Clear,
     Ensure,
     Finish,
+    Furnish,
     Instruction,
     Keep,
     Mention,
@@ -91,7 +96,7 @@ def read_instruction(text: str, state: SceneState, brief: str = "") -> Instructi
     return _Reader(text, state, brief).read()
 
 
-class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending):
+class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending, Correcting):
     """Reads one instruction."""
 
     def read(self) -> Instruction:
@@ -165,7 +170,7 @@ class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending):
         self.last_noun = reader.last_noun
 
     def _read_words(self, reader: ClauseReader, words: Sequence[Word], *, marked: bool) -> None:
-        at = reader.skip(0)
+        at = self._corrected(reader, words, 0) or reader.skip(0)
         if reader.text(at) in ("no", "nope") and (reader.text(at + 1) in (",", "wait", "-") or at + 1 >= len(words)):
             at = reader.skip(at + 1 + (reader.text(at + 1) == "wait"))
         if tuple(w.text for w in words[at : at + 3]) == ("from", "now", "on"):
@@ -191,7 +196,7 @@ class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending):
         if self._reads_state_of_topic(words, at):
             return
         while at < len(words):
-            at = reader.skip(at)
+            at = reader.skip(self._corrected(reader, words, at) or at)
             if at >= len(words):
                 return
             if words[at].text == "otherwise":
@@ -274,6 +279,14 @@ class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending):
         if same is not None:
             return same
         last = self.statements[-1] if self.statements else None
+        if isinstance(last, Furnish) and must_contain(reader, at):
+            try:
+                contents, end = reader.contained(at + 2)
+            except NotUnderstood:
+                contents, end = [], at
+            if contents and (end >= len(words) or words[end].kind == "mark"):
+                self._take(contents)
+                return end
         reader.follows = isinstance(last, Add | Ensure | Move)
         try:
             found, end = reader.read(at)
@@ -300,12 +313,14 @@ class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending):
                 return told
             only_told = verb_at(words, at, self.lexicon) is None and is_told(words[at:stop], self._is_named)
             if only_told or is_background(words[at:stop]) or self._is_label(words, at, stop):
+                self._take_up_what_is_told(words[at:stop])
                 self.statements.append(Mention(quote=self._quote(words, at, stop)))
             else:
                 start = min(fault.start, at) if fault.start < len(words) else at
                 self.unknown.append(self._quote(words, start, stop))
             return stop
         found, end = in_place_of(reader, found, end)
+        self._name_ones(reader, found)
         topic, reader.topic = reader.topic, None
         found = [self._referred(statement) for statement in found]
         if topic is not None or any(not isinstance(statement, Mention) for statement in found):
@@ -315,6 +330,12 @@ class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending):
         found = self.clause
         self._take([exactly(statement) for statement in found] if exact else found)
         return end
+
+    def _name_ones(self, reader: ClauseReader, found: Sequence[Statement]) -> None:
+        """Let ``a second one`` after a wish mean what was wished for."""
+        wished = next((s.things.noun for s in found if isinstance(s, Add | Ensure) and s.things.noun), "")
+        if wished and reader.last_noun is None:
+            reader.last_noun = reader.phrase_of(wished)
 
     def _same_of_others(self, reader: ClauseReader, words: Sequence[Word], at: int) -> int | None:
         """Read things without a verb after a state, a removal or the like: ``turn the TV on and the beer tap too``."""
@@ -458,13 +479,16 @@ class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending):
                 continue
             if isinstance(last, Remove) and removes_what_went(statement):
                 continue
+            if isinstance(last, Add | Ensure) and isinstance(statement, Move) and only_brings_it(statement):
+                continue
             if isinstance(statement, Keep):
                 statement = self._of_the_kind(statement)
             if isinstance(statement, Keep) and is_everything(statement.things):
                 self.statements.append(statement)
                 continue
-            if isinstance(statement, Keep) and isinstance(last, Clear) and not statement.things.place:
-                self.statements[-1] = msgspec.structs.replace(last, spare=(*last.spare, statement.things))
+            spared = spared_of(statement) if isinstance(last, Clear) else ()
+            if isinstance(last, Clear) and spared:
+                self.statements[-1] = msgspec.structs.replace(last, spare=(*last.spare, *spared))
                 continue
             only = re.search(r"\b(only|just|nothing but)\b", statement.quote)
             alone = isinstance(statement, Keep) and not isinstance(last, Clear | Remove) and not statement.things.place
@@ -475,8 +499,8 @@ class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending):
                 self.unknown.append(statement.quote)  # more than what was named would have to go
                 continue
             if isinstance(statement, Keep) and isinstance(last, Remove) and last.things.amount.kind == "all":
-                spared = msgspec.structs.replace(last.things, beside=(*last.things.beside, statement.things))
-                self.statements[-1] = msgspec.structs.replace(last, things=spared)
+                but = msgspec.structs.replace(last.things, beside=(*last.things.beside, statement.things))
+                self.statements[-1] = msgspec.structs.replace(last, things=but)
                 continue
             if isinstance(last, Remove) and isinstance(statement, Move) and last.things.noun and moves_it(statement):
                 moved = Move(things=last.things, place=statement.place, quote=self._from_to(last, statement))

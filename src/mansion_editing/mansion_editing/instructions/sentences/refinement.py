@@ -11,6 +11,7 @@ from mansion_editing.instructions.statements import (
     Add,
     Amount,
     Ensure,
+    Keep,
     Move,
     Place,
     Remove,
@@ -29,10 +30,13 @@ __all__ = [
     "is_everything",
     "is_open",
     "moves_it",
+    "must_contain",
     "narrowed",
+    "only_brings_it",
     "removes_all_of_it",
     "removes_what_went",
     "so_many",
+    "spared_of",
     "with_noun_at",
     "with_storeys",
 ]
@@ -175,6 +179,17 @@ def moves_it(statement: Move) -> bool:
     return statement.things.refers == "last" and not statement.things.noun
 
 
+def must_contain(reader: ClauseReader, at: int) -> bool:
+    """Whether words without a subject tell what a room must have: ``must contain a piano``."""
+    return reader.text(at) in ("must", "should", "shall") and reader.text(at + 1) in ("contain", "have", "include")
+
+
+def only_brings_it(statement: Move) -> bool:
+    """Whether a statement only says once more of what was asked for just before that it comes: ``add it``."""
+    things = statement.things
+    return moves_it(statement) and statement.place == Place() and things.place is None and not things.amount.number
+
+
 def removes_all_of_it(statement: Statement) -> bool:
     """Whether a statement says of what is cleared only that all of it goes."""
     if not isinstance(statement, Remove):
@@ -200,3 +215,15 @@ def removes_what_went(statement: Statement) -> bool:
     things = statement.things
     bare = things.refers == "last" and not things.noun and things.place is None and not things.beside
     return bare and not things.amount.number
+
+
+def spared_of(statement: Statement) -> tuple[Things, ...]:
+    """Return what stays of what is cleared just before: ``keep the lamp on it``."""
+    if isinstance(statement, Keep) and (statement.things.place is None or _is_of_it(statement.things.place)):
+        return (msgspec.structs.replace(statement.things, place=None),)
+    return ()
+
+
+def _is_of_it(place: Place) -> bool:
+    anchor = place.anchor
+    return place.rooms is None and anchor is not None and anchor.refers == "last" and not anchor.noun

@@ -9,7 +9,7 @@ from mansion_editing.instructions.clauses.items import NotUnderstood
 from mansion_editing.instructions.clauses.reader import ClauseReader, sparing
 from mansion_editing.instructions.phrases.places import with_place
 from mansion_editing.instructions.phrases.word_sets import AFTER_CLAUSES, JOINING
-from mansion_editing.instructions.phrases.words import COURTESIES, Word
+from mansion_editing.instructions.phrases.words import COURTESIES, STATE_WORDS, Word
 from mansion_editing.instructions.sentences.background import end_of_background
 from mansion_editing.instructions.sentences.conditions import on_condition, read_condition
 from mansion_editing.instructions.sentences.lacking import end_of_presence, given_where_none_is, lacking_at
@@ -27,7 +27,6 @@ from mansion_editing.instructions.statements import (
     Place,
     Remove,
     Replace,
-    Rooms,
     SetState,
     Statement,
     Things,
@@ -45,12 +44,17 @@ _PAIRS_AFTER_CLAUSES: Final = (
 )  # fmt: skip
 
 
-_LIDS: Final = frozenset("lid door cover flap screen drawer".split())
-_LID_STATES: Final = {"open": True, "opened": True, "ajar": True, "closed": False, "shut": False}
 _EXCEPTING: Final = frozenset("except apart save excluding".split())
 _DISTURBING: Final = frozenset(
     "touching moving shifting disturbing removing changing altering displacing rearranging opening closing".split()
 )
+
+
+_INTENTS: Final = frozenset("welcome surprise treat greeting memento thank-you present gift joke reward".split())
+"""What something is meant as, which no scene records."""
+
+_LIDS: Final = frozenset("lid door cover screen flap".split())
+"""Parts by which a thing opens."""
 
 
 class Tails(Progress):
@@ -85,6 +89,15 @@ class Tails(Progress):
             if counted:
                 self.clause = [counting_those_there(statement) for statement in self.clause]
                 end = counted
+                continue
+            meant = self._end_of_intent(words, end)
+            if meant:
+                self.statements.append(Mention(quote=self._quote(words, end, meant), passed_over=True))
+                end = meant
+                continue
+            opened = self._with_lid(reader, end)
+            if opened:
+                end = opened
                 continue
             untouched = self._without_touching(reader, end)
             if untouched:
@@ -128,34 +141,20 @@ class Tails(Progress):
         return stop, exact
 
     def _besides(self, reader: ClauseReader, at: int) -> int:
-        """Read what comes with new things, a lid that is open, or an exception; return its end, 0 for others."""
-        furnished = self._furnished_with(reader, at)
-        return (
-            furnished or self._with_lid(reader, at) or self._with_companions(reader, at) or self._all_except(reader, at)
-        )
+        """Read what comes with new things, or an exception; return its end, 0 for others."""
+        return self._furnished_with(reader, at) or self._with_companions(reader, at) or self._all_except(reader, at)
 
     def _furnished_with(self, reader: ClauseReader, at: int) -> int:
-        """Read ``with two single beds``, ``, must contain a piano`` of a room that becomes another one."""
-        if not self.clause or not isinstance(self.clause[-1], Furnish):
-            return 0
-        start = at + (reader.text(at) == ",")
-        start += 1 if reader.text(start) == "with" else 2 * self._must_hold(reader, start)
-        if start <= at + 1 and reader.text(start - 1) != "with":
+        """Read ``with two single beds`` of a room that becomes another one."""
+        last = self.clause[-1] if self.clause else None
+        if reader.text(at) != "with" or not isinstance(last, Furnish) or not last.kind:
             return 0
         try:
-            items = reader.items(start)
+            contents, end = reader.contained(at + 1)
         except NotUnderstood:
             return 0
-        plain = all(i.phrase.amount.kind == "some" and not (i.phrase.definite or i.places or i.is_room) for i in items)
-        if not plain:
-            return 0
-        quote = self._quote(reader.words, at + (reader.text(at) == ","), items[-1].end)
-        there = Place(rooms=Rooms(same=True))
-        self.clause += [Ensure(things=item.phrase.things(), place=there, quote=quote) for item in items]
-        return items[-1].end
-
-    def _must_hold(self, reader: ClauseReader, at: int) -> bool:
-        return reader.text(at) in ("must", "should") and reader.text(at + 1) in ("contain", "have", "hold", "include")
+        self.clause = [*self.clause, *contents]
+        return end
 
     def _with_companions(self, reader: ClauseReader, at: int) -> int:
         """Read ``, with a stool each`` after a clause that brings something."""
@@ -177,21 +176,6 @@ class Tails(Progress):
         self.clause = [*said[:known], *(msgspec.structs.replace(s, quote=quote) for s in said[known:])]
         return end
 
-    def _with_lid(self, reader: ClauseReader, at: int) -> int:
-        """Read ``with the lid open`` of what a clause puts somewhere."""
-        said = [reader.text(at + k) for k in range(4)]
-        last = self.clause[-1] if self.clause else None
-        owned = said[1] in ("the", "its", "their", "both") and said[2] in _LIDS
-        if said[0] != "with" or not owned or said[3] not in _LID_STATES or not isinstance(last, Add | Ensure | Move):
-            return 0
-        noun = last.things.noun
-        things = Things(noun=noun, definite=True, plural=last.things.plural, amount=Amount(number=0), place=last.place)
-        if not noun or last.place == Place():
-            things = Things(refers="last", definite=True, amount=Amount(number=0))
-        quote = self._quote(reader.words, at, at + 4)
-        self.clause = [*self.clause, SetState(things=things, state="open", value=_LID_STATES[said[3]], quote=quote)]
-        return at + 4
-
     def _all_except(self, reader: ClauseReader, at: int) -> int:
         """Read ``, except for the one in the bathroom`` after what is done with all of a kind."""
         if not self.clause or not all(isinstance(s, SetState | Remove | Paint) for s in self.clause):
@@ -212,6 +196,35 @@ class Tails(Progress):
         if given is None:
             return 0
         self.clause = given
+        return end
+
+    def _end_of_intent(self, words: Sequence[Word], at: int) -> int:
+        """Return the end of ``as a welcome``, ``as a surprise for Ann``; 0 for words that ask for something."""
+        texts = [word.text for word in words[at : at + 3]]
+        if len(texts) < 3 or texts[0] != "as" or texts[1] not in ("a", "an", "our", "my") or texts[2] not in _INTENTS:
+            return 0
+        end = at + 3
+        if end < len(words) and words[end].text == "for":
+            stop = next((k for k in range(end, len(words)) if words[k].kind == "mark"), len(words))
+            whom = words[end + 1 : stop]
+            plain = len(whom) <= 3 and all(word.kind == "word" for word in whom) and not self._names_anything(whom)
+            end = stop if plain else end
+        return end
+
+    def _with_lid(self, reader: ClauseReader, at: int) -> int:
+        """Read ``with the lid open`` after what is put somewhere; return its end, 0 for others."""
+        at += reader.text(at) == ","
+        own = reader.text(at) == "with" and reader.text(at + 1) in ("the", "its", "their")
+        state = STATE_WORDS.get(reader.text(at + 3))
+        if not own or reader.text(at + 2) not in _LIDS or state is None or state[0] != "open" or not self.clause:
+            return 0
+        last = self.clause[-1]
+        if not isinstance(last, Add | Ensure | Move):
+            return 0
+        end = at + 4
+        quote = self._quote(reader.words, at, end)
+        it = Things(amount=Amount(number=0), definite=True, refers="last")
+        self.clause = [*self.clause, SetState(things=it, state="open", value=state[1], quote=quote)]
         return end
 
     def _without_touching(self, reader: ClauseReader, at: int) -> int:
