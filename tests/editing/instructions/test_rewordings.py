@@ -21,6 +21,11 @@ def _bare(text: str, state: SceneState) -> list[Statement]:
         ("put a plant in between the sofa and the desk", "put a plant between the sofa and the desk"),
         ("if you could open the fridge", "please open the fridge"),
         ("close the fridge afterwards", "close the fridge"),
+        (
+            "we would appreciate it if there were a vase on the desk",
+            "it would be good if there were a vase on the desk",
+        ),
+        ("I would be happy if the sofa were in the hall", "it would be good if the sofa were in the hall"),
         ("remove all chairs in the kitchen but one", "remove all but one of the chairs in the kitchen"),
         ("turn the sofa around by 180 degrees", "turn the sofa by 180 degrees"),
         (

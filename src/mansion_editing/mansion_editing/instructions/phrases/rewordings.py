@@ -8,7 +8,9 @@ from mansion_editing.instructions.phrases.words import DETERMINERS, PREPOSITIONS
 
 __all__ = ["reworded"]
 
+_GLAD: Final = (("appreciate",), ("appreciate", "it"), ("be", "happy"), ("be", "glad"), ("be", "grateful"))
 _PHRASES: Final[dict[tuple[str, ...], tuple[str, ...]]] = {
+    **{(who, "would", *glad, "if"): ("it", "would", "be", "good", "if") for who in ("i", "we") for glad in _GLAD},
     ("which", "is", "why"): ("so",),
     ("that", "is", "why"): ("so",),
     ("that", "why"): ("so",),
