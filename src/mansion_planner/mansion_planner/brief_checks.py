@@ -5,7 +5,15 @@ from mansion_msgs_py.limits import MAX_BUILDING_AREA, MAX_COORDINATE, MAX_FLOOR_
 from mansion_msgs_py.program import BuildingProgram
 from mansion_planner.brief.facts import BriefFacts
 
-__all__ = ["check_length", "check_size", "check_there", "check_understood", "nothing_understood", "states_something"]
+__all__ = [
+    "check_length",
+    "check_size",
+    "check_there",
+    "check_total_area",
+    "check_understood",
+    "nothing_understood",
+    "states_something",
+]
 
 MOST_CHARACTERS = 20_000
 """Characters of a description that are read."""
@@ -70,7 +78,17 @@ def check_size(program: BuildingProgram) -> None:
                 " built",
                 path="$.description",
             )
-    total = sum(floor.gross_floor_area for floor in program.floors)
+    check_total_area(sum(floor.gross_floor_area for floor in program.floors))
+
+
+def check_total_area(total: float) -> None:
+    """Refuse a building beyond the limit of area, square metres.
+
+    Raises
+    ------
+    MansionError
+        ``INFEASIBLE``.
+    """
     if total > MAX_BUILDING_AREA:
         raise _too_large("the building", total, MAX_BUILDING_AREA)
 

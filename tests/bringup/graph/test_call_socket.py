@@ -108,10 +108,10 @@ def test_a_path_too_long_for_a_socket_is_not_used(tmp_path: Path, monkeypatch: p
     assert private_folder() is None
 
 
-def test_without_a_runtime_folder_it_lies_in_the_temporary_one(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_without_a_runtime_folder_it_lies_in_the_temporary_one(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delenv("XDG_RUNTIME_DIR")
-    monkeypatch.setenv("TMPDIR", str(tmp_path))
-    assert private_folder() == tmp_path / f"mansion-{os.geteuid()}"
+    monkeypatch.setenv("TMPDIR", str(folder.parent))
+    assert private_folder() == folder.with_name(f"mansion-{os.geteuid()}")
 
 
 @pytest.mark.parametrize(

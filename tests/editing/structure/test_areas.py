@@ -62,7 +62,7 @@ def test_corridors_and_cores_keep_their_polygons(office: Storey, workshop_of: Wo
 
 
 def test_several_neighbours_give_what_one_cannot(office: Storey, workshop_of: WorkshopOf) -> None:
-    done = change_area(office, "F1/storage", 20.0, workshop_of(office))
+    done = change_area(office, "F1/storage", 12.0, workshop_of(office))
     assert {"F1/toilet_1", "F1/office_2"} <= moved_rooms(office, done)
 
 

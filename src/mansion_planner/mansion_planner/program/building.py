@@ -7,6 +7,7 @@ import numpy as np
 
 from mansion_knowledge import KnowledgeBase, RoomType
 from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.limits import MAX_FLOOR_AREA
 from mansion_msgs_py.program import (
     AreaSummary,
     BuildingProgram,
@@ -19,6 +20,7 @@ from mansion_msgs_py.program import (
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.wording import with_article
 from mansion_planner.brief.facts import BriefFacts, MaterialFact
+from mansion_planner.brief_checks import check_total_area
 from mansion_planner.program.arrangement import Arrangement, best_arrangement, neighbours, unmet_neighbours
 from mansion_planner.program.decisions import Decisions, decide
 from mansion_planner.program.massing import MassingWish, choose_shape, storey_area, typical_room, vertical_method
@@ -62,6 +64,8 @@ def plan_program(
     method, stairs, lifts, why = vertical_method(decisions, bare, allocation, knowledge)
     cores = CoreWish(stairs, lifts, stair_size(decisions, bare))
     area, of_area = storey_area(decisions, bare, allocation, knowledge, cores)
+    if decisions.area_stated and area <= MAX_FLOOR_AREA:
+        check_total_area(area * decisions.floors)  # sketching so many rooms would take minutes
     shape, of_shape = choose_shape(decisions, area, stairs, generator)
     wish = MassingWish(
         area, decisions.building, cores, exact=decisions.area_stated,
