@@ -1,5 +1,8 @@
 """Decoding gives a value or the documented error; encoding is repeatable."""
 
+import subprocess
+import sys
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -12,6 +15,50 @@ from mansion_msgs_py.payloads import PAYLOADS
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.topology import FloorTopology
 from mansion_msgs_py.world import Pose2D
+
+FIRST_USE_BY_TWO_THREADS = """
+import threading
+import time
+import msgspec
+from mansion_msgs_py.codec import {names}
+
+looking = threading.Event()
+
+def slow():
+    looking.set()
+    time.sleep(0.5)
+    return int
+
+class Inner(msgspec.Struct):
+    count: "slow()"
+
+class Outer(msgspec.Struct):
+    inner: Inner
+
+def read():
+    assert {call}.inner.count == 3
+
+first = threading.Thread(target=read)
+first.start()
+looking.wait()
+read()
+first.join()
+print("read by both")
+"""
+
+
+@pytest.mark.parametrize(
+    ("names", "call"),
+    [
+        ("decode", """decode(Outer, '{"inner": {"count": 3}}')"""),
+        ("convert", """convert(Outer, {"inner": {"count": 3}})"""),
+        ("prepared", """msgspec.convert({"inner": {"count": "3"}}, prepared(Outer), strict=False)"""),
+    ],
+)
+def test_two_threads_may_be_the_first_to_read_a_type(names: str, call: str) -> None:
+    code = FIRST_USE_BY_TWO_THREADS.replace("{names}", names).replace("{call}", call)
+    ended = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60, check=False)
+    assert (ended.returncode, ended.stdout) == (0, "read by both\n"), ended.stderr
 
 
 @pytest.mark.parametrize("name", sorted(PAYLOADS))

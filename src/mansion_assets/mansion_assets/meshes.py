@@ -18,6 +18,7 @@ from mansion_assets.piece_budget import simplified
 from mansion_assets.registry import recipe_named
 from mansion_assets.texture_coordinates import box_coordinates, fitted_coordinates
 from mansion_geometry.compiled import Floats, Ints
+from mansion_msgs_py.codec import prepared
 from mansion_msgs_py.errors import ErrorCode, MansionError
 
 if TYPE_CHECKING:
@@ -57,7 +58,7 @@ class _Look(msgspec.Struct, frozen=True):
     @property
     def asset(self) -> Asset:
         """An asset of this look."""
-        return msgspec.msgpack.decode(self.payload, type=Asset)
+        return msgspec.msgpack.decode(self.payload, type=prepared(Asset))
 
 
 def mesh(asset: Asset) -> list[MeshPart]:

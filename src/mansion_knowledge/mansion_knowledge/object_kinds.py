@@ -6,6 +6,8 @@ from typing import Final
 
 import msgspec
 
+from mansion_msgs_py.codec import prepared
+
 __all__ = [
     "SEAT_WIDTH",
     "added_for",
@@ -35,7 +37,7 @@ class _Kinds(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 @cache
 def _kinds() -> _Kinds:
     text = files("mansion_knowledge").joinpath("data", "object_kinds.json").read_bytes()
-    return msgspec.json.decode(text, type=_Kinds)
+    return msgspec.json.decode(text, type=prepared(_Kinds))
 
 
 def stand_ins(category: str) -> list[str]:

@@ -6,6 +6,7 @@ from typing import Protocol
 
 import msgspec
 
+from mansion_msgs_py.codec import prepared
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import write_atomic
 
@@ -56,7 +57,7 @@ class CacheFolder:
     def get(self, digest: str) -> StoredAnswer | None:
         """See `AnswerStore.get`."""
         try:
-            found = msgspec.json.decode(self._file(digest).read_bytes(), type=StoredAnswer)
+            found = msgspec.json.decode(self._file(digest).read_bytes(), type=prepared(StoredAnswer))
         except (OSError, msgspec.MsgspecError, UnicodeError):
             return None
         return found if found.digest == digest else None
@@ -125,9 +126,9 @@ class Recording:
                 continue
             try:
                 if line.startswith(b'{"pieces"'):
-                    self.run = self.run or msgspec.json.decode(line, type=RunSettings)
+                    self.run = self.run or msgspec.json.decode(line, type=prepared(RunSettings))
                     continue
-                answer = msgspec.json.decode(line, type=StoredAnswer)
+                answer = msgspec.json.decode(line, type=prepared(StoredAnswer))
             except (msgspec.MsgspecError, UnicodeError) as error:
                 raise MansionError(
                     ErrorCode.INVALID_PAYLOAD, f"line {number} of the recording {file}: {error}"

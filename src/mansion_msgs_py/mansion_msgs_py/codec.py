@@ -4,6 +4,7 @@ Decoding gives a value or raises `MansionError` with the JSON path of the fault,
 """
 
 import re
+import threading
 from collections.abc import Hashable, Iterator
 from functools import cache
 from typing import Any, TypeVar, cast
@@ -15,14 +16,40 @@ from mansion_msgs_py.errors import ErrorCode, ErrorInfo, ErrorReply, MansionErro
 from mansion_msgs_py.limits import MAX_PAYLOAD
 from mansion_msgs_py.wording import choices
 
-__all__ = ["convert", "decode", "decode_reply", "encode", "encode_bytes", "explained", "schema", "to_builtins"]
+__all__ = [
+    "convert",
+    "decode",
+    "decode_reply",
+    "encode",
+    "encode_bytes",
+    "explained",
+    "prepared",
+    "schema",
+    "to_builtins",
+]
 
 T = TypeVar("T")
 
 
+# msgspec looks at the fields of a struct when it is first asked to decode one, and a second thread that uses the struct
+# meanwhile finds fields without types, which ends the process. So only one thread at a time lets it look.
+_looking_at_types = threading.RLock()
+
+
 @cache
 def _decoder(kind: Any) -> msgspec.json.Decoder[Any]:
-    return msgspec.json.Decoder(kind)
+    with _looking_at_types:
+        return msgspec.json.Decoder(kind)
+
+
+def prepared(kind: type[T]) -> type[T]:
+    """Return `kind` once msgspec knows its fields, so that every thread may decode it.
+
+    For what is decoded by msgspec itself, such as MessagePack or rows that are not strict; `decode` and `convert` do
+    it themselves.
+    """
+    _decoder(cast(Hashable, kind))
+    return kind
 
 
 def _plain_number(value: Any) -> float:
@@ -113,7 +140,7 @@ def convert(kind: type[T], value: Any) -> T:
         As `decode`.
     """
     try:
-        return msgspec.convert(value, kind)
+        return msgspec.convert(value, prepared(kind))
     except msgspec.ValidationError as error:
         raise _unfit(kind, error) from None
 

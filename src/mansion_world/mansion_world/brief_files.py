@@ -11,6 +11,7 @@ from typing import Annotated, Any, Final, Literal
 import msgspec
 
 from mansion_msgs_py.building_plan import BuildingPlan
+from mansion_msgs_py.codec import prepared
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import read_bytes
 from mansion_msgs_py.limits import MAX_BUILDING_AREA, MAX_FLOORS
@@ -159,7 +160,9 @@ def _named(
             ErrorCode.INVALID_PAYLOAD, f"unknown {', '.join(unknown)}; a row may have {', '.join(_COLUMNS)}"
         )
     try:
-        said = msgspec.convert({name: value for name, value in row.items() if value is not None}, _Row, strict=False)
+        said = msgspec.convert(
+            {name: value for name, value in row.items() if value is not None}, prepared(_Row), strict=False
+        )
     except msgspec.ValidationError as error:
         raise MansionError(ErrorCode.INVALID_PAYLOAD, str(error)) from None
     if not said.brief.strip() and not said.plan:

@@ -6,6 +6,8 @@ from typing import Final
 
 import msgspec
 
+from mansion_msgs_py.codec import prepared
+
 __all__ = [
     "Description",
     "Hypernym",
@@ -56,7 +58,7 @@ class Hypernym(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 @cache
 def described_categories() -> dict[str, Description]:
     """Return the descriptions of categories."""
-    return msgspec.json.decode(_DATA.joinpath("descriptions.json").read_bytes(), type=dict[str, Description])
+    return msgspec.json.decode(_DATA.joinpath("descriptions.json").read_bytes(), type=prepared(dict[str, Description]))
 
 
 def description_of(category: str) -> Description:
@@ -67,7 +69,7 @@ def description_of(category: str) -> Description:
 @cache
 def hypernyms() -> list[Hypernym]:
     """Return the general notions."""
-    return msgspec.json.decode(_DATA.joinpath("hypernyms.json").read_bytes(), type=list[Hypernym])
+    return msgspec.json.decode(_DATA.joinpath("hypernyms.json").read_bytes(), type=prepared(list[Hypernym]))
 
 
 def hypernyms_of(category: str) -> list[str]:

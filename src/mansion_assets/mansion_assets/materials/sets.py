@@ -7,6 +7,8 @@ from typing import Any, Final
 
 import msgspec
 
+from mansion_msgs_py.codec import prepared
+
 __all__ = ["MaterialSet", "art", "material_set", "set_names", "set_of"]
 
 _DATA: Final = files("mansion_assets.materials").joinpath("data/sets.toml")
@@ -51,7 +53,7 @@ class _Registry(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 @cache
 def _registry() -> _Registry:
-    return msgspec.convert(tomllib.loads(_DATA.read_text(encoding="utf-8")), _Registry)
+    return msgspec.convert(tomllib.loads(_DATA.read_text(encoding="utf-8")), prepared(_Registry))
 
 
 def set_names() -> list[str]:

@@ -17,6 +17,7 @@ from mansion_assets.materials.canvas import Canvas
 from mansion_assets.materials.layers import Layers
 from mansion_assets.materials.sets import MaterialSet, material_set
 from mansion_geometry.compiled import Floats
+from mansion_msgs_py.codec import prepared
 from mansion_msgs_py.files import write_atomic
 
 __all__ = ["TextureSet", "draw", "texture_set"]
@@ -74,7 +75,7 @@ def texture_set(name: str) -> TextureSet:
     chosen = material_set(name)
     file = _cache_folder() / f"{name}_{_fingerprint(name, chosen)}.set"
     try:
-        return msgspec.msgpack.decode(file.read_bytes(), type=TextureSet)
+        return msgspec.msgpack.decode(file.read_bytes(), type=prepared(TextureSet))
     except (OSError, msgspec.MsgspecError):
         made = _encoded(chosen, draw(name))
     try:

@@ -22,7 +22,7 @@ import msgspec
 
 from mansion_bringup.discovery import CHOICES, CHOSEN_FILES
 from mansion_msgs_py import __version__
-from mansion_msgs_py.codec import encode
+from mansion_msgs_py.codec import encode, prepared
 from mansion_msgs_py.errors import ErrorCode, MansionError
 
 __all__ = [
@@ -178,7 +178,7 @@ def receive(connection: socket.socket, kind: type[T]) -> T:
         When it is none of that kind.
     """
     (length,) = _LENGTH.unpack(_exactly(connection, _LENGTH.size))
-    return msgspec.json.decode(_exactly(connection, length), type=kind)
+    return msgspec.json.decode(_exactly(connection, length), type=prepared(kind))
 
 
 def _exactly(connection: socket.socket, length: int) -> bytes:

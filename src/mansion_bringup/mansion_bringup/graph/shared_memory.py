@@ -24,6 +24,8 @@ from typing import Annotated, Final
 
 import msgspec
 
+from mansion_msgs_py.codec import prepared
+
 __all__ = ["FileId", "Segment", "SegmentLedger", "ledger_folders", "remove_left_behind"]
 
 SHM: Final = Path("/dev/shm")
@@ -371,7 +373,7 @@ def _ledgers_of_the_dead(folder: Path) -> list[Path]:
 def _read(file: Path) -> set[Segment]:
     """Return the segments of a ledger; none if it is gone or not whole."""
     try:
-        return msgspec.json.decode(file.read_bytes(), type=set[Segment])
+        return msgspec.json.decode(file.read_bytes(), type=prepared(set[Segment]))
     except (OSError, msgspec.DecodeError):
         return set()
 

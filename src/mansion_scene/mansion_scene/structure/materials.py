@@ -13,6 +13,7 @@ import msgspec
 
 from mansion_geometry.randomness import item_generator
 from mansion_knowledge import default_knowledge
+from mansion_msgs_py.codec import prepared
 from mansion_msgs_py.scene import FloorScene
 
 __all__ = [
@@ -109,7 +110,7 @@ SUBSTANCES: Final = frozenset(
 def library() -> dict[str, Material]:
     """Return all materials by name, in the order of the library."""
     text = resources.files("mansion_scene.structure").joinpath("data/materials.json").read_bytes()
-    return {entry.name: entry for entry in msgspec.json.decode(text, type=list[Material])}
+    return {entry.name: entry for entry in msgspec.json.decode(text, type=prepared(list[Material]))}
 
 
 def material(name: str) -> Material:

@@ -29,6 +29,7 @@ from mansion_editing.instructions.statements import (
     Swap,
     Turn,
 )
+from mansion_msgs_py.codec import prepared
 
 __all__ = ["ASIDE", "KINDS", "OTHER", "UnusableError", "statement_of"]
 
@@ -66,7 +67,7 @@ def statement_of(answer: StatementAnswer, quote: str) -> Statement:
         raise UnusableError(f"kind is one of {', '.join(KINDS)}")
     kind, parts = make(answer)
     try:
-        statement: Statement = msgspec.convert({**parts, "quote": quote}, kind)
+        statement: Statement = msgspec.convert({**parts, "quote": quote}, prepared(kind))
     except msgspec.ValidationError as error:
         raise UnusableError(str(error)) from None
     return statement
