@@ -2,8 +2,10 @@
 
 import math
 
+import shapely
 from hypothesis import strategies as st
 
+from mansion_geometry.rings import polygon_parts
 from mansion_msgs_py.layout import FixedRoom, FloorProblem, ProblemCore, ProblemNode
 from mansion_msgs_py.topology import Edge
 
@@ -13,6 +15,13 @@ Ring = list[tuple[float, float]]
 def box(x0: float, y0: float, x1: float, y1: float) -> Ring:
     """Return a rectangle's ring."""
     return [(x0, y0), (x1, y0), (x1, y1), (x0, y1)]
+
+
+def parts_for_rooms(region: shapely.Geometry) -> shapely.MultiPolygon:
+    """Return the parts of a region that are somewhere half a metre wide; the largest where none is."""
+    parts = polygon_parts(region)
+    wide = [part for part in parts if not part.buffer(-0.25, join_style="mitre").is_empty]
+    return shapely.MultiPolygon(wide or [max(parts, key=lambda part: part.area)])
 
 
 def flat() -> FloorProblem:

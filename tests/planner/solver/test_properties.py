@@ -1,4 +1,4 @@
-"""Whatever the problem: a partition of the free region or a reasoned refused_layout."""
+"""Whatever the problem: a partition of the free region or a reasoned refusal."""
 
 import shapely
 from hypothesis import HealthCheck, given, settings
@@ -8,19 +8,19 @@ from mansion_msgs_py.codec import encode
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.layout import FloorProblem
 from mansion_planner.solver import SolverOptions, solve_floor
-from problem_floors import problems
+from problem_floors import parts_for_rooms, problems
 
 QUICK = SolverOptions(candidates=3000, attempts=2, round_candidates=200)
 
 
 def free_region(problem: FloorProblem) -> shapely.Geometry:
-    """Return the boundary less holes, cores and fixed rooms."""
+    """Return the boundary less holes, cores and fixed rooms, and less what they leave of no use."""
     free = as_polygon(problem.boundary)
     taken = [*problem.holes, *(c.polygon for c in problem.cores)]
     taken += [room.polygon for room in problem.fixed_rooms]
     for ring in taken:
         free = free.difference(as_polygon(ring))
-    return free
+    return parts_for_rooms(free)
 
 
 @settings(max_examples=40, deadline=None, suppress_health_check=list(HealthCheck), derandomize=True)

@@ -12,7 +12,7 @@ from mansion_msgs_py.topology import Edge
 from mansion_planner.solver import SolverOptions, solve_floor
 from mansion_planner.solver.grid import Grid, major_lines, make_grid, refined_grid, spaced_lines
 from mansion_planner.solver.problem import make_model
-from problem_floors import box
+from problem_floors import box, parts_for_rooms
 
 LEVELS = ((0.22, 0.1), (0.07, 0.03), (0.3, 0.1))
 """Offsets of grids that refine one another."""
@@ -67,7 +67,7 @@ def test_a_finer_grid_has_lines_beside_walls_alone(problem: FloorProblem) -> Non
 @settings(max_examples=25, deadline=None, suppress_health_check=list(HealthCheck), derandomize=True)
 @given(problems())
 def test_an_outline_that_cuts_a_core_off_gives_a_partition_or_a_refusal(problem: FloorProblem) -> None:
-    free = as_polygon(problem.boundary).difference(as_polygon(problem.cores[0].polygon))
+    free = parts_for_rooms(as_polygon(problem.boundary).difference(as_polygon(problem.cores[0].polygon)))
     try:
         layout = solve_floor(problem, options=QUICK)
     except MansionError as error:
@@ -86,3 +86,33 @@ def test_a_core_outside_of_the_outline_is_named_with_what_is_left_of_its_walls()
     problem = FloorProblem(boundary=[(8, 0), (8, 10), (4, 10)], nodes=nodes, edges=edges, cores=[core])
     layout = solve_floor(problem, options=QUICK)
     assert [(edge.target, "stair has 0.00 m" in edge.reason) for edge in layout.unmet_edges] == [("stair", True)]
+
+
+def house_of_two_rooms(boundary: list[tuple[float, float]]) -> FloorProblem:
+    nodes = [ProblemNode(id="hall", type="main"), ProblemNode(id="room", type="Entities")]
+    edges = [Edge(source="hall", target="room"), Edge(source="hall", target="stair")]
+    core = ProblemCore(id="stair", type="stair", polygon=box(0, 0, 2, 4))
+    return FloorProblem(boundary=boundary, nodes=nodes, edges=edges, cores=[core])
+
+
+def test_a_tip_behind_a_core_belongs_to_the_room_beside_it() -> None:
+    problem = house_of_two_rooms([(0, 0), (6, -1.5), (7.5, 6), (-1.5, 7.5)])
+    layout = solve_floor(problem, options=QUICK)
+    tip = shapely.Point(-0.3, 2.5)
+    assert [room.id for room in layout.rooms if as_polygon(room.polygon).contains(tip)] == ["room"]
+    assert layout.checks["coverage"] > 0.999
+
+
+def test_a_strip_that_a_core_cuts_off_stays_without_a_room_and_is_told() -> None:
+    layout = solve_floor(house_of_two_rooms([(0, 0), (6, 1.5), (6.375, 6), (-0.375, 3.75)]), options=QUICK)
+    assert any("0.73 m2 at (-0." in message and "stay without one" in message for message in layout.messages)
+    assert layout.checks["coverage"] > 0.999
+
+
+def test_a_side_that_is_nearly_straight_leaves_the_frame_of_the_grid_outside() -> None:
+    problem = house_of_two_rooms([(0, 0), (6, 0), (6, 6), (1.5, 6 - 3e-9)])
+    model = make_model(problem, QUICK)
+    grid = make_grid(model, *major_lines(model))
+    frame = np.concatenate([grid.base[0], grid.base[-1], grid.base[:, 0], grid.base[:, -1]])
+    assert (frame >= len(model.rooms)).all()
+    assert solve_floor(problem, options=QUICK).checks["coverage"] > 1 - 1e-6

@@ -1,5 +1,6 @@
 """The life of a node process: how it starts, spins, and ends on SIGINT or SIGTERM."""
 
+import faulthandler
 import os
 import signal
 import subprocess
@@ -139,6 +140,8 @@ def run_node(make: Callable[[], Node], args: Sequence[str] | None = None, *, thr
     SystemExit
         With status 1 when `make` refuses, as it does for a parameter that it cannot use; the reason is logged.
     """
+    # A crash in a compiled library leaves the stack of every thread in the log, not a bare exit status.
+    faulthandler.enable()
     interrupts = Interrupts()
     interrupts.install()
     watch_from_outside()

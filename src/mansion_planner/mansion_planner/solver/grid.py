@@ -174,6 +174,9 @@ def _labels(model: FloorModel, xs: Floats, ys: Floats) -> tuple[Ints, Floats, Fl
     if not _rectilinear_on_lines(model, xs, ys):
         boxes = _boxes(xs, ys)
         touched = shapely.intersects(model.region.boundary, boxes)
+        # A side that is nearly parallel to an axis may pass the last line by less than `SAME_LINE`; the frame stays
+        # outside nevertheless, as the kernels look at the neighbours of every free cell.
+        touched[[0, -1], :] = touched[:, [0, -1]] = False
         cut = shapely.intersection(boxes[touched], model.region)
         part = shapely.area(cut)
         whole = size[touched]

@@ -11,7 +11,7 @@ from mansion_msgs_py.layout import LayoutRoom
 from mansion_planner.solver.grid import Grid
 from mansion_planner.solver.problem import FloorModel
 
-__all__ = ["layout_room", "room_shapes", "shape_of_cells", "to_problem_frame", "trace"]
+__all__ = ["layout_room", "room_shapes", "shape_of_cells", "to_problem_frame", "trace", "with_loose_pieces_joined"]
 
 Ring = list[tuple[float, float]]
 Vertex = tuple[int, int]
@@ -127,6 +127,38 @@ def room_shapes(model: FloorModel, grid: Grid, labels: Ints) -> list[Polygon | M
     xs = [*grid.cells.xs[columns].tolist(), float(grid.cells.xs[-1])]
     ys = [*grid.cells.ys[rows].tolist(), float(grid.cells.ys[-1])]
     return [_inside(model, grid, _shape_of(xs, ys, few == r)) for r in range(len(model.rooms))]
+
+
+def with_loose_pieces_joined(shapes: list[Polygon | MultiPolygon]) -> list[Polygon | MultiPolygon]:
+    """Return rooms of one piece each: a loose piece goes to the room with which it shares most wall.
+
+    A loose piece is all of a room but its largest part, such as a tip that only touches the rest at a corner of a core.
+    One without a neighbour stays where it was.
+    """
+    parts = [sorted(polygon_parts(shape), key=lambda part: -part.area) for shape in shapes]
+    whole = [pieces[0] if pieces else Polygon() for pieces in parts]
+    loose = [(part, owner) for owner, pieces in enumerate(parts) for part in pieces[1:]]
+    while loose:
+        placed = [(part, owner, _most_shared(part, whole)) for part, owner in loose]
+        taken = next(((part, owner, host) for part, owner, host in placed if host is not None), None)
+        if taken is None:
+            break
+        part, owner, host = taken
+        whole[host] = polygon_parts(shapely.union(whole[host], part))[0]
+        loose.remove((part, owner))
+    return [
+        MultiPolygon([whole[k], *left]) if (left := [p for p, o in loose if o == k]) else whole[k]
+        for k in range(len(whole))
+    ]
+
+
+def _most_shared(part: Polygon, rooms: list[Polygon]) -> int | None:
+    """Return the room that shares most wall with a piece and stays one piece with it."""
+    shared = [float(shapely.intersection(room.boundary, part.boundary).length) for room in rooms]
+    for k in sorted(range(len(rooms)), key=lambda k: -shared[k]):
+        if shared[k] > 0.0 and len(polygon_parts(shapely.union(rooms[k], part))) == 1:
+            return k
+    return None
 
 
 def to_problem_frame(ring: Ring, angle: float, *, ccw: bool = True, digits: int = 4) -> Ring:

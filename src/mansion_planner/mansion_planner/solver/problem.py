@@ -4,7 +4,7 @@ A node of type ``area`` is a zone: it is split completely and vanishes. Its chil
 they have another access edge, and an edge from elsewhere to the zone goes to its largest member.
 """
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import astuple, dataclass, field
 from typing import NamedTuple
 
@@ -194,6 +194,9 @@ SIDES = ("any", "north", "east", "south", "west")
 
 LEAST_AREA = 1e-3
 """Area, m2, up to which a part of the free region is left out."""
+
+LEAST_WIDTH = 0.5
+"""Width, metres, below which everywhere a part of the free region that is cut off has no room."""
 
 WALL_OFFSET = 0.05
 """Distance, metres, by which the ends of a straight structural wall may differ across it."""
@@ -394,6 +397,25 @@ def _min_widths(rooms: list[ProblemNode], targets: NDArray[np.float64], options:
     return np.where(np.isnan(given), default, given)
 
 
+def _free_parts(outline: Polygon, taken: Sequence[Polygon | MultiPolygon]) -> tuple[list[Polygon], list[Polygon]]:
+    """Return the parts of the outline that rooms may have, and those that are cut off and narrower than any room."""
+    region: Polygon | MultiPolygon = outline
+    for shape in taken:
+        region = region.difference(shape)
+    parts = [part for part in polygon_parts(region) if part.area > LEAST_AREA]
+    if not parts:
+        raise _refuse("cores, holes and fixed rooms leave no free region", "$.boundary")
+    wide = [part for part in parts if not shapely.buffer(part, -LEAST_WIDTH / 2, join_style="mitre").is_empty]
+    kept = wide or [max(parts, key=lambda part: part.area)]
+    return kept, [part for part in parts if part not in kept]
+
+
+def _told_lost(part: Polygon, angle: float) -> str:
+    """Say where a part that no room can have lies."""
+    ((x, y),) = rotated(shapely.get_coordinates(part.representative_point()).tolist(), -angle)
+    return f"{part.area:.2f} m2 at ({x:.2f}, {y:.2f}) are cut off and narrower than a room, and stay without one"
+
+
 def make_model(problem: FloorProblem, options: SolverOptions) -> FloorModel:
     """Check `problem` and return what the solver works on.
 
@@ -410,15 +432,9 @@ def make_model(problem: FloorProblem, options: SolverOptions) -> FloorModel:
     angle = -dominant_angle([problem.boundary])
     if angle != 0.0:
         outline = _shape(problem.boundary, "$.boundary", angle)
-    region: Polygon | MultiPolygon = outline
-    for k, hole in enumerate(problem.holes):
-        region = region.difference(_shape(hole, f"$.holes[{k}]", angle))
     obstacles = _obstacles(problem, angle)
-    for obstacle in obstacles:
-        region = region.difference(obstacle.polygon)
-    parts = [part for part in polygon_parts(region) if part.area > LEAST_AREA]
-    if not parts:
-        raise _refuse("cores, holes and fixed rooms leave no free region", "$.boundary")
+    holes = [_shape(hole, f"$.holes[{k}]", angle) for k, hole in enumerate(problem.holes)]
+    parts, lost = _free_parts(outline, [*holes, *(obstacle.polygon for obstacle in obstacles)])
     region = parts[0] if len(parts) == 1 else MultiPolygon(parts)
 
     known = {o.id for o in obstacles}
@@ -431,6 +447,7 @@ def make_model(problem: FloorProblem, options: SolverOptions) -> FloorModel:
         raise _refuse("there is no room to lay out: every node is a core or a fixed room", "$.nodes")
     rooms = _with_planned_areas(problem, rooms, zones, graph, known, float(region.area))
     targets, scale = _targets(rooms, float(region.area))
+    messages += [_told_lost(part, angle) for part in lost]
     if abs(scale - 1.0) > 0.01:
         messages.append(f"node areas were scaled by {scale:.3f} to fill the free region")
     seeds = _seeds(problem, rooms, angle)

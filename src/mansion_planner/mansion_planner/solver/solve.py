@@ -2,6 +2,7 @@
 
 import msgspec
 import numpy as np
+from shapely.geometry import MultiPolygon, Polygon
 
 from mansion_geometry.compiled import Floats
 from mansion_geometry.randomness import item_seed
@@ -25,6 +26,7 @@ from mansion_planner.solver.options import Budget, SolverOptions
 from mansion_planner.solver.partition import Partition
 from mansion_planner.solver.polygons import layout_room, to_problem_frame
 from mansion_planner.solver.problem import (
+    LEAST_AREA,
     SEED_X,
     SEED_Y,
     FloorModel,
@@ -36,7 +38,14 @@ from mansion_planner.solver.problem import (
     relaxed_links,
 )
 from mansion_planner.solver.starts import flood, planned_partition
-from mansion_planner.solver.verification import MOST_STRADDLED, MeasuredPartition, Verdict, layout_checks, measure
+from mansion_planner.solver.verification import (
+    MOST_STRADDLED,
+    MeasuredPartition,
+    Verdict,
+    layout_checks,
+    measure,
+    whole_rooms,
+)
 from mansion_planner.solver.wall_search import WallSearch
 
 __all__ = ["coarse_grid", "solve_floor", "warm"]
@@ -164,6 +173,23 @@ def _too_small(model: FloorModel) -> MansionError:
     )
 
 
+def _loose_pieces(shape: Polygon | MultiPolygon) -> list[Polygon]:
+    """Return all parts of a room but the largest and those too small to tell."""
+    parts = sorted(polygon_parts(shape), key=lambda part: -part.area)
+    return [part for part in parts[1:] if part.area > LEAST_AREA]
+
+
+def _cut_off(model: FloorModel, part: Polygon) -> MansionError:
+    """Return the error of a floor with a part that no room reaches."""
+    inside = part.representative_point()
+    ((x, y),) = to_problem_frame([(inside.x, inside.y)], model.angle)
+    return MansionError(
+        ErrorCode.INFEASIBLE,
+        f"{part.area:.2f} m2 at ({x:.2f}, {y:.2f}) are cut off by cores, holes or fixed rooms, and no room fits there",
+        path="$.boundary",
+    )
+
+
 def solve_floor(
     problem: FloorProblem, *, options: SolverOptions | None = None, seed_callback: SeedCallback | None = None
 ) -> FloorLayout:
@@ -221,7 +247,12 @@ def solve_floor(
         best = _fill_rounds(model, goal, grid, rounds, options)
     if best is None:
         raise _too_small(model)
-    return _assemble_layout(model, best, options, rounds, relaxed, budget.used)
+    whole = whole_rooms(model, best, options)
+    if any(shape.is_empty for shape in whole.shapes):
+        raise _too_small(model)
+    if cut_off := [part for shape in whole.shapes for part in _loose_pieces(shape)]:
+        raise _cut_off(model, cut_off[0])
+    return _assemble_layout(model, whole, options, rounds, relaxed, budget.used)
 
 
 def warm() -> None:

@@ -14,7 +14,7 @@ from mansion_geometry.shared_walls import SharedWall, edge_array, longest_wall, 
 from mansion_msgs_py.layout import RealisedEdge
 from mansion_planner.solver.options import SolverOptions
 from mansion_planner.solver.partition import Partition
-from mansion_planner.solver.polygons import room_shapes
+from mansion_planner.solver.polygons import room_shapes, with_loose_pieces_joined
 from mansion_planner.solver.problem import FloorModel, Obstacle
 
 __all__ = ["MOST_STRADDLED", "MeasuredPartition", "Verdict", "corner_count", "layout_checks", "measure", "width_fault"]
@@ -222,3 +222,11 @@ def measure(model: FloorModel, partition: Partition, options: SolverOptions) -> 
     """Trace the rooms of a partition and verify them."""
     shapes = room_shapes(model, partition.grid, partition.labels)
     return MeasuredPartition(partition, shapes, verify(model, shapes, options))
+
+
+def whole_rooms(model: FloorModel, measured: MeasuredPartition, options: SolverOptions) -> MeasuredPartition:
+    """Return a partition whose rooms are one piece each, measured again where some were not."""
+    if not measured.verdict.broken:
+        return measured
+    shapes = with_loose_pieces_joined(measured.shapes)
+    return MeasuredPartition(measured.partition, shapes, verify(model, shapes, options))
