@@ -1,6 +1,8 @@
 """Bring counts after their noun or in a table into one form: "4 nos. of flats", "lift 2 nos.", "hall - 1 - 80 m2"."""
 
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from typing import TypeAlias
 
 from mansion_language import Token
 from mansion_language.units import AREA
@@ -20,7 +22,7 @@ _STOREYS = frozenset({"floor", "storey", "level", "story", "basement", "deck", "
 
 def count_forms(tokens: list[Token]) -> list[Token]:
     """Return the tokens with every count before its noun, or after it as "x 4"."""
-    return _with_tables(_with_classifiers(tokens))
+    return _rewritten(_rewritten(tokens, _CLASSIFIED), _TABULATED)
 
 
 def _word(tokens: list[Token], index: int) -> str:
@@ -47,12 +49,15 @@ _NO_NOUNS = _STOREYS | frozenset(
 )
 
 
-def _with_classifiers(tokens: list[Token]) -> list[Token]:
-    """Read "4 nos. of 2BHK flats" as "4 2BHK flats", and "toilets 2 nos." and "room 9 rooms" as "x" the number."""
+_Read: TypeAlias = "Callable[[list[Token], int], _Form | None]"
+
+
+def _rewritten(tokens: list[Token], forms: Sequence[_Read]) -> list[Token]:
+    """Return the tokens with the first of the forms that is read at each of them in its place."""
     result: list[Token] = []
     index = 0
     while index < len(tokens):
-        form = next((form for read in _FORMS if (form := read(tokens, index)) is not None), None)
+        form = next((form for read in forms if (form := read(tokens, index)) is not None), None)
         if form is None:
             result.append(tokens[index])
             index += 1
@@ -151,7 +156,17 @@ def _trailing(tokens: list[Token], index: int) -> _Form | None:
     return _Form((_times(tokens[index]), tokens[index]), index + 1) if core or listed else None
 
 
-_FORMS = (_bedroomed, _half_dozen, _advertised_bedroom, _multiplied, _repeated_noun, _classified, _entered, _trailing)
+_CLASSIFIED = (
+    _bedroomed,
+    _half_dozen,
+    _advertised_bedroom,
+    _multiplied,
+    _repeated_noun,
+    _classified,
+    _entered,
+    _trailing,
+)
+"""Forms of a number beside its noun: "4 nos. of flats", "toilets 2 nos.", "room 9 rooms"."""
 
 
 def _numbers_bedroom(tokens: list[Token], index: int) -> bool:
@@ -196,56 +211,48 @@ def _times(number: Token) -> Token:
     return Token("mark", "x", number.start, number.start)
 
 
-def _with_tables(tokens: list[Token]) -> list[Token]:
-    """Read a row of a schedule, "rooms - 4 - 55 m2 each", as "rooms x 4 of 55 m2 each", and "4 x 55 m2" so."""
-    result: list[Token] = []
-    index = 0
-    while index < len(tokens):
-        token = tokens[index]
-        each = _is_count(tokens, index) and _word(tokens, index + 1) in _TIMES and _is_area(tokens, index + 2)
-        if each:
-            at = tokens[index + 1]
-            before = _word(tokens, index - 1)
-            noun = before in (":", "(", "-", ",", "=", "|") or _is_noun(tokens, index - 1)
-            if noun and before in (":", "-", "=", "|", "(") and result[-1:] == [tokens[index - 1]]:
-                result.pop()
-            last = index + 4
-            closes = before == "(" and _word(tokens, last) == ")"
-            result += [_times(token)] * noun
-            result += [token, replace(at, kind="word", text="of"), *tokens[index + 2 : last]]
-            result += [Token("word", "each", tokens[last - 1].end, tokens[last - 1].end)] if noun else []
-            index = last + closes
-            continue
-        if (
-            token.text in _TIMES
-            and _is_area(tokens, index + 1)
-            and index > 0
-            and tokens[index - 1].kind == "word"
-            and tokens[index - 1].plural
-        ):
-            end = tokens[index + 2].end
-            result += [replace(token, kind="word", text="of"), *tokens[index + 1 : index + 3]]
-            result.append(Token("word", "each", end, end))
-            index += 3
-            continue
-        row = (
-            token.text in _BARS
-            and token.spaced
-            and _is_noun(tokens, index - 1)
-            and _is_count(tokens, index + 1)
-            and tokens[index + 1].spaced
-            and _word(tokens, index + 2) in _BARS | {"\n", "", ","}
-        )
-        if row:
-            result += [_times(token), tokens[index + 1]]
-            more = _word(tokens, index + 2) in _BARS | {","} and _is_area(tokens, index + 3)
-            if more:
-                result.append(replace(tokens[index + 2], kind="word", text="of"))
-            index += 3 if more else 2
-            continue
-        result.append(token)
-        index += 1
-    return result
+def _counted_area(tokens: list[Token], index: int) -> _Form | None:
+    """Read "labs: 4 x 55 m2" as "labs x 4 of 55 m2 each"."""
+    if not (_is_count(tokens, index) and _word(tokens, index + 1) in _TIMES and _is_area(tokens, index + 2)):
+        return None
+    before, last = _word(tokens, index - 1), index + 4
+    marked = before in (":", "(", "-", "=", "|")
+    closes = before == "(" and _word(tokens, last) == ")"
+    of_area = (tokens[index], replace(tokens[index + 1], kind="word", text="of"), *tokens[index + 2 : last])
+    if not (marked or before == "," or _is_noun(tokens, index - 1)):
+        return _Form(of_area, last + closes)
+    return _Form((_times(tokens[index]), *of_area, _each_after(tokens[last - 1])), last + closes, dropped=int(marked))
+
+
+def _area_apiece(tokens: list[Token], index: int) -> _Form | None:
+    """Read "offices @ 14 m2" as "offices of 14 m2 each"."""
+    plural = index > 0 and tokens[index - 1].kind == "word" and tokens[index - 1].plural
+    if not plural or tokens[index].text not in _TIMES or not _is_area(tokens, index + 1):
+        return None
+    of_area = (replace(tokens[index], kind="word", text="of"), *tokens[index + 1 : index + 3])
+    return _Form((*of_area, _each_after(tokens[index + 2])), index + 3)
+
+
+def _row(tokens: list[Token], index: int) -> _Form | None:
+    """Read "rooms - 4 - 55 m2" as "rooms x 4 of 55 m2"."""
+    if tokens[index].text not in _BARS or not tokens[index].spaced or not _is_noun(tokens, index - 1):
+        return None
+    following = _word(tokens, index + 2)
+    spaced = _is_count(tokens, index + 1) and tokens[index + 1].spaced
+    if not spaced or following not in _BARS | {"\n", "", ","}:
+        return None
+    counted = (_times(tokens[index]), tokens[index + 1])
+    if following not in _BARS | {","} or not _is_area(tokens, index + 3):
+        return _Form(counted, index + 2)
+    return _Form((*counted, replace(tokens[index + 2], kind="word", text="of")), index + 3)
+
+
+_TABULATED = (_counted_area, _area_apiece, _row)
+"""Forms of a row of a schedule, or of an entry with an area for each: "4 x 55 m2"."""
+
+
+def _each_after(token: Token) -> Token:
+    return Token("word", "each", token.end, token.end)
 
 
 def _is_area(tokens: list[Token], index: int) -> bool:
