@@ -57,7 +57,7 @@ def _announce_compilation() -> None:
             if folder.parts and _is_first(folder):
                 _LOG.warning(
                     "mansion: first use: numba compiles the kernels, a minute or more in all; they are kept in the "
-                    "folders __pycache__ beside their modules or, where those are read-only, in numba's cache (this one: "
+                    "folders __pycache__ beside their modules or, where those are read-only, in numba's cache (here: "
                     "%s); to remove them delete *.nbi and *.nbc there",
                     folder,
                 )
