@@ -154,8 +154,11 @@ link_packages() {
 
 warm() {
     [[ -e $root/src/mansion_bringup/mansion_bringup/warm.py ]] || return 0
-    say "[4/4] compiling the solver's kernels"
-    "$venv/bin/python" -P -m mansion_bringup.warm >>"$venv/setup.log" 2>&1 </dev/null ||
+    local line
+    say "[4/4] compiling the kernels: most of the time; they are kept in the folders __pycache__ of src (to remove them:"
+    say "      find src -name '*.nb[ic]' -delete)"
+    "$venv/bin/python" -P -m mansion_bringup.warm 2>>"$venv/setup.log" </dev/null |
+        while IFS= read -r line; do say "      $line"; done ||
         say "      that failed (see $venv/setup.log); the first build compiles them instead"
 }
 

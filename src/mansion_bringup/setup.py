@@ -54,7 +54,12 @@ setup(
         "shapely>=2.0",
         "typer>=0.12",
     ],
-    extras_require={"test": ["pytest"], "cluster": ["distributed>=2024.1"], "record": ["mcap>=1.1"]},
+    extras_require={
+        "test": ["pytest"],
+        "cluster": ["distributed>=2024.1"],
+        "record": ["mcap>=1.1", "mcap-ros2-support>=0.5"],
+        "rerun": ["rerun-sdk>=0.41"],
+    },
     entry_points={
         "console_scripts": [
             "building_director = mansion_bringup.nodes.building_director:main",

@@ -24,9 +24,18 @@ pytestmark = pytest.mark.graph
 NODE = """
 import os, time, rclpy
 from mansion_msgs_py.errors import MansionError
-from mansion_msgs_py.interfaces import ServiceInterface
+from mansion_msgs_py.interfaces import ServiceInterface, topic
 from mansion_msgs_py.nodes.node import MansionNode
-from mansion_msgs_py.nodes.shell import add_json_service
+from mansion_msgs_py.nodes.shell import JsonPublisher, add_json_service
+from mansion_msgs_py.world import SkillProgress
+
+def drive(arguments):
+    for k in range(1, 13):
+        for session, fraction in (("default", k / 12), ("other", 0.0)):
+            text = f"at {k} of {session}"
+            news.publish(SkillProgress(session=session, skill="Drive", message=text, fraction=fraction))
+        time.sleep(0.25)
+    return {"done": True}
 
 def refuse(arguments):
     raise MansionError("NOT_FOUND", "there is no floor 9", path="$.floor")
@@ -37,6 +46,8 @@ add_json_service(node, ServiceInterface("echo", "served", "Send it back.", dict,
 add_json_service(node, ServiceInterface("who", "served", "Say who.", None, dict), lambda _: {"pid": os.getpid()})
 add_json_service(node, ServiceInterface("refuse", "served", "Refuse.", None, dict), refuse)
 add_json_service(node, ServiceInterface("dawdle", "served", "Take long.", None, dict), lambda _: time.sleep(60))
+news = JsonPublisher(node, topic("skill_progress"))
+add_json_service(node, ServiceInterface("skills/drive", "served", "Drive.", dict, dict), drive)
 print("ready", flush=True)
 rclpy.spin(node)
 """
@@ -105,6 +116,36 @@ def test_a_command_asks_the_process_that_keeps_the_graph(runtime: Path) -> None:
         assert json.loads(done.stdout) == {"text": "ß", "numbers": [1, 2.5]} and not has_participant(done)
         alone = call({**environment, "XDG_RUNTIME_DIR": str(runtime / "none")}, "who")
         assert json.loads(alone.stdout) == {"pid": node.pid} and has_participant(alone)
+
+
+@pytest.mark.parametrize("lent", [True, False])
+def test_a_long_call_says_how_far_it_is(runtime: Path, *, lent: bool) -> None:
+    environment = variables(runtime, free_domain())
+    with process(NODE, environment), process(KEEPER, environment):
+        if not lent:
+            environment["XDG_RUNTIME_DIR"] = str(runtime / "none")
+        done = call(environment, "skills/drive", "{}")
+        assert json.loads(done.stdout) == {"done": True} and has_participant(done) is not lent
+        assert "% at 12 of default, " in done.stderr or "% at 11 of default, " in done.stderr
+        assert "of other" not in done.stderr and "\033" not in done.stderr
+        quiet = call(environment, "skills/drive", "{}", "-q")
+        assert json.loads(quiet.stdout) == {"done": True} and " of default" not in quiet.stderr
+
+
+def test_a_director_lends_its_client_where_it_is_told_to(runtime: Path) -> None:
+    environment = variables(runtime, free_domain())
+    command = [sys.executable, "-m", "mansion_bringup.nodes.building_director", "--ros-args", "-r", "__ns:=/mansion"]
+    with process(NODE, environment) as (node, _):
+        with subprocess.Popen([*command, "-p", "lend_client:=true"], env=environment) as director:
+            found: list[Path] = []
+            while not found:
+                assert director.poll() is None
+                found = list(runtime.rglob("*.sock"))
+                time.sleep(0.05)
+            done = call(environment, "who")
+            director.send_signal(signal.SIGINT)
+        assert json.loads(done.stdout) == {"pid": node.pid} and not has_participant(done)
+        assert not found[0].exists()
 
 
 def test_it_refuses_as_a_participant_of_ones_own_does(runtime: Path) -> None:

@@ -9,7 +9,14 @@ from pathlib import Path
 import pytest
 
 # Distribution -> module, where the two differ.
-MODULES = {"pillow": "PIL", "pyyaml": "yaml", "usd_core": "pxr", "dask": "dask", "mcap_ros2_support": "mcap_ros2"}
+MODULES = {
+    "pillow": "PIL",
+    "pyyaml": "yaml",
+    "usd_core": "pxr",
+    "dask": "dask",
+    "mcap_ros2_support": "mcap_ros2",
+    "rerun_sdk": "rerun",
+}
 
 ROS_MODULES = {
     "ament_index_python",
@@ -96,6 +103,7 @@ def test_what_is_declared_is_locked(root: Path, packages: list[Path]) -> None:
         "core",
         "rclpy",
         "record",
+        "rerun",
         "sim",
         "llm",
         "thor",

@@ -29,6 +29,8 @@ def _nodes(context, *args, **kwargs):
         parameters = [{"use_sim_time": True}] if simulated else []
         if value("allow"):
             parameters.append({"allow": value("allow").split(os.pathsep)})
+        if entry.executable == "building_director" and value("lend_client") == "true":
+            parameters.append({"lend_client": True})
         if entry.executable == "skill_server":
             if value("publish_clock") == "true":
                 parameters.append({"publish_clock": True})
@@ -104,6 +106,12 @@ def generate_launch_description():
         ),
         switch("use_sim_time", "take the time from /clock, in all nodes"),
         switch("publish_clock", "have skill_server publish the world's clock on /clock"),
+        DeclareLaunchArgument(
+            "lend_client",
+            default_value="true",
+            choices=SWITCH,
+            description="have building_director take the calls of `mansion call`, by a socket that is its user's alone",
+        ),
         switch("respawn", "start a node again that has ended, after 2 s"),
         switch("rviz", "show map, frames, scan and markers in RViz (of the namespace /mansion)"),
     ]

@@ -29,6 +29,7 @@ EXTRAS: Final[dict[str, tuple[str, ...]]] = {
     "lint": ("codespell_lib", "importlinter", "mypy", "ruff"),
     "llm": ("openai",),
     "record": ("mcap", "mcap_ros2"),
+    "rerun": ("rerun",),
     "sim": ("gymnasium", "mujoco"),
     "test": ("coverage", "hypothesis", "pytest", "xdist"),
     "thor": ("ai2thor",),

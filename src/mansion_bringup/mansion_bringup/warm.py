@@ -1,6 +1,8 @@
 """Compile and cache the kernels, so that a first user does not wait: ``python -m mansion_bringup.warm``."""
 
+import time
 from collections.abc import Callable
+from concurrent.futures import as_completed
 from os import cpu_count
 
 from mansion_msgs_py.workers import worker_pool
@@ -53,13 +55,22 @@ WARMERS: tuple[Callable[[], None], ...] = (_solver, _placement, _navigation, _pi
 """The longest first, so that two processes end together."""
 
 
-def warm() -> None:
-    """Compile the kernels of the floor solver, the placer, navigation and the pictures, on all cores."""
+def warm(report: Callable[[str], None] = lambda text: None) -> None:
+    """Compile the kernels of the floor solver, the placer, navigation and the pictures, on all cores.
+
+    Parameters
+    ----------
+    report : callable
+        Gets a line for each of these groups when it is done.
+    """
     workers = min(len(WARMERS), cpu_count() or 1)
+    begun = time.monotonic()
     with worker_pool(workers, "fork") as pool:
-        for done in [pool.submit(work) for work in WARMERS]:
+        running = {pool.submit(work): work.__name__.strip("_") for work in WARMERS}
+        for number, done in enumerate(as_completed(running), start=1):
             done.result()
+            report(f"{number} of {len(WARMERS)} groups: {running[done]}, after {time.monotonic() - begun:.0f} s")
 
 
 if __name__ == "__main__":
-    warm()
+    warm(lambda text: print(text, flush=True))

@@ -1,7 +1,10 @@
 """Types of numpy arrays by their numbers, and functions on them compiled to machine code with numba."""
 
+import logging
 from collections.abc import Callable
-from typing import ParamSpec, TypeVar
+from functools import cache
+from pathlib import Path
+from typing import Any, Final, ParamSpec, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,6 +21,11 @@ Labels = NDArray[np.int32]
 Counts = NDArray[np.int16]
 """Small numbers, as many as a grid has cells."""
 
+TOLD: Final = "told.nbi"
+"""File beside the first machine code, by which it is told of once; it goes with the code, by its ending."""
+
+_LOG = logging.getLogger("mansion")
+
 P = ParamSpec("P")
 R = TypeVar("R")
 
@@ -31,5 +39,45 @@ def kernel(function: Callable[P, R]) -> Callable[P, R]:
     """
     import numba  # modules that only name types start without it
 
+    _announce_compilation()
     compiled: Callable[P, R] = numba.njit(cache=True, nogil=True, error_model="numpy")(function)
     return compiled
+
+
+@cache
+def _announce_compilation() -> None:
+    """Have the first compilation of an installation told of, once, by whichever process does it."""
+    from numba.core import event
+
+    class FirstCompilation(event.Listener):  # type: ignore[misc]
+        """Hears when machine code is made, which what is on the disk needs not."""
+
+        def on_start(self, event: Any) -> None:
+            folder = Path(event.data["dispatcher"].stats.cache_path or "")
+            if folder.parts and _is_first(folder):
+                _LOG.warning(
+                    "mansion: first use: numba compiles the kernels, a minute or more in all; they are kept in the "
+                    "folders __pycache__ beside their modules or, where those are read-only, in numba's cache (here: "
+                    "%s); to remove them delete *.nbi and *.nbc there",
+                    folder,
+                )
+
+        def on_end(self, event: Any) -> None:
+            return
+
+    event.register("numba:compile", FirstCompilation())
+
+
+def _is_first(folder: Path) -> bool:
+    """Whether nothing has been said yet where the machine code of this package is kept."""
+    own = Path(__file__).parent / "__pycache__"
+    for place in (own, folder):
+        try:
+            place.mkdir(parents=True, exist_ok=True)
+            (place / TOLD).touch(exist_ok=False)
+        except FileExistsError:
+            return False
+        except OSError:
+            continue
+        return True
+    return False

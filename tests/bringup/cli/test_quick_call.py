@@ -7,6 +7,7 @@ import pytest
 
 from mansion_bringup.cli import quick_call as module
 from mansion_bringup.cli.quick_call import call_quickly
+from mansion_bringup.graph.call_progress import CallProgress
 from mansion_bringup.graph.call_socket import Answer
 from mansion_msgs_py.errors import MansionError
 
@@ -18,7 +19,7 @@ def asked(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Asked:
     """What a graph is asked that sends arguments back, and refuses a call without any."""
     heard: Asked = []
 
-    def ask(service: str, arguments: object, *, namespace: str, timeout: float) -> Answer:
+    def ask(service: str, arguments: object, *, namespace: str, timeout: float, progress: CallProgress) -> Answer:
         heard.append((service, arguments, namespace, timeout))
         if arguments is None:
             return Answer(False, '{"error": {"code": "NOT_FOUND", "message": "nothing there"}}')
@@ -35,6 +36,7 @@ def asked(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Asked:
     [
         (["call", "echo", "[1]"], ("echo", [1], "/mansion", 600.0)),
         (["call", "--timeout", "2", "echo", "-n", "site/", "{}"], ("echo", {}, "/site", 2.0)),
+        (["call", "-q", "echo", "[1]"], ("echo", [1], "/mansion", 600.0)),
         (["call", "echo", "@arguments.json", "--namespace", "/a/b"], ("echo", {"floor": 2}, "/a/b", 600.0)),
     ],
 )
@@ -53,7 +55,7 @@ def test_a_plain_call_is_asked_and_its_reply_printed(
         ["up"],
         ["call"],
         ["call", "--help"],
-        ["call", "echo", "{}", "-q"],
+        ["call", "echo", "{}", "-v"],
         ["call", "echo", "{}", "more"],
         ["call", "echo", "--timeout"],
         ["call", "echo", "--timeout", "soon"],

@@ -42,6 +42,15 @@ def test_a_task_and_the_log_of_the_same_episode_give_the_same_messages(place: Pa
     assert (place / "task.mcap").read_bytes()[:5] == b"\x89MCAP"
 
 
+def test_a_name_that_ends_in_rrd_makes_a_recording_for_rerun(place: Path) -> None:
+    pytest.importorskip("rerun")
+    run = CliRunner()
+    made = run.invoke(app, ["record", "task", "tasks.json", "mug_up", "-o", "task.rrd", "--json"])
+    same = run.invoke(app, ["record", "episode", "log.jsonl", "-o", "episode.mcap", "--json"])
+    assert json.loads(made.stdout)["messages"] == json.loads(same.stdout)["messages"]
+    assert (place / "task.rrd").read_bytes()[:3] == b"RRF"
+
+
 def test_what_is_not_there_is_named(place: Path) -> None:
     run = CliRunner()
     for words, said in (

@@ -11,7 +11,8 @@ from pathlib import Path
 import pytest
 
 from mansion_bringup.graph import call_socket
-from mansion_bringup.graph.call_socket import Answer, Call, Greeting, ask_resident, graph_key, private_folder
+from mansion_bringup.graph.call_progress import CallProgress
+from mansion_bringup.graph.call_socket import Answer, Call, Greeting, Told, ask_resident, graph_key, private_folder
 from mansion_msgs_py.errors import ErrorCode, MansionError
 
 Talk = Callable[[socket.socket], None]
@@ -45,6 +46,9 @@ def graph() -> Iterator[Callable[[Talk], list[Call]]]:
                     asked.append(call_socket.receive(connection, Call))
                 except EOFError:
                     return
+                if asked[0].service == "tell":
+                    for text in ("one", "two"):
+                        call_socket.send(connection, Told(text))
                 if asked[0].service != "cut":
                     call_socket.send(connection, Answer(asked[0].service == "echo", asked[0].arguments or "null"))
 
@@ -76,7 +80,7 @@ def greet(connection: socket.socket) -> None:
 
 
 def ask(service: str = "echo", arguments: object = None) -> Answer | None:
-    return ask_resident(service, arguments, namespace="/mansion", timeout=5.0)
+    return ask_resident(service, arguments, namespace="/mansion", timeout=5.0, progress=CallProgress(service))
 
 
 def test_none_but_the_user_enters_the_folder(folder: Path) -> None:
@@ -147,6 +151,18 @@ def test_a_call_is_answered(graph: Callable[[Talk], list[Call]]) -> None:
     assert asked == [Call("echo", '{"text":"ß"}', 5.0)]
 
 
+def test_a_command_hears_how_far_its_call_is(graph: Callable[[Talk], list[Call]]) -> None:
+    graph(greet)
+    heard: list[str] = []
+
+    class Listening(CallProgress):
+        def told(self, text: str) -> None:
+            heard.append(text)
+
+    answer = ask_resident("tell", None, namespace="/mansion", timeout=5.0, progress=Listening("tell"))
+    assert answer == Answer(False, "null") and heard == ["one", "two"]
+
+
 def test_a_call_without_arguments_has_none(graph: Callable[[Talk], list[Call]]) -> None:
     asked = graph(greet)
     assert ask("other") == Answer(False, "null")
@@ -198,7 +214,7 @@ def test_a_graph_that_falls_silent_is_not_waited_for_without_end(monkeypatch: py
         held: list[socket.socket] = []
         silent.start()
         with pytest.raises(MansionError, match=r"echo: no answer in 0\.1 s") as caught:
-            ask_resident("echo", None, namespace="/mansion", timeout=0.1)
+            ask_resident("echo", None, namespace="/mansion", timeout=0.1, progress=CallProgress("echo"))
         assert caught.value.code == ErrorCode.TIMEOUT
         silent.join(10.0)
         held[0].close()

@@ -77,7 +77,7 @@ def started(description: list[Any], **given: str) -> dict[str, NodeAction]:
     *arguments, make = description
     values = {argument.name: argument.default_value for argument in arguments}
     assert given.keys() <= values.keys()
-    context = SimpleNamespace(launch_configurations=values | given)
+    context = SimpleNamespace(launch_configurations=values | {"lend_client": "false"} | given)
     return {action.executable: action for action in make(context)}
 
 
@@ -134,6 +134,14 @@ def test_nodes_come_back_and_rviz_opens_its_view_when_asked(description: list[An
     assert view.arguments == ["-d", "/share/mansion_bringup/rviz/mansion.rviz"]
     assert (PACKAGE / "rviz" / "mansion.rviz").is_file()
     assert all(node.respawn and node.namespace == "/site/mansion" for node in nodes.values())
+
+
+def test_the_director_alone_lends_its_client_unless_told_otherwise(description: list[Any]) -> None:
+    lends = {argument.name: argument for argument in description[:-1]}["lend_client"]
+    assert lends.default_value == "true"
+    nodes = started(description, lend_client="true")
+    assert nodes.pop("building_director").parameters == [{"lend_client": True}]
+    assert all(node.parameters == [] for node in nodes.values())
 
 
 def test_every_node_is_told_where_services_may_write(description: list[Any]) -> None:

@@ -12,6 +12,7 @@ import typer.main
 from typer.core import TyperGroup
 
 from mansion_bringup.cli.common_options import common_options
+from mansion_bringup.cli.patience import with_patience
 from mansion_bringup.cli.settings_file import commands_below
 
 __all__ = ["MODULES", "MansionGroup"]
@@ -70,8 +71,9 @@ class MansionGroup(TyperGroup):
             carrier = typer.Typer(pretty_exceptions_enable=False, rich_markup_mode="rich", add_completion=False)
             import_module(f"mansion_bringup.cli.{module}").register(carrier)
             found = dict(typer.main.get_group(carrier).commands)
-            for group_or_command in found.values():
-                for _, command in commands_below(group_or_command):
+            for name, group_or_command in found.items():
+                for path, command in commands_below(group_or_command):
                     command.params.extend(common_options())
+                    command.callback = with_patience(" ".join((name, *path)), command.callback)
             self._loaded[module] = found
         return self._loaded[module]

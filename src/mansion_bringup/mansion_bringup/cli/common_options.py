@@ -1,5 +1,6 @@
 """The options that every command has: ``--quiet`` and ``--verbose``."""
 
+import logging
 from typing import Annotated, Any
 
 import typer
@@ -13,6 +14,8 @@ __all__ = ["common_options"]
 
 def _set_quiet(value: bool) -> bool:
     err.quiet = value
+    if value:
+        logging.getLogger("mansion").setLevel(logging.ERROR)
     return value
 
 

@@ -1,9 +1,13 @@
 """``mansion up``, ``call``, ``echo`` and ``graph``: the node graph from the shell."""
 
 import os
+import queue
 import shutil
 import sys
+import threading
 import time
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -11,6 +15,7 @@ import typer
 
 from mansion_bringup.cli.console import AsJson, err, print_json
 from mansion_bringup.cli.quick_call import CALL_TIMEOUT, absolute_namespace, json_argument
+from mansion_bringup.graph.call_progress import CallProgress, progress_line, progress_topic
 from mansion_bringup.graph.call_socket import ask_resident
 from mansion_bringup.graph.rclpy_available import check_domain
 from mansion_msgs_py.codec import decode, decode_reply, encode
@@ -18,6 +23,7 @@ from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.interface_types import DEFAULT_NAMESPACE
 
 if TYPE_CHECKING:
+    from mansion_bringup.client import MansionClient
     from mansion_bringup.graph.processes import GraphProcesses
 
 __all__ = ["register"]
@@ -141,7 +147,7 @@ def call(
     namespace: Namespace = DEFAULT_NAMESPACE,
     timeout: Annotated[float, typer.Option(min=0.1, help="Seconds for the answer.")] = CALL_TIMEOUT,
 ) -> None:
-    """Call a service and print the reply's JSON; exit status 1 when it fails.
+    """Call a service and print the reply's JSON; exit status 1 when it fails. Long calls say how far they are.
 
     Examples:
 
@@ -153,22 +159,57 @@ def call(
     """
     payload = None if arguments is None else json_argument(arguments)
     check_domain()
+    progress = CallProgress(service, quiet=err.quiet)
     try:
-        print_json(_answer(service, payload, absolute_namespace(namespace), timeout))
+        reply = _answer(service, payload, absolute_namespace(namespace), timeout, progress)
+        progress.end()
+        print_json(reply)
     except MansionError as error:
+        progress.end()
         print_json(error.reply())
         raise
 
 
-def _answer(service: str, payload: Any, namespace: str, timeout: float) -> Any:
+def _answer(service: str, payload: Any, namespace: str, timeout: float, progress: CallProgress) -> Any:
     """Return a reply by way of the process that keeps the graph, or of a participant of this process."""
-    answer = ask_resident(service, payload, namespace=namespace, timeout=timeout)
+    answer = ask_resident(service, payload, namespace=namespace, timeout=timeout, progress=progress)
     if answer is not None:
         return decode_reply(object, answer.message, success=answer.success)
     from mansion_bringup.client import MansionClient
 
-    with MansionClient(namespace=namespace) as client:
+    with MansionClient(namespace=namespace) as client, _told_by_topic(client, service, payload, progress):
         return client.call(service, payload, timeout=timeout)
+
+
+@contextmanager
+def _told_by_topic(client: "MansionClient", service: str, payload: Any, progress: CallProgress) -> Iterator[None]:
+    """Pass on what the node of a service publishes of how far it is, and the time, until the end of the block."""
+    topic = progress_topic(service)
+    ended = threading.Event()
+
+    def hear(text: str) -> None:
+        with suppress(MansionError):
+            if (line := progress_line(topic or "", text, payload)) is not None:
+                told.put(line)
+
+    told: queue.SimpleQueue[str] = queue.SimpleQueue()
+    if topic is not None:
+        client.listen(topic, hear)
+
+    def show() -> None:
+        while not ended.is_set():
+            try:
+                progress.told(told.get(timeout=ECHO_STEP))
+            except queue.Empty:
+                progress.tick()
+
+    shower = threading.Thread(target=show, daemon=True)
+    shower.start()
+    try:
+        yield
+    finally:
+        ended.set()
+        shower.join()
 
 
 def echo(
@@ -188,8 +229,6 @@ def echo(
 
       mansion echo /map --count 1
     """
-    import queue
-
     from mansion_bringup.client import MansionClient
     from mansion_bringup.graph.topic_echo import silence
 

@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, Final
 
+from mansion_bringup.graph.call_progress import CallProgress
 from mansion_bringup.graph.call_socket import ask_resident
 from mansion_bringup.graph.rclpy_available import check_domain
 from mansion_msgs_py.codec import decode, decode_reply, encode
@@ -24,11 +25,12 @@ CALL_TIMEOUT: Final = 600.0
 SHORTEST: Final = 0.1
 """Seconds that a timeout must be."""
 
+_QUIET: Final = ("-q", "--quiet")
 _OPTIONS: Final = {"-n": "namespace", "--namespace": "namespace", "--timeout": "timeout"}
 
 
 def call_quickly(words: Sequence[str]) -> bool:
-    """Do ``call SERVICE [JSON] [--namespace NAME] [--timeout SECONDS]`` by the socket of a graph, and print the reply.
+    """Do ``call SERVICE [JSON] [--namespace NAME] [--timeout SECONDS] [--quiet]`` by a graph's socket; print the reply.
 
     Parameters
     ----------
@@ -49,6 +51,7 @@ def call_quickly(words: Sequence[str]) -> bool:
     if read is None or "MANSION_CONFIG" in os.environ or Path("mansion.toml").exists():
         return False
     positional, options = read
+    progress = CallProgress(positional[0], quiet="quiet" in options)
     try:
         timeout = float(options.get("timeout", CALL_TIMEOUT))
     except ValueError:
@@ -59,13 +62,15 @@ def call_quickly(words: Sequence[str]) -> bool:
     check_domain()
     namespace = absolute_namespace(options.get("namespace", DEFAULT_NAMESPACE))
     try:
-        answer = ask_resident(positional[0], payload, namespace=namespace, timeout=timeout)
+        answer = ask_resident(positional[0], payload, namespace=namespace, timeout=timeout, progress=progress)
         if answer is None:
             return False
         reply = decode_reply(object, answer.message, success=answer.success)
     except MansionError as error:
+        progress.end()
         _print(error.reply())
         raise
+    progress.end()
     _print(reply)
     return True
 
@@ -83,6 +88,8 @@ def _plain(words: Sequence[str]) -> tuple[list[str], dict[str, str]] | None:
             if value is None:
                 return None
             options[_OPTIONS[word]] = value
+        elif word in _QUIET:
+            options["quiet"] = word
         elif word.startswith("-"):
             return None
         else:

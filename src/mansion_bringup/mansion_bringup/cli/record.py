@@ -1,6 +1,9 @@
-"""``mansion record``: episodes and sessions of the graph as MCAP files."""
+"""``mansion record``: episodes and sessions of the graph as MCAP files, or as recordings for Rerun."""
 
+import tempfile
 import time
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -19,18 +22,21 @@ if TYPE_CHECKING:
 
 __all__ = ["register"]
 
-EXTRA = "record"
+EXTRA, RERUN_EXTRA = "record", "rerun"
+
+FOR_RERUN = ".rrd"
+"""How the name of a file ends that is for Rerun; any other is an MCAP file."""
 
 LOOK = 0.2
 """Seconds between looks for new topics."""
 
-Output = Annotated[Path, typer.Option("--output", "-o", help="MCAP file to write.")]
+Output = Annotated[Path, typer.Option("--output", "-o", help="File to write: MCAP, or for Rerun if it ends in .rrd.")]
 Pictures = Annotated[bool, typer.Option("--pictures", help="Also what the camera sees at each step.")]
 
 
 def register(app: typer.Typer) -> None:
     """Add the command group to `app`."""
-    group = typer.Typer(help="Record for Foxglove, ros2 bag and other readers of MCAP.", no_args_is_help=True)
+    group = typer.Typer(help="Record for Foxglove, ros2 bag and others, or for Rerun.", no_args_is_help=True)
     group.command("episode", no_args_is_help=True)(episode)
     group.command("task", no_args_is_help=True)(task)
     group.command("graph", no_args_is_help=True)(graph)
@@ -73,7 +79,7 @@ def task(
 
       mansion record task tasks.json search_s0_3 -o search.mcap
 
-      mansion record task tasks.json search_s0_3 --agent explorer --pictures -o search.mcap
+      mansion record task tasks.json search_s0_3 --agent explorer --pictures -o search.rrd
     """
     from mansion_tasks.agents.registry import make_agent
     from mansion_tasks.episodes.port import LocalPort
@@ -98,6 +104,10 @@ def graph(
     ] = None,
     seconds: Annotated[float, typer.Option(min=0, help="How long; 0: until Ctrl-C.")] = 0,
     namespace: Annotated[str, typer.Option("--namespace", "-n", help="Where the graph lives.")] = DEFAULT_NAMESPACE,
+    building: Annotated[
+        Path | None,
+        typer.Option("--building", "-b", help="For Rerun: draw this building, where it is not built meanwhile."),
+    ] = None,
     as_json: AsJson = False,
 ) -> None:
     """Record the topics of the running graph as they come.
@@ -107,6 +117,8 @@ def graph(
       mansion record graph -o session.mcap
 
       mansion record graph -t robot_pose -t /map -t camera/image --seconds 60 -o minute.mcap
+
+      mansion record graph --building /tmp/clinic -o session.rrd
     """
     from mansion_bringup.client import MansionClient
 
@@ -115,7 +127,7 @@ def graph(
         from mansion_bringup.graph.recording import GraphRecording
 
         begun = time.monotonic()
-        with GraphRecording(client, output, topics or ()) as recording:
+        with _session_file(output, building) as file, GraphRecording(client, file, topics or ()) as recording:
             err.print(f"recording to {output}; Ctrl-C ends it", highlight=False)
             try:
                 while not seconds or time.monotonic() - begun < seconds:
@@ -128,18 +140,38 @@ def graph(
     _say(output, dict(sorted(recording.counts.items())), time.monotonic() - begun, as_json=as_json)
 
 
+@contextmanager
+def _session_file(output: Path, building: Path | None) -> Iterator[Path]:
+    """Yield the MCAP file of a session: the output itself, or one that becomes the output in the end."""
+    if output.suffix != FOR_RERUN:
+        yield output
+        return
+    from mansion_bringup.rerun_files.session import convert_session, starting_world
+
+    begun = None if building is None else starting_world(building)
+    with tempfile.TemporaryDirectory() as folder:
+        yield (messages := Path(folder, "session.mcap"))
+        err.print(f"writing {output}", highlight=False)
+        convert_session(messages, output, begun)
+
+
 def _prepare(output: Path, *, pictures: bool) -> None:
     check_output_file(output)
     ensure_extra(EXTRA)
+    if output.suffix == FOR_RERUN:
+        ensure_extra(RERUN_EXTRA)
     if pictures:
         ensure_extra("sim")
 
 
 def _record(log: "EpisodeLog", building: Path, output: Path, *, pictures: bool, as_json: bool) -> None:
     from mansion_tasks.episodes.port import LocalPort
-    from mansion_tasks.recordings.episode import record_episode
 
-    made: RecordedEpisode = record_episode(log, building, LocalPort(), output, pictures=pictures)
+    if output.suffix == FOR_RERUN:
+        from mansion_bringup.rerun_files.episode import record_episode_for_rerun as write
+    else:
+        from mansion_tasks.recordings.episode import record_episode as write
+    made: RecordedEpisode = write(log, building, LocalPort(), output, pictures=pictures)
     _say(output, made.messages, made.seconds, as_json=as_json)
 
 

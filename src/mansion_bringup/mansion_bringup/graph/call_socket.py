@@ -5,15 +5,17 @@ keeps a graph has one already, and lends it (`mansion_bringup.graph.resident_cli
 process, or one that it cannot be sure of, makes a participant of its own: nothing but time depends on the socket.
 
 Messages are JSON after their length. The graph speaks first, so that a command notices before it has asked for anything
-that nobody listens.
+that nobody listens; before its answer it says how far it is, where that is known.
 """
 
 import contextlib
 import hashlib
 import os
+import select
 import socket
 import stat
 import struct
+import time
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any, Final, TypeVar
@@ -21,6 +23,7 @@ from typing import Any, Final, TypeVar
 import msgspec
 
 from mansion_bringup.discovery import CHOICES, CHOSEN_FILES
+from mansion_bringup.graph.call_progress import CallProgress
 from mansion_msgs_py import __version__
 from mansion_msgs_py.codec import encode, prepared
 from mansion_msgs_py.errors import ErrorCode, MansionError
@@ -29,6 +32,7 @@ __all__ = [
     "Answer",
     "Call",
     "Greeting",
+    "Told",
     "ask_resident",
     "graph_key",
     "is_same_user",
@@ -46,6 +50,9 @@ PATIENCE: Final = 1.0
 SLACK: Final = 15.0
 """Seconds beyond the timeout of a call in which the graph says itself that it is over."""
 
+STEP: Final = 0.5
+"""Seconds between two looks at the clock while a call lasts."""
+
 LONGEST_FOLDER: Final = 75
 """Bytes of the folder's path; Linux takes 107 for a socket, and its name has up to 32."""
 
@@ -57,6 +64,7 @@ class Greeting(msgspec.Struct, frozen=True):
     """What a graph says to whom it answers."""
 
     version: str = __version__
+    protocol: int = 2
 
 
 class Call(msgspec.Struct, frozen=True):
@@ -67,11 +75,20 @@ class Call(msgspec.Struct, frozen=True):
     timeout: float
 
 
-class Answer(msgspec.Struct, frozen=True):
+class Told(msgspec.Struct, frozen=True, tag=True):
+    """How far a call is, in words."""
+
+    text: str
+
+
+class Answer(msgspec.Struct, frozen=True, tag=True):
     """The two fields of a reply, as `decode_reply` takes them."""
 
     success: bool
     message: str
+
+
+_REPLIES: Any = Told | Answer
 
 
 def private_folder() -> Path | None:
@@ -110,8 +127,21 @@ def sockets(folder: Path, key: str = "") -> list[Path]:
     return sorted(folder.glob(f"{key or '*'}-*.sock"))
 
 
-def ask_resident(service: str, arguments: Any, *, namespace: str, timeout: float) -> Answer | None:
+def ask_resident(
+    service: str, arguments: Any, *, namespace: str, timeout: float, progress: CallProgress
+) -> Answer | None:
     """Return the answer of a service by way of the process that keeps the graph; None where there is none.
+
+    Parameters
+    ----------
+    service : str
+        Below the namespace, or absolute.
+    arguments : JSON-compatible object, optional
+    namespace : str
+    timeout : float
+        Seconds for the answer.
+    progress : CallProgress
+        Hears how far the call is.
 
     Raises
     ------
@@ -123,7 +153,7 @@ def ask_resident(service: str, arguments: Any, *, namespace: str, timeout: float
         with _greeted(path) as connection:
             if connection is not None:
                 asked = Call(service, None if arguments is None else encode(arguments), timeout)
-                return _asked(connection, asked)
+                return _asked(connection, asked, progress)
     return None
 
 
@@ -140,12 +170,21 @@ def _greeted(path: Path) -> Iterator[socket.socket | None]:
         yield connection if greeting == Greeting() else None
 
 
-def _asked(connection: socket.socket, asked: Call) -> Answer:
+def _asked(connection: socket.socket, asked: Call, progress: CallProgress) -> Answer:
     details = {"service": asked.service}
-    connection.settimeout(asked.timeout + SLACK)
+    deadline = time.monotonic() + asked.timeout + SLACK
     try:
         send(connection, asked)
-        return receive(connection, Answer)
+        while True:
+            while not select.select([connection], [], [], min(STEP, max(0.0, deadline - time.monotonic())))[0]:
+                if time.monotonic() >= deadline:
+                    raise TimeoutError
+                progress.tick()
+            connection.settimeout(max(PATIENCE, deadline - time.monotonic()))
+            heard: Told | Answer = receive(connection, _REPLIES)
+            if isinstance(heard, Answer):
+                return heard
+            progress.told(heard.text)
     except TimeoutError:
         text = f"{asked.service}: no answer in {asked.timeout:g} s"
         raise MansionError(ErrorCode.TIMEOUT, text, details=details) from None

@@ -2,19 +2,23 @@
 
 import contextlib
 import os
+import queue
 import socket
 import socketserver
 import threading
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any, Final
 
 import msgspec
 
 from mansion_bringup.client import MansionClient
+from mansion_bringup.graph.call_progress import progress_line, progress_topic
 from mansion_bringup.graph.call_socket import (
     Answer,
     Call,
     Greeting,
+    Told,
     graph_key,
     is_same_user,
     private_folder,
@@ -43,6 +47,8 @@ class ResidentClient(Closing):
     Parameters
     ----------
     namespace : str
+    client : MansionClient, optional
+        The client to lend, which stays open; one of its own when absent.
 
     Attributes
     ----------
@@ -50,13 +56,14 @@ class ResidentClient(Closing):
         Of the socket.
     """
 
-    def __init__(self, namespace: str) -> None:
+    def __init__(self, namespace: str, client: MansionClient | None = None) -> None:
         self.path: Path | None = None
         folder = private_folder()
         if folder is None:
             return
         _remove_left_behind(folder)
-        self._client = MansionClient(namespace=namespace)
+        self._lent = client
+        self._client = client or MansionClient(namespace=namespace)
         path = folder / f"{graph_key(namespace)}-{os.getpid()}.sock"
         # Under its name only once it listens: what does not answer there counts as left behind.
         early = path.with_suffix(".new")
@@ -76,7 +83,8 @@ class ResidentClient(Closing):
         self.path = None
         self._server.shutdown()
         self._server.server_close()
-        self._client.close()
+        if self._lent is None:
+            self._client.close()
 
 
 class _Server(socketserver.ThreadingUnixStreamServer):
@@ -87,7 +95,38 @@ class _Server(socketserver.ThreadingUnixStreamServer):
 
     def __init__(self, path: str, client: MansionClient) -> None:
         self.client = client
+        self.news = _News(client)
         super().__init__(path, _Handler)
+
+
+class _News:
+    """What nodes publish of how far they are, for the calls that run; no topic is listened to before its first call."""
+
+    def __init__(self, client: MansionClient) -> None:
+        self._client = client
+        self._lock = threading.Lock()
+        self._calls: dict[str, list[queue.SimpleQueue[str | None]]] = {}
+
+    @contextlib.contextmanager
+    def of(self, topic: str) -> Iterator["queue.SimpleQueue[str | None]"]:
+        """Yield a queue of the messages of a topic until the end of the block; ``None`` is the last."""
+        told: queue.SimpleQueue[str | None] = queue.SimpleQueue()
+        with self._lock:
+            known = topic in self._calls
+            self._calls.setdefault(topic, []).append(told)
+        if not known:
+            self._client.listen(topic, lambda text: self._spread(topic, text))
+        try:
+            yield told
+        finally:
+            with self._lock:
+                self._calls[topic].remove(told)
+            told.put(None)
+
+    def _spread(self, topic: str, text: str) -> None:
+        with self._lock:
+            for told in self._calls[topic]:
+                told.put(text)
 
 
 class _Handler(socketserver.BaseRequestHandler):
@@ -101,7 +140,34 @@ class _Handler(socketserver.BaseRequestHandler):
         with contextlib.suppress(OSError, EOFError, msgspec.DecodeError):
             if is_same_user(self.request):
                 send(self.request, Greeting())
-                send(self.request, self._answer(receive(self.request, Call)))
+                asked = receive(self.request, Call)
+                with self._telling(asked):
+                    answer = self._answer(asked)
+                send(self.request, answer)
+
+    @contextlib.contextmanager
+    def _telling(self, asked: Call) -> Iterator[None]:
+        """Tell the command how far its call is, in a thread that has ended when the block has."""
+        topic = progress_topic(asked.service)
+        if topic is None:
+            yield
+            return
+        with contextlib.ExitStack() as ending:
+            told = self.server.news.of(topic)
+            teller = threading.Thread(
+                target=self._tell, args=(ending.enter_context(told), topic, asked.arguments), daemon=True
+            )
+            teller.start()
+            yield
+        teller.join()
+
+    def _tell(self, told: "queue.SimpleQueue[str | None]", topic: str, arguments: str | None) -> None:
+        given = None if arguments is None else msgspec.json.decode(arguments)
+        with contextlib.suppress(OSError):
+            while (text := told.get()) is not None:
+                with contextlib.suppress(MansionError):
+                    if (line := progress_line(topic, text, given)) is not None:
+                        send(self.request, Told(line))
 
     def _answer(self, asked: Call) -> Answer:
         try:

@@ -10,6 +10,7 @@ from rcl_interfaces.msg import FloatingPointRange, IntegerRange, ParameterDescri
 from rclpy.callback_groups import ReentrantCallbackGroup
 
 from mansion_bringup.client import MansionClient
+from mansion_bringup.graph.resident_client import ResidentClient
 from mansion_bringup.pipeline.build import build_building
 from mansion_bringup.pipeline.executors import export_pool
 from mansion_bringup.pipeline.stages import RemoteStages
@@ -51,6 +52,13 @@ class BuildingDirector(MansionNode):
                 integer_range=[IntegerRange(from_value=1, to_value=64, step=1)],
             ),
         )
+        self.declare_parameter(
+            "lend_client",
+            False,
+            ParameterDescriptor(
+                description="take the calls of `mansion call` by a socket that is this user's alone", read_only=True
+            ),
+        )
         self._allowed = declare_allowed_folders(self, self._root())
         self._progress = JsonPublisher(self, topic("progress"))
         self._guard = threading.Lock()
@@ -60,6 +68,9 @@ class BuildingDirector(MansionNode):
         group = ReentrantCallbackGroup()
         add_json_service(self, service("build_building"), self.build, callback_group=group)
         add_json_subscription(self, topic("build_requests"), self._build_from_topic, callback_group=group)
+        self._resident: ResidentClient | None = None
+        if self.get_parameter("lend_client").value:
+            self._resident = ResidentClient(self.get_namespace(), self._stages)
 
     def build(self, job: BuildJob) -> BuildReply:
         """Build one building; at most `MAX_BUILDS` at the same time."""
@@ -110,6 +121,8 @@ class BuildingDirector(MansionNode):
     def destroy_node(self) -> None:
         """End the client of the stages and the export processes, then the node."""
         self._exporter.shutdown(wait=False, cancel_futures=True)
+        if self._resident is not None:
+            self._resident.close()
         self._stages.close()
         super().destroy_node()
 

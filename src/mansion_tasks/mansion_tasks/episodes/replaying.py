@@ -11,9 +11,10 @@ from mansion_tasks.episodes.port import SkillPort
 from mansion_tasks.episodes.running import world_digest
 from mansion_tasks.tasks.progress import ProgressTracker
 
-__all__ = ["replay"]
+__all__ = ["OnStep", "replay"]
 
 OnStep = Callable[[int, World, RobotBody], None]
+"""Takes the number of a step, 0 before the first, and the world and robot as they are then."""
 
 
 def replay(

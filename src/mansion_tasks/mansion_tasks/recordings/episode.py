@@ -14,7 +14,7 @@ from mansion_skills.world.world import World
 from mansion_tasks.episodes.camera_pictures import CameraPictures
 from mansion_tasks.episodes.log import EpisodeLog
 from mansion_tasks.episodes.port import SkillPort
-from mansion_tasks.episodes.replaying import replay
+from mansion_tasks.episodes.replaying import OnStep, replay
 from mansion_tasks.recordings.mcap_file import McapFile
 from mansion_tasks.recordings.messages import image, nanoseconds, occupancy_grid, path, pose_stamped, stamp, transform
 
@@ -61,7 +61,13 @@ class RecordedEpisode:
 
 
 def record_episode(
-    log: EpisodeLog, building: Path, port: SkillPort, output: Path, *, pictures: bool = False
+    log: EpisodeLog,
+    building: Path,
+    port: SkillPort,
+    output: Path,
+    *,
+    pictures: bool = False,
+    also: OnStep = lambda step, world, robot: None,
 ) -> RecordedEpisode:
     """Run the skills of an episode again and write what happened as an MCAP file, whole or not at all.
 
@@ -77,6 +83,8 @@ def record_episode(
     output : Path
     pictures : bool
         Also what the camera sees at each of these moments, for which the extra ``sim`` is needed.
+    also : callable
+        Called at each of these moments, as `replay` does.
 
     Raises
     ------
@@ -88,7 +96,12 @@ def record_episode(
     with McapFile(stream) as file, CameraPictures() as camera:
         file.describe("mansion", _facts(log))
         recorder = _Recorder(log, file, camera if pictures else None)
-        differences = replay(log, building, port, recorder.observe)
+
+        def observe(step: int, world: World, robot: RobotBody) -> None:
+            recorder.observe(step, world, robot)
+            also(step, world, robot)
+
+        differences = replay(log, building, port, observe)
         if differences:
             raise MansionError(
                 ErrorCode.CONFLICT,

@@ -1,0 +1,1 @@
+"""Recordings for Rerun: what MCAP files hold, drawn into the building."""
