@@ -140,12 +140,13 @@ def _unbracketed(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Seque
     relative = _relative(words, at, lexicon, floors)
     if relative is not None:
         return relative
+    onwards = text_at(words, at) in ("up", "over", "down") and text_at(words, at - 1) in ("it", "them")
     if text_at(words, at) in ("up", "over", "down", "right") and text_at(words, at + 1) == "there":
         at += 1
     if text_at(words, at) in ("there", "here"):
         if text_at(words, at + 1) in _EXISTENCE or words[at].raw in ("there's", "theres"):
             return None
-        return ReadPlace(Place(rooms=Rooms(same=True)), at, at + 1)
+        return ReadPlace(Place(rooms=Rooms(same=True)), at, at + 1, goal=onwards)
     if text_at(words, at) in ("upstairs", "downstairs") or (at < len(words) and words[at].kind == "level"):
         return _storey(words, at, at, floors)
     if text_at(words, at) in ("ground", "first", "second", "third", "top") or (
@@ -493,6 +494,7 @@ def _merged_rooms(one: Rooms | None, other: Rooms | None) -> Rooms | None:
         up=one.up or other.up,
         base=one.base or other.base,
         over=one.over or other.over,
+        others=one.others or other.others,
     )
 
 
