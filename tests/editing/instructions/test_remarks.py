@@ -96,3 +96,23 @@ def test_what_else_is_there_stays(furnished_state: SceneState, rest: str) -> Non
     asked = _asked(f"Remove the plate from the dining table in the kitchen. {rest}", furnished_state)
     (statement,) = asked
     assert isinstance(statement, Remove) and statement.things.noun == "plate"
+
+
+@pytest.mark.parametrize("who", ["where someone is asleep", "where our guest reads", ""])
+def test_who_is_in_a_spared_room_is_passed_over(furnished_state: SceneState, who: str) -> None:
+    text = f"Remove the floor lamps in every private office on the second floor, apart from private office 1 {who}."
+    (statement,) = _asked(text, furnished_state)
+    assert isinstance(statement, Remove) and len(statement.things.beside) == 1
+
+
+def test_what_is_emptied_goes_where_it_is_told(editor: SceneEditor) -> None:
+    text = "Clear the dining table in the kitchen. Everything on it goes onto the sofa in the hall."
+    assert instruct(editor, text).done
+    moved = [item.parent for _, item in editor.state.objects() if item.category in ("plate", "mug")]
+    assert moved.count("F1/hall/sofa_1") == 2
+
+
+def test_one_elsewhere_is_one_of_the_kind_that_was_named(editor: SceneEditor) -> None:
+    assert instruct(editor, "Add a chair to the private office, and one in the hall has to go.").done
+    chairs = [item.room for _, item in editor.state.objects() if item.category.endswith("chair")]
+    assert chairs.count("F1/hall") == 2

@@ -1,10 +1,12 @@
 """Things that move, change places with others, or make way for others."""
 
+from collections.abc import Sequence
+
 import msgspec
 
 from mansion_editing.instructions.clauses.items import Item, NotUnderstood, joined_places
 from mansion_editing.instructions.clauses.shifting import Shifting
-from mansion_editing.instructions.phrases.places import read_place, with_place
+from mansion_editing.instructions.phrases.places import ReadPlace, read_place, with_place
 from mansion_editing.instructions.phrases.words import MODALS
 from mansion_editing.instructions.statements import Add, Move, Place, Replace, Rooms, Statement, Swap
 
@@ -41,8 +43,19 @@ class Moving(Shifting):
             things = item.phrase.things()
             if source != Place():
                 things = with_place(things, source)
+            if self._comes_beside(item, own, goal):
+                goal = msgspec.structs.replace(goal, relation="beside")
             out.append(Move(things=self._all_if_plural(things), place=goal, quote=quote))
         return out, end
+
+    def _comes_beside(self, item: Item, places: Sequence[ReadPlace], goal: Place) -> bool:
+        """Whether furniture goes to other furniture, and so beside it: ``move the trolley over to the washbasin``."""
+        noun = item.phrase.noun.words
+        mark = next((p for p in places if p.goal and p.place.anchor is not None), None)
+        bare = mark is not None and self.text(mark.start) in ("over", "to", "up") and goal.relation == "on"
+        holder = () if goal.anchor is None else tuple(goal.anchor.noun.split())
+        furniture = self.lexicon.stands(noun) and not self.lexicon.is_loose(noun) and self.lexicon.stands(holder)
+        return bare and furniture and self.text(mark.end - 1 if mark else 0) != "it"
 
     def _swap(self, at: int, place: int) -> tuple[list[Statement], int]:
         items = self.items(place)

@@ -35,6 +35,9 @@ _JOINTS: Final = frozenset("and but so as since".split())
 _RELATIVE: Final = frozenset("where which whose".split())
 """Words of clauses that may tell which of several is meant, and are therefore no asides."""
 
+_EXCEPTING: Final = frozenset("apart except excluding save besides without but not unless".split())
+"""Words that begin an exception, which is no remark whatever follows."""
+
 _MOST_CUTS: Final = 8
 """In longer sentences only beginnings and ends are tried."""
 
@@ -115,7 +118,7 @@ class Asides(Progress):
 
     def _is_aside(self, words: Sequence[Word], *, followed: bool, marked: bool) -> bool:
         words = _trimmed(words)
-        if words and (words[0].text in _RELATIVE or begins_with_state(words) or _corrects(words)):
+        if words and (words[0].text in _RELATIVE | _EXCEPTING or begins_with_state(words) or _corrects(words)):
             return False
         joints = [at for at, word in enumerate(words) if at and word.text in _CUTS | _JOINTS | {"then", "or"}]
         if any(verb_at(words, at + 1, self.lexicon) is not None for at in joints):

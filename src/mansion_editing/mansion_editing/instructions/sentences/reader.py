@@ -409,6 +409,8 @@ class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending, Correctin
                 continue
             if isinstance(statement, Keep):
                 statement = self._of_the_kind(statement)
+            if isinstance(statement, Remove) and isinstance(last, Add | Ensure | Move) and last.things.noun:
+                statement = _one_of_its_kind(statement, last.things)
             if isinstance(statement, Keep) and is_everything(statement.things):
                 self.statements.append(statement)
                 continue
@@ -522,6 +524,16 @@ class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending, Correctin
             place = read.place if place == Place() else merged(place, read.place)
         reader.frame = place
         return after if not comma else end + 1
+
+
+def _one_of_its_kind(statement: Remove, named: Things) -> Remove:
+    """Return ``one in the hall`` as one of the kind that was just named: ``two benches here, one in the hall goes``."""
+    things = statement.things
+    bare = things.refers == "last" and not things.noun and not things.definite and not things.amount.of
+    elsewhere = things.place is not None and things.place.rooms is not None and bool(things.place.rooms.words)
+    if not bare or not elsewhere or things.amount.kind != "some" or not things.amount.number:
+        return statement
+    return msgspec.structs.replace(statement, things=msgspec.structs.replace(things, noun=named.noun, refers=""))
 
 
 def _is_of_it(statement: Clear, last: Clear) -> bool:

@@ -9,8 +9,8 @@ from mansion_editing.instructions.clauses.items import NotUnderstood
 from mansion_editing.instructions.clauses.reader import ClauseReader, sparing
 from mansion_editing.instructions.phrases.loads import end_of_load
 from mansion_editing.instructions.phrases.places import with_place
-from mansion_editing.instructions.phrases.word_sets import AFTER_CLAUSES, JOINING
-from mansion_editing.instructions.phrases.words import COURTESIES, STATE_WORDS, Word
+from mansion_editing.instructions.phrases.word_sets import AFTER_CLAUSES, JOINING, PEOPLE
+from mansion_editing.instructions.phrases.words import COURTESIES, MODALS, PERSONS, STATE_WORDS, Word
 from mansion_editing.instructions.sentences.background import end_of_background
 from mansion_editing.instructions.sentences.conditions import on_condition, read_condition
 from mansion_editing.instructions.sentences.lacking import end_of_presence, given_where_none_is, lacking_at
@@ -150,7 +150,21 @@ class Tails(Progress):
             or self._all_except(reader, at)
             or self._with_what_lies_on_it(reader, at)
             or self._as_exchanged(reader, at)
+            or self._where_somebody_is(reader, at)
         )
+
+    def _where_somebody_is(self, reader: ClauseReader, at: int) -> int:
+        """Return the end of ``where someone is asleep`` after a room that its number tells; 0 for others."""
+        start = at + (reader.text(at) == ",")
+        numbered = at > 0 and reader.words[at - 1 - (reader.text(at - 1) == ",")].raw.isdecimal()
+        if reader.text(start) != "where" or not numbered:
+            return 0
+        end = next((k for k in range(start, len(reader.words)) if reader.words[k].kind == "mark"), len(reader.words))
+        said = reader.words[start + 1 : end]
+        somebody = {word.text for word in said[:3]} & (PERSONS | PEOPLE)
+        plain = all(word.kind == "word" and word.text not in STATE_WORDS for word in said)
+        asking = {word.text for word in said} & ({"and", "not", "no"} | MODALS)
+        return end if somebody and plain and not asking and not self._names_anything(said) else 0
 
     def _with_what_lies_on_it(self, reader: ClauseReader, at: int) -> int:
         """Return the end of ``with everything that lies on it`` after what goes, which takes that along; else 0."""
@@ -214,8 +228,6 @@ class Tails(Progress):
         done = [s for s in self.clause if isinstance(s, SetState | Remove | Paint)]
         if not spared or any(s.things.amount.kind != "all" for s in done):
             return 0
-        if reader.text(end) == "where" and not self._names_anything(reader.words[end:]):
-            end = next((k for k in range(end, len(reader.words)) if reader.words[k].kind == "mark"), len(reader.words))
         self.clause = [sparing(s, spared) for s in done]
         return end
 
