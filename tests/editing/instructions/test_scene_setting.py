@@ -107,3 +107,19 @@ def test_the_desk_of_somebody_is_in_the_room_that_was_told(furnished_state: Scen
     (statement,) = _asked(f"{told} Put a glass on his desk.", furnished_state)
     place = getattr(statement, "place", None)
     assert place is not None and place.rooms is not None and place.rooms.words.startswith("private office")
+
+
+def test_what_is_added_there_comes_where_the_scene_was(furnished_state: SceneState) -> None:
+    text = "There is a plate and a mug on the dining table in the kitchen. Remove both and put two glasses there."
+    *_, added = _asked(text, furnished_state)
+    place = getattr(added, "place", None)
+    assert place is not None and place.anchor is not None and place.anchor.noun == "dining table"
+
+
+def test_orders_for_the_things_of_somebody_are_no_remarks(furnished_state: SceneState) -> None:
+    text = "Mr. Smith sits in the private office. Turn on his floor lamp. Put a plant in the hall."
+    assert len(_asked(text, furnished_state)) == 2
+
+
+def test_the_room_of_nobody_is_not_guessed(editor: SceneEditor) -> None:
+    assert not instruct(editor, "Put a plant in his room.").done

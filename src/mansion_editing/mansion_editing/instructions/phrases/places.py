@@ -82,6 +82,7 @@ _EXISTENCE: Final = BE | MODALS | frozenset(["need", "has", "have"])
 _ENDS: Final = ("", ",", ".", ";", "and", "then", "please", "!")
 """What may follow a preposition that stands alone: ``put a yogurt inside``."""
 
+_OWNERS: Final = frozenset("his her their my your our".split())
 _SOURCES: Final = frozenset(["from", "off", "out", "away"])
 _GOALS: Final = frozenset(["to", "into", "onto", "back", "over", "up", "down", "towards", "toward"])
 _SPOTS: Final[dict[str, Spot]] = {
@@ -229,6 +230,8 @@ def _after_preposition(
     target = noun_phrase(words, at, lexicon, floors)
     if target is None or target.noun.unknown or target.amount.kind == "half":
         return None
+    if text_at(words, at) in _OWNERS and target.noun.words == ("room",) and target.end == at + 2:
+        return None  # nobody knows which room is his
     if relation == "between":
         return _between(words, start, target, lexicon, floors)
     return _at_noun(words, start, phrase, relation, target, lexicon, floors, goal=goal, source=source)

@@ -14,6 +14,7 @@ from mansion_editing.instructions.phrases.word_sets import PEOPLE, RELATIVES
 from mansion_editing.instructions.phrases.words import ADVERBS, MODALS, PERSONS, STATE_WORDS, Word, text_at
 from mansion_editing.instructions.sentences.progress import Progress
 from mansion_editing.instructions.statements import (
+    Add,
     Amount,
     Ensure,
     Mention,
@@ -39,6 +40,9 @@ _AT_REST: Final = frozenset("lying standing sitting hanging kept stored parked r
 _SOMETIMES: Final = frozenset("usually normally always still currently now already right at present".split())
 _NOW: Final = frozenset("now currently again there right".split())
 _SOMEBODY: Final = PERSONS | PEOPLE | RELATIVES | {"child", "they", "he", "she"}
+_PERSON: Final = _SOMEBODY - frozenset("they i we my our his her their one robot".split())
+"""Words for somebody who is in a room of his own."""
+_HIS: Final = frozenset("his her their".split())
 _TAKING_UP: Final = frozenset("it them both they those these two that this one".split())
 _TITLES: Final = frozenset("mr mrs ms miss dr prof".split())
 _LIVING: Final = frozenset("lives sleeps sits works stays is".split())
@@ -79,16 +83,21 @@ class SceneSetting(Progress):
         """Return words with the room of whoever was told of after ``his bed`` and ``her desk``."""
         reader = ClauseReader(words, self.lexicon, self.floors, lambda a, b: self._quote(words, a, b))
         out: list[Word] = []
-        ends = set()
-        for at, word in enumerate(words):
-            phrase = reader.phrase(at) if self.whose and word.text in ("his", "her", "their") else None
-            if phrase is not None and phrase.noun.kind == "object" and not reader.places(phrase.end)[0]:
-                ends.add(phrase.end)
-            if at in ends:
-                out += [replace(one, start=words[at - 1].end, end=words[at - 1].end) for one in self.whose]
-            out.append(word)
-        if len(words) in ends:
-            out += [replace(one, start=words[-1].end, end=words[-1].end) for one in self.whose]
+        at = 0
+        while at < len(words):
+            phrase = reader.phrase(at) if self.whose and words[at].text in _HIS else None
+            if phrase is None or phrase.end <= at:
+                out.append(words[at])
+                at += 1
+                continue
+            room = phrase.noun.words == ("room",) and text_at(words, at - 1) == "in"
+            thing = phrase.noun.kind == "object" and not reader.places(phrase.end)[0]
+            said = list(words[at : phrase.end])
+            if room:  # "in his room" is "in room 4"
+                out[-1:] = _standing_for(said, self.whose)
+            else:
+                out += [*said, *(_standing_for(said[-1:], self.whose) if thing else [])]
+            at = phrase.end
         self.whose = self._room_of_person(reader) or self.whose
         return out
 
@@ -104,9 +113,11 @@ class SceneSetting(Progress):
     def _room_of_person(self, reader: ClauseReader) -> list[Word]:
         """Return the words for the room that somebody is in: ``Mr. Novak in room 4``, ``Ann sleeps in room 2``."""
         words = reader.words
+        if not words or verb_at(words, 0, self.lexicon) or len([w for w in words if w.text in _TITLES]) > 1:
+            return []
         for at in range(1, min(len(words), _MOST)):
             place = at + (words[at].raw in _LIVING)
-            titled = words[0].text in _TITLES or {word.text for word in words[:at]} & (_SOMEBODY - {"they", "i", "we"})
+            titled = words[0].text in _TITLES or {word.text for word in words[:at]} & _PERSON
             if text_at(words, place) != "in" or not titled:
                 continue
             places, end = reader.places(place)
@@ -296,6 +307,7 @@ class SceneSetting(Progress):
             statement = msgspec.structs.replace(statement, or_new=False)
         statement = _pinned(statement, scene)
         things = getattr(statement, "things", None)
+        statement = self._on_it_there(statement)
         if isinstance(statement, Ensure) and things in scene:
             statement = Move(things=statement.things, place=statement.place, quote=statement.quote)
         if len(scene) < 2 or not isinstance(things, Things) or not _means_all(things):
@@ -310,6 +322,15 @@ class SceneSetting(Progress):
             statement = msgspec.structs.replace(statement, place=place)
         return [msgspec.structs.replace(statement, things=one) for one in scene]
 
+    def _on_it_there(self, statement: Statement) -> Statement:
+        """Return what small things are added ``there`` as added on the furniture that things were told to be on."""
+        place = self.scene[0].place
+        if not isinstance(statement, Add | Ensure) or statement.place != Place(rooms=Rooms(same=True)):
+            return statement
+        if place is None or place.anchor is None or self.lexicon.stands(tuple(statement.things.noun.split())):
+            return statement
+        return msgspec.structs.replace(statement, place=msgspec.structs.replace(place, relation="on"))
+
     def _in_scene(self, statement: Statement) -> Statement:
         """Return a statement with the place of what was told of; once that has moved or gone, it is told no longer."""
         if not self.scene or isinstance(statement, Mention):
@@ -317,6 +338,11 @@ class SceneSetting(Progress):
         pinned: Statement = _pinned(statement, self.scene)
         self.scene = () if isinstance(pinned, Move | Remove | Swap) and len(self.scene) == 1 else self.scene
         return pinned
+
+
+def _standing_for(said: Sequence[Word], told: Sequence[Word]) -> list[Word]:
+    """Return words that were told before at the end of those which they explain."""
+    return [replace(word, start=said[-1].end, end=said[-1].end) for word in told]
 
 
 def _items(reader: ClauseReader, at: int, *, places: bool = True) -> list[Item]:
