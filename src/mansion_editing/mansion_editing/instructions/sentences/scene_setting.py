@@ -75,6 +75,7 @@ class SceneSetting(Progress):
                 continue
             self.scene = tuple(_those_there(one) for one in things)
             self.topic = self.scene[0] if len(self.scene) == 1 else None
+            reader.last_noun = reader.phrase_of(things[0].noun) if len(things) == 1 else reader.last_noun
             self.statements.append(Mention(quote=self._quote(reader.words, at, end)))
             return end
         return 0
