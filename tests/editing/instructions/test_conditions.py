@@ -99,3 +99,27 @@ def test_what_happens_otherwise_is_no_condition(editor: SceneEditor) -> None:
     report = instruct(editor, "Open the fridge, otherwise the mug goes bad.")
     assert report.done and report.object_ids == ["F1/kitchen/fridge_1"]
     assert not instruct(editor, "Close the fridge, otherwise remove the mug.").done
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "If there's still a plate in the kitchen, carry it over to the sofa in the hall; if there is none left, put a"
+        " new one there.",
+        "Should there still be a plate in the kitchen, bring it to the sofa in the hall. If not, put a new one there.",
+        "If the plate is still on the dining table in the kitchen, put it on the sofa in the hall; if it isn't, put a"
+        " new one there.",
+    ],
+)
+@pytest.mark.parametrize("there", [True, False])
+def test_a_new_one_comes_where_the_old_one_would_have_gone(editor: SceneEditor, text: str, there: bool) -> None:
+    if not there:
+        assert instruct(editor, "Remove the plate from the kitchen.").done
+    assert instruct(editor, text).done
+    assert _number(editor, "plate", "F1/hall") == 1 and _number(editor, "plate", "F1/kitchen") == 0
+
+
+def test_a_second_thing_is_replaced_likewise(editor: SceneEditor) -> None:
+    text = "Replace the mug on the dining table in the kitchen with a vase, and the plate in the kitchen too."
+    assert instruct(editor, text).done
+    assert _number(editor, "plate", "F1/kitchen") == 0 and _number(editor, "vase", "F1/kitchen") == 2

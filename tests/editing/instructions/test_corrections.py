@@ -117,3 +117,31 @@ def test_a_room_gets_a_use_and_contents(furnished_state: SceneState, contents: s
     assert isinstance(furnish, Furnish) and furnish.kind == "music room"
     assert isinstance(ensure, Ensure) and ensure.things.noun == "piano"
     assert ensure.place.rooms is not None and ensure.place.rooms.same
+
+
+@pytest.mark.parametrize(
+    ("text", "room"),
+    [
+        ("Switch on the light in the hall. Sorry, I meant the one in the kitchen.", "kitchen"),
+        ("Switch on the light in the hall. Oops, the kitchen was meant.", "kitchen"),
+        ("Switch on the light in the hall. Correction: the kitchen.", "kitchen"),
+        ("Switch on the light in the hall, no, the kitchen.", "kitchen"),
+    ],
+)
+def test_what_is_switched_may_be_put_right(furnished_state: SceneState, text: str, room: str) -> None:
+    (statement,) = _asked(text, furnished_state)
+    assert isinstance(statement, SetState) and statement.things.place is not None
+    assert statement.things.place.rooms is not None and statement.things.place.rooms.words == room
+
+
+def test_another_thing_takes_the_place_of_the_first(furnished_state: SceneState) -> None:
+    text = "Put a mug on the dining table in the kitchen. Wait, I meant a glass."
+    (statement,) = _asked(text, furnished_state)
+    assert isinstance(statement, Add) and statement.things.noun == "glass" and statement.place.anchor is not None
+
+
+def test_one_of_several_is_not_put_right(furnished_state: SceneState) -> None:
+    text = "Remove the plate and the mug from the kitchen. Sorry, I meant the vase."
+    instruction = read_instruction(text, furnished_state)
+    asked = [s for s in instruction.statements if not isinstance(s, Mention)]
+    assert instruction.not_understood or any("vase" not in str(s) for s in asked)

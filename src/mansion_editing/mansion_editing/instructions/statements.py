@@ -105,6 +105,8 @@ class Rooms(msgspec.Struct, frozen=True, kw_only=True, tag=True):
         Words for the room that `up` counts from.
     over : bool
         Right above or below `base` ("the room above the kitchen").
+    others : bool
+        Not the one that was mentioned last, or that things come from ("the other bedroom").
     """
 
     words: str = ""
@@ -119,6 +121,7 @@ class Rooms(msgspec.Struct, frozen=True, kw_only=True, tag=True):
     up: int = 0
     base: str = ""
     over: bool = False
+    others: bool = False
 
 
 class Things(msgspec.Struct, frozen=True, kw_only=True, tag=True):

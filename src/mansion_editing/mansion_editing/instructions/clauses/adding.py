@@ -192,7 +192,8 @@ class Adding(States, Colours):
 
     def _give(self, at: int, place: int) -> tuple[list[Statement], int]:
         """Read ``give the lobby two plants``; ``give me a chair`` asks for it."""
-        if self.text(place) in ("me", "us"):
+        whom = self.text(place) in ("him", "her") and self.text(place + 1) in ("a", "an", "another", "two", "some")
+        if whom or self.text(place) in ("me", "us"):
             return self._add(at, place + 1)
         where = self.item(place)
         if where is None:

@@ -54,6 +54,13 @@ class Keeping(Staying, Wishes, Adding, Removing):
             while self.text(rest) in LEFT_AS_IT_IS:
                 rest += 1
             return [Mention(quote=self.quote(at, rest))], rest
+        others_there = self._rest_there(place)
+        if others_there and others_there > place + 1:
+            there = self.places(others_there)[1]
+            while self.text(there) in LEFT_AS_IT_IS:
+                there += 1
+            if there >= len(self.words) or self.words[there].kind == "mark":
+                return [Mention(quote=self.quote(at, there))], there
         items = self.items(place)
         end = items[-1].end
         item = items[0]

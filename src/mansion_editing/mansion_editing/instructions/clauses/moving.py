@@ -1,10 +1,12 @@
 """Things that move, change places with others, or make way for others."""
 
+from collections.abc import Sequence
+
 import msgspec
 
 from mansion_editing.instructions.clauses.items import Item, NotUnderstood, joined_places
 from mansion_editing.instructions.clauses.shifting import Shifting
-from mansion_editing.instructions.phrases.places import read_place, with_place
+from mansion_editing.instructions.phrases.places import ReadPlace, read_place, with_place
 from mansion_editing.instructions.phrases.words import MODALS
 from mansion_editing.instructions.statements import Add, Move, Place, Replace, Rooms, Statement, Swap
 
@@ -41,13 +43,26 @@ class Moving(Shifting):
             things = item.phrase.things()
             if source != Place():
                 things = with_place(things, source)
+            if self._comes_beside(item, own, goal):
+                goal = msgspec.structs.replace(goal, relation="beside")
             out.append(Move(things=self._all_if_plural(things), place=goal, quote=quote))
         return out, end
+
+    def _comes_beside(self, item: Item, places: Sequence[ReadPlace], goal: Place) -> bool:
+        """Whether furniture goes to other furniture, and so beside it: ``move the trolley over to the washbasin``."""
+        noun = item.phrase.noun.words
+        mark = next((p for p in places if p.goal and p.place.anchor is not None), None)
+        bare = mark is not None and self.text(mark.start) in ("over", "to", "up") and goal.relation == "on"
+        holder = () if goal.anchor is None else tuple(goal.anchor.noun.split())
+        furniture = self.lexicon.stands(noun) and not self.lexicon.is_loose(noun) and self.lexicon.stands(holder)
+        return bare and furniture and self.text(mark.end - 1 if mark else 0) != "it"
 
     def _swap(self, at: int, place: int) -> tuple[list[Statement], int]:
         items = self.items(place)
         end = items[-1].end
         quote = self.quote(at, end)
+        if len(items) == 1 and _means_two(items[0]):
+            return [Swap(one=items[0].things(), other=items[0].things(), quote=quote)], end
         if len(items) == 2 and items[0].is_room and items[1].is_room:
             return [Swap(one=items[0].rooms(), other=items[1].rooms(), quote=quote)], end
         if len(items) == 1 and items[0].is_room and self.text(end) == ":":
@@ -79,6 +94,9 @@ class Moving(Shifting):
         subjects = self.until(stop)  # "change" is no noun here
         subjects.frame = self.frame
         one = subjects.item(place)
+        if one is not None and _means_two(one) and one.end == stop:
+            quote = self.quote(at, stop + 2)
+            return [Swap(one=one.things(), other=one.things(), quote=quote)], stop + 2
         if one is None or self.text(one.end) != "and":
             return None
         other = subjects.item(one.end + 1)
@@ -101,7 +119,7 @@ class Moving(Shifting):
         before = self.until(joint)
         old = before.items(place)
         self.last_noun = old[-1].phrase.noun
-        new = self.items(joint + 1)
+        new = self._new_ones(joint + 1)
         end = new[-1].end
         quote = self.quote(at, end)
         if len(old) == 1 and len(new) == 1 and old[0].is_room and new[0].is_room:
@@ -134,3 +152,19 @@ class Moving(Shifting):
             quote = self.quote(at, old[-1].end)
             return [Replace(things=old[0].things(), by=new[0].phrase.things(), quote=quote)], old[-1].end
         return self._replaced_by(at, place, joint)
+
+    def _new_ones(self, at: int) -> list[Item]:
+        """Read what comes instead, without ``and the one in the hall too``, which is replaced likewise."""
+        first = self.item(at)
+        after = 0 if first is None else self.conjunction(first.end)
+        other = self.item(after) if after else None
+        if first is not None and other is not None and other.phrase.definite and not first.phrase.definite:
+            return self.until(first.end).items(at)
+        return self.items(at)
+
+
+def _means_two(item: Item) -> bool:
+    """Whether an item is only ``these two``, ``both``, ``them``."""
+    phrase = item.phrase
+    several = phrase.noun.plural or phrase.amount.number == 2
+    return phrase.refers == "last" and not phrase.noun.words and several and phrase.amount.number in (0, 2)

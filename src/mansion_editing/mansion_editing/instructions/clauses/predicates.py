@@ -279,6 +279,10 @@ class Predicates(States, Colours, Ways):
             if left is not None and left.is_room:
                 gone = with_place(item.things(), Place(rooms=left.rooms()))
                 return [Remove(things=self._all_if_plural(gone), quote=self.quote(at, left.end))], left.end
+            if left is not None and left.phrase.definite and self.lexicon.carries(left.phrase.noun.words):
+                rooms = joined_places(list(left.places))[0].rooms
+                gone = with_place(item.things(), Place(anchor=left.phrase.things(), rooms=rooms))
+                return [Remove(things=self._all_if_plural(gone), quote=self.quote(at, left.end))], left.end
             places, end = self.places(place + 1)
             if not places or all(p.source and not p.goal for p in places):
                 end += self.text(end) in ("away",)

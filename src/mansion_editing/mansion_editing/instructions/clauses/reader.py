@@ -13,9 +13,19 @@ from mansion_editing.instructions.clauses.taking import Taking
 from mansion_editing.instructions.phrases.places import with_place
 from mansion_editing.instructions.phrases.verb_words import Deed
 from mansion_editing.instructions.phrases.verbs import verb_at
-from mansion_editing.instructions.statements import Move, Paint, Place, Remove, SetState, Statement, Things
+from mansion_editing.instructions.statements import (
+    JOINED,
+    Amount,
+    Move,
+    Paint,
+    Place,
+    Remove,
+    SetState,
+    Statement,
+    Things,
+)
 
-__all__ = ["ClauseReader", "sparing"]
+__all__ = ["ClauseReader", "of_each_room", "sparing"]
 
 
 class ClauseReader(Keeping, Changing, Taking, PastSteps, Fronting):
@@ -152,9 +162,40 @@ class ClauseReader(Keeping, Changing, Taking, PastSteps, Fronting):
 def sparing(statement: SetState | Remove | Paint, besides: tuple[Things, ...]) -> Statement:
     """Return what is done with all of a kind but for exceptions: ``all plants except the one in the study``."""
     noun = statement.things.noun
+    besides = tuple(_in_the_kind(one, statement.things.place) for one in besides)
     spared = tuple(msgspec.structs.replace(one, noun=noun) if one.noun in ("", "one") else one for one in besides)
     beside = (*statement.things.beside, *spared)
     return msgspec.structs.replace(statement, things=msgspec.structs.replace(statement.things, beside=beside))
+
+
+def _in_the_kind(spared: Things, place: Place | None) -> Things:
+    """Return an exception in ``room 3`` as one in the third of the rooms that all are of: ``every guest room``."""
+    rooms = None if place is None else place.rooms
+    own = None if spared.place is None else spared.place.rooms
+    if rooms is None or own is None or spared.place is None or not rooms.words or own.floors:
+        return spared
+    numbers = own.words.removeprefix("room ").split(JOINED + "room ")
+    if not own.words.startswith("room ") or not all(number.isdecimal() for number in numbers):
+        named = msgspec.structs.replace(own, floors=rooms.floors) if own.words.startswith(rooms.words) else own
+    else:
+        words = JOINED.join(f"{rooms.words} {number}" for number in numbers)
+        named = msgspec.structs.replace(own, words=words, floors=rooms.floors)
+    return msgspec.structs.replace(spared, place=msgspec.structs.replace(spared.place, rooms=named))
+
+
+def of_each_room(statement: Statement) -> Statement:
+    """Return what is done with ``the screen in every room but room 3`` as done with all of those."""
+    if not isinstance(statement, SetState | Paint | Remove):
+        return statement
+    things = statement.things
+    beside = tuple(_in_the_kind(one, things.place) for one in things.beside)
+    things = msgspec.structs.replace(things, beside=beside)
+    rooms = None if things.place is None else things.place.rooms
+    one = things.definite and not things.plural and things.amount.kind == "some" and things.amount.number <= 1
+    every = rooms is not None and rooms.every and one and not things.refers and not things.ordinal
+    if every and not isinstance(statement, Remove):
+        things = msgspec.structs.replace(things, amount=Amount(kind="all", number=0), plural=True)
+    return msgspec.structs.replace(statement, things=things)
 
 
 def _sparing(statement: Statement, besides: tuple[Things, ...]) -> Statement:

@@ -459,6 +459,9 @@ class Sentence(ABC):
                 continue
             if self.starts_clause(place + len(phrase)):
                 return at, ()
+            rooms = self._excepted_rooms(place + len(phrase))
+            if rooms is not None:
+                return rooms
             places, stop = self.places(place + len(phrase))
             if places:
                 return stop, (Things(amount=Amount(kind="all", number=0), plural=True, place=joined_places(places)[0]),)
@@ -468,6 +471,18 @@ class Sentence(ABC):
                 return at, ()
             return items[-1].end, tuple(_kind_of_its_own(self._all(item.things())) for item in items)
         return at, ()
+
+    def _excepted_rooms(self, at: int) -> tuple[int, tuple[Things, ...]] | None:
+        """Read ``the office``, ``in room 3`` and ``rooms 1 and 2`` of an exception: all that is there."""
+        at += self.text(at) == "in"
+        found: list[Things] = []
+        while (item := self.item(at)) is not None and item.is_room:
+            end = item.end
+            found.append(Things(amount=Amount(kind="all", number=0), plural=True, place=Place(rooms=item.rooms())))
+            at = self.conjunction(end)
+            if not at:
+                break
+        return (end, tuple(found)) if found and (not at or self.item(at) is None) else None
 
     def _is_partitive(self, phrase: NounPhrase) -> bool:
         """Whether a phrase takes some of those that are there: ``two of the hammers``."""

@@ -1,5 +1,7 @@
 """What is said to stay as it is: ``the treadmills are fine``, ``nothing on the third floor may change``."""
 
+from typing import Final
+
 from mansion_editing.instructions.clauses.coordination import is_for_one
 from mansion_editing.instructions.clauses.items import joined_places
 from mansion_editing.instructions.clauses.outcomes import everything_at
@@ -24,6 +26,9 @@ from mansion_editing.instructions.phrases.words import BE, MODALS
 from mansion_editing.instructions.statements import Amount, Keep, Mention, Place, Rooms, Statement, Things
 
 __all__ = ["Staying"]
+
+
+_LIES: Final = frozenset("is are lies stands sits hangs remains stays".split())
 
 
 class Staying(Subjects):
@@ -61,16 +66,25 @@ class Staying(Subjects):
 
     def _all_else(self, at: int) -> tuple[list[Statement], int] | None:
         """Read ``everything else in the hall stays the same``, which is checked of every instruction."""
-        if self.text(at) in ("everything", "all", "anything") and self.text(at + 1) == "else":
-            end = at + 2
-        elif self.text(at) == "the" and self.text(at + 1) == "rest":
-            end = self._of_the_whole(at + 2)
-            if end == at + 2 and self.text(end) in ("stay", "remain"):
-                return None  # the others of a kind
-        else:
+        end = self._rest_there(at)
+        if not end:
             return None
+        if self.text(end - 1) == "rest" and self.text(end) in ("stay", "remain"):
+            return None  # the others of a kind
         stop = self._as_it_is(self.places(end)[1])
         return ([Mention(quote=self.quote(at, stop))], stop) if stop else None
+
+    def _rest_there(self, at: int) -> int:
+        """Return the end of ``everything else``, ``whatever else is``, ``all the rest``; 0 for others."""
+        if self.text(at) in ("everything", "all", "anything", "whatever", "what") and self.text(at + 1) == "else":
+            end = at + 2 + (self.text(at + 2) in ("that", "which"))
+            told = end < len(self.words) and self.words[end].raw in _LIES
+            return end + told if told or self.text(at) not in ("whatever", "what") else 0
+        start = at + (self.text(at) == "all")
+        if (self.text(start), self.text(start + 1)) == ("the", "rest"):
+            end = self._of_the_whole(start + 2)
+            return end if end > start + 2 or start == at else start + 2
+        return 0
 
     def _of_the_whole(self, at: int) -> int:
         """Return the end of ``of it``, ``of the furniture``, ``of the room`` after ``the rest``."""

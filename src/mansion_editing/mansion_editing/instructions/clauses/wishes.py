@@ -192,6 +192,7 @@ class Wishes(Subjects, Negations):
         place = at + 1
         while self.text(place) in MODALS or self.text(place) in BEFORE_WISHES:
             place += 1
+        place += self.text(place) == "rather" and self.text(place + 1) != "not"
         if self.text(place) in OPINIONS:
             return self.read(place + 1 + (self.text(place + 1) in ("that", "you")) + (self.text(place + 2) == "to"))
         disliked = self.text(place + 1) == "like" and "would" not in (w.text for w in self.words[at:place])
@@ -290,7 +291,7 @@ class Wishes(Subjects, Negations):
 
     def _wanted(self, at: int, place: int) -> tuple[list[Statement], int]:
         """Read what is wanted: a clause after ``to``, a thing with a predicate, or a thing."""
-        place += self.text(place) in ("that", "for", "me", "us")
+        place += self.text(place) in ("for", "me", "us") or (self.text(place) == "that" and not self._points_at(place))
         door = self._door_between(at, place)
         if door is not None:
             return door
@@ -346,6 +347,12 @@ class Wishes(Subjects, Negations):
             else:
                 out.append(self._added(items, each, self.quote(at, end)))
         return out, end
+
+    def _points_at(self, at: int) -> bool:
+        """Whether ``that`` belongs to a thing ("I want that lamp on the desk") and begins no clause."""
+        item = self.item(at)
+        one = item is not None and item.phrase.noun.kind == "object" and not item.phrase.noun.plural
+        return item is not None and one and not self.predicate_follows(item.end)
 
     def _want(self, at: int, place: int) -> tuple[list[Statement], int]:
         return self._wanted(at, place)

@@ -76,7 +76,8 @@ def from_there(state: SceneState, things: Things, place: Place, context: Context
     if rooms is None and place.anchor is not None and place.anchor.definite and not place.anchor.refers:
         own = {item.room for item in things_of(state, things, context)}
         return context.followed((), tuple(own), "") if len(own) == 1 else context
-    if rooms is None or not rooms.up or rooms.base:
+    told = rooms is not None and (rooms.up or rooms.others or (rooms.same and not context.rooms))
+    if rooms is None or not told or rooms.base:
         return context
     found = [item.room for item in things_of(state, things, context)]
     return context.followed((), tuple(dict.fromkeys(found)), "")

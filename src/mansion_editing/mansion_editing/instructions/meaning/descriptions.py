@@ -63,11 +63,21 @@ def _rooms_of(state: SceneState, rooms: Rooms, context: Context) -> list[SceneRo
             wide = best_named(pool, rooms.words, every=True)
             close = wide if len(wide) == rooms.number else close
         pool = close
+    if rooms.others:
+        pool = _others(state, pool, rooms, context)
     if rooms.size:
         pool = sorted(pool, key=lambda room: room.area, reverse=rooms.size == "largest")[:1]
     if rooms.ordinal:
         pool = _nth(pool, rooms.ordinal)
     return pool
+
+
+def _others(state: SceneState, pool: list[SceneRoom], rooms: Rooms, context: Context) -> list[SceneRoom]:
+    """Return the rooms of a kind but the one that was mentioned; none where none of the kind was."""
+    last = context.rooms or tuple(dict.fromkeys(item.room for item in _existing(state, context.things)))
+    numbered = rooms.words.rpartition(" ")[2].isdecimal()
+    mentioned = any(room.id in last for room in pool)
+    return [room for room in pool if room.id not in last] if mentioned or numbered else []
 
 
 def _storeys_away(state: SceneState, rooms: Rooms, context: Context, pool: list[SceneRoom]) -> list[SceneRoom]:

@@ -26,7 +26,7 @@ def is_compound(words: Sequence[Word], at: int) -> bool:
         and words[at].end + 1 == words[at + 1].start
         and not words[at + 1].plural
         and words[at + 2].kind == "word"
-        and words[at + 2].text not in PREPOSITIONS
+        and words[at + 2].text not in PREPOSITIONS | {"higher", "lower"}
     )
 
 

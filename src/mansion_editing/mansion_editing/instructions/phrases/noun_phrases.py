@@ -78,6 +78,7 @@ class NounPhrase:
             base = words.removesuffix(noun.number)
             words = JOINED.join([words, *(f"{base}{number}" for number in noun.numbers)])
             return Rooms(words=words, floors=noun.floors, every=True, number=1 + len(noun.numbers))
+        others = self.refers == "others"
         one = self.amount.kind == "some" and self.amount.number == 1
         several = (noun.plural and not one) or self.each or self.amount.kind == "all"
         return Rooms(
@@ -87,6 +88,7 @@ class NounPhrase:
             number=self.amount.number if noun.plural and self.amount.number > 1 else 0,
             ordinal=noun.ordinal,
             size=noun.size,
+            others=others,
         )
 
 

@@ -82,6 +82,7 @@ _EXISTENCE: Final = BE | MODALS | frozenset(["need", "has", "have"])
 _ENDS: Final = ("", ",", ".", ";", "and", "then", "please", "!")
 """What may follow a preposition that stands alone: ``put a yogurt inside``."""
 
+_OWNERS: Final = frozenset("his her their my your our".split())
 _SOURCES: Final = frozenset(["from", "off", "out", "away"])
 _GOALS: Final = frozenset(["to", "into", "onto", "back", "over", "up", "down", "towards", "toward"])
 _SPOTS: Final[dict[str, Spot]] = {
@@ -140,12 +141,13 @@ def _unbracketed(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Seque
     relative = _relative(words, at, lexicon, floors)
     if relative is not None:
         return relative
+    onwards = text_at(words, at) in ("up", "over", "down") and text_at(words, at - 1) in ("it", "them")
     if text_at(words, at) in ("up", "over", "down", "right") and text_at(words, at + 1) == "there":
         at += 1
     if text_at(words, at) in ("there", "here"):
         if text_at(words, at + 1) in _EXISTENCE or words[at].raw in ("there's", "theres"):
             return None
-        return ReadPlace(Place(rooms=Rooms(same=True)), at, at + 1)
+        return ReadPlace(Place(rooms=Rooms(same=True)), at, at + 1, goal=onwards)
     if text_at(words, at) in ("upstairs", "downstairs") or (at < len(words) and words[at].kind == "level"):
         return _storey(words, at, at, floors)
     if text_at(words, at) in ("ground", "first", "second", "third", "top") or (
@@ -228,6 +230,8 @@ def _after_preposition(
     target = noun_phrase(words, at, lexicon, floors)
     if target is None or target.noun.unknown or target.amount.kind == "half":
         return None
+    if text_at(words, at) in _OWNERS and target.noun.words == ("room",) and target.end == at + 2:
+        return None  # nobody knows which room is his
     if relation == "between":
         return _between(words, start, target, lexicon, floors)
     return _at_noun(words, start, phrase, relation, target, lexicon, floors, goal=goal, source=source)
@@ -493,6 +497,7 @@ def _merged_rooms(one: Rooms | None, other: Rooms | None) -> Rooms | None:
         up=one.up or other.up,
         base=one.base or other.base,
         over=one.over or other.over,
+        others=one.others or other.others,
     )
 
 

@@ -96,6 +96,7 @@ _LATER: Final = frozenset("afterwards afterward".split())
 _LONGEST: Final = max(map(len, _PHRASES))
 _TURNING: Final = frozenset("switch turn power".split())
 _OUT: Final = frozenset("in into on onto".split())
+_CARRYING: Final = frozenset("carry bring take move get put".split())
 
 
 def reworded(words: Sequence[Word]) -> list[Word]:
@@ -110,6 +111,11 @@ def reworded(words: Sequence[Word]) -> list[Word]:
             out += _in_place_of(phrase, _PHRASES[tuple(word.text for word in phrase)])
             at += length
             continue
+        supposed = _supposed(words, at)
+        if supposed:
+            out += _in_place_of(words[at : at + supposed], ("if", "there", "is"))
+            at += supposed
+            continue
         if tuple(w.text for w in words[at : at + 3]) in _AT_EDGES and _is_edge(words, at, at + 3):
             out += _in_place_of(words[at : at + 3], ("please",))
             at += 3
@@ -123,7 +129,7 @@ def reworded(words: Sequence[Word]) -> list[Word]:
             out.append(replace(words[at], text=new, raw=new))
             at += 1
             continue
-        if not _is_idle_out(words, at):
+        if not (_is_idle_out(words, at) or _is_idle_over(words, at)):
             out.append(_topped_up(words, at) or _turned_off(words, at))
         at += 1
     return out
@@ -182,6 +188,23 @@ def _is_foreign(words: Sequence[Word], at: int) -> bool:
         return number and text_at(words, at + 1) in ("the", "these", "those", "our", "my")
     relative = words[at].text == "what" and text_at(words, at + 1) in ("is", "are")
     return relative and before is not None and before.kind == "word" and before.plural and before.text not in PRONOUNS
+
+
+def _supposed(words: Sequence[Word], at: int) -> int:
+    """Return how many words of ``Should there still be`` stand for ``if there is`` before a comma; 0 for others."""
+    if (text_at(words, at), text_at(words, at + 1)) != ("should", "there") or not (
+        at == 0 or words[at - 1].kind == "mark"
+    ):
+        return 0
+    end = at + 2 + (text_at(words, at + 2) in ("still", "already", "now"))
+    stop = next((k for k in range(end, len(words)) if words[k].kind == "mark"), len(words))
+    return end + 1 - at if text_at(words, end) == "be" and text_at(words, stop) == "," else 0
+
+
+def _is_idle_over(words: Sequence[Word], at: int) -> bool:
+    """Whether ``over`` only goes with a verb and its pronoun: ``carry it over``."""
+    after = text_at(words, at - 1) in PRONOUNS and text_at(words, at - 2) in _CARRYING
+    return words[at].text == "over" and after and _is_edge(words, 1, at + 1)
 
 
 def _is_idle_out(words: Sequence[Word], at: int) -> bool:

@@ -47,7 +47,7 @@ ENDS_RUN: Final = (
 
 
 _MAY_BE_NOUN: Final = frozenset(
-    "light open left right front stand set middle dark present sitting waiting standing living".split()
+    "light open left right front stand set middle dark present sitting waiting standing living accessible".split()
 )
 
 
@@ -69,7 +69,8 @@ def end_of_run(words: Sequence[Word], at: int, lexicon: Lexicon) -> int:
         counted = word.kind == "number" and word.text not in ("double", "twin", "triple", "single")
         if counted and end > at and not _names_number(words, end, lexicon, at):
             break
-        if text == "can" and end > at and lexicon.is_object((words[end - 1].text, "can")):
+        tin = (end > at and lexicon.is_object((words[end - 1].text, "can"))) or text_at(words, end + 1) == "of"
+        if text == "can" and tin:
             end += 1
             continue
         bare = end == at and text in ("empty", "free", "clear", "closed", "round")

@@ -91,7 +91,7 @@ PARTICIPLES: Final[dict[tuple[str, ...], Deed]] = {
                      ("pushed",), ("pulled",), ("returned",)], "move"),
     **dict.fromkeys([("placed",), ("put",), ("added",), ("installed",), ("positioned",), ("provided",), ("mounted",),
                      ("hung",), ("set",), ("laid",), ("stored",), ("kept",), ("left",), ("stacked",), ("parked",),
-                     ("arranged",), ("inserted",), ("hidden",)], "add"),
+                     ("arranged",), ("inserted",), ("hidden",), ("shown",), ("displayed",), ("exhibited",)], "add"),
     **dict.fromkeys([("emptied",), ("cleared",), ("empty",), ("clear",), ("bare",), ("tidied",), ("free",)], "clear"),
     **dict.fromkeys([("replaced",), ("exchanged",), ("substituted",)], "replace"),
     ("swapped",): "swap",

@@ -150,7 +150,7 @@ _SHORT: Final = {
     ),
 }  # fmt: skip
 _ID: Final = re.compile(r"\b[fF]-?\d+/[A-Za-z0-9_./-]*[A-Za-z0-9_]|\b[a-z]+(?:_[a-z0-9]+)+\b")
-_DOTTED: Final = re.compile(r"\b(fl|flr|rm|no|nr|approx|ca|st|incl)\.(?=\s)", re.IGNORECASE)
+_DOTTED: Final = re.compile(r"\b(fl|flr|rm|no|nr|approx|ca|st|incl|mr|mrs|ms|dr|prof)\.(?=\s)", re.IGNORECASE)
 """Abbreviations whose point ends no sentence."""
 
 

@@ -107,6 +107,8 @@ def _is_left_out(said: Sequence[Word], at: int, group: Sequence[Statement], told
     text = word.text
     if text in told.words or word.raw in told.words:
         return False
+    if text == "two" and any(isinstance(s, Swap) for s in group):
+        return False
     if word.kind in ("number", "ordinal"):
         return text != "one" and word.value not in told.numbers and not _is_part(said, at)
     if text in _NEGATIONS:

@@ -9,10 +9,12 @@ import msgspec
 from mansion_editing.instructions.clauses.outcomes import everything_at
 from mansion_editing.instructions.clauses.reader import ClauseReader
 from mansion_editing.instructions.phrases.verbs import verb_at
-from mansion_editing.instructions.phrases.words import Word
+from mansion_editing.instructions.phrases.word_sets import PEOPLE, RELATIVES
+from mansion_editing.instructions.phrases.words import PERSONS, Word
 from mansion_editing.instructions.sentences.bystanding import (
     asks_for_nothing,
     asks_for_one_each,
+    begins_with_state,
     is_exclamation,
     is_habit,
     is_purpose,
@@ -22,6 +24,7 @@ from mansion_editing.instructions.sentences.bystanding import (
 )
 from mansion_editing.instructions.sentences.circumstances import is_circumstance
 from mansion_editing.instructions.sentences.progress import Progress
+from mansion_editing.instructions.sentences.scene_setting import RESTING
 from mansion_editing.instructions.sentences.taking_up import listed_in, with_list_for_pronoun
 from mansion_editing.instructions.statements import Add, Amount, Ensure, Mention, Place, Remove, Things
 
@@ -31,6 +34,9 @@ _CUTS: Final = frozenset([",", "(", ")", "-", ":"])
 _JOINTS: Final = frozenset("and but so as since".split())
 _RELATIVE: Final = frozenset("where which whose".split())
 """Words of clauses that may tell which of several is meant, and are therefore no asides."""
+
+_EXCEPTING: Final = frozenset("apart except excluding save besides without but not unless".split())
+"""Words that begin an exception, which is no remark whatever follows."""
 
 _MOST_CUTS: Final = 8
 """In longer sentences only beginnings and ends are tried."""
@@ -112,7 +118,7 @@ class Asides(Progress):
 
     def _is_aside(self, words: Sequence[Word], *, followed: bool, marked: bool) -> bool:
         words = _trimmed(words)
-        if words and words[0].text in _RELATIVE:
+        if words and (words[0].text in _RELATIVE | _EXCEPTING or begins_with_state(words) or _corrects(words)):
             return False
         joints = [at for at, word in enumerate(words) if at and word.text in _CUTS | _JOINTS | {"then", "or"}]
         if any(verb_at(words, at + 1, self.lexicon) is not None for at in joints):
@@ -167,9 +173,20 @@ class Asides(Progress):
         return with_list_for_pronoun(words, told, self._reader(words))
 
     def _is_unclear(self, told: Sequence[Word], later: Sequence[Word]) -> bool:
-        """Whether ``it`` may mean one or the other of several things that a clause tells of."""
+        """Whether ``it`` may mean one or the other of several things that were told of, or one of no known name."""
         texts = [word.text for word in later]
+        if {"it", "that", "them"} & {*texts} and self._has_unknown_subject(_trimmed(told)):
+            return True
         return "it" in texts and len(listed_in(self._reader(_trimmed(told)))) > 0
+
+    def _has_unknown_subject(self, words: Sequence[Word]) -> bool:
+        """Whether a clause begins with a thing of no known name: ``the gizmo lives in the chest``."""
+        if len(words) < 2 or words[0].text not in ("the", "our", "my", "a", "an", "this", "that"):
+            return False
+        reader = self._reader(words)
+        known = reader.item(0) is not None or words[1].text in PERSONS | PEOPLE | RELATIVES
+        resting = next((k for k in range(2, min(4, len(words))) if words[k].raw in RESTING), 0)
+        return not known and bool(resting) and any(things.noun for things in _named(reader))
 
     def _lacking(self, words: Sequence[Word]) -> Things | None:
         """Return what was mentioned last where words say of a room that it has none."""
@@ -198,6 +215,11 @@ class Asides(Progress):
     def _go_back(self, so_far: dict[str, Any]) -> None:
         for name, value in so_far.items():
             setattr(self, name, list(value) if isinstance(value, list) else value)
+
+
+def _corrects(words: Sequence[Word]) -> bool:
+    """Whether words put something else for what was said: ``I meant the kitchen``."""
+    return any(word.raw in ("mean", "meant", "mistake", "correction") for word in words)
 
 
 def _parts(words: Sequence[Word]) -> list[tuple[int, int]]:

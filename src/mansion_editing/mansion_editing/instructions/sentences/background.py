@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterable, Sequence
 from typing import Final
 
 from mansion_editing.instructions.phrases.word_sets import AFTER_PURPOSES, AFTER_REASONS, PAST_VERBS, RELATIVES
-from mansion_editing.instructions.phrases.words import ADVERBS, BE, PERSONS, PREPOSITIONS, Word
+from mansion_editing.instructions.phrases.words import ADVERBS, BE, MODALS, PERSONS, PREPOSITIONS, Word
 from mansion_language.colours import COLOUR_WORDS
 
 __all__ = ["end_of_background", "is_background", "is_told", "split_sentences"]
@@ -78,6 +78,7 @@ def _end_of_aside(words: Sequence[Word], at: int) -> int:
     return end if purpose or in_the_way else at
 
 
+_WISHING: Final = frozenset("want need please rather".split()) | MODALS - {"will", "can"}
 _GOING: Final = frozenset(
     "go leave vanish disappear belong stay remain come move get make keep let may might can could would will shall "
     "ought has have had one two both all other others rest same too instead only just more less enough plenty do "
@@ -123,9 +124,4 @@ def is_background(words: Sequence[Word]) -> bool:
         return True
     people = PERSONS | RELATIVES
     past = any(w.raw.endswith("ed") or w.raw in PAST_VERBS for w in words)
-    return (
-        texts[0] in people
-        and past
-        and "not" not in texts[:3]
-        and not set(texts) & {"want", "need", "should", "must", "please"}
-    )
+    return texts[0] in people and past and "not" not in texts[:3] and not set(texts) & _WISHING

@@ -22,6 +22,7 @@ from mansion_language.colours import COLOUR_WORDS
 __all__ = [
     "asks_for_nothing",
     "asks_for_one_each",
+    "begins_with_state",
     "is_exclamation",
     "is_habit",
     "is_purpose",
@@ -51,6 +52,7 @@ _SAID_BY_NOBODY: Final = frozenset("everything anything something all these thos
 _PAST: Final = frozenset("was were had did came got said bought forgot left broke told gave".split())
 _DONE: Final = _PAST | frozenset("put let taken given made brought kept chosen hung built done been".split())
 _HAVING: Final = frozenset("has have had".split())
+_SWITCHED: Final = frozenset("switched turned powered left kept set standing wide".split())
 
 
 def asks_for_nothing(words: Sequence[Word], lexicon: Lexicon, *, followed: bool) -> bool:
@@ -148,6 +150,14 @@ def _only_tells(words: Sequence[Word], verb: int, lexicon: Lexicon) -> bool:
 
 def _names(words: Sequence[Word], lexicon: Lexicon) -> bool:
     return any(lexicon.is_object((w.text,)) or lexicon.is_own_room((w.text,)) for w in words if w.text not in PERSONS)
+
+
+def begins_with_state(words: Sequence[Word]) -> bool:
+    """Whether words without a subject begin with a state, which may be wished for: ``switched on so I can find it``."""
+    texts = [word.text for word in words[:2]]
+    if not texts or (texts[0] in ("on", "off") and len(words) > 1 and words[1].text not in ("so", "and", "before")):
+        return False
+    return texts[0] in STATE_WORDS or (texts[0] in _SWITCHED and texts[1:] != [] and texts[1] in STATE_WORDS)
 
 
 def asks_for_one_each(words: Sequence[Word]) -> bool:

@@ -45,7 +45,7 @@ def _leaves(statement: Statement, emptied: Place, lexicon: Lexicon) -> bool:
     """Whether a statement moves single things to another place, or asks for nothing."""
     if isinstance(statement, Mention):
         return not statement.rooms
-    if not isinstance(statement, Move) or not statement.things.noun:
+    if not isinstance(statement, Move) or not (statement.things.noun or _is_all_of_it(statement.things)):
         return False
     if lexicon.stands(tuple(statement.things.noun.split())):
         return False
@@ -60,11 +60,17 @@ def _from_there(statements: Sequence[Statement], emptied: Place) -> list[Stateme
     out: list[Statement] = [Mention(rooms=where)] if moves and where is not None and not where.same else []
     for move in moves:
         things = move.things
-        if _is_on_it(things) or (things.place is None and move.quote in referring):
+        if _is_all_of_it(things) or _is_on_it(things) or (things.place is None and move.quote in referring):
             things = msgspec.structs.replace(things, place=emptied)
             move = msgspec.structs.replace(move, things=things, or_new=False)
         out.append(move)
     return out
+
+
+def _is_all_of_it(things: Things) -> bool:
+    """Whether words mean all that was there: ``everything in it``, ``all of it``."""
+    bare = not things.noun and not things.refers and not things.beside and things.amount.kind == "all"
+    return bare and (things.place is None or _is_on_it(things))
 
 
 def _is_on_it(things: Things) -> bool:

@@ -83,7 +83,7 @@ def read_answer(words: Sequence[Word], at: int) -> tuple[bool, int] | None:
 
 _DENIALS: Final = frozenset("not no none".split())
 _OF_ANSWERS: Final = _DENIALS | frozenset(
-    "so yes it they there that this is are do does has have one any the case true yet already".split()
+    "so yes it they there that this is are do does has have one any the case true yet already left more anymore".split()
 )
 
 
@@ -158,7 +158,9 @@ def _existing(reader: ClauseReader, at: int, last: Things | None) -> tuple[Condi
     while reader.text(place) in BE or reader.text(place) in (*_BETWEEN, "not"):
         denied = denied or reader.text(place) == "not"
         place += 1
-    if reader.text(place) in ("one", "none", "any", "some"):
+    quantified = reader.item(place, places=False) if reader.text(place) in ("any", "some") else None
+    bare = quantified is None or not quantified.phrase.noun.words
+    if bare and reader.text(place) in ("one", "none", "any", "some"):
         holds = reader.text(place) != "none" and not denied
         where, end = reader.places(_past(reader, place + 1))
         if where and last is not None:
@@ -199,7 +201,8 @@ def _of_subject(reader: ClauseReader, at: int, last: Things | None) -> tuple[Con
     things = last if item.phrase.refers == "last" and last is not None else item.things()
     if verb == "have":
         return _having(reader, item, place, last, denied=denied)
-    if reader.text(place) in STATE_WORDS:
+    lies = reader.text(place) in ("on", "off") and reader.phrase(place + 1) is not None
+    if reader.text(place) in STATE_WORDS and not lies:
         name, value = STATE_WORDS[reader.text(place)]
         plain = msgspec.structs.replace(things, amount=Amount(kind="all", number=0), place=None)
         ask = Ask(

@@ -8,7 +8,7 @@ from mansion_editing.instructions.clauses.reader import ClauseReader
 from mansion_editing.instructions.phrases.words import Word
 from mansion_editing.instructions.sentences.conditions import Condition, on_condition, read_answer, read_condition
 from mansion_editing.instructions.sentences.progress import Progress
-from mansion_editing.instructions.statements import Amount, Ask, Mention, Things, When
+from mansion_editing.instructions.statements import Amount, Ask, Mention, Move, Things, When
 
 __all__ = ["Depending"]
 
@@ -35,6 +35,8 @@ class Depending(Progress):
         if isinstance(asked, When) and answer is not None:
             condition = Condition(asked.ask, asked.holds == answer[0])
             self.topic = self._topic_where(condition)
+            if self.topic is not None and isinstance(asked.then, Move):  # "there" is where it would have gone
+                self.topic = msgspec.structs.replace(self.topic, place=asked.then.place)
             return answer[1], condition
         found = read_condition(reader, start, None)
         if found is None or found[0].ask is None or found[1] >= len(words):

@@ -6,6 +6,7 @@ from mansion_editing.instructions.phrases.lexicon import Lexicon
 from mansion_editing.instructions.phrases.mending import mended
 from mansion_editing.instructions.phrases.notation import written_out
 from mansion_editing.instructions.phrases.nouns import Noun
+from mansion_editing.instructions.phrases.remarks import without_remarks
 from mansion_editing.instructions.phrases.rewordings import reworded
 from mansion_editing.instructions.phrases.storey_counts import counted_from_ground, counts_above_ground
 from mansion_editing.instructions.phrases.words import Word, split_words
@@ -23,7 +24,7 @@ class Progress:
         self.lexicon = Lexicon(state)
         self.floors = state.floors
         words = split_words(text, self.lexicon.speller, self.lexicon.kept)
-        self.words = reworded(mended(written_out(words, text), self.lexicon))
+        self.words = without_remarks(reworded(mended(written_out(words, text), self.lexicon)))
         if counts_above_ground(text, brief):
             self.words = counted_from_ground(self.words)
         self.statements: list[Statement] = []
@@ -36,6 +37,9 @@ class Progress:
         self.listed: list[Word] = []
         self.told: list[tuple[str, Place]] = []
         self.clause: list[Statement] = []
+        self.scene: tuple[Things, ...] = ()
+        self.later: list[Word] = []
+        self.whose: list[Word] = []
         self.is_last = False
         self.undecided = False
 

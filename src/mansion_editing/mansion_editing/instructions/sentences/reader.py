@@ -7,11 +7,11 @@ from typing import Final, Literal
 import msgspec
 
 from mansion_assets.catalogue.descriptions import hypernyms_of
-from mansion_editing.instructions.clauses.items import NotUnderstood, TwoReadings, joined_places
-from mansion_editing.instructions.clauses.reader import ClauseReader
+from mansion_editing.instructions.clauses.items import NotUnderstood, TwoReadings
+from mansion_editing.instructions.clauses.reader import ClauseReader, of_each_room
 from mansion_editing.instructions.phrases.lexicon import HYPERNYMS
 from mansion_editing.instructions.phrases.noun_phrases import noun_phrase
-from mansion_editing.instructions.phrases.places import merged, read_place, with_place
+from mansion_editing.instructions.phrases.places import merged, read_place
 from mansion_editing.instructions.phrases.storeys import read_storeys
 from mansion_editing.instructions.phrases.verbs import verb_at
 from mansion_editing.instructions.phrases.word_sets import HEADINGS
@@ -41,20 +41,18 @@ from mansion_editing.instructions.sentences.refinement import (
     with_storeys,
 )
 from mansion_editing.instructions.sentences.repeating import Repeating
+from mansion_editing.instructions.sentences.scene_setting import SceneSetting
 from mansion_editing.instructions.sentences.tails import Tails
 from mansion_editing.instructions.sentences.telling import Telling
 from mansion_editing.instructions.statements import (
     Add,
-    Amount,
     Clear,
     Ensure,
-    Finish,
     Furnish,
     Instruction,
     Keep,
     Mention,
     Move,
-    Paint,
     Place,
     Remove,
     Reshape,
@@ -62,7 +60,6 @@ from mansion_editing.instructions.statements import (
     SetState,
     Statement,
     Things,
-    Turn,
     When,
 )
 from mansion_editing.state import SceneState
@@ -96,7 +93,7 @@ def read_instruction(text: str, state: SceneState, brief: str = "") -> Instructi
     return _Reader(text, state, brief).read()
 
 
-class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending, Correcting):
+class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending, Correcting, SceneSetting):
     """Reads one instruction."""
 
     def read(self) -> Instruction:
@@ -104,8 +101,8 @@ class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending, Correctin
         sentences = list(split_sentences(self.words))
         for number, (own, marked) in enumerate(sentences):
             self.is_last = number + 1 == len(sentences)
-            later = [] if self.is_last else sentences[number + 1][0]
-            sentence = self._with_listed(owners_named(own, self.lexicon))
+            later = self.later = [] if self.is_last else sentences[number + 1][0]
+            sentence = self._with_listed(self._at_their_owner(owners_named(own, self.lexicon)))
             self._read_beside_asides(sentence, later, marked=marked)
         self.statements = [
             Mention(quote=s.quote) if self._introduces(s, self.statements[number + 1 :]) else s
@@ -177,7 +174,10 @@ class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending, Correctin
             at = reader.skip(at + 3)
         if at >= len(words):
             return
-        if self._reads_scope(reader, at) or self._tells_of_person(reader, at):
+        told = 0 if marked else self._sets_scene(reader, at)
+        if told:
+            at = reader.skip(told)
+        elif self._reads_scope(reader, at) or self._tells_of_person(reader, at):
             return
         conditional = begins_condition(words, at) and not marked
         if (
@@ -213,7 +213,7 @@ class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending, Correctin
                 self.statements.append(Mention(quote=self._quote(words, at, end)))
                 at = end
                 continue
-            at = self._read_clause(reader, words, at)
+            at = self._goes_to_rest(reader, at) or self._read_clause(reader, words, at)
 
     def _read_consequence(self, words: Sequence[Word], at: int) -> None:
         """Read ``otherwise the milk gets warm`` after a request, which says why; an order would need a condition."""
@@ -322,10 +322,11 @@ class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending, Correctin
         found, end = in_place_of(reader, found, end)
         self._name_ones(reader, found)
         topic, reader.topic = reader.topic, None
-        found = [self._referred(statement) for statement in found]
+        found = [self._referred(one) for statement in found for one in self._of_scene(statement)]
+        found = [self._in_scene(statement) for statement in found]
         if topic is not None or any(not isinstance(statement, Mention) for statement in found):
             self.topic = topic
-        self.clause = found
+        self.clause = [of_each_room(statement) for statement in found]
         end, exact = self._read_tail(reader, words, end)
         found = self.clause
         self._take([exactly(statement) for statement in found] if exact else found)
@@ -336,81 +337,6 @@ class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending, Correctin
         wished = next((s.things.noun for s in found if isinstance(s, Add | Ensure) and s.things.noun), "")
         if wished and reader.last_noun is None:
             reader.last_noun = reader.phrase_of(wished)
-
-    def _same_of_others(self, reader: ClauseReader, words: Sequence[Word], at: int) -> int | None:
-        """Read things without a verb after a state, a removal or the like: ``turn the TV on and the beer tap too``."""
-        last = self.statements[-1] if self.statements else None
-        if isinstance(last, Finish) and at and words[at - 1].text in ("and", ","):
-            covered = self._surface_too(reader, words, at, last)
-            if covered is not None:
-                return covered
-        there_too = self._same_there(reader, words, at)
-        if there_too is not None:
-            return there_too
-        if not isinstance(last, SetState | Remove | Paint | Turn) or at == 0 or reader.starts_clause(at):
-            return None
-        if words[at - 1].text not in ("and", "also", ",", "plus"):
-            return None
-        item = reader.item(at)
-        if item is None or item.is_room or reader.subjects(at) or item.phrase.amount.kind == "none":
-            return None
-        end = item.end + (reader.text(item.end) in ("too", "also"))
-        if end < len(words) and words[end].text not in ("and", ",", ".", "please"):
-            return None
-        things = item.things()
-        rooms = last.things.place.rooms if last.things.place is not None else None
-        if things.place is None and rooms is not None:
-            things = with_place(things, Place(rooms=rooms))
-        if things.plural and things.amount.number == 0:
-            things = msgspec.structs.replace(things, amount=Amount(kind="all", number=0))
-        self.statements.append(msgspec.structs.replace(last, things=things, quote=self._quote(words, at, end)))
-        return end
-
-    def _same_there(self, reader: ClauseReader, words: Sequence[Word], at: int) -> int | None:
-        """Read ``and in the kitchen`` after a state or a removal in another room: the same there."""
-        last = self.statements[-1] if self.statements else None
-        if not isinstance(last, SetState | Remove | Paint) or at == 0 or words[at - 1].text != "and":
-            return None
-        places, end = reader.places(at)
-        before = last.things.place
-        if not places or before is None or before.anchor is not None or before.rooms is None or before.outside:
-            return None
-        place, _ = joined_places(places)
-        counted = last.things.amount.number > 0 and not last.things.definite
-        plain = place.anchor is None and place.rooms is not None and bool(place.rooms.words) and not place.outside
-        if not plain or counted or last.things.beside or (end < len(words) and words[end].kind != "mark"):
-            return None
-        there = msgspec.structs.replace(last.things, place=place)
-        self.statements.append(msgspec.structs.replace(last, things=there, quote=self._quote(words, at, end)))
-        return end
-
-    def _surface_too(self, reader: ClauseReader, words: Sequence[Word], at: int, last: Finish) -> int | None:
-        """Read ``and the walls green`` after the ceiling of a room was painted."""
-        frame, reader.frame = reader.frame, Place(rooms=last.rooms)
-        surface = reader.surface(at)
-        reader.frame = frame
-        colour = None if surface is None else reader.colour_at(surface[1])
-        if surface is None or colour is None:
-            return None
-        (part, rooms), _ = surface
-        quote = self._quote(words, at, colour[2])
-        self.statements.append(Finish(rooms=rooms, part=part, colour=colour[0], material=colour[1], quote=quote))
-        return colour[2]
-
-    def _more_of_the_same(self, reader: ClauseReader, words: Sequence[Word], at: int) -> int | None:
-        """Read things without a verb, which go where the things before them went: ``and a pen too``."""
-        last = self.statements[-1] if self.statements else None
-        if not isinstance(last, Add | Ensure) or at == 0 or words[at - 1].text not in ("and", "also", ",", "plus"):
-            return None
-        item = reader.item(at)
-        if item is None or item.is_room or item.phrase.definite or item.places or reader.subjects(at):
-            return None
-        after = reader.skip(item.end)
-        if after < len(words) and not reader.starts_clause(after) and words[item.end].text not in ("and", ","):
-            return None
-        quote = self._quote(words, at, item.end)
-        self.statements.append(msgspec.structs.replace(last, things=item.phrase.things(), quote=quote))
-        return item.end
 
     def _end_of_occasion(self, reader: ClauseReader, at: int) -> int:
         """Return the colon after ``, evening mode`` of a room; the place itself where no such words follow."""
@@ -479,10 +405,12 @@ class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending, Correctin
                 continue
             if isinstance(last, Remove) and removes_what_went(statement):
                 continue
-            if isinstance(last, Add | Ensure) and isinstance(statement, Move) and only_brings_it(statement):
+            if isinstance(last, Add | Ensure | Move) and isinstance(statement, Move) and only_brings_it(statement):
                 continue
             if isinstance(statement, Keep):
                 statement = self._of_the_kind(statement)
+            if isinstance(statement, Remove) and isinstance(last, Add | Ensure | Move) and last.things.noun:
+                statement = _one_of_its_kind(statement, last.things)
             if isinstance(statement, Keep) and is_everything(statement.things):
                 self.statements.append(statement)
                 continue
@@ -502,6 +430,12 @@ class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending, Correctin
                 but = msgspec.structs.replace(last.things, beside=(*last.things.beside, statement.things))
                 self.statements[-1] = msgspec.structs.replace(last, things=but)
                 continue
+            listed = self._removed_together()
+            if len(listed) > 1 and isinstance(statement, Move) and moves_it(statement) and statement.things.plural:
+                quote = self._from_to(listed[0], statement)
+                moved_all = [Move(things=gone.things, place=statement.place, quote=quote) for gone in listed]
+                self.statements[-len(listed) :] = moved_all
+                continue
             if isinstance(last, Remove) and isinstance(statement, Move) and last.things.noun and moves_it(statement):
                 moved = Move(things=last.things, place=statement.place, quote=self._from_to(last, statement))
                 self.statements[-1] = moved
@@ -510,6 +444,13 @@ class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending, Correctin
                 self.statements[-1] = msgspec.structs.replace(exactly(last), quote=self._from_to(last, statement))
                 continue
             self.statements.append(statement)
+
+    def _removed_together(self) -> list[Remove]:
+        """Return the removals of several things that the last clause asked for."""
+        last = self.statements[-1] if self.statements else None
+        if not isinstance(last, Remove):
+            return []
+        return [s for s in self.statements if isinstance(s, Remove) and s.quote == last.quote and s.things.noun]
 
     def _of_the_kind(self, keep: Keep) -> Keep:
         """Return ``those in the corridor`` as things of the kind that was mentioned before."""
@@ -583,6 +524,16 @@ class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending, Correctin
             place = read.place if place == Place() else merged(place, read.place)
         reader.frame = place
         return after if not comma else end + 1
+
+
+def _one_of_its_kind(statement: Remove, named: Things) -> Remove:
+    """Return ``one in the hall`` as one of the kind that was just named: ``two benches here, one in the hall goes``."""
+    things = statement.things
+    bare = things.refers == "last" and not things.noun and not things.definite and not things.amount.of
+    elsewhere = things.place is not None and things.place.rooms is not None and bool(things.place.rooms.words)
+    if not bare or not elsewhere or things.amount.kind != "some" or not things.amount.number:
+        return statement
+    return msgspec.structs.replace(statement, things=msgspec.structs.replace(things, noun=named.noun, refers=""))
 
 
 def _is_of_it(statement: Clear, last: Clear) -> bool:

@@ -1,15 +1,31 @@
-"""Sentences that only repeat an earlier instruction: elsewhere, or with more."""
+"""Sentences and clauses that only repeat what was asked before: elsewhere, with more, of other things."""
 
 from collections.abc import Sequence
 from typing import Final
 
 import msgspec
 
+from mansion_editing.instructions.clauses.items import joined_places
 from mansion_editing.instructions.clauses.reader import ClauseReader
-from mansion_editing.instructions.phrases.places import merged
+from mansion_editing.instructions.phrases.places import merged, with_place
 from mansion_editing.instructions.phrases.words import BE, MODALS, Word
 from mansion_editing.instructions.sentences.progress import Progress
-from mansion_editing.instructions.statements import History, Mention, Place, Reach, Rooms
+from mansion_editing.instructions.statements import (
+    Add,
+    Amount,
+    Ensure,
+    Finish,
+    History,
+    Mention,
+    Paint,
+    Place,
+    Reach,
+    Remove,
+    Replace,
+    Rooms,
+    SetState,
+    Turn,
+)
 
 __all__ = ["Repeating"]
 
@@ -20,7 +36,7 @@ _IN_THE_WAY: Final = (("in", "the", "way"), ("in", "its", "way"), ("stand", "in"
 
 
 class Repeating(Progress):
-    """Reads ``and in the bedroom too`` and ``one more``."""
+    """Reads ``and in the bedroom too``, ``one more`` and ``the one in the hall too``."""
 
     def _repeats(self, reader: ClauseReader, words: Sequence[Word], at: int) -> bool:
         """Read what only repeats an earlier instruction: ``and in the bedroom too``, ``the same upstairs``."""
@@ -69,6 +85,86 @@ class Repeating(Progress):
         quote = self._quote(words, 0, len(words))
         self.statements.append(History(what="repeat", things=phrase.things(), quote=quote))
         return True
+
+    def _same_of_others(self, reader: ClauseReader, words: Sequence[Word], at: int) -> int | None:
+        """Read things without a verb after a state, a removal or the like: ``turn the TV on and the beer tap too``."""
+        last = self.statements[-1] if self.statements else None
+        if isinstance(last, Finish) and at and words[at - 1].text in ("and", ","):
+            covered = self._surface_too(reader, words, at, last)
+            if covered is not None:
+                return covered
+        there_too = self._same_there(reader, words, at)
+        if there_too is not None:
+            return there_too
+        if not isinstance(last, SetState | Remove | Paint | Turn | Replace) or at == 0 or reader.starts_clause(at):
+            return None
+        if words[at - 1].text not in ("and", "also", ",", "plus"):
+            return None
+        item = reader.item(at)
+        if item is None or item.is_room or reader.subjects(at) or item.phrase.amount.kind == "none":
+            return None
+        end = item.end + (reader.text(item.end) in ("too", "also"))
+        end += 2 * ((reader.text(end), reader.text(end + 1)) == ("as", "well"))
+        if end < len(words) and words[end].text not in ("and", ",", ".", "please"):
+            return None
+        things = item.things()
+        if things.noun == "one" and (things.place is not None or things.colour):
+            things = msgspec.structs.replace(things, noun=last.things.noun)
+        elif isinstance(last, Replace) and (end == item.end or not things.definite):
+            return None
+        rooms = last.things.place.rooms if last.things.place is not None else None
+        if things.place is None and rooms is not None:
+            things = with_place(things, Place(rooms=rooms))
+        if things.plural and things.amount.number == 0:
+            things = msgspec.structs.replace(things, amount=Amount(kind="all", number=0))
+        self.statements.append(msgspec.structs.replace(last, things=things, quote=self._quote(words, at, end)))
+        return end
+
+    def _same_there(self, reader: ClauseReader, words: Sequence[Word], at: int) -> int | None:
+        """Read ``and in the kitchen`` after a state or a removal in another room: the same there."""
+        last = self.statements[-1] if self.statements else None
+        if not isinstance(last, SetState | Remove | Paint) or at == 0 or words[at - 1].text != "and":
+            return None
+        places, end = reader.places(at)
+        before = last.things.place
+        if not places or before is None or before.anchor is not None or before.rooms is None or before.outside:
+            return None
+        place, _ = joined_places(places)
+        counted = last.things.amount.number > 0 and not last.things.definite
+        plain = place.anchor is None and place.rooms is not None and bool(place.rooms.words) and not place.outside
+        if not plain or counted or last.things.beside or (end < len(words) and words[end].kind != "mark"):
+            return None
+        there = msgspec.structs.replace(last.things, place=place)
+        self.statements.append(msgspec.structs.replace(last, things=there, quote=self._quote(words, at, end)))
+        return end
+
+    def _surface_too(self, reader: ClauseReader, words: Sequence[Word], at: int, last: Finish) -> int | None:
+        """Read ``and the walls green`` after the ceiling of a room was painted."""
+        frame, reader.frame = reader.frame, Place(rooms=last.rooms)
+        surface = reader.surface(at)
+        reader.frame = frame
+        colour = None if surface is None else reader.colour_at(surface[1])
+        if surface is None or colour is None:
+            return None
+        (part, rooms), _ = surface
+        quote = self._quote(words, at, colour[2])
+        self.statements.append(Finish(rooms=rooms, part=part, colour=colour[0], material=colour[1], quote=quote))
+        return colour[2]
+
+    def _more_of_the_same(self, reader: ClauseReader, words: Sequence[Word], at: int) -> int | None:
+        """Read things without a verb, which go where the things before them went: ``and a pen too``."""
+        last = self.statements[-1] if self.statements else None
+        if not isinstance(last, Add | Ensure) or at == 0 or words[at - 1].text not in ("and", "also", ",", "plus"):
+            return None
+        item = reader.item(at)
+        if item is None or item.is_room or item.phrase.definite or item.places or reader.subjects(at):
+            return None
+        after = reader.skip(item.end)
+        if after < len(words) and not reader.starts_clause(after) and words[item.end].text not in ("and", ","):
+            return None
+        quote = self._quote(words, at, item.end)
+        self.statements.append(msgspec.structs.replace(last, things=item.phrase.things(), quote=quote))
+        return item.end
 
     def _frees_way(self, reader: ClauseReader, words: Sequence[Word], at: int) -> bool:
         """Read ``make sure nothing blocks it`` after a way was asked for, which is then checked again."""

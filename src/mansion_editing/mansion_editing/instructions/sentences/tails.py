@@ -7,9 +7,10 @@ import msgspec
 
 from mansion_editing.instructions.clauses.items import NotUnderstood
 from mansion_editing.instructions.clauses.reader import ClauseReader, sparing
+from mansion_editing.instructions.phrases.loads import end_of_load
 from mansion_editing.instructions.phrases.places import with_place
-from mansion_editing.instructions.phrases.word_sets import AFTER_CLAUSES, JOINING
-from mansion_editing.instructions.phrases.words import COURTESIES, STATE_WORDS, Word
+from mansion_editing.instructions.phrases.word_sets import AFTER_CLAUSES, JOINING, PEOPLE
+from mansion_editing.instructions.phrases.words import COURTESIES, MODALS, PERSONS, STATE_WORDS, Word
 from mansion_editing.instructions.sentences.background import end_of_background
 from mansion_editing.instructions.sentences.conditions import on_condition, read_condition
 from mansion_editing.instructions.sentences.lacking import end_of_presence, given_where_none_is, lacking_at
@@ -29,6 +30,7 @@ from mansion_editing.instructions.statements import (
     Replace,
     SetState,
     Statement,
+    Swap,
     Things,
 )
 
@@ -142,7 +144,47 @@ class Tails(Progress):
 
     def _besides(self, reader: ClauseReader, at: int) -> int:
         """Read what comes with new things, or an exception; return its end, 0 for others."""
-        return self._furnished_with(reader, at) or self._with_companions(reader, at) or self._all_except(reader, at)
+        return (
+            self._furnished_with(reader, at)
+            or self._with_companions(reader, at)
+            or self._all_except(reader, at)
+            or self._with_what_lies_on_it(reader, at)
+            or self._as_exchanged(reader, at)
+            or self._where_somebody_is(reader, at)
+        )
+
+    def _where_somebody_is(self, reader: ClauseReader, at: int) -> int:
+        """Return the end of ``where someone is asleep`` after a room that its number tells; 0 for others."""
+        start = at + (reader.text(at) == ",")
+        numbered = at > 0 and reader.words[at - 1 - (reader.text(at - 1) == ",")].raw.isdecimal()
+        if reader.text(start) != "where" or not numbered:
+            return 0
+        end = next((k for k in range(start, len(reader.words)) if reader.words[k].kind == "mark"), len(reader.words))
+        said = reader.words[start + 1 : end]
+        somebody = {word.text for word in said[:3]} & (PERSONS | PEOPLE)
+        plain = all(word.kind == "word" and word.text not in STATE_WORDS for word in said)
+        asking = {word.text for word in said} & ({"and", "not", "no"} | MODALS)
+        return end if somebody and plain and not asking and not self._names_anything(said) else 0
+
+    def _with_what_lies_on_it(self, reader: ClauseReader, at: int) -> int:
+        """Return the end of ``with everything that lies on it`` after what goes, which takes that along; else 0."""
+        done = bool(self.clause) and all(isinstance(s, Move | Remove) for s in self.clause)
+        end = end_of_load(reader.words, at) if done else 0
+        return end if end and self._ends_at(reader, end) else 0
+
+    def _ends_at(self, reader: ClauseReader, at: int) -> bool:
+        return at >= len(reader.words) or reader.words[at].kind == "mark" or reader.text(at) in JOINING
+
+    def _as_exchanged(self, reader: ClauseReader, at: int) -> int:
+        """Return the end of ``so that each is where the other one was`` after an exchange; 0 for others."""
+        at += reader.text(at) == ","
+        if not self.clause or not isinstance(self.clause[-1], Swap):
+            return 0
+        if (reader.text(at), reader.text(at + 1)) != ("so", "that"):
+            return 0
+        end = next((k for k in range(at, len(reader.words)) if reader.words[k].kind == "mark"), len(reader.words))
+        said = [word.text for word in reader.words[at + 2 : end]]
+        return end if said[:1] in (["each"], ["they"], ["one"], ["both"]) and {"other", "place"} & set(said) else 0
 
     def _furnished_with(self, reader: ClauseReader, at: int) -> int:
         """Read ``with two single beds`` of a room that becomes another one."""

@@ -36,6 +36,7 @@ _WISHING: Final = frozenset(
 
 _BEFORE_OCCASIONS: Final = frozenset("for after before during given despite until".split())
 
+_I: Final = frozenset(["i", "we", "i'd", "we'd"])
 _BECOMING: Final = frozenset("go stay remain disappear vanish".split())
 """Verbs that say what shall become of their subject."""
 
@@ -174,12 +175,18 @@ class Telling(Progress):
         """Return the end of ``for safety's sake`` or ``after the break`` before a verb; the place itself for others."""
         if words[at].text not in _BEFORE_OCCASIONS:
             return at
-        for end in range(at + 2, min(at + 8, len(words))):
+        for end in range(at + 2, min(at + 10, len(words))):
+            if words[end].raw in _I and not self._is_named(words[end - 1]):
+                return end
+            hyphen = "-" in (self.text[words[end].start - 1], self.text[words[end].end : words[end].end + 1])
+            if hyphen:
+                continue
             if words[end].kind == "mark" or words[end].text in PREPOSITIONS - {"of"} or self._is_named(words[end - 1]):
                 return at
             if words[end].kind == "number" or words[end - 1].text in ("it", "them", "us", "me"):
                 return at
-            if verb_at(words, end, self.lexicon) is not None:
+            subject = end + 1 < len(words) and words[end + 1].raw in _I
+            if verb_at(words, end, self.lexicon) is not None and not subject:
                 return end
         return at
 
