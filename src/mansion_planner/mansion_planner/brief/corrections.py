@@ -22,6 +22,8 @@ _WEAK = frozenset({("no",), ("well",), ("better",), ("rather",), ("actually",), 
 PAUSES = frozenset({",", "(", "-", "–", "…", ":"})
 """Marks that set apart what takes something back."""
 _ENDS = frozenset({"", ",", ".", ")", ";", "-", "–", "\n", "and", "with", "in", "on", "plus", "!"})
+_POINTING = frozenset({"another", "this", "that", "the", "no", "which", "other"})
+"""Words before "one" where it stands for a noun: "the board approved another one"."""
 _REACH = 14
 """Tokens before a sign among which the number that it takes back is looked for."""
 
@@ -88,7 +90,7 @@ def _taken_back(tokens: list[Token], before: list[Token], number: int) -> int | 
         token = before[at]
         if token.text in (";", "\n") or (token.text == "." and _word(before, at - 1) != "." != _word(before, at + 1)):
             return None
-        if token.kind != "number":
+        if token.kind != "number" or (token.text == "one" and _word(before, at - 1) in _POINTING):
             continue
         if of in _ENDS or at == len(before) - 1:
             return at
