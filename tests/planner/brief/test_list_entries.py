@@ -17,9 +17,9 @@ def test_numbers_of_the_lines_of_a_list_are_no_statements() -> None:
     assert [(room.name, room.count) for room in facts.rooms] == [("lobby", 1), ("vault", 1), ("consultation_room", 3)]
 
 
-@pytest.mark.parametrize("entry", ["interview rooms: 3, next to the lobby", "interview rooms - 3", "interview rooms – 3"])
+@pytest.mark.parametrize("entry", ["rooms: 3, next to the lobby", "rooms - 3", "rooms – 3"])
 def test_a_count_may_stand_after_a_dash_or_a_colon(entry: str) -> None:
-    facts = read(f"A police station with a lobby, {entry}.")
+    facts = read(f"A police station with a lobby, interview {entry}.")
     assert [room.count for room in facts.rooms if room.name == "interview_room"] == [3]
 
 
@@ -43,7 +43,8 @@ def test_a_later_number_may_take_back_one_of_an_earlier_clause() -> None:
 
 def test_lines_may_begin_with_codes_of_storeys() -> None:
     facts = read(
-        "An office, 6 storeys.\n00 Reception; post room.\n01-04 typical: 8 no. offices; print room.\n05 Boardroom; lounge.\n"
+        "An office, 6 storeys.\n00 Reception; post room.\n01-04 typical: 8 no. offices; print room.\n"
+        "05 Boardroom; lounge.\n"
     )
     storeys = {room.name: [(ref.first, ref.last) for ref in room.floors] for room in facts.rooms}
     assert storeys["post_room"] == [(1, 1)]
@@ -64,7 +65,7 @@ def test_where_a_thing_may_never_be_is_no_room_that_is_not_wanted() -> None:
     assert [(room.name, room.count) for room in facts.rooms][:1] == [("bedroom", 3)]
 
 
-@pytest.mark.parametrize("text", ["Police station, 2 st., ca. 900 m2.", "A court, 2 st. + basement.", "A clinic with 2 st."])
+@pytest.mark.parametrize("text", ["Police station, 2 st., ca. 900 m2.", "A court, 2 st. + cellar.", "A lab with 2 st."])
 def test_storeys_may_be_abbreviated(text: str) -> None:
     assert [quantity.value for quantity in read(text).floors] == [2.0]
 

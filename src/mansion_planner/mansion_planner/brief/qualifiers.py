@@ -60,7 +60,8 @@ _SETTINGS = frozenset(
     campus model sample demo fantasy imaginary typical traditional style styled type cum look inspired themed storey
     multifamily family-run group test pilot future small-town mixed use multi generation generational cute pretty lovely
     tower mini walk ish youth boy girl student staff health charming
-    stunning spectacular magnificent superb impressive exclusive prestigious unique exceptional head stylish fancy posh custom grand stately luxury luxurious budget starter ideal
+    stunning spectacular magnificent superb impressive exclusive prestigious
+    unique exceptional head stylish fancy posh custom grand stately luxury luxurious budget starter ideal
     """.split()
 )
 """Words before a kind of building for where it stands, whose it is or how it pleases, which no plan could answer."""

@@ -42,7 +42,8 @@ _REQUESTS = frozenset(
 def _is_content(reading: Reading, index: int) -> bool:
     token = reading.tokens[index]
     if token.kind == "number":
-        return not _numbers_line(reading, index)
+        bed = token.text == "double" and reading.word(index + 1) == "bed" and index + 1 in reading.taken
+        return not (bed or _numbers_line(reading, index))
     if token.text in _SIZES and _has_measure(reading, index):
         return False  # "a gross floor area in the region of 3,200 m2"
     grounded = reading.word(index + 1) in ("ground", "grade") or reading.kind(index + 1) in ("number", "unit")
