@@ -5,7 +5,8 @@ import itertools
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from mansion_export.thor.walls import stretches
+from mansion_export.thor.walls import build_structure, stretches
+from mansion_msgs_py.scene import Door, FloorScene, SceneRoom
 
 
 @settings(deadline=None, max_examples=40)
@@ -43,3 +44,54 @@ def test_a_hole_is_bounded_by_what_lies_in_it():
     hole = [(2, 2), (4, 2), (4, 4), (2, 4)]
     found = stretches({"hall": [ring, hole], "core": [hole]})
     assert sorted(s.neighbour for s in found if s.neighbour) == ["core"] * 4 + ["hall"] * 4
+
+
+def test_each_of_two_walls_close_together_gets_its_own_opening():
+    """The study has a strip of 3 cm around the end of the hall."""
+    rings = {
+        "F1/hall": [(0, 0), (9, 0), (9, 3), (6, 3), (6, 3.03), (8.97, 3.03), (8.97, 5), (0, 5)],
+        "F1/study": [(6, 3), (9, 3), (9, 7), (0, 7), (0, 5), (8.97, 5), (8.97, 3.03), (6, 3.03)],
+    }
+    rooms = [
+        SceneRoom(
+            id=name,
+            room_type="study",
+            kind="Entities",
+            polygon=ring,
+            net_polygon=ring,
+            area=20.0,
+            floor_material="",
+            wall_material="",
+            ceiling_material="",
+            ceiling_height=2.7,
+        )
+        for name, ring in rings.items()
+    ]
+    doors = [
+        Door(
+            id=f"F1/door_{number}",
+            kind="open",
+            segment=((6.3, y), (8.7, y)),
+            rooms=("F1/hall", "F1/study"),
+            width=2.4,
+            height=2.7,
+        )
+        for number, y in enumerate((3.03, 3.0, 5.0), start=1)
+    ]
+    scene = FloorScene(
+        building_id="b",
+        floor=1,
+        floors=1,
+        label="Ground floor",
+        elevation=0.0,
+        height=3.0,
+        outline=[(0, 0), (9, 0), (9, 7), (0, 7)],
+        rooms=rooms,
+        walls=[],
+        doors=doors,
+    )
+    made = build_structure(scene, 2.7)
+    bases = [tuple((corner["x"], corner["z"]) for corner in wall["polygon"][:2]) for wall in made.walls]
+    assert len(set(bases)) == len(bases)
+    empty = {wall["polygon"][0]["z"] for wall in made.walls if wall.get("empty")}
+    assert empty == {3.0, 3.03, 5.0} and made.misplaced == []

@@ -1,9 +1,11 @@
 """The floor as exact polygons, and that its cells say the same."""
 
+import math
+
 import numpy as np
 import shapely
 import shapely.affinity
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from shapely.geometry import Polygon, box
 
@@ -44,13 +46,17 @@ boxes = st.tuples(
 )
 
 
+@example([(1.0, 1.0, 0.0, 0.5, 0.25), (1.0, 1.0, 0.25, 0.5, 0.5)])
 @given(st.lists(boxes, max_size=4))
 @settings(max_examples=50, deadline=None)
 def test_solids_may_be_grown_instead_of_the_floor_eroded(found) -> None:
     solid = [shapely.affinity.rotate(box(x - a, y - b, x + a, y + b), turn) for x, y, turn, a, b in found]
     eroded = shapely.union_all(disc_positions(open_floor([ROOM], solid), RADIUS, quad_segs=16))
     grown = shapely.union_all(disc_positions_among([ROOM], solid, RADIUS, quad_segs=16))
-    assert eroded.symmetric_difference(grown).area < 1e-9
+    # Before it offsets an outline, GEOS straightens dents of up to a hundredth of the distance, and it turns arcs into
+    # chords; an outline of one solid has other dents and arcs than that of all of them together.
+    sagitta = RADIUS * (1 - math.cos(math.pi / (4 * 16)))
+    assert eroded.symmetric_difference(grown).buffer(-(0.01 * RADIUS + sagitta) / 2).is_empty
 
 
 def test_thousands_of_solids_leave_the_floor_between_them() -> None:

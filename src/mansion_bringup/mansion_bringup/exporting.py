@@ -10,6 +10,7 @@ from mansion_geometry.sound_shapes import require_sound_shapes
 from mansion_msgs_py.building_folder import BuildingFolder, file_in
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import write_atomic
+from mansion_msgs_py.late_imports import importing
 
 __all__ = ["PAGE", "format_named", "format_names", "write_export", "write_page"]
 
@@ -77,7 +78,8 @@ def write_export(building: Path, to: Format, output: Path | None = None, options
 
 def write_page(building: Path, output: Path | None = None, *, site: bool = True) -> Path:
     """Write the self-contained page with the 3D building, ``view.html`` in its folder when no file is named."""
-    from mansion_export.html import view_page
+    with importing:
+        from mansion_export.html import view_page
 
     page = output or building / PAGE
     scenes = BuildingFolder(building).scenes()

@@ -14,6 +14,7 @@ from mansion_bringup.check import Fault, check_building
 from mansion_bringup.check.building import check_floors, check_records
 from mansion_msgs_py.building import Building
 from mansion_msgs_py.building_folder import floor_file
+from mansion_msgs_py.late_imports import importing
 from mansion_msgs_py.layout import FloorLayout
 from mansion_msgs_py.scene import FloorScene
 from mansion_msgs_py.topology import FloorTopology
@@ -23,7 +24,8 @@ __all__ = ["check_assets", "check_house_files", "check_houses", "floor_faults", 
 
 def check_assets(folder: Path, building: Building, scenes: Sequence[FloorScene]) -> Iterator[Fault]:
     """Yield objects of which the catalogue has no asset, so that no format can show them."""
-    from mansion_assets.catalogue import load_catalogue
+    with importing:
+        from mansion_assets.catalogue import load_catalogue
 
     known = load_catalogue().assets
     for scene in scenes:
@@ -65,8 +67,9 @@ def check_houses(
     note : callable
         Gets a line for each such room.
     """
-    from mansion_assets.catalogue import load_catalogue
-    from mansion_export.thor import validate_house
+    with importing:
+        from mansion_assets.catalogue import load_catalogue
+        from mansion_export.thor import validate_house
 
     known = {asset.asset_id for asset in load_catalogue().assets.values() if asset.asset_id}
     for fault in validate_house(house, known):

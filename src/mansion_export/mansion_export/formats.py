@@ -12,6 +12,7 @@ from pkgutil import resolve_name
 from typing import Any, Final
 
 from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.late_imports import importing
 from mansion_msgs_py.scene import FloorScene
 
 __all__ = [
@@ -80,7 +81,8 @@ class Output:
 
     def make(self, scenes: FloorScene | Sequence[FloorScene], options: ExportOptions = PLAIN) -> dict[str, bytes]:
         """Return the files by path in the building's folder, with the options that the function takes."""
-        function: Any = resolve_name(self.function)
+        with importing:
+            function: Any = resolve_name(self.function)
         files: dict[str, bytes] = function(scenes, **{name: getattr(options, name) for name in self.options})
         return files
 

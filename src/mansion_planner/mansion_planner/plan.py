@@ -9,6 +9,7 @@ from mansion_geometry.randomness import item_generator
 from mansion_geometry.stair_landings import with_landings
 from mansion_knowledge import KnowledgeBase, default_knowledge
 from mansion_msgs_py.errors import MansionError
+from mansion_msgs_py.late_imports import importing
 from mansion_msgs_py.request import BuildRequest, building_id_of
 from mansion_msgs_py.stages import PlanReply
 from mansion_planner.brief import read_brief
@@ -56,8 +57,9 @@ def plan_building(
     if not request.libraries:
         return _planned(request, base, cancelled)
     # Words of briefs name own assets as they do the catalogue's.
-    from mansion_assets.catalogue.preferred import preferring
-    from mansion_assets.library.folders import library_folders
+    with importing:
+        from mansion_assets.catalogue.preferred import preferring
+        from mansion_assets.library.folders import library_folders
 
     with preferring(library_folders(request.libraries)):
         return _planned(request, base, cancelled)
@@ -72,7 +74,8 @@ def _planned(request: BuildRequest, base: KnowledgeBase, cancelled: Callable[[],
     except MansionError as error:
         raise error.at_stage("program") from None
     if request.planner == "llm":
-        from mansion_planner.llm.planner import plan_with_model
+        with importing:
+            from mansion_planner.llm.planner import plan_with_model
 
         return plan_with_model(request, base, building_id)
     check_length(request.description)
@@ -98,7 +101,8 @@ def _planned(request: BuildRequest, base: KnowledgeBase, cancelled: Callable[[],
 
 def _given(request: BuildRequest, knowledge: KnowledgeBase, building_id: str) -> PlanReply:
     """Return the plan that a request brings."""
-    from mansion_planner.given_plan.planning import plan_given
+    with importing:
+        from mansion_planner.given_plan.planning import plan_given
 
     try:
         return plan_given(request, knowledge, building_id)

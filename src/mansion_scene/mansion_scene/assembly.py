@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 import msgspec
 
 from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.late_imports import importing
 from mansion_msgs_py.scene import Discard, FloorScene, Light, SceneObject
 from mansion_msgs_py.stages import FurnishRequest
 from mansion_scene.lighting import choose_sky, room_lights, sun
@@ -50,8 +51,9 @@ def furnish_floor(
     """
     report = progress or (lambda what, share: None)
     if catalogue is None and request.libraries:
-        from mansion_assets.catalogue import load_catalogue
-        from mansion_assets.library.folders import library_folders
+        with importing:
+            from mansion_assets.catalogue import load_catalogue
+            from mansion_assets.library.folders import library_folders
 
         catalogue = load_catalogue(preferred=library_folders(request.libraries))
     try:
@@ -71,7 +73,8 @@ def furnish_floor(
 def _chooser(request: FurnishRequest, catalogue: "Catalogue | None") -> "ModelChooser | None":
     if request.planner != "llm":
         return None
-    from mansion_scene.llm_furniture import ModelChooser
+    with importing:
+        from mansion_scene.llm_furniture import ModelChooser
 
     return ModelChooser.of_request(request, catalogue)
 
@@ -84,7 +87,8 @@ def _contents(
     chooser: "ModelChooser | None",
 ) -> tuple[list[SceneObject], list[Discard]]:
     # The placement solver compiles its kernels when it is imported.
-    from mansion_scene.room_contents import RoomFurnisher
+    with importing:
+        from mansion_scene.room_contents import RoomFurnisher
 
     furnisher = RoomFurnisher(
         structure,

@@ -1,6 +1,8 @@
 """Stages behind services wait for a node that is loading, and name one that is not there."""
 
 import os
+import subprocess
+import sys
 import threading
 import time
 from collections.abc import Callable, Iterator
@@ -70,3 +72,36 @@ def test_a_node_that_never_serves_is_given_up(client: MansionClient, solver: Nod
 def test_a_node_that_is_not_there_is_not_waited_for(client: MansionClient) -> None:
     with pytest.raises(MansionError, match="no node serves /mansion/solve_floor"):
         RemoteStages(client, 3600.0, discovery=0.1).solve(PROBLEM)
+
+
+STAGES_BY_MANY_THREADS = """
+import sys
+import threading
+
+from mansion_bringup.pipeline.stages import LocalStages
+
+sys.setswitchinterval(1e-6)
+stages, failed = LocalStages(), []
+
+def attempt(stage):
+    try:
+        stage(None)
+    except ImportError as error:
+        failed.append(error)
+    except Exception:
+        pass  # nothing was asked for
+
+threads = [threading.Thread(target=attempt, args=(stage,)) for stage in (stages.plan, stages.solve, stages.furnish)]
+for thread in threads:
+    thread.start()
+for thread in threads:
+    thread.join()
+print(failed)
+"""
+
+
+def test_threads_of_a_new_process_may_begin_with_different_stages() -> None:
+    ended = subprocess.run(
+        [sys.executable, "-c", STAGES_BY_MANY_THREADS], capture_output=True, text=True, timeout=300, check=True
+    )
+    assert ended.stdout == "[]\n", ended.stdout

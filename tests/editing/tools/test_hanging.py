@@ -16,6 +16,7 @@ from mansion_msgs_py.editing.objects import MoveObjectArgs, PlaceOnSurfaceArgs
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.scene import SceneObject, Window
 from mansion_scene.decor.frames import wall_edges
+from mansion_scene.decor.wall_objects import WallSpace
 
 SOFA, TABLE, HALL, KITCHEN = "F1/hall/sofa_1", "F1/kitchen/dining_table_1", "F1/hall", "F1/kitchen"
 
@@ -97,3 +98,13 @@ def test_what_hangs_moves_to_another_wall_and_another_floor(state: SceneState) -
     assert moved.room == "F2/private_office_1" and moved.mount == "wall" and _at_wall(state, moved)
     with pytest.raises(MansionError, match="hangs on a wall"):
         move_object(state, MoveObjectArgs(object_id=moved.id, turn=90.0), StaticEngine())
+
+
+def test_where_the_room_is_shallow_another_wall_is_said_to_be_in_the_way() -> None:
+    ring = [(0.0, 0.0), (4.0, 0.0), (4.0, 1.3), (6.0, 1.3), (6.0, 1.34), (0.0, 1.34)]
+    edges = wall_edges(ring)
+    wall = WallSpace(edges[4], edges)
+    size = (1.0, 0.07, 0.7)
+    assert wall.hindrances(1.0, 1.5, size) == wall.hindrances(2.4, 1.5, size) == ["another wall of the room"]
+    assert wall.hindrances(2.6, 1.5, size) == []
+    assert wall.gaps(1.0, 1.2, 1.8, 0.07) == [pytest.approx((2.5, 5.48))]

@@ -6,11 +6,12 @@ import pytest
 from shapely import Polygon
 
 from mansion_assets.catalogue import RoomFurnishing, furnish_request, load_catalogue
-from mansion_geometry.object_footprints import footprint
+from mansion_geometry.object_footprints import footprint, footprint_at
 from mansion_msgs_py.codec import encode
 from mansion_msgs_py.scene import Door, SceneObject, Window
 from mansion_scene.decor import decorate_room, scene_object
-from mansion_scene.decor.frames import to_floor, to_local
+from mansion_scene.decor.frames import to_floor, to_local, wall_edges
+from mansion_scene.decor.wall_objects import WallSpace
 
 CATALOGUE = load_catalogue()
 RING = [(0.0, 0.0), (6.0, 0.0), (6.0, 5.0), (0.0, 5.0)]
@@ -151,6 +152,39 @@ def test_an_l_shaped_room_is_decorated_within_its_walls() -> None:
     shape = Polygon(ring).buffer(0.01)
     assert any(o.mount == "ceiling" for o in extra) and any(o.mount == "wall" for o in extra)
     assert all(shape.contains(footprint(o)) for o in extra if not o.parent)
+
+
+@pytest.mark.parametrize(
+    "ring",
+    [
+        pytest.param([(0, 0), (4, 0), (4, 1.3), (5.5, 1.3), (5.5, 1.345), (0, 1.345)], id="a shallow tail"),
+        pytest.param([(0, 0), (6, 0), (6, 1.4), (3.2, 1.4), (3.0, 0.04), (2.8, 1.4), (0, 1.4)], id="a pillar"),
+    ],
+)
+def test_what_hangs_on_a_wall_is_no_deeper_than_the_room_before_it(ring: list[tuple[float, float]]) -> None:
+    room = Polygon(ring).buffer(1e-3)
+    hung = 0
+    for seed in range(6):
+        for room_type in ("living_room", "meeting_room"):
+            wishes = furnish_request(CATALOGUE, room_type, 30.0, seed=seed, room_id=ROOM, extent=(6.0, 1.4))
+            extra = decorate_room(
+                CATALOGUE, wishes, room_id=ROOM, net_polygon=ring, ceiling_height=2.7, placed=[], seed=seed
+            )
+            walled = [o for o in extra if o.mount == "wall"]
+            hung += len(walled)
+            assert [o.id for o in walled if not room.contains(footprint(o))] == []
+    assert hung > 20
+
+
+@pytest.mark.parametrize("height", [0.5, 1.1, 4.0])
+def test_what_hangs_keeps_off_a_pointed_corner(height: float) -> None:
+    ring = [(0.0, 0.0), (4.0, 0.0), (0.0, height)]
+    sides = wall_edges(ring)
+    room, depth = Polygon(ring).buffer(1e-6), 0.09
+    for wall in (WallSpace(side, sides) for side in sides):
+        for along in (end for gap in wall.gaps(0.3, 1.0, 1.5, depth) for end in gap):
+            shape = footprint_at(wall.edge.point(along, depth / 2), (0.3, depth, 0.5), wall.edge.rotation)
+            assert room.covers(shape)
 
 
 def test_a_receptacles_frame_turns_with_it() -> None:

@@ -19,6 +19,7 @@ from mansion_assets.materials.sets import MaterialSet, material_set
 from mansion_geometry.compiled import Floats
 from mansion_msgs_py.codec import prepared
 from mansion_msgs_py.files import write_atomic
+from mansion_msgs_py.late_imports import importing
 
 __all__ = ["TextureSet", "draw", "texture_set"]
 
@@ -89,7 +90,8 @@ def texture_set(name: str) -> TextureSet:
 def draw(name: str) -> Layers:
     """Draw the tile of a set by its procedure."""
     chosen = material_set(name)
-    procedure: Any = resolve_name(f"mansion_assets.materials.families.{chosen.procedure.replace('.', ':')}")
+    with importing:
+        procedure: Any = resolve_name(f"mansion_assets.materials.families.{chosen.procedure.replace('.', ':')}")
     layers: Layers = procedure(Canvas(name, chosen.size, chosen.pixels), **chosen.parameters)
     return layers
 

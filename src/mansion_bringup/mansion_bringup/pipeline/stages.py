@@ -4,6 +4,7 @@ import time
 from typing import TYPE_CHECKING, Any, Final, Protocol, TypeVar
 
 from mansion_msgs_py.interfaces import service
+from mansion_msgs_py.late_imports import importing
 from mansion_msgs_py.layout import FloorLayout, FloorProblem
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.scene import FloorScene
@@ -33,19 +34,22 @@ class LocalStages:
 
     def plan(self, request: BuildRequest) -> PlanReply:
         """See `Stages.plan`."""
-        from mansion_planner.plan import plan_building
+        with importing:
+            from mansion_planner.plan import plan_building
 
         return plan_building(request)
 
     def solve(self, problem: FloorProblem) -> FloorLayout:
         """See `Stages.solve`."""
-        from mansion_planner.solver import solve_floor
+        with importing:
+            from mansion_planner.solver import solve_floor
 
         return solve_floor(problem)
 
     def furnish(self, request: FurnishRequest) -> FloorScene:
         """See `Stages.furnish`."""
-        from mansion_scene.assembly import furnish_floor
+        with importing:
+            from mansion_scene.assembly import furnish_floor
 
         return furnish_floor(request)
 

@@ -16,7 +16,7 @@ from mansion_msgs_py.scene import FloorScene, SceneObject, SceneRoom
 from mansion_msgs_py.wording import with_article
 from mansion_scene.decor.ceiling_objects import HEADROOM, CeilingSpace
 from mansion_scene.decor.frames import room_polygon, wall_edges
-from mansion_scene.decor.wall_objects import WallSpace, hanging_height, height_above
+from mansion_scene.decor.wall_objects import BACK_GAP, WallSpace, hanging_height, height_above
 
 __all__ = ["hang"]
 
@@ -26,7 +26,6 @@ STEP = 0.1
 LATTICE = 0.5
 """Distance between places that are tried on a ceiling, metres."""
 
-BACK_GAP = 0.002
 LOW = 0.03
 MOST_REFUSED = 8
 APART = 0.3
@@ -85,10 +84,11 @@ def _on_walls(
     room, wish = where.room, where.wish
     w, d, _ = thing.size
     found: list[tuple[float, SceneObject, list[str]]] = []
-    for edge in wall_edges(room.net_polygon, room.net_holes):
+    edges = wall_edges(room.net_polygon, room.net_holes)
+    for edge in edges:
         if edge.length < w + 0.04:
             continue
-        wall = WallSpace(edge)
+        wall = WallSpace(edge, edges)
         wall.block_openings(scene.doors, scene.windows)
         for item in others:
             if item.size[2] > LOW:

@@ -257,15 +257,29 @@ def _concerns(opening: Door | Window, rooms: dict[str, SceneRoom]) -> bool:
 
 
 def _holes_on(stretch: Stretch, waiting: Sequence[Door | Window], rooms: dict[str, SceneRoom]) -> list[_Hole]:
-    """Return the openings that lie on a stretch and join what it divides, along its direction."""
-    holes = []
-    for opening in waiting:
+    """Return the openings that lie on a stretch and join what it divides, along its direction.
+
+    Of openings before one another, as in two walls close together, the nearest is taken; the others have their own.
+    """
+    found = []
+    for number, opening in enumerate(waiting):
         if not _joins(opening, stretch, rooms):
             continue
         interval = _interval(stretch, opening.segment)
         if interval is not None:
-            holes.append(_Hole(*interval, opening))
+            found.append((_distance(stretch, opening.segment), number, _Hole(*interval, opening)))
+    holes: list[_Hole] = []
+    for _, _, hole in sorted(found, key=lambda entry: entry[:2]):
+        if all(hole.high <= other.low or other.high <= hole.low for other in holes):
+            holes.append(hole)
     return sorted(holes, key=lambda hole: hole.low)
+
+
+def _distance(stretch: Stretch, segment: Segment) -> float:
+    """Return how far a segment's middle lies from the line of a stretch, in steps of 1 mm."""
+    (ax, ay), (bx, by) = stretch.start, stretch.end
+    x, y = (segment[0][0] + segment[1][0]) / 2, (segment[0][1] + segment[1][1]) / 2
+    return round(abs((x - ax) * (by - ay) - (y - ay) * (bx - ax)) / stretch.length, 3)
 
 
 def _joins(opening: Door | Window, stretch: Stretch, rooms: dict[str, SceneRoom]) -> bool:

@@ -4,6 +4,7 @@ from functools import lru_cache
 from typing import TYPE_CHECKING
 
 from mansion_language import singular
+from mansion_msgs_py.late_imports import importing
 
 if TYPE_CHECKING:
     from mansion_assets.catalogue import Catalogue
@@ -122,7 +123,8 @@ def _furniture() -> dict[tuple[str, ...], str]:
 
 def _present_catalogue() -> "Catalogue":
     """Return the catalogue with the user's own assets, which may be others for another call in this process."""
-    from mansion_assets.catalogue import load_catalogue
+    with importing:
+        from mansion_assets.catalogue import load_catalogue
 
     return load_catalogue()
 

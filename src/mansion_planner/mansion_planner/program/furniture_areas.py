@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 
 from mansion_knowledge.object_kinds import added_for, answers
+from mansion_msgs_py.late_imports import importing
 from mansion_planner.brief.facts import ObjectFact, RoomFact
 
 __all__ = ["furniture_area", "furniture_areas", "usual_number", "usually_has"]
@@ -76,7 +77,8 @@ def _typical_size(room_type: str, category: str) -> tuple[float, float]:
 
     The room's own furniture comes first: a desk of an office is an office desk.
     """
-    from mansion_assets.catalogue import load_catalogue
+    with importing:
+        from mansion_assets.catalogue import load_catalogue
 
     catalogue = load_catalogue()
     own = [
@@ -95,7 +97,8 @@ def _typical_size(room_type: str, category: str) -> tuple[float, float]:
 
 def _seat(room_type: str, category: str) -> float:
     """Return the floor of a seat as rooms of the type have them."""
-    from mansion_assets.catalogue import load_catalogue
+    with importing:
+        from mansion_assets.catalogue import load_catalogue
 
     catalogue = load_catalogue()
     for item in catalogue.room_program(room_type).floor:
@@ -114,7 +117,8 @@ def _seat(room_type: str, category: str) -> float:
 
 def usually_has(room_type: str, category: str) -> bool:
     """Whether rooms of a type have furniture of a category, or that answers for it, without being asked."""
-    from mansion_assets.catalogue import load_catalogue
+    with importing:
+        from mansion_assets.catalogue import load_catalogue
 
     card = load_catalogue().room_program(room_type)
     held = [item.category for item in card.floor] + [item.category for item in card.rugs]
@@ -125,7 +129,8 @@ def usually_has(room_type: str, category: str) -> bool:
 
 def usual_number(room_type: str, category: str, area: float) -> float:
     """Return about how many pieces of a category rooms of a type and an area (m2) have without being asked."""
-    from mansion_assets.catalogue import load_catalogue
+    with importing:
+        from mansion_assets.catalogue import load_catalogue
 
     card = load_catalogue().room_program(room_type)
     numbers: dict[str, float] = {}

@@ -6,19 +6,26 @@ import msgspec
 import numpy as np
 
 from mansion_assets.catalogue import Asset, HangRequest
+from mansion_geometry.boxes import TOUCH
 from mansion_geometry.object_footprints import footprint_corners
 from mansion_msgs_py.scene import Door, SceneObject, Window
-from mansion_msgs_py.shapes import Point3, Size3
+from mansion_msgs_py.shapes import Point, Point3, Size3
 from mansion_scene.decor.frames import Ids, WallEdge, scene_object
 from mansion_scene.decor.rugs import matches
 
-__all__ = ["WallSpace", "hanging_height", "height_above", "wall_objects"]
+__all__ = ["BACK_GAP", "WallSpace", "hanging_height", "height_above", "wall_objects"]
 
 _SIDE = 0.06
 """Least distance to neighbours on the wall and to door and window frames, metres."""
 
 _ABOVE = 0.04
 """Least distance to the furniture below, metres."""
+
+BACK_GAP = 0.002
+"""Distance from a wall to the back of what hangs on it, metres."""
+
+_SIDES = "another wall of the room"
+"""What is named where the room is too shallow before a wall."""
 
 
 class _Block(msgspec.Struct, frozen=True):
@@ -32,13 +39,36 @@ class _Block(msgspec.Struct, frozen=True):
     name: str = ""
 
 
-class WallSpace:
-    """A side of the room and what hangs on it or stands before it."""
+def _without(free: list[tuple[float, float]], start: float, end: float) -> list[tuple[float, float]]:
+    """Return intervals less what lies between `start` and `end`."""
+    return [p for a, b in free for p in ((a, min(b, start)), (max(a, end), b)) if p[1] >= p[0]]
 
-    def __init__(self, edge: WallEdge) -> None:
+
+def _within(start: Point, end: Point, depth: float) -> tuple[float, float] | None:
+    """Return the stretch of a wall before which a side, in that wall's coordinates, is nearer than `depth`."""
+    (s0, t0), (s1, t1) = (start, end) if start[1] <= end[1] else (end, start)
+    if t1 <= TOUCH or t0 >= depth - TOUCH:
+        return None
+    cuts = [s0 + (s1 - s0) * min(1.0, max(0.0, (t - t0) / max(t1 - t0, TOUCH))) for t in (0.0, depth)]
+    return min(cuts), max(cuts)
+
+
+class WallSpace:
+    """A side of the room and what hangs on it or stands before it.
+
+    Parameters
+    ----------
+    edge : WallEdge
+        The side.
+    room : sequence of WallEdge, optional
+        All sides of the room, this one among them: nothing hangs where another is too near.
+    """
+
+    def __init__(self, edge: WallEdge, room: Sequence[WallEdge] = ()) -> None:
         self.edge = edge
         self.blocks: list[_Block] = []
         self.hung: list[tuple[float, str]] = []
+        self._sides = [(edge.coordinates(side.start), edge.coordinates(side.end)) for side in room if side is not edge]
 
     def gaps(self, width: float, low: float, high: float, depth: float) -> list[tuple[float, float]]:
         """Return the intervals in which the centre of an object of this width may lie."""
@@ -47,16 +77,23 @@ class WallSpace:
         for block in self.blocks:
             if block.low >= high or block.high <= low or block.distance >= depth + 0.02:
                 continue
-            cut = (block.start - margin, block.end + margin)
-            free = [p for a, b in free for p in ((a, min(b, cut[0])), (max(a, cut[1]), b)) if p[1] >= p[0]]
+            free = _without(free, block.start - margin, block.end + margin)
+        for start, end in self._shallow(depth):
+            free = _without(free, start - width / 2, end + width / 2)
         return free
+
+    def _shallow(self, depth: float) -> list[tuple[float, float]]:
+        """Return the stretches before which another side of the room is nearer than what is so deep."""
+        crossings = [_within(*side, depth + BACK_GAP) for side in self._sides]
+        return [crossing for crossing in crossings if crossing is not None]
 
     def hindrances(self, along: float, center: float, size: Size3) -> list[str]:
         """Return the openings and objects, by id, that leave no room for an object whose centre is there."""
         w, d, h = size
         low, high = center - h / 2, center + h / 2
         near = w / 2 + _SIDE
-        return [
+        sides = [_SIDES for start, end in self._shallow(d) if start - w / 2 < along < end + w / 2]
+        return sides[:1] + [
             block.name
             for block in self.blocks
             if block.low < high
@@ -104,7 +141,7 @@ def wall_objects(
     rng: np.random.Generator,
 ) -> list[SceneObject]:
     """Return the wall objects of a room; those above furniture and beside doors are hung first."""
-    walls = [WallSpace(edge) for edge in edges]
+    walls = [WallSpace(edge, edges) for edge in edges]
     standing = [obj for obj in placed if obj.size[2] > 0.03]
     for wall in walls:
         wall.block_openings(doors, windows)
@@ -129,7 +166,7 @@ def wall_objects(
 
 
 def _hang(asset: Asset, edge: WallEdge, along: float, center: float, ids: Ids, room_id: str) -> SceneObject:
-    x, y = edge.point(along, asset.size[1] / 2 + 0.002)
+    x, y = edge.point(along, asset.size[1] / 2 + BACK_GAP)
     position: Point3 = (x, y, center)
     return scene_object(asset, ids.new(asset.category), room_id, position, edge.rotation, mount="wall")
 

@@ -13,6 +13,7 @@ from typing import Any, Final
 from mansion_msgs_py.building_folder import BuildingFolder, floor_file
 from mansion_msgs_py.codec import decode, encode_bytes
 from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.late_imports import importing
 from mansion_msgs_py.scene import FloorScene
 
 __all__ = ["HOUSE", "MODEL", "FloorExport", "exported", "made"]
@@ -72,8 +73,9 @@ def made(building: BuildingFolder, floor: int, what: FloorExport) -> dict[str, b
 def _made(scene: bytes, what: FloorExport, assets: Path | None) -> dict[str, bytes]:
     """Make the files of a scene whose own assets, if it has any, are in a building's folder."""
     try:
-        function: Any = resolve_name(what.function)
-        preferring: Any = resolve_name(_ASSETS)
+        with importing:
+            function: Any = resolve_name(what.function)
+            preferring: Any = resolve_name(_ASSETS)
     except ImportError:
         raise MansionError(
             ErrorCode.NOT_FOUND,

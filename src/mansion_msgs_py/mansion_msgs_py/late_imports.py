@@ -1,0 +1,14 @@
+"""Imports inside functions that several threads may be the first to call."""
+
+import threading
+from typing import Final
+
+__all__ = ["importing"]
+
+importing: Final = threading.RLock()
+"""Held while a function imports what it needs, so that one thread at a time does.
+
+Two threads that enter a package from two sides, one by the package and one by a module of it, wait for each other;
+Python then gives one of them a module that is not complete, and its import fails. Modules hold it in functions alone:
+whoever took it while it is itself imported could wait for a thread that waits for that import.
+"""
