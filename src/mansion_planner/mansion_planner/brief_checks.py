@@ -130,6 +130,8 @@ def check_understood(facts: BriefFacts, description: str) -> None:
     words = len(description.split())
     if facts.building and words <= 8:
         return  # "Flat: 3½ rooms"
+    if facts.building_like and not facts.unread:
+        return  # "A canteen building"
     if (stated and unread <= 0.6 * words) or (len(stated) > 2 and unread < 0.8 * words):
         return
     raise nothing_understood(facts, description)

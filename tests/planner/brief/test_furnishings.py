@@ -109,3 +109,11 @@ def test_entries_of_a_list_do_not_share_the_room_of_the_last() -> None:
 def test_furniture_stands_in_the_room_that_its_clause_is_about(text: str, room: str) -> None:
     objects = read_brief(text, default_knowledge()).objects
     assert [fact.room for fact in objects if fact.category in ("stove", "oven")] == [room]
+
+
+@pytest.mark.parametrize("words", ["a bedroom (double bed)", "one bedroom with a double bed", "a bedroom: double bed"])
+def test_a_double_bed_is_no_number_of_bedrooms(words: str) -> None:
+    facts = read_brief(f"A flat with {words}, a wardrobe.", default_knowledge())
+    assert [(room.name, room.count) for room in facts.rooms] == [("bedroom", 1)]
+    assert [thing.category for thing in facts.objects] == ["bed", "wardrobe"]
+    assert facts.unread == []

@@ -103,3 +103,55 @@ def test_a_reading_is_cancelled_between_its_steps() -> None:
         plan_building(BuildRequest(description="a house with two bedrooms, " * 50), cancelled=cancelled)
     assert refusal.value.code == ErrorCode.CANCELED
     assert len(asked) == 3
+
+
+@pytest.mark.parametrize(
+    ("text", "name", "words"),
+    [
+        ("a bike shop with a workshop", "bike_shop", ["bike"]),
+        ("A maritime museum on two floors", "maritime_museum", ["maritime"]),
+        ("a patio house with two bedrooms", "patio_house", ["patio"]),
+        ("a vinyl record shop", "vinyl_record_shop", ["vinyl record"]),
+        ("a black-box theatre", "black_box_theatre", ["black-box"]),
+        ("a pharmacy cum polyclinic", "pharmacy_polyclinic", ["pharmacy"]),
+    ],
+)
+def test_what_a_building_is_about_is_in_its_name_and_told(text: str, name: str, words: list[str]) -> None:
+    facts = read(text)
+    assert (facts.building_name, [span.words for span in facts.unheeded]) == (name, words)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "a village library",
+        "a local radio station",
+        "a lake house",
+        "a duplex apartment",
+        "the Miller house with two bedrooms",
+        "a grandmother's farmhouse",
+        "a second-hand bookshop",
+        "a two-bed flat",
+    ],
+)
+def test_settings_and_owners_of_a_building_are_not_told(text: str) -> None:
+    assert read(text).unheeded == []
+
+
+@pytest.mark.parametrize(
+    ("room", "known"),
+    [
+        ("turbine hall", False),
+        ("ballet hall", False),
+        ("milking parlour", False),
+        ("pottery workshop", False),
+        ("assembly hall", True),
+        ("concert hall", True),
+        ("large hall", True),
+        ("repair workshop", True),
+        ("front parlour", True),
+    ],
+)
+def test_a_room_called_after_what_its_kind_has_nothing_of_is_taken_for_that_kind(room: str, known: bool) -> None:
+    facts = read(f"a school with a {room} and two classrooms")
+    assert facts.rooms[0].known is known

@@ -73,3 +73,8 @@ def test_a_bungalow_of_five_storeys_is_reported() -> None:
     program = plan_building(BuildRequest(description="bungalow with five floors")).program
     assert len(program.floors) == 5
     assert [d.wish for d in program.downgrades] == ["bungalow"]
+
+
+def test_a_building_that_only_its_last_noun_is_known_of_is_planned() -> None:
+    program = plan_building(BuildRequest(description="A canteen building.")).program
+    assert (program.building_type, program.kind) == ("canteen_building", "restaurant_building")

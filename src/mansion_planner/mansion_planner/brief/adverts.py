@@ -21,6 +21,8 @@ def read_adverts(reading: Reading, places: Sequence[Place]) -> None:
             continue
         if stated.get(reading.sentence[index], index) < index:
             continue
+        if reading.word(index) in _SIZES_OF_BEDS and word == "bed":
+            continue  # a piece of furniture
         one_more = reading.word(index - 1) in ("a", "an") and reading.word(index - 2) in ("and", ",", "plus")
         if reading.word(index + 2) == "flat" and (one_more or reading.kind(index - 1) == "number"):
             continue  # "two 2BR flats"
@@ -31,6 +33,9 @@ def read_adverts(reading: Reading, places: Sequence[Place]) -> None:
             _state(reading, "bedroom", index)
         elif word in ("bath", "ba", "bathroom") and singular and _follows_bedrooms(reading, index):
             _state(reading, "bathroom", index)
+
+
+_SIZES_OF_BEDS = frozenset({"single", "double", "twin", "triple"})
 
 
 def read_bedrooms_of_building(reading: Reading, phrase: Phrase) -> None:

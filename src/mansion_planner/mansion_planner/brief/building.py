@@ -7,6 +7,7 @@ from functools import cached_property
 from mansion_planner.brief.furniture_words import furniture_of
 from mansion_planner.brief.lexicon import lexicon_of
 from mansion_planner.brief.phrase import FUNCTION_WORDS, PEOPLE, PLAIN, Phrase
+from mansion_planner.brief.qualifiers import subject_of_building
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
 from mansion_planner.brief.room_names import CONTRASTS
 from mansion_planner.brief.similarity import HEAD_TYPES
@@ -53,14 +54,16 @@ def building_phrase(reading: Reading, phrases: list[Phrase], places: list[Place]
 def own_building_name(reading: Reading, phrase: Phrase) -> str:
     """Return what the brief calls a known kind of building, in snake case; empty where that is the kind's own name.
 
-    "A beach house" is planned like a manor and stays a beach house; "an infill building" says nothing of its use.
+    "A beach house" is planned like a manor and stays a beach house, "a maritime museum" is not any museum; "an infill
+    building" says nothing of its use.
     """
     lexicon = lexicon_of(reading.knowledge)
     words = reading.words(phrase.begin, phrase.noun_end)
     for size in range(min(lexicon.longest, len(words)), 0, -1):
         meaning = lexicon.phrases.get(words[-size:])
         if meaning is not None and meaning.building:
-            name = "_".join(words[-size:])
+            subject = [word for run in subject_of_building(reading, phrase) for word in reading.words(*run)]
+            name = "_".join((*subject, *words[-size:]))
             plain = name.endswith("_building") and phrase.building.endswith("_building")
             return "" if plain or name == phrase.building or phrase.plural else name
     return ""

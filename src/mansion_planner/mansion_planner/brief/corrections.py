@@ -8,7 +8,7 @@ from dataclasses import replace
 from mansion_language import Token
 from mansion_language.units import AREA
 
-__all__ = ["corrected_numbers"]
+__all__ = ["PAUSES", "corrected_numbers", "sign_at"]
 
 _SIGNS = (
     ("make", "that"), ("make", "it"), ("i", "mean"), ("or", "rather"), ("or", "better"), ("scratch", "that"),
@@ -19,8 +19,11 @@ _SIGNS = (
 """What is said to take back a number, several of them one after the other at times."""
 _WEAK = frozenset({("no",), ("well",), ("better",), ("rather",), ("actually",), ("make", "it"), ("wait",)})
 """Signs that take something back only after a comma, a bracket or a dash."""
-_PAUSES = frozenset({",", "(", "-", "–", "…", ":"})
+PAUSES = frozenset({",", "(", "-", "–", "…", ":"})
+"""Marks that set apart what takes something back."""
 _ENDS = frozenset({"", ",", ".", ")", ";", "-", "–", "\n", "and", "with", "in", "on", "plus", "!"})
+_POINTING = frozenset({"another", "this", "that", "the", "no", "which", "other"})
+"""Words before "one" where it stands for a noun: "the board approved another one"."""
 _REACH = 14
 """Tokens before a sign among which the number that it takes back is looked for."""
 
@@ -59,15 +62,15 @@ def _word(tokens: list[Token], index: int) -> str:
 def _correction(tokens: list[Token], before: list[Token], index: int) -> tuple[int, int, int] | None:
     """Return which earlier number is taken back at a token, the token of the later one, and where that ends."""
     at, paused = index, False
-    while _word(tokens, at) in _PAUSES or _word(tokens, at) == _word(tokens, at + 1) == "." or (
+    while _word(tokens, at) in PAUSES or _word(tokens, at) == _word(tokens, at + 1) == "." or (
         at > index and _word(tokens, at) == _word(tokens, at - 1) == "."
     ):  # fmt: skip
         at, paused = at + 1, True
     first, weak = at, True
-    while (sign := _sign(tokens, at)) is not None:
+    while (sign := sign_at(tokens, at)) is not None:
         weak = weak and sign in _WEAK
         at += len(sign)
-        while _word(tokens, at) in _PAUSES:
+        while _word(tokens, at) in PAUSES:
             at += 1
     if at == first or (weak and not paused) or at >= len(tokens) or tokens[at].kind != "number":
         return None
@@ -75,7 +78,8 @@ def _correction(tokens: list[Token], before: list[Token], index: int) -> tuple[i
     return None if earlier is None else (earlier, at, _end(tokens, before, earlier, at, opened=_word(tokens, index)))
 
 
-def _sign(tokens: list[Token], index: int) -> tuple[str, ...] | None:
+def sign_at(tokens: list[Token], index: int) -> tuple[str, ...] | None:
+    """Return the words that take something back at a token, if there are any."""
     return next((s for s in _SIGNS if tuple(t.text for t in tokens[index : index + len(s)]) == s), None)
 
 
@@ -86,7 +90,7 @@ def _taken_back(tokens: list[Token], before: list[Token], number: int) -> int | 
         token = before[at]
         if token.text in (";", "\n") or (token.text == "." and _word(before, at - 1) != "." != _word(before, at + 1)):
             return None
-        if token.kind != "number":
+        if token.kind != "number" or (token.text == "one" and _word(before, at - 1) in _POINTING):
             continue
         if of in _ENDS or at == len(before) - 1:
             return at

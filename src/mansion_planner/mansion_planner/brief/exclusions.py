@@ -154,7 +154,12 @@ def negated_phrases(reading: Reading, phrases: list[Phrase]) -> dict[int, tuple[
             continue
         length = _negation(reading, index)
         if length:
+            elsewhere = reading.word(index) == "never" and reading.word(index + length) in ("in", "on", "at", "inside")
             for number in _reached(reading, phrases, starts, index + length):
+                if elsewhere:  # "a television in the lounge, never in a bedroom"
+                    reading.taken.difference_update(range(phrases[number].begin, phrases[number].last))
+                    phrases[number] = replace(phrases[number], head="unknown")
+                    continue
                 if reading.kind(phrases[number].first - 1) == "ordinal" or _is_compared(reading, phrases[number].last):
                     reading.taken.difference_update(range(phrases[number].first - 1, phrases[number].last))
                     phrases[number] = replace(phrases[number], head="unknown")  # "instead of the second bedroom"

@@ -342,6 +342,8 @@ def _by_mention(reading: Reading, begin: int, end: int, mention: Mention) -> Phr
     """Return the room or the building that the lexicon has, as more words before its head may tell it further."""
     last = reading.word(end - 1)
     room = mention.room or room_of_building(mention.building, reading.knowledge)
+    if last in PEOPLE and reading.plural(end - 1) and not mention.room:
+        return finished_phrase(reading, "people", begin, end)  # "50 diners" are no eating houses
     if end - begin > 1 and mention.last - mention.first == 1:
         if last == "studio" and _names_use(reading, begin, end):
             return finished_phrase(reading, "room", begin, end, room=HEAD_TYPES[last], known=False)

@@ -54,6 +54,9 @@ class NumberedStoreys:
             reading.kind(i) == "number" and reading.starts(i) and self._is_heading(i)
             for i in range(len(reading.tokens))
         )
+        codes = [i for i in range(len(reading.tokens)) if self._is_code(i)]
+        self.coded = len(codes) > 1
+        self.codes_above = int(any(reading.value(i) == 0 for i in codes))
         heads = [i for i in range(len(reading.tokens)) if reading.starts(i) and reading.word(i + 1) == ":"]
         ground = any(reading.word(i) in ("g", "ground", "gf", ABOVE_GROUND) for i in heads)
         self.headings_above = int(ground and any(reading.value(i) == 1 and reading.word(i) != "first" for i in heads))
@@ -204,11 +207,18 @@ class NumberedStoreys:
             last += 2
         return self.reading.word(last) == ":"
 
+    def _is_code(self, index: int) -> bool:
+        """Whether a number of two digits that begins with 0 opens a line: "00 reception", "01-04 offices"."""
+        token = self.reading.tokens[index]
+        code = self.reading.text[token.start : token.end]
+        return token.kind == "number" and len(code) == 2 and code[0] == "0" and self.reading.starts(index)
+
     def heading(self, index: int) -> tuple[list[FloorRef], int] | None:
-        """Read "1: lobby", "4, 5 and 6: wards" where such headings number the storeys."""
+        """Read "1: lobby", "4, 5 and 6: wards", "2-8 identical" and "00 reception" where they number the storeys."""
         reading = self.reading
-        if self.numbered_headings < 2 or reading.kind(index) != "number" or not reading.starts(index):
+        if reading.kind(index) != "number" or not reading.starts(index):
             return None
+        coded = self.coded and self._is_code(index)
         numbers, last = [int(reading.value(index))], index + 1
         while reading.word(last) in (",", "and", "&", "–", "to", "through"):
             if reading.kind(last + 1) != "number":
@@ -218,7 +228,14 @@ class NumberedStoreys:
             else:
                 numbers.append(int(reading.value(last + 1)))
             last += 2
-        if reading.word(last) != ":" or max(numbers) > 200:
+        marked = self.numbered_headings > 1 and reading.word(last) == ":"
+        alike = len(numbers) > 1 and self.has_floors and reading.word(last) in _ALIKE
+        if not (marked or alike or coded) or max(numbers) > 200:
             return None
-        numbers = [number + self.headings_above for number in numbers]
+        above = self.codes_above if coded else self.headings_above
+        numbers = [number + above for number in numbers]
         return [FloorRef("number", number, number) for number in numbers], last
+
+
+_ALIKE = frozenset({"identical", "alike", "typical"})
+"""What is said of storeys whose numbers alone open a sentence: "2-8 identical, ten rooms each"."""

@@ -329,9 +329,17 @@ def count_after(reading: Reading, end: int) -> tuple[int, int | None]:
         return number + 1 + (reading.word(number + 1) == ")"), int(reading.value(number))
     if word in (",", "-", "–", "(") and whole and reading.plural(end - 1) and _per_storey(reading, end + 2):
         return end + 2, int(value)
+    if word in ("-", "–", ":") and whole and reading.plural(end - 1) and _ends_entry(reading, end + 2):
+        return end + 2, int(value)
     if word in (",", ":") and whole and reading.word(end + 2) in ("no", "nos", "number", "off", "pcs", "piece"):
         return end + 3 + (reading.word(end + 3) == "."), int(value)
     return end, None
+
+
+def _ends_entry(reading: Reading, index: int) -> bool:
+    """Whether an entry of a list is over, or goes on after a comma: "interview rooms - 3, next to the cells"."""
+    listed = reading.word(index) == "," and reading.kind(index + 1) != "number"
+    return listed or reading.breaks(index)  # "rehearsal rooms: 60, 80 and 120 m2" are areas
 
 
 def tells_some(reading: Reading, index: int) -> bool:

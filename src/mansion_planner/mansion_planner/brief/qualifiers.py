@@ -9,11 +9,11 @@ from collections.abc import Sequence
 
 from mansion_planner.brief.facts import BriefFacts, Span
 from mansion_planner.brief.furniture_words import furniture_of
-from mansion_planner.brief.phrase import Phrase
+from mansion_planner.brief.phrase import FUNCTION_WORDS, PLAIN, UNITS_OF_ROOMS, Phrase
 from mansion_planner.brief.reading import Reading
 from mansion_planner.brief.sizes import is_size
 
-__all__ = ["is_property", "unheeded_words"]
+__all__ = ["is_property", "subject_of_building", "taken_for_its_head", "unheeded_words"]
 
 _PROPERTIES = frozenset(
     """
@@ -51,6 +51,20 @@ _ORIGINS = frozenset(
     """.split()
 )
 """Where a building is usual, of which no plan is made but by the styles that are called so."""
+_SETTINGS = frozenset(
+    """
+    local regional municipal district village rural urban town city country countryside provincial neighborhood
+    neighbourhood suburban suburb roadside corner street riverside lakeside lake lakefront seaside sea coastal beach
+    mountain alpine hillside forest island family holiday vacation weekend summer winter national public private
+    community communal company corporate charity volunteer state federal central county royal international university
+    campus model sample demo fantasy imaginary typical traditional style styled type cum look inspired themed storey
+    multifamily family-run group test pilot future small-town mixed use multi generation generational cute pretty lovely
+    tower mini walk ish youth boy girl student staff health charming
+    stunning spectacular magnificent superb impressive exclusive prestigious
+    unique exceptional head stylish fancy posh custom grand stately luxury luxurious budget starter ideal
+    """.split()
+)
+"""Words before a kind of building for where it stands, whose it is or how it pleases, which no plan could answer."""
 _KINDS = frozenset({"room", "building", "object", "stair", "elevator"})
 
 
@@ -62,12 +76,18 @@ def unheeded_words(reading: Reading, phrases: Sequence[Phrase], facts: BriefFact
     phrases : sequence of Phrase
         All noun phrases; those of people and of unread things are passed over.
     """
-    heeded = [span for _, span in facts.styles] + [m.span for m in facts.materials] + [s for _, s in facts.shapes]
+    heeded = [span for _, span in (*facts.styles, *facts.shapes)]
+    heeded += [material.span for material in facts.materials]
+    starts = {span.start for name, span in facts.building if span.words}
     found: list[Span] = []
     for phrase in phrases:
         if phrase.head not in _KINDS:
             continue
-        for first, last in _properties(reading, phrase):
+        properties = _properties(reading, phrase)
+        if reading.tokens[phrase.begin].start in starts and not phrase.plural:
+            told = {at for first, last in properties for at in range(first, last)}
+            properties += [run for run in subject_of_building(reading, phrase) if told.isdisjoint(range(*run))]
+        for first, last in properties:
             span = reading.span(first, last)
             if not any(span.start < other.end and other.start < span.end for other in heeded):
                 found.append(span)
@@ -89,6 +109,76 @@ def _properties(reading: Reading, phrase: Phrase) -> list[tuple[int, int]]:
             found.append((index, last))
         index = last
     return found
+
+
+def subject_of_building(reading: Reading, phrase: Phrase) -> list[tuple[int, int]]:
+    """Return the tokens that say what a building is about, before those of its kind: "bike" of "a bike shop".
+
+    Words for where it stands or whose it is are left out, and so are names: "the Miller house".
+    """
+    runs: list[tuple[int, int]] = []
+    kind = reading.knowledge.buildings.get(phrase.building)
+    at_home = kind is not None and kind.family in ("home", "lodging")
+    for index in range(phrase.begin, _core(reading, phrase)):
+        if not _is_subject(reading, index) or (at_home and _owns(reading, index)):
+            continue
+        first = index
+        while first > phrase.begin and _joined(reading, first) and reading.kind(first) == "word":
+            first -= 1  # "black-box theatre"
+        if runs and runs[-1][1] >= first:
+            runs[-1] = (runs[-1][0], index + 1)
+        else:
+            runs.append((first, index + 1))
+    return runs
+
+
+def _owns(reading: Reading, index: int) -> bool:
+    words = reading.span(index, index + 1).words
+    return "'" in words or "’" in words
+
+
+def _is_subject(reading: Reading, index: int) -> bool:
+    word, token = reading.word(index), reading.tokens[index]
+    if not token.spaced and reading.kind(index - 1) in ("number", "ordinal"):
+        return False  # "a second-hand bookshop"
+    called = reading.text[token.start].isupper() and not reading.starts(index) and not word.endswith(_ADJECTIVAL)
+    return (
+        reading.kind(index) == "word"
+        and len(word) > 1
+        and word not in FUNCTION_WORDS | PLAIN | UNITS_OF_ROOMS | _SETTINGS | _DWELLINGS
+        and not is_size(word)
+        and not is_property(word)
+        and not called
+        and not any(m.style and m.first <= index < m.last for m in reading.mentions)
+    )
+
+
+_ADJECTIVAL = ("an", "ese", "ish", "tine", "rine")
+_DWELLINGS = frozenset("apartment flat house home penthouse duplex triplex maisonette studio loft building".split())
+
+
+def taken_for_its_head(reading: Reading, phrase: Phrase) -> bool:
+    """Whether a room of a known kind is called after something that the kind has nothing of: "a turbine hall"."""
+    if phrase.head != "room" or phrase.room_type not in _WIDE or not phrase.known:
+        return False
+    core = _core(reading, phrase)
+    single = phrase.noun_end - core == 1 and reading.word(core) in _WIDE[phrase.room_type]
+    return single and any(
+        _is_subject(reading, index) and reading.word(index) not in _AS_ANY for index in range(phrase.begin, core)
+    )
+
+
+_WIDE = {"assembly_hall": {"hall"}, "living_room": {"parlour", "parlor", "salon"}, "workshop": {"workshop"}}
+"""Room types whose nouns stand for rooms of many other uses as well."""
+_AS_ANY = frozenset(
+    """
+    social recital plenary gala concert assembly event function
+    community meeting festival banquet ceremony wedding party school parish
+    repair maintenance tool craft wood metal carpentry joinery mechanical technical teaching training making
+    guest visitor front sitting
+    """.split()
+)
+"""What the rooms of those types are for anyway."""
 
 
 def _is_own(reading: Reading, phrase: Phrase, index: int) -> bool:

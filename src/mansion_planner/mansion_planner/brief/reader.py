@@ -41,7 +41,9 @@ from mansion_planner.brief.phrase import Phrase
 from mansion_planner.brief.qualifiers import unheeded_words
 from mansion_planner.brief.reading import Place, Reading, start_reading
 from mansion_planner.brief.relations import Relation, read_relations
+from mansion_planner.brief.retractions import without_retractions
 from mansion_planner.brief.room_facts import RoomStatements, identifier
+from mansion_planner.brief.shared_places import read_shares
 from mansion_planner.brief.shared_rooms import as_studio_flat, rooms_of_several_uses
 from mansion_planner.brief.shared_sizes import with_shared_sizes
 from mansion_planner.brief.similarity import HEAD_TYPES, similar_room_type
@@ -113,8 +115,10 @@ class _Reader:
         reading = self.reading
         read_adverts(reading, self.places)
         self.opening = unknown_building(reading)
-        phrases = rooms_of_several_uses(reading, without_bystanders(reading, noun_phrases(reading)))
+        named = without_retractions(reading, noun_phrases(reading))
+        phrases = rooms_of_several_uses(reading, without_bystanders(reading, named))
         phrases = with_accessible_ones(reading, desks_as_places(reading, rooms_by_name(reading, phrases)))
+        read_shares(reading, phrases)
         reading.go_on()
         stacked = read_stacking(reading, phrases)
         phrases = [phrase for number, phrase in enumerate(phrases) if number not in stacked]

@@ -15,7 +15,14 @@ from mansion_planner.brief.lexicon import Mention, lexicon_of
 from mansion_planner.brief.spelling import corrected
 from mansion_planner.brief.storey_forms import storey_forms
 from mansion_planner.brief.storey_tables import storey_tables
-from mansion_planner.brief.token_forms import capacities, compounds, foreign_storeys, gross_areas, open_decks
+from mansion_planner.brief.token_forms import (
+    abbreviated_storeys,
+    capacities,
+    compounds,
+    foreign_storeys,
+    gross_areas,
+    open_decks,
+)
 
 __all__ = ["FLOOR_WORDS", "Place", "Reading", "start_reading"]
 
@@ -124,7 +131,7 @@ class Reading:
         if self.word(index) != "." or self.tokens[index].spaced:
             return False
         if self.word(index - 1) == "no" and self.kind(index + 1) != "number":
-            return False
+            return self.kind(index - 2) == "number"  # "2 no. meeting rooms", not "lift: no. Stairs"
         unit = self.kind(index - 1) == "unit" and self.text[self.tokens[index - 1].end - 1] in "mt"
         lower = index + 1 < len(self.tokens) and self.text[self.tokens[index + 1].start].islower()
         return self.word(index - 1) in _ABBREVIATIONS or (unit and lower)
@@ -157,7 +164,8 @@ def start_reading(text: str, knowledge: KnowledgeBase, cancelled: Callable[[], b
     """Tokenise `text`, correct misspelt words and find the phrases of the knowledge base."""
     lexicon = lexicon_of(knowledge)
     tokens, corrections = corrected_numbers(tokenize(text))
-    tokens = flat_types(count_forms(storey_forms(text, storey_tables(tokens, FLOOR_WORDS))))
+    tokens = storey_tables(abbreviated_storeys(tokens), FLOOR_WORDS)
+    tokens = flat_types(count_forms(storey_forms(text, tokens)))
     tokens = compounds(corrected(tokens, lexicon.words, furniture_vocabulary()), lexicon.words)
     tokens = capacities(foreign_storeys(open_decks(gross_areas(tokens))), lexicon.heads)
     mentions = lexicon.find(tokens)

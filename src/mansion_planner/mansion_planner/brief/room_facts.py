@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from mansion_planner.brief.facts import RoomFact, Span, UseFact
 from mansion_planner.brief.households import told_apart
 from mansion_planner.brief.phrase import Phrase
+from mansion_planner.brief.qualifiers import taken_for_its_head
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
 from mansion_planner.brief.storey_attachment import Attachment
 from mansion_planner.brief.storey_sequences import other_storeys
@@ -148,7 +149,7 @@ class RoomStatements:
                 child.count or 1,
                 child.areas[0] if child.areas else None,
                 label=child.label,
-                known=child.known,
+                known=child.known and not taken_for_its_head(self.reading, child),
                 limit=child.limit,
                 size="" if child.areas else child.size,
             )
@@ -165,7 +166,7 @@ class RoomStatements:
             each=place.each,
             label=phrase.label,
             suite=suite,
-            known=phrase.known,
+            known=phrase.known and not taken_for_its_head(self.reading, phrase),
             limit=phrase.limit,
             size="" if phrase.areas else phrase.size,
             unit=bool(held) or (self.reading.knowledge.room(phrase.room_type).unit and are_dwellings(phrase)),

@@ -373,6 +373,8 @@ _NO_ROOMS = frozenset(
     rent own occupy
     other larger smaller bigger star escape dust water power heating cooling air sun daylight privacy quiet peace m
     metre meter roof region order vicinity neighbourhood neighborhood altogether totality
+    st ea adj approx spectacular stunning ground first thought think guess reckon say site facility facilities
+    opportunity potential
     """.split()
 )
 

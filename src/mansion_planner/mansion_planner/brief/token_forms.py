@@ -4,7 +4,7 @@ from dataclasses import replace
 
 from mansion_language import Token
 
-__all__ = ["capacities", "compounds", "foreign_storeys", "gross_areas", "open_decks"]
+__all__ = ["abbreviated_storeys", "capacities", "compounds", "foreign_storeys", "gross_areas", "open_decks"]
 
 
 def compounds(tokens: list[Token], words: frozenset[str]) -> list[Token]:
@@ -117,6 +117,21 @@ def foreign_storeys(tokens: list[Token]) -> list[Token]:
     return result
 
 
+def abbreviated_storeys(tokens: list[Token]) -> list[Token]:
+    """Read "2 st.," as two storeys: the number of them stands in front, and no name follows as in "St. Mary"."""
+    result: list[Token] = []
+    for index, token in enumerate(tokens):
+        before = result[-1] if result else None
+        if token.text == "." and before is not None and (before.text, tokens[index - 1].text) == ("storey", "st"):
+            continue
+        following = [other.text for other in tokens[index + 1 : index + 3]]
+        counted = before is not None and before.kind == "number" and token.spaced
+        if counted and token.text == "st" and following[:1] == ["."] and set(following[1:]) <= _AFTER_STOREYS:
+            token = replace(token, text="storey", plural=True)
+        result.append(token)
+    return result
+
+
 def _is_storey(tokens: list[Token], index: int) -> bool:
     """Whether a plant is a storey: "a school of two plants", "the low plant", and not "with two plants"."""
     if index and tokens[index - 1].text in ("low", "high"):
@@ -137,3 +152,6 @@ def open_decks(tokens: list[Token]) -> list[Token]:
     if storeys:
         return tokens
     return [replace(token, text="sundeck") if token.text == "deck" else token for token in tokens]
+
+
+_AFTER_STOREYS = frozenset({",", ";", "+", "/", "(", "-", "–", "\n", "plus", "and", "with", "on"})

@@ -42,7 +42,8 @@ _REQUESTS = frozenset(
 def _is_content(reading: Reading, index: int) -> bool:
     token = reading.tokens[index]
     if token.kind == "number":
-        return True
+        bed = token.text == "double" and reading.word(index + 1) == "bed" and index + 1 in reading.taken
+        return not (bed or _numbers_line(reading, index))
     if token.text in _SIZES and _has_measure(reading, index):
         return False  # "a gross floor area in the region of 3,200 m2"
     grounded = reading.word(index + 1) in ("ground", "grade") or reading.kind(index + 1) in ("number", "unit")
@@ -77,6 +78,12 @@ def _is_content(reading: Reading, index: int) -> bool:
         and token.text not in _REQUESTS
         and len(token.text) > 1
     )
+
+
+def _numbers_line(reading: Reading, index: int) -> bool:
+    """Whether a number is that of an entry in a list of lines: "2. Lobby"."""
+    marked = reading.word(index + 1) in (".", ")") and not reading.tokens[index + 1].spaced
+    return marked and (index == 0 or reading.word(index - 1) == "\n") and reading.word(index + 2) not in ("", "\n")
 
 
 _SIZES = frozenset("area gross rough region vicinity order size surface space net nearest neighbourhood".split())
