@@ -256,7 +256,7 @@ class Sentence(ABC):
                 return self._objects(found, item)
             found.append(self._beside_it(self._as_before(self._named(item, found), found), found))
             after = self.conjunction(item.end)
-            if not after or self.starts_clause(after) or self.text(after) in ("only", "just"):
+            if not after or self.starts_clause(after) or self.text(after) in ("only", "just", "now"):
                 return found
             at = after
 
@@ -528,7 +528,17 @@ class Sentence(ABC):
         """Return a place with what the sentence began with."""
         place, each = goal
         each = each or (self.frame.rooms is not None and self.frame.rooms.every and bool(self.frame.rooms.words))
-        return (place if self.frame == Place() else merged(place, self.frame) if place != Place() else self.frame), each
+        if self.frame != Place():
+            place = self.frame if place == Place() else merged(place, self.frame)
+        return _with_holder_at(place), each
+
+
+def _with_holder_at(place: Place) -> Place:
+    """Return ``on the high table by the wall`` as on the table that is by the wall."""
+    holder = place.anchor
+    if not place.spot or holder is None or place.relation not in ("on", "in") or holder.refers or not holder.definite:
+        return place
+    return msgspec.structs.replace(place, spot="", anchor=with_place(holder, Place(spot=place.spot)))
 
 
 def _with_room_ones(places: tuple[ReadPlace, ...]) -> tuple[ReadPlace, ...]:

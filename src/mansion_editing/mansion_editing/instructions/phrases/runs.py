@@ -26,7 +26,7 @@ SHADES: Final = frozenset(["light", "dark", "pale", "bright", "deep", "pastel", 
 
 
 _ARTICLES_AFTER_VERBS: Final = frozenset(
-    "a an the all every each two three four five six some another my our its".split()
+    "a an the all both every each two three four five six some another my our its".split()
 )
 
 
@@ -47,7 +47,7 @@ ENDS_RUN: Final = (
 
 
 _MAY_BE_NOUN: Final = frozenset(
-    "light open left right front stand set middle dark present sitting waiting standing living".split()
+    "light open left right front stand set middle dark present sitting waiting standing hanging living".split()
 )
 
 

@@ -8,6 +8,7 @@ from mansion_editing.instructions.phrases.notation import written_out
 from mansion_editing.instructions.phrases.nouns import Noun
 from mansion_editing.instructions.phrases.rewordings import reworded
 from mansion_editing.instructions.phrases.storey_counts import counted_from_ground, counts_above_ground
+from mansion_editing.instructions.phrases.totals import totals_before
 from mansion_editing.instructions.phrases.words import Word, split_words
 from mansion_editing.instructions.statements import Place, Statement, Things
 from mansion_editing.state import SceneState
@@ -23,7 +24,7 @@ class Progress:
         self.lexicon = Lexicon(state)
         self.floors = state.floors
         words = split_words(text, self.lexicon.speller, self.lexicon.kept)
-        self.words = reworded(mended(written_out(words, text), self.lexicon))
+        self.words = totals_before(reworded(mended(written_out(words, text), self.lexicon)))
         if counts_above_ground(text, brief):
             self.words = counted_from_ground(self.words)
         self.statements: list[Statement] = []
@@ -43,3 +44,7 @@ class Progress:
         if start >= end:
             return ""
         return self.text[words[start].start : words[min(end, len(words)) - 1].end]
+
+    def _names_anything(self, words: Sequence[Word]) -> bool:
+        """Whether words name an object or a room of the building."""
+        return any(self.lexicon.is_object((w.text,)) or self.lexicon.is_own_room((w.text,)) for w in words)

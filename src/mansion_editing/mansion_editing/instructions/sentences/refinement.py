@@ -1,5 +1,6 @@
 """Statements that later words tell more of: their places, storeys and numbers."""
 
+import re
 from collections.abc import Sequence
 from typing import Any, Final
 
@@ -29,6 +30,7 @@ __all__ = [
     "in_place_of",
     "is_everything",
     "is_open",
+    "is_surplus",
     "moves_it",
     "must_contain",
     "narrowed",
@@ -37,6 +39,8 @@ __all__ = [
     "removes_what_went",
     "so_many",
     "spared_of",
+    "surplus_of",
+    "tells_of_surplus",
     "with_noun_at",
     "with_storeys",
 ]
@@ -49,6 +53,31 @@ def exactly(statement: Statement) -> Statement:
         things = msgspec.structs.replace(statement.things, amount=amount)
         return Ensure(things=things, place=statement.place, each=statement.each, quote=statement.quote)
     return statement
+
+
+_SURPLUS: Final = re.compile(r"\b(spare|surplus|extra|excess|superfluous|redundant|left ?over) ones?\b", re.IGNORECASE)
+
+
+def is_surplus(statement: Move | Remove, last: Ensure) -> bool:
+    """Whether a statement says what becomes of the things beyond the number that shall be: ``the spare ones``."""
+    things, most = statement.things, last.things.amount
+    named = bool(_SURPLUS.search(statement.quote)) and things.noun in ("", "one", last.things.noun)
+    others = things.refers == "others" and not things.noun and isinstance(statement, Move)
+    return (named or others) and most.kind in ("at_most", "exactly") and things.place is None and bool(last.things.noun)
+
+
+def tells_of_surplus(statement: Statement) -> bool:
+    """Whether a statement is about ``the spare ones`` of what was counted before."""
+    return isinstance(statement, Move | Remove) and bool(_SURPLUS.search(statement.quote))
+
+
+def surplus_of(last: Ensure, things: Things) -> Things:
+    """Return the things beyond the number that shall be at a place."""
+    most = last.things.amount.number
+    whole = most + things.amount.number if things.refers == "others" and things.amount.kind == "some" else 0
+    rest = Amount(kind="all_but", number=most, of=whole if whole > most else 0)
+    at = None if last.place == Place() else last.place
+    return msgspec.structs.replace(last.things, amount=rest, definite=True, plural=True, place=at)
 
 
 def counting_those_there(statement: Statement) -> Statement:
