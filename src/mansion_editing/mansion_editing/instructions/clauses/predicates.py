@@ -287,7 +287,8 @@ class Predicates(States, Colours, Ways):
         if word in ("go", "disappear", "vanish", "leave") and not negated:
             rubbish = self._rubbish(place + 1) if word == "go" else 0
             if rubbish:
-                return [Remove(things=self._all_if_plural(item.things()), quote=self.quote(at, rubbish))], rubbish
+                gone = self._within_frame(item.things())
+                return [Remove(things=self._all_if_plural(gone), quote=self.quote(at, rubbish))], rubbish
             left = self.item(place + 1) if word == "leave" else None
             if left is not None and left.is_room:
                 gone = with_place(item.things(), Place(rooms=left.rooms()))
@@ -295,7 +296,7 @@ class Predicates(States, Colours, Ways):
             places, end = self.places(place + 1)
             if not places or all(p.source and not p.goal for p in places):
                 end += self.text(end) in ("away",)
-                gone = Item(item.phrase, (*item.places, *places), end).things()
+                gone = self._within_frame(Item(item.phrase, (*item.places, *places), end).things())
                 return [Remove(things=self._all_if_plural(gone), quote=self.quote(at, end))], end
             return [self._brought(item, places, self.quote(at, end))], end
         if word in BEING_SOMEWHERE and not negated:
@@ -466,4 +467,5 @@ class Predicates(States, Colours, Ways):
         colour = self.colour_at(place)
         if colour is None:
             return None
-        return self._painted([item], colour[0], colour[1], self.quote(at, colour[2])), colour[2]
+        end = colour[2] + (self.text(colour[2]) == "one")  # "could the black chairs be white ones"
+        return self._painted([item], colour[0], colour[1], self.quote(at, end)), end

@@ -115,9 +115,12 @@ class Lexicon:
         return word in WAYS
 
     def stands(self, words: tuple[str, ...]) -> bool:
-        """Whether words name furniture that stands on the floor."""
+        """Whether words name furniture that stands on the floor; a general word, where most of its kinds do."""
         kinds = vocabulary_of(self._state.catalogue).nouns(" ".join(words))
-        return bool(kinds) and self._state.catalogue.by_category(kinds[0])[0].mount == "floor"
+        mounts = [self._state.catalogue.by_category(kind)[0].mount for kind in kinds]
+        general = not vocabulary_of(self._state.catalogue).exact(words)
+        most = 2 * mounts.count("floor") > len(mounts)
+        return most if general else mounts[:1] == ["floor"]
 
     def is_loose(self, words: tuple[str, ...]) -> bool:
         """Whether words name what lies on or in furniture."""

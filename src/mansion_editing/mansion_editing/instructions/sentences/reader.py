@@ -13,7 +13,7 @@ from mansion_editing.instructions.phrases.lexicon import HYPERNYMS
 from mansion_editing.instructions.phrases.places import merged, read_place, with_place
 from mansion_editing.instructions.phrases.storeys import read_storeys
 from mansion_editing.instructions.phrases.verbs import verb_at
-from mansion_editing.instructions.phrases.words import STATE_WORDS, UNRECORDED, Word
+from mansion_editing.instructions.phrases.words import MODALS, STATE_WORDS, UNRECORDED, Word
 from mansion_editing.instructions.sentences.accounting import unaccounted
 from mansion_editing.instructions.sentences.asides import Asides
 from mansion_editing.instructions.sentences.background import is_background, is_told, split_sentences
@@ -339,6 +339,9 @@ class _Reader(Asides, Telling, Tails, Headings, Repeating, Referring, Depending,
         end = item.end + (reader.text(item.end) in ("too", "also"))
         if end < len(words) and words[end].text not in ("and", ",", ".", "please"):
             return None
+        new = item.phrase.amount.kind == "some" and words[at].text in ("a", "an")
+        if isinstance(last, Remove) and new:
+            return None  # "the rugs go, a desk ..." is no other thing that goes
         things = item.things()
         rooms = last.things.place.rooms if last.things.place is not None else None
         if things.place is None and rooms is not None:
@@ -481,6 +484,8 @@ class _Reader(Asides, Telling, Tails, Headings, Repeating, Referring, Depending,
         try:
             found = read_question(reader, words, at, marked=marked)
         except NotUnderstood as fault:
+            if words[at].text in MODALS:
+                return False  # "could the black chairs be white ones?"
             self.unknown.append(self._quote(words, at, max(fault.end, len(words))))
             return True
         if found is None:
