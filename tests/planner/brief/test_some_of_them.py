@@ -108,3 +108,10 @@ def test_where_a_lift_goes_is_no_place_of_the_room_before() -> None:
 def test_a_room_inside_another_is_told() -> None:
     facts = _facts("A house with an attic. A drying room in the attic")
     assert [span.words for span in facts.unread] == ["attic"]
+
+
+@pytest.mark.parametrize(
+    "text", ["An apartment building: 6 flats, 0 per floor.", "A block with 6 flats, 0 on each floor"]
+)
+def test_none_on_each_storey_tells_no_number_of_storeys(text: str) -> None:
+    assert _facts(text).floors == []

@@ -1,5 +1,9 @@
 """Find which noun phrase of a brief names the building itself."""
 
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
 from mansion_planner.brief.furniture_words import furniture_of
 from mansion_planner.brief.lexicon import lexicon_of
 from mansion_planner.brief.phrase import FUNCTION_WORDS, PEOPLE, PLAIN, Phrase
@@ -40,7 +44,7 @@ def building_phrase(reading: Reading, phrases: list[Phrase], places: list[Place]
     for number, phrase in enumerate(phrases):
         if not phrase.building:
             continue
-        score = _score(reading, phrases, places, phrase, number)
+        score = _score(_Candidate(reading, phrases, places, phrase, number))
         if score > 0 and (best is None or score > best[0]):
             best = (score, number)
     return best[1] if best is not None else None
@@ -62,91 +66,176 @@ def own_building_name(reading: Reading, phrase: Phrase) -> str:
     return ""
 
 
-def _score(reading: Reading, phrases: list[Phrase], places: list[Place], phrase: Phrase, number: int) -> float:
-    """How likely the phrase is the building: 0 for a part of it."""
-    sentence = reading.sentence[phrase.first]
-    start = next(i for i, s in enumerate(reading.sentence) if s == sentence)
-    before = reading.words(start, phrase.first)
-    is_room = phrase.head == "room" or phrase.building == "office"
-    if reading.word(phrase.last) in MADE_INTO and reading.word(phrase.last + 1) in ("into", "to"):
-        return 0.0  # "an old mill turned into a home"
-    if any(_are_told_apart(phrase, other) for other in phrases):
-        return 0.0  # "big studio ... small studio"
-    if (
-        phrase.building == "office"
-        and _has_owner(reading, phrase)
-        and any(other is not phrase and other.building == "office" and _has_owner(reading, other) for other in phrases)
-    ):
-        return 0.0  # "Dr. Meyer's office and Dr. Lee's office"
-    if phrase.counted and (phrase.count or 0) > 1 and phrase.plural and is_compound(reading, phrase):
-        return 0.0  # "6 styling stations"
-    if reading.word(phrase.last) == "one" and reading.word(phrase.first - 1) in ("a", "the", "and"):
-        return 0.0  # "two kitchens, a meat one and a dairy one"
-    score = 6.0 - min(sentence, 4) - 0.1 * number
-    owner = reading.word(phrase.first - 1) == "of" and any(place.last == phrase.first - 1 for place in places)
-    owner = owner and not (phrase.plural and not phrase.determiner)  # "three floors of offices" are a part
-    if owner:  # "on the first floor of a library"
+@dataclass(frozen=True)
+class _Candidate:
+    """A phrase that may name the building: number `number` of the phrases, and what stands around it."""
+
+    reading: Reading
+    phrases: Sequence[Phrase]
+    places: Sequence[Place]
+    phrase: Phrase
+    number: int
+
+    @property
+    def sentence(self) -> int:
+        """The number of its sentence."""
+        return self.reading.sentence[self.phrase.first]
+
+    @cached_property
+    def start(self) -> int:
+        """The first token of its sentence."""
+        return self.reading.sentence.index(self.sentence)
+
+    @cached_property
+    def before(self) -> tuple[str, ...]:
+        """The words of its sentence that stand before it."""
+        return self.reading.words(self.start, self.phrase.first)
+
+    @property
+    def lead(self) -> str:
+        """The word right before it."""
+        return self.reading.word(self.phrase.first - 1)
+
+    @property
+    def is_room(self) -> bool:
+        """Whether it can be a room as well: an office, a workshop."""
+        return self.phrase.head == "room" or self.phrase.building == "office"
+
+    @cached_property
+    def earlier(self) -> bool:
+        """Whether its sentence names a room or a building before it."""
+        return any(
+            phrase.head in ("room", "building") and self.reading.sentence[phrase.first] == self.sentence
+            for phrase in self.phrases[: self.number]
+        )
+
+    @cached_property
+    def placed(self) -> bool:
+        """Whether a storey follows it: "a gym on the third floor"."""
+        reach = 4 if self.reading.word(self.phrase.last) == "for" else 1
+        return any(
+            0 <= place.first - self.phrase.last <= reach and place.led and place.refs[0].kind not in ("every", "upper")
+            for place in self.places
+        )
+
+    @property
+    def counted(self) -> bool:
+        """Whether there are several of it, in numbers."""
+        return self.phrase.counted and (self.phrase.count or 0) > 1
+
+
+def _score(candidate: _Candidate) -> float:
+    """Return how likely the phrase is the building: 0 for a part of it."""
+    score = 6.0 - min(candidate.sentence, 4) - 0.1 * candidate.number
+    if _is_told_as_part(candidate):
+        return 0.0
+    if _has_storey(candidate):
         return score + 2.0
-    if any(
-        place.first < phrase.first and reading.sentence[place.first] == sentence and not _about_all(place)
-        for place in places
-    ):
+    if _is_placed_part(candidate) or _is_listed_part(candidate):
         return 0.0
-    reach = 4 if reading.word(phrase.last) == "for" else 1
-    placed = any(
-        0 <= place.first - phrase.last <= reach and place.led and place.refs[0].kind not in ("every", "upper")
-        for place in places
-    )
-    if placed and (is_room or (phrase.building == "flat" and not phrase.plural)) and number > 0:
-        return 0.0
-    if any(word in _OPENERS and not _is_perfect(reading, start + at) for at, word in enumerate(before)) and not (
-        {"we", "i"} & set(before) and number == 0
-    ):
-        return 0.0
-    if phrase.plural and is_room and "each" in reading.words(phrase.last, phrase.last + 5):
-        return 0.0
-    if phrase.plural and is_room:
-        score -= 5.0 if phrase.building not in ("flat", "shop_building") or phrase.counted else 3.0
-    if phrase.counted and (phrase.count or 0) > 1:
-        score -= 4.0
-    earlier = [p for p in phrases[:number] if p.head in ("room", "building") and reading.sentence[p.first] == sentence]
-    if earlier:
-        score -= 2.0 if not is_room else 4.0
-    if phrase.building == "studio_flat" and not {"share", "shared", "pottery", "work", "working"}.isdisjoint(
-        reading.words(phrase.begin, phrase.noun_end)
-    ):
-        return 0.0
-    if is_room and ":" in before and any(p.head in ("room", "building") for p in phrases[:number]):
-        return 0.0  # an entry of a list
-    if is_room and earlier and phrase.first == phrase.begin and phrase.name == "office" and not (set(before) & _WISHES):
-        return 0.0  # "a showroom, a workshop, an office upstairs"
-    if is_room and before[-3:-1] in (("it", "need"), ("they", "need")):
-        return 0.0  # "it needs a shop" speaks of a part
-    lead = reading.word(phrase.first - 1)
-    if lead == "into" and not is_room:
-        return score + 2.5  # "turn the barn into a home"
-    if lead in ("in", "inside", "into"):
-        return 0.0
-    if not is_room and not {"need", "want", "design", "build", "generate", "create"}.isdisjoint(before[-5:]):
-        score += 1.5
-    if lead in _INNER and phrase.first - 1 > 0:
-        score -= 3.0
-    if phrase.determiner == "the" and is_room:
-        score -= 2.0
-    if placed and is_room:
-        score -= 4.0
-    if is_room and sentence > 0:
-        score -= 3.0
-    if is_room and number and not earlier and not ({*before} & _WISHES):
-        score -= 1.0
-    following = reading.word(phrase.last)
-    if following in ("block", "building", "tower", "house", "complex"):
-        score += 2.0
-    if not is_room:
-        score += 1.5
-    if phrase.areas and is_room:
-        score += 0.0
+    for weight in _weights(candidate):
+        score += weight
     return max(score, 0.0)
+
+
+def _is_told_as_part(candidate: _Candidate) -> bool:
+    """Whether the words of the phrase alone, or others like it, tell that it is a part or what the building was."""
+    reading, phrase = candidate.reading, candidate.phrase
+    if reading.word(phrase.last) in MADE_INTO and reading.word(phrase.last + 1) in ("into", "to"):
+        return True  # "an old mill turned into a home"
+    if any(_are_told_apart(phrase, other) for other in candidate.phrases):
+        return True  # "big studio ... small studio"
+    if phrase.building == "office" and _has_owner(reading, phrase):
+        offices = (other for other in candidate.phrases if other is not phrase and other.building == "office")
+        if any(_has_owner(reading, other) for other in offices):
+            return True  # "Dr. Meyer's office and Dr. Lee's office"
+    if candidate.counted and phrase.plural and is_compound(reading, phrase):
+        return True  # "6 styling stations"
+    # "two kitchens, a meat one and a dairy one"
+    return reading.word(phrase.last) == "one" and candidate.lead in ("a", "the", "and")
+
+
+def _has_storey(candidate: _Candidate) -> bool:
+    """Whether a storey is said to be its: "on the first floor of a library"."""
+    first = candidate.phrase.first
+    if candidate.lead != "of" or not any(place.last == first - 1 for place in candidate.places):
+        return False
+    return not candidate.phrase.plural or bool(candidate.phrase.determiner)  # "three floors of offices" are a part
+
+
+def _is_placed_part(candidate: _Candidate) -> bool:
+    """Whether the phrase is what the sentence puts on a storey or into the building."""
+    phrase, is_room = candidate.phrase, candidate.is_room
+    if any(
+        place.first < phrase.first
+        and candidate.reading.sentence[place.first] == candidate.sentence
+        and not _about_all(place)
+        for place in candidate.places
+    ):
+        return True
+    if candidate.placed and candidate.number > 0 and (is_room or (phrase.building == "flat" and not phrase.plural)):
+        return True
+    return candidate.lead in ("in", "inside") or (candidate.lead == "into" and is_room)
+
+
+def _is_listed_part(candidate: _Candidate) -> bool:
+    """Whether the phrase is one of the things that a sentence lists or asks for in the building."""
+    reading, phrase, before = candidate.reading, candidate.phrase, candidate.before
+    opened = any(word in _OPENERS and not _is_perfect(reading, candidate.start + at) for at, word in enumerate(before))
+    if opened and (candidate.number or {"we", "i"}.isdisjoint(before)):
+        return True
+    words = reading.words(phrase.begin, phrase.noun_end)
+    if phrase.building == "studio_flat" and not _STUDIOS_TO_WORK_IN.isdisjoint(words):
+        return True
+    if not candidate.is_room:
+        return False
+    if phrase.plural and "each" in reading.words(phrase.last, phrase.last + 5):
+        return True
+    if ":" in before and any(p.head in ("room", "building") for p in candidate.phrases[: candidate.number]):
+        return True
+    bare = phrase.name == "office" and phrase.first == phrase.begin
+    if bare and candidate.earlier and _WISHES.isdisjoint(before):
+        return True  # "a showroom, a workshop, an office upstairs"
+    return before[-3:-1] in (("it", "need"), ("they", "need"))  # "it needs a shop" speaks of a part
+
+
+_STUDIOS_TO_WORK_IN = frozenset({"share", "shared", "pottery", "work", "working"})
+
+
+def _weights(candidate: _Candidate) -> Iterator[float]:
+    """Give what speaks for the phrase as the building, and what against it."""
+    phrase, is_room, lead = candidate.phrase, candidate.is_room, candidate.lead
+    if phrase.plural and is_room:
+        yield -5.0 if phrase.building not in ("flat", "shop_building") or phrase.counted else -3.0
+    if candidate.counted:
+        yield -4.0
+    if candidate.earlier:
+        yield -4.0 if is_room else -2.0
+    if lead == "into":
+        yield 2.5  # "turn the barn into a home", whatever else stands there
+        return
+    if not is_room and not {"need", "want", "design", "build", "generate", "create"}.isdisjoint(candidate.before[-5:]):
+        yield 1.5
+    if lead in _INNER and phrase.first - 1 > 0:
+        yield -3.0
+    if is_room:
+        yield from _weights_of_room(candidate)
+    if candidate.reading.word(phrase.last) in ("block", "building", "tower", "house", "complex"):
+        yield 2.0
+    if not is_room:
+        yield 1.5
+
+
+def _weights_of_room(candidate: _Candidate) -> Iterator[float]:
+    """Give what speaks against a phrase as the building that can be a room as well."""
+    if candidate.phrase.determiner == "the":
+        yield -2.0
+    if candidate.placed:
+        yield -4.0
+    if candidate.sentence > 0:
+        yield -3.0
+    if candidate.number and not candidate.earlier and _WISHES.isdisjoint(candidate.before):
+        yield -1.0
 
 
 def _has_owner(reading: Reading, phrase: Phrase) -> bool:

@@ -1,6 +1,8 @@
 """Bring counts after their noun or in a table into one form: "4 nos. of flats", "lift 2 nos.", "hall - 1 - 80 m2"."""
 
-from dataclasses import replace
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from typing import TypeAlias
 
 from mansion_language import Token
 from mansion_language.units import AREA
@@ -20,7 +22,7 @@ _STOREYS = frozenset({"floor", "storey", "level", "story", "basement", "deck", "
 
 def count_forms(tokens: list[Token]) -> list[Token]:
     """Return the tokens with every count before its noun, or after it as "x 4"."""
-    return _with_tables(_with_classifiers(tokens))
+    return _rewritten(_rewritten(tokens, _CLASSIFIED), _TABULATED)
 
 
 def _word(tokens: list[Token], index: int) -> str:
@@ -47,73 +49,124 @@ _NO_NOUNS = _STOREYS | frozenset(
 )
 
 
-def _with_classifiers(tokens: list[Token]) -> list[Token]:
-    """Read "4 nos. of 2BHK flats" as "4 2BHK flats", and "toilets 2 nos." and "room 9 rooms" as "x" the number."""
+_Read: TypeAlias = "Callable[[list[Token], int], _Form | None]"
+
+
+def _rewritten(tokens: list[Token], forms: Sequence[_Read]) -> list[Token]:
+    """Return the tokens with the first of the forms that is read at each of them in its place."""
     result: list[Token] = []
     index = 0
     while index < len(tokens):
-        token = tokens[index]
-        word = _word(tokens, index + 1)
-        if word in _BEDROOMED and token.kind == "number":
-            result += [token, replace(tokens[index + 1], text="bedroom", plural=False, spaced=False)]
-            index += 2
-            continue
-        if token.text == "half" and _word(tokens, index + 1) in ("a", "dozen"):
-            dozen = index + 1 + (_word(tokens, index + 1) == "a")
-            if _word(tokens, dozen) == "dozen":
-                result.append(replace(tokens[dozen], kind="number", text="six", start=token.start, value=6.0))
-                index = dozen + 1
-                continue
-        if _numbers_bedroom(tokens, index):
-            result.append(replace(token, text="bedroom"))
+        form = next((form for read in forms if (form := read(tokens, index)) is not None), None)
+        if form is None:
+            result.append(tokens[index])
             index += 1
             continue
-        if _opens_advert(tokens, index):
-            result += [token, replace(tokens[index + 1], text="bedroom")]
-            index += 2
-            continue
-        if not _is_count(tokens, index):
-            result.append(token)
-            index += 1
-            continue
-        noun = _is_noun(tokens, index - 1)
-        times = word == "x" and not tokens[index + 1].spaced and _word(tokens, index + 2) not in ("x", "by")
-        if times and not (index + 2 < len(tokens) and tokens[index + 2].kind in ("number", "unit")):
-            bracketed = _word(tokens, index - 1) == "(" and _word(tokens, index + 2) == ")"
-            if bracketed:
-                result.pop()
-            after = bracketed or (noun and _word(tokens, index + 2) in _ENDS)
-            result += [*([_times(token)] * after), token]  # "phone booth (2x)", "meeting room 3x", "2x storage"
-            index += 2 + bracketed
-            continue
-        repeated = noun and word == _word(tokens, index - 1) and word in _REPEATED
-        last = index + 2
-        last += _word(tokens, last) == "." and word in ("no", "nos", "pc", "pcs") and _goes_on(tokens, last)
-        if repeated:
-            result += [_times(token), token]
-            index += 2
-            continue
-        if word in _CLASSIFIERS and not (word in ("no", "off", "number", "set", "unit", "piece") and not noun):
-            if noun and word != "number":
-                result += [_times(token), token]
-                index = last
-                continue
-            if word in ("nos", "pcs", "pc", "no"):
-                result.append(token)
-                index = last + (_word(tokens, last) == "of")
-                continue
-        if _word(tokens, index - 1) == ":" and _is_noun(tokens, index - 2) and _is_entry(tokens, index):
-            result[-1] = _times(token)
-            result.append(token)
-            index += 1
-            continue
-        core = _word(tokens, index - 1) in _CORES and not tokens[index - 1].plural
-        listed = tokens[index - 1].plural and not _is_count(tokens, index + 2) and token.text.isdigit()
-        if noun and _word(tokens, index + 1) in _ENDS - {"-", "/", "|"} and (core or listed):
-            result.append(_times(token))
-        result.append(token)
-        index += 1
+        del result[len(result) - form.dropped :]
+        result += form.tokens
+        index = form.last
     return result
+
+
+@dataclass(frozen=True)
+class _Form:
+    """What stands for the tokens up to `last` (exclusive), and for so many before them (`dropped`)."""
+
+    tokens: tuple[Token, ...]
+    last: int
+    dropped: int = 0
+
+
+def _bedroomed(tokens: list[Token], index: int) -> _Form | None:
+    """Read "2BHK" as two bedrooms."""
+    if tokens[index].kind != "number" or _word(tokens, index + 1) not in _BEDROOMED:
+        return None
+    return _Form((tokens[index], replace(tokens[index + 1], text="bedroom", plural=False, spaced=False)), index + 2)
+
+
+def _half_dozen(tokens: list[Token], index: int) -> _Form | None:
+    """Read "half a dozen" as six."""
+    dozen = index + 1 + (_word(tokens, index + 1) == "a")
+    if tokens[index].text != "half" or _word(tokens, dozen) != "dozen":
+        return None
+    six = replace(tokens[dozen], kind="number", text="six", start=tokens[index].start, value=6.0)
+    return _Form((six,), dozen + 1)
+
+
+def _advertised_bedroom(tokens: list[Token], index: int) -> _Form | None:
+    """Read "Bed 1: 12 m2" and "3 beds, 1 bath" as of bedrooms."""
+    if _numbers_bedroom(tokens, index):
+        return _Form((replace(tokens[index], text="bedroom"),), index + 1)
+    if _opens_advert(tokens, index):
+        return _Form((tokens[index], replace(tokens[index + 1], text="bedroom")), index + 2)
+    return None
+
+
+def _multiplied(tokens: list[Token], index: int) -> _Form | None:
+    """Read "phone booth (2x)", "meeting room 3x", "2x storage"."""
+    mark = index + 1
+    if not _is_count(tokens, index) or _word(tokens, mark) != "x" or tokens[mark].spaced:
+        return None
+    following = _word(tokens, index + 2)
+    if following in ("x", "by") or (index + 2 < len(tokens) and tokens[index + 2].kind in ("number", "unit")):
+        return None
+    bracketed = _word(tokens, index - 1) == "(" and following == ")"
+    after = bracketed or (_is_noun(tokens, index - 1) and following in _ENDS)
+    return _Form((*([_times(tokens[index])] * after), tokens[index]), index + 2 + bracketed, dropped=int(bracketed))
+
+
+def _repeated_noun(tokens: list[Token], index: int) -> _Form | None:
+    """Read "guest room 9 rooms"."""
+    word = _word(tokens, index + 1)
+    again = word in _REPEATED and word == _word(tokens, index - 1) and _is_noun(tokens, index - 1)
+    return _Form((_times(tokens[index]), tokens[index]), index + 2) if again and _is_count(tokens, index) else None
+
+
+def _classified(tokens: list[Token], index: int) -> _Form | None:
+    """Read "toilets 2 nos.", "4 nos. of flats"."""
+    word, noun = _word(tokens, index + 1), _is_noun(tokens, index - 1)
+    if not _is_count(tokens, index) or word not in _CLASSIFIERS:
+        return None
+    if word in ("no", "off", "number", "set", "unit", "piece") and not noun:
+        return None
+    last = index + 2
+    last += _word(tokens, last) == "." and word in ("no", "nos", "pc", "pcs") and _goes_on(tokens, last)
+    if noun and word != "number":
+        return _Form((_times(tokens[index]), tokens[index]), last)
+    if word in ("nos", "pcs", "pc", "no"):
+        return _Form((tokens[index],), last + (_word(tokens, last) == "of"))
+    return None
+
+
+def _entered(tokens: list[Token], index: int) -> _Form | None:
+    """Read "Bedrooms: 4", all that a line says."""
+    if not _is_count(tokens, index) or _word(tokens, index - 1) != ":" or not _is_noun(tokens, index - 2):
+        return None
+    times = (_times(tokens[index]), tokens[index])
+    return _Form(times, index + 1, dropped=1) if _is_entry(tokens, index) else None
+
+
+def _trailing(tokens: list[Token], index: int) -> _Form | None:
+    """Read "lift 2, classrooms 8"."""
+    ends = _word(tokens, index + 1) in _ENDS - {"-", "/", "|"}
+    if not _is_count(tokens, index) or not _is_noun(tokens, index - 1) or not ends:
+        return None
+    core = _word(tokens, index - 1) in _CORES and not tokens[index - 1].plural
+    listed = tokens[index - 1].plural and not _is_count(tokens, index + 2) and tokens[index].text.isdigit()
+    return _Form((_times(tokens[index]), tokens[index]), index + 1) if core or listed else None
+
+
+_CLASSIFIED = (
+    _bedroomed,
+    _half_dozen,
+    _advertised_bedroom,
+    _multiplied,
+    _repeated_noun,
+    _classified,
+    _entered,
+    _trailing,
+)
+"""Forms of a number beside its noun: "4 nos. of flats", "toilets 2 nos.", "room 9 rooms"."""
 
 
 def _numbers_bedroom(tokens: list[Token], index: int) -> bool:
@@ -158,56 +211,48 @@ def _times(number: Token) -> Token:
     return Token("mark", "x", number.start, number.start)
 
 
-def _with_tables(tokens: list[Token]) -> list[Token]:
-    """Read a row of a schedule, "rooms - 4 - 55 m2 each", as "rooms x 4 of 55 m2 each", and "4 x 55 m2" so."""
-    result: list[Token] = []
-    index = 0
-    while index < len(tokens):
-        token = tokens[index]
-        each = _is_count(tokens, index) and _word(tokens, index + 1) in _TIMES and _is_area(tokens, index + 2)
-        if each:
-            at = tokens[index + 1]
-            before = _word(tokens, index - 1)
-            noun = before in (":", "(", "-", ",", "=", "|") or _is_noun(tokens, index - 1)
-            if noun and before in (":", "-", "=", "|", "(") and result[-1:] == [tokens[index - 1]]:
-                result.pop()
-            last = index + 4
-            closes = before == "(" and _word(tokens, last) == ")"
-            result += [_times(token)] * noun
-            result += [token, replace(at, kind="word", text="of"), *tokens[index + 2 : last]]
-            result += [Token("word", "each", tokens[last - 1].end, tokens[last - 1].end)] if noun else []
-            index = last + closes
-            continue
-        if (
-            token.text in _TIMES
-            and _is_area(tokens, index + 1)
-            and index > 0
-            and tokens[index - 1].kind == "word"
-            and tokens[index - 1].plural
-        ):
-            end = tokens[index + 2].end
-            result += [replace(token, kind="word", text="of"), *tokens[index + 1 : index + 3]]
-            result.append(Token("word", "each", end, end))
-            index += 3
-            continue
-        row = (
-            token.text in _BARS
-            and token.spaced
-            and _is_noun(tokens, index - 1)
-            and _is_count(tokens, index + 1)
-            and tokens[index + 1].spaced
-            and _word(tokens, index + 2) in _BARS | {"\n", "", ","}
-        )
-        if row:
-            result += [_times(token), tokens[index + 1]]
-            more = _word(tokens, index + 2) in _BARS | {","} and _is_area(tokens, index + 3)
-            if more:
-                result.append(replace(tokens[index + 2], kind="word", text="of"))
-            index += 3 if more else 2
-            continue
-        result.append(token)
-        index += 1
-    return result
+def _counted_area(tokens: list[Token], index: int) -> _Form | None:
+    """Read "labs: 4 x 55 m2" as "labs x 4 of 55 m2 each"."""
+    if not (_is_count(tokens, index) and _word(tokens, index + 1) in _TIMES and _is_area(tokens, index + 2)):
+        return None
+    before, last = _word(tokens, index - 1), index + 4
+    marked = before in (":", "(", "-", "=", "|")
+    closes = before == "(" and _word(tokens, last) == ")"
+    of_area = (tokens[index], replace(tokens[index + 1], kind="word", text="of"), *tokens[index + 2 : last])
+    if not (marked or before == "," or _is_noun(tokens, index - 1)):
+        return _Form(of_area, last + closes)
+    return _Form((_times(tokens[index]), *of_area, _each_after(tokens[last - 1])), last + closes, dropped=int(marked))
+
+
+def _area_apiece(tokens: list[Token], index: int) -> _Form | None:
+    """Read "offices @ 14 m2" as "offices of 14 m2 each"."""
+    plural = index > 0 and tokens[index - 1].kind == "word" and tokens[index - 1].plural
+    if not plural or tokens[index].text not in _TIMES or not _is_area(tokens, index + 1):
+        return None
+    of_area = (replace(tokens[index], kind="word", text="of"), *tokens[index + 1 : index + 3])
+    return _Form((*of_area, _each_after(tokens[index + 2])), index + 3)
+
+
+def _row(tokens: list[Token], index: int) -> _Form | None:
+    """Read "rooms - 4 - 55 m2" as "rooms x 4 of 55 m2"."""
+    if tokens[index].text not in _BARS or not tokens[index].spaced or not _is_noun(tokens, index - 1):
+        return None
+    following = _word(tokens, index + 2)
+    spaced = _is_count(tokens, index + 1) and tokens[index + 1].spaced
+    if not spaced or following not in _BARS | {"\n", "", ","}:
+        return None
+    counted = (_times(tokens[index]), tokens[index + 1])
+    if following not in _BARS | {","} or not _is_area(tokens, index + 3):
+        return _Form(counted, index + 2)
+    return _Form((*counted, replace(tokens[index + 2], kind="word", text="of")), index + 3)
+
+
+_TABULATED = (_counted_area, _area_apiece, _row)
+"""Forms of a row of a schedule, or of an entry with an area for each: "4 x 55 m2"."""
+
+
+def _each_after(token: Token) -> Token:
+    return Token("word", "each", token.end, token.end)
 
 
 def _is_area(tokens: list[Token], index: int) -> bool:

@@ -3,7 +3,7 @@
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 
-from mansion_planner.brief.facts import Quantity
+from mansion_planner.brief.facts import Quantity, Span
 from mansion_planner.brief.phrase import Phrase, tells_some
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
 from mansion_planner.brief.storey_attachment import Attachment
@@ -100,63 +100,68 @@ def read_counts_by_storey(
     """
     starts = {place.first: place for place in places}
     shared: set[int] = set()
-    extra: list[tuple[int, Phrase]] = []
+    parts: list[tuple[int, Phrase]] = []
     for index, token in enumerate(reading.tokens):
         if token.kind != "number" or index in reading.taken or token.value != int(token.value):
             continue
         if reading.word(index - 1) in _LEFT_OVER and index - 1 not in reading.taken:
             reading.take(index - 1 - (reading.word(index - 2) == "the"), index)
-        place = index + 1
-        if reading.words(place, place + 2) in (("of", "them"), ("of", "these"), ("of", "those")):
-            place += 2
-        place += reading.word(place) in ("more", "other", "others", "further")
-        if place not in starts:
+        last = _end_of_count(reading, index)
+        number = _counted_before(reading, phrases, households, index) if last in starts else None
+        if number is None:
             continue
-        before = [
-            n
-            for n, p in enumerate(phrases)
-            if p.last <= index
-            and (p.head == "room" or p.first in households.units or (p.room_type and p.plural and p.counted))
-            and reading.sentence[p.first] == reading.sentence[index]
-            and p.first not in households.inner
-        ]
-        lead = index - 1
-        while lead in reading.taken and reading.word(lead) in ("the", *_LEFT_OVER):
-            lead -= 1
-        if not before or reading.word(lead) not in (",", ":", "and", "-", "(", "–", ";"):
-            continue
-        total = phrases[before[-1]]
-        reading.take(index, place)
-        if starts[place].refs[0].kind == "every":
+        total, many = phrases[number], int(token.value)
+        reading.take(index, last)
+        if starts[last].refs[0].kind == "every":
             shared.add(total.first)
-            number = int(token.value)
-            if not reading.facts.floors and total.counted and total.count and total.count % number == 0:
-                span = reading.span(index, starts[place].last)
-                reading.facts.floors.append(Quantity(float(total.count // number), span))  # "6 flats, two per floor"
+            _state_storeys(reading, total, many, reading.span(index, starts[last].last))
             continue
-        extra.append(
-            (
-                before[-1],
-                replace(
-                    total,
-                    first=index,
-                    begin=index,
-                    noun_end=index + 1,
-                    last=place,
-                    count=int(token.value),
-                    counted=True,
-                    determiner="",
-                ),
-            )
-        )
-    for number in {n for n, _ in extra}:
+        part = replace(total, first=index, begin=index, noun_end=index + 1, last=last)
+        parts.append((number, replace(part, count=many, counted=True, determiner="")))
+    _leave_out_what_is_shared_out(phrases, parts)
+    phrases[:] = sorted([*phrases, *(p for _, p in parts)], key=lambda p: p.first)
+    return shared
+
+
+def _end_of_count(reading: Reading, index: int) -> int:
+    """Return the token after a number and "of them" or "more"."""
+    last = index + 1
+    if reading.words(last, last + 2) in (("of", "them"), ("of", "these"), ("of", "those")):
+        last += 2
+    return last + (reading.word(last) in ("more", "other", "others", "further"))
+
+
+def _counted_before(reading: Reading, phrases: list[Phrase], households: Households, index: int) -> int | None:
+    """Return which rooms or units of its sentence a number without a noun counts, if it opens a clause."""
+    before = [
+        n
+        for n, p in enumerate(phrases)
+        if p.last <= index
+        and (p.head == "room" or p.first in households.units or (p.room_type and p.plural and p.counted))
+        and reading.sentence[p.first] == reading.sentence[index]
+        and p.first not in households.inner
+    ]
+    lead = index - 1
+    while lead in reading.taken and reading.word(lead) in ("the", *_LEFT_OVER):
+        lead -= 1
+    opens = reading.word(lead) in (",", ":", "and", "-", "(", "–", ";")
+    return before[-1] if before and opens else None
+
+
+def _state_storeys(reading: Reading, total: Phrase, many: int, span: Span) -> None:
+    """State how many storeys "6 flats, two per floor" takes, where the brief does not say so itself."""
+    if not reading.facts.floors and total.counted and total.count and many and total.count % many == 0:
+        reading.facts.floors.append(Quantity(float(total.count // many), span))
+
+
+def _leave_out_what_is_shared_out(phrases: list[Phrase], parts: Sequence[tuple[int, Phrase]]) -> None:
+    """Leave out the phrases whose rooms the numbers after them (`parts`, by the phrase's number) count again."""
+    for number in {n for n, _ in parts}:
         total = phrases[number]
-        parts = [p for n, p in extra if n == number]
-        whole = total.counted and sum(p.count or 0 for p in parts) >= (total.count or 0) and len(parts) > 1
+        counts = [p.count or 0 for n, p in parts if n == number]
+        whole = total.counted and sum(counts) >= (total.count or 0) and len(counts) > 1
         if whole or (not total.counted and total.plural):
             phrases[number] = replace(total, head="unknown")
-    phrases[:] = sorted([*phrases, *(p for _, p in extra)], key=lambda p: p.first)
-    return shared
 
 
 _LEFT_OVER = frozenset({"remaining", "other", "last", "further"})

@@ -392,36 +392,57 @@ def _of_part(reading: Reading, measure: Measure) -> bool:
 def _room_of(reading: Reading, measure: Measure, phrases: list[Phrase]) -> int | None:
     """Return which phrase an area belongs to: the room right after it, or the one that it is said of."""
     after = _after(reading, measure, 4)
-    if not _TOTALS.isdisjoint(after[:3]) and "each" not in after:
+    if _is_of_all(reading, measure, phrases, after):
         return None
-    if "each" not in after and _of_all_listed(reading, measure, phrases):
-        return None
-    if measure.sides and not (_PLOT | {"footprint"}).isdisjoint(
-        reading.words(max(measure.first - 6, 0), measure.first)
-    ):
-        return None
-    for number, phrase in enumerate(phrases):
-        gap = phrase.first - measure.last
-        if (
-            (
-                phrase.head == "room"
-                and 0 <= gap <= 2
-                and all(
-                    reading.word(i) in ("of", "for", "-")
-                    or (reading.kind(i) == "word" and reading.word(i) in ("each",))
-                    for i in range(measure.last, phrase.first)
-                )
-                and (gap == 0 or reading.word(measure.last) == "of")
-            )
-            and not phrase.areas
-            and not _is_building(reading, phrase)
-        ):
-            return number
+    following = _room_after(reading, measure, phrases)
+    if following is not None:
+        return following
     per_storey = any(word in ("per", "a", "/") and nxt in FLOOR_WORDS for word, nxt in itertools.pairwise(after))
     if per_storey and after[:1] != ["each"] and not _of_counted(reading, measure, phrases):
         return None
-    before = measure.first - 1
-    comma = False
+    end, comma = _end_of_what_is_measured(reading, measure, phrases)
+    if {"total", "area"} <= set(reading.words(end - 1, measure.first)):
+        return None
+    candidates = (
+        _ending_at(phrases, end)
+        or _described(reading, measure, phrases)
+        or _bracketed(reading, measure, phrases)
+        or _with_complement(reading, measure, phrases)
+    )
+    if not candidates:
+        return None
+    phrase = phrases[candidates[-1]]
+    if _is_building(reading, phrase) or (phrase.areas and len(measure.values) == 1):
+        return None
+    if comma and phrase.last == end and not _listed(reading, measure, phrase, after):
+        return None
+    return candidates[-1]
+
+
+def _is_of_all(reading: Reading, measure: Measure, phrases: list[Phrase], after: list[str]) -> bool:
+    """Whether an area is a total, that of all rooms of a list, or a plot's."""
+    total = not _TOTALS.isdisjoint(after[:3])
+    if "each" not in after and (total or _of_all_listed(reading, measure, phrases)):
+        return True
+    before = reading.words(max(measure.first - 6, 0), measure.first)
+    return measure.sides and not (_PLOT | {"footprint"}).isdisjoint(before)
+
+
+def _room_after(reading: Reading, measure: Measure, phrases: list[Phrase]) -> int | None:
+    """Return the room without an area yet that is named right after an area: "20 m2 kitchen", "20 m2 of office"."""
+    for number, phrase in enumerate(phrases):
+        if phrase.head != "room" or not 0 <= phrase.first - measure.last <= 2:
+            continue
+        gap = reading.words(measure.last, phrase.first)
+        joined = not gap or (gap[0] == "of" and set(gap) <= {"of", "for", "-", "each"})
+        if joined and not phrase.areas and not _is_building(reading, phrase):
+            return number
+    return None
+
+
+def _end_of_what_is_measured(reading: Reading, measure: Measure, phrases: list[Phrase]) -> tuple[int, bool]:
+    """Return the token after the words that an area is said of, and whether a comma stands between the two."""
+    before, comma = measure.first - 1, False
     ends = {phrase.last for phrase in phrases}
     while (
         before >= 0
@@ -437,37 +458,32 @@ def _room_of(reading: Reading, measure: Measure, phrases: list[Phrase]) -> int |
     if reading.word(before) in FLOOR_WORDS and reading.word(before - 1) in ("per", "by", "each", "every"):
         at = before - 1 - (reading.word(before - 2) in ("on", "in", "at"))
         if at in ends:
-            before = at - 1  # "6 classrooms per level, of 55 m2 each"
-    if "total" in reading.words(before, measure.first) and "area" in reading.words(before, measure.first):
-        return None
-    candidates = [
+            return at, comma  # "6 classrooms per level, of 55 m2 each"
+    return before + 1, comma
+
+
+def _ending_at(phrases: list[Phrase], end: int) -> list[int]:
+    """Return the rooms and buildings whose phrases, or the nouns of these, end at a token."""
+    return [
         n
         for n, p in enumerate(phrases)
-        if p.noun_end <= before + 1 <= p.last and (p.head == "building" or (p.head == "room" and p.room_type))
+        if p.noun_end <= end <= p.last and (p.head == "building" or (p.head == "room" and p.room_type))
     ]
-    if not candidates:
-        candidates = _described(reading, measure, phrases)
-    if not candidates:
-        candidates = _bracketed(reading, measure, phrases)
-    if not candidates and reading.word(_lead(reading, measure)) in ("(", "of"):  # "the bay for three engines (180 m2)"
-        sentence = reading.sentence[measure.first]
-        candidates = [
-            n
-            for n, p in enumerate(phrases)
-            if p.head == "room"
-            and 0 <= measure.first - p.last <= 7
-            and reading.sentence[p.first] == sentence
-            and reading.word(p.last) in ("for", "of", "with")
-        ]
-    if not candidates:
-        return None
-    number = candidates[-1]
-    phrase = phrases[number]
-    if _is_building(reading, phrase) or (phrase.areas and len(measure.values) == 1):
-        return None
-    if comma and phrase.last == before + 1 and not _listed(reading, measure, phrase, after):
-        return None
-    return number
+
+
+def _with_complement(reading: Reading, measure: Measure, phrases: list[Phrase]) -> list[int]:
+    """Return the rooms of which more is said before their area: "the bay for three engines (180 m2)"."""
+    if reading.word(_lead(reading, measure)) not in ("(", "of"):
+        return []
+    sentence = reading.sentence[measure.first]
+    return [
+        n
+        for n, p in enumerate(phrases)
+        if p.head == "room"
+        and 0 <= measure.first - p.last <= 7
+        and reading.sentence[p.first] == sentence
+        and reading.word(p.last) in ("for", "of", "with")
+    ]
 
 
 def _bracketed(reading: Reading, measure: Measure, phrases: list[Phrase]) -> list[int]:

@@ -18,6 +18,9 @@ COPULAS = frozenset(
     """.split()
 )
 
+_AFTER_TOP = frozenset("with and there nothing only two one become we the sit come".split())
+"""Words that what is on the top storey follows: "on top there is a bar"."""
+
 
 class NamedStoreys:
     """Reads the names of storeys: each method returns what is meant at a token and the token after it, if anything.
@@ -56,70 +59,74 @@ class NamedStoreys:
 
     def ground(self, index: int) -> tuple[list[FloorRef], int] | None:
         """Read "the ground floor", "street level", "downstairs", "at grade"."""
+        word = self.reading.word(index)
+        if word in ("ff", "sf") and self.reading.word(index + 1) in CLOSERS and self.british:
+            return [FloorRef("number", 2 + (word == "sf"), 2 + (word == "sf"))], index + 1
+        last = self._ground_in_full(index)
+        alone = (self._is_abbreviated_ground, self._is_ground, self._is_bottom, self._is_below)
+        if not last and not any(names(index) for names in alone):
+            return None
+        return [FloorRef("number", 1, 1)], last or index + 1
+
+    def _ground_in_full(self, index: int) -> int:
+        """Return where "the street level", "level of the street", "on the lower one", "at grade" end, or 0."""
         reading = self.reading
         word, following = reading.word(index), reading.word(index + 1)
-        ground = [FloorRef("number", 1, 1)]
         if word in _STREET and following in FLOOR_WORDS and not reading.plural(index + 1):
-            return ground, index + 2
+            return index + 2
         if reading.words(index, index + 4) == ("level", "of", "the", "street"):
-            return ground, index + 4
-        if word == "lower" and following in (":", ",") and reading.word(index - 1) == "the":
-            return ground, index + 1
+            return index + 4
         if word in ("lower", "bottom", "lowest") and following == "one" and self._is_elliptic(index):
-            return ground, index + 2
-        if word in ("downstair", "downstairs"):
-            return ground, index + 1
-        if (
-            word in ("eg", "gnd")
-            and following in CLOSERS | {"has", "with"}
-            and reading.word(index - 1) in ("the", "in", "")
-        ):
-            return ground, index + 1
-        if word == "g" and following == ":" and reading.starts(index):
-            return ground, index + 1
-        if word in ("gf", "g/f", "gnd") and following in CLOSERS | {"has", "with"}:
-            return ground, index + 1
-        if word in ("ff", "sf") and following in CLOSERS and self.british:
-            return [FloorRef("number", 2 + (word == "sf"), 2 + (word == "sf"))], index + 1
-        if word == "at" and following == "grade":
-            return ground, index + 2
-        if (
-            word == "ground"
-            and (following in CLOSERS or following in ("and", "there", "has", "is", "also"))
-            and (
-                reading.word(index - 1) in ("the", "on", "at")
-                or reading.starts(index)
-                or (reading.word(index - 1) == "in" and reading.starts(index - 1))
-            )
-        ):
-            return ground, index + 1
-        if word == "ground" and following in ("for", "has", "hold") and reading.word(index - 1) in (":", ";"):
-            return ground, index + 1
-        if (
-            word == "bottom"
-            and (following in CLOSERS | COPULAS | {"with", "and", "a", "an"} or self._counts(index + 1))
-            and reading.word(index - 1) in ("the", "at", "from")
-        ):
-            return None if reading.word(index - 2) == "from" else (ground, index + 1)
-        if (word == "bottom" or (word == "down" and reading.starts(index))) and following == ":":
-            return ground, index + 1
-        if word == "bottom" and reading.word(index - 1) == "very" and reading.word(index - 2) in ("the", "at"):
-            return ground, index + 1
-        if word == "lowest" and self._names_storey(index):
-            return ground, index + 1
-        if word == "below" and (
-            (reading.starts(index) and following in (":", "is", "are", "there", ",", "the", "we", "i", "you", "a"))
-            or (following in CLOSERS | {"with"} and self._is_storeyed_adverb(index))
-        ):
-            return ground, index + 1
-        if (
-            word == "down"
-            and self.has_floors
-            and following in CLOSERS
-            and reading.word(index - 1) in ("stay", "is", "are", "go")
-        ):
-            return ground, index + 1
-        return None
+            return index + 2
+        return index + 2 if (word, following) == ("at", "grade") else 0
+
+    def _is_abbreviated_ground(self, index: int) -> bool:
+        """Whether a token is a short form of the ground floor: "GF: a shop", "G:", "in the EG"."""
+        reading = self.reading
+        word, following = reading.word(index), reading.word(index + 1)
+        if word == "g":
+            return following == ":" and reading.starts(index)
+        led = word in ("gf", "g/f", "gnd") or (word == "eg" and reading.word(index - 1) in ("the", "in", ""))
+        return led and following in CLOSERS | {"has", "with"}
+
+    def _is_ground(self, index: int) -> bool:
+        """Whether "ground" stands for the ground floor: "on the ground there is a shop", "; ground for parking"."""
+        reading = self.reading
+        lead, following = reading.word(index - 1), reading.word(index + 1)
+        if reading.word(index) != "ground":
+            return False
+        if following in ("for", "has", "hold") and lead in (":", ";"):
+            return True
+        led = lead in ("the", "on", "at") or reading.starts(index) or (lead == "in" and reading.starts(index - 1))
+        return led and (following in CLOSERS or following in ("and", "there", "has", "is", "also"))
+
+    def _is_bottom(self, index: int) -> bool:
+        """Whether "bottom" or "lowest" stands for the ground floor: "at the bottom a shop", "the very bottom"."""
+        reading = self.reading
+        lead, following = reading.word(index - 1), reading.word(index + 1)
+        if reading.word(index) == "lowest":
+            return self._names_storey(index)
+        if reading.word(index) != "bottom":
+            return False
+        goes_on = following in CLOSERS | COPULAS | {"with", "and", "a", "an"} or self._counts(index + 1)
+        if goes_on and lead in ("the", "at", "from"):
+            return reading.word(index - 2) != "from"
+        return following == ":" or (lead == "very" and reading.word(index - 2) in ("the", "at"))
+
+    def _is_below(self, index: int) -> bool:
+        """Whether an adverb of place stands for the ground floor: "downstairs", "Below: a shop", "the shop is down"."""
+        reading = self.reading
+        word, lead, following = reading.word(index), reading.word(index - 1), reading.word(index + 1)
+        if word == "lower":
+            return following in (":", ",") and lead == "the"
+        if word == "down":
+            stays = self.has_floors and following in CLOSERS and lead in ("stay", "is", "are", "go")
+            return stays or (following == ":" and reading.starts(index))
+        if word == "below":
+            if reading.starts(index) and following in (":", "is", "are", "there", ",", "the", "we", "i", "you", "a"):
+                return True
+            return following in CLOSERS | {"with"} and self._is_storeyed_adverb(index)
+        return word in ("downstair", "downstairs")
 
     def _is_storeyed_adverb(self, index: int) -> bool:
         """Whether a final "above" or "below" is an adverb of place: its opposite stands in the brief too."""
@@ -137,54 +144,54 @@ class NamedStoreys:
         """Read "the top floor", "the rooftop", "under the roof"."""
         reading = self.reading
         word, following = reading.word(index), reading.word(index + 1)
-        if word in TOPS and following in FLOOR_WORDS and not reading.plural(index + 1):
+        single = word in TOPS and not reading.plural(index + 1)
+        if following in FLOOR_WORDS and (single or word in ("rooftop", "roof")):
             return [FloorRef("top")], index + 2
-        if word in ("rooftop", "roof") and following in FLOOR_WORDS:
-            return [FloorRef("top")], index + 2
-        if word == "roof" and reading.words(index - 2, index) == ("under", "the") and following not in FLOOR_WORDS:
-            # "under the roof on the third": the storey that is named counts.
+        if self._is_roof(index) or self._is_top(index):
             return [FloorRef("top")], index + 1
-        if (
-            word in ("rooftop", "roof")
-            and following not in ("terrace", "garden", "bar", "deck")
-            and (
-                index not in reading.mention_at
-                and reading.word(index - 1) in ("the", "on")
-                and reading.word(index - 2) in ("on", "")
-            )
-        ):
-            return [FloorRef("top")], index + 1
-        led = reading.word(index - 1) in ("the", "on", "very", "at") or reading.starts(index)
-        if (
-            word in ("top", "topp")
-            and led
-            and (
-                following
-                in CLOSERS
-                | COPULAS
-                | {"with", "and", "there", "nothing", "only", "two", "one", "become", "we", "the", "sit", "come"}
-            )
-        ):
-            return [FloorRef("top")], index + 1
-        opens = reading.word(index - 1) == "on" and (
-            reading.starts(index - 1) or reading.word(index - 2) in (",", "and")
-        )
-        if word == "top" and opens and following in ("a", "an", "our"):
-            return [FloorRef("top")], index + 1
-        over = reading.words(index - 1, index + 2) == ("on", "top", "of")
-        over = over and FLOOR_WORDS.isdisjoint(reading.words(index + 3, index + 7))  # "on top of it sit two floors"
-        if over and reading.word(index + 2) in ("it", "that", "them", "this", "these"):
+        if self._is_on_top_of_it(index):
             return [FloorRef("top")], index + 3
-        edge = reading.words(index - 2, index) == ("at", "the") and (
-            following in ("a", "an") or self._counts(index + 1)
-        )
-        if word == "top" and edge and self.has_floors:
-            return [FloorRef("top")], index + 1
-        if word in ("attic", "loft") and (following == ":" or self._is_place(index)):
-            return [FloorRef("top")], index + 1
-        if word in ("uppermost", "topmost", "highest") and self._names_storey(index):
+        attic = word in ("attic", "loft") and (following == ":" or self._is_place(index))
+        highest = word in ("uppermost", "topmost", "highest") and self._names_storey(index)
+        if attic or highest or self._is_at_the_top(index):
             return [FloorRef("top")], index + 1
         return None
+
+    def _is_roof(self, index: int) -> bool:
+        """Whether a roof stands for the top storey: "under the roof", "on the rooftop"."""
+        reading = self.reading
+        word, following = reading.word(index), reading.word(index + 1)
+        # "under the roof on the third": the storey that is named counts.
+        if word == "roof" and reading.words(index - 2, index) == ("under", "the") and following not in FLOOR_WORDS:
+            return True
+        if word not in ("rooftop", "roof") or following in ("terrace", "garden", "bar", "deck"):
+            return False
+        led = reading.word(index - 1) in ("the", "on") and reading.word(index - 2) in ("on", "")
+        return led and index not in reading.mention_at
+
+    def _is_top(self, index: int) -> bool:
+        """Whether "top" stands for the top storey: "top: a bar", "the top is a bar", "and on top a terrace"."""
+        reading = self.reading
+        word, lead, following = reading.word(index), reading.word(index - 1), reading.word(index + 1)
+        led = lead in ("the", "on", "very", "at") or reading.starts(index)
+        if word in ("top", "topp") and led and following in CLOSERS | COPULAS | _AFTER_TOP:
+            return True
+        opens = lead == "on" and (reading.starts(index - 1) or reading.word(index - 2) in (",", "and"))
+        return word == "top" and opens and following in ("a", "an", "our")
+
+    def _is_on_top_of_it(self, index: int) -> bool:
+        """Whether "top" opens "top of it" in "on top of it a bar", and no number of storeys follows."""
+        reading = self.reading
+        if reading.words(index - 1, index + 2) != ("on", "top", "of"):
+            return False
+        storeyed = not FLOOR_WORDS.isdisjoint(reading.words(index + 3, index + 7))  # "on top of it sit two floors"
+        return not storeyed and reading.word(index + 2) in ("it", "that", "them", "this", "these")
+
+    def _is_at_the_top(self, index: int) -> bool:
+        """Whether "top" is where something is: "at the top a bar"."""
+        reading = self.reading
+        placed = reading.words(index - 2, index + 1) == ("at", "the", "top") and self.has_floors
+        return placed and (reading.word(index + 1) in ("a", "an") or self._counts(index + 1))
 
     def _leads_list(self, index: int) -> bool:
         """Whether "above" leads the rooms of the storey above: "a garage and a shop, above two flats"."""
@@ -237,55 +244,74 @@ class NamedStoreys:
         """Read "upstairs", "the upper floors", "above", and the storeys in the middle."""
         reading = self.reading
         word, following = reading.word(index), reading.word(index + 1)
-        upper = [FloorRef("upper")]
-        if word in ("upstair", "upstairs"):
-            return upper, index + 1
-        if word == "upper" and following == "one" and self._is_elliptic(index):
-            return upper, index + 2
-        if word == "upper" and following in (":", ",") and reading.word(index - 1) == "the":
-            return upper, index + 1
         if word in ("upper", "higher", "other") and following in FLOOR_WORDS:
-            low, high = reading.value(index + 2), reading.value(index + 4)
-            ranged = reading.word(index + 3) in ("-", "–", "to") and 0 < low < high <= 100
-            if ranged and reading.kind(index + 2) == reading.kind(index + 4) == "number":
-                shift = int(low == 1)  # "upper floors 1-3" lie above the ground floor
-                return [FloorRef("range", int(low) + shift, int(high) + shift)], index + 5
-            return upper, index + 2
-        if word in ("lower",) and following in FLOOR_WORDS and reading.plural(index + 1):
+            return self._upper_range(index) or ([FloorRef("upper")], index + 2)
+        if word == "lower" and following in FLOOR_WORDS and reading.plural(index + 1):
             return [FloorRef("lower")], index + 2
-        if word == "higher" and following == "up":
-            return upper, index + 2
-        if word == "above" and (
-            (reading.starts(index) and following in (":", ",", "are", "is", "there", "we", "i", "you", "a"))
-            or (following in CLOSERS | {"with"} and (self._is_storeyed_adverb(index) or reading.word(index - 1) == ","))
-        ):
-            return upper, index + 1
-        if word == "above" and self._leads_list(index):
-            return upper, index + 1
-        if word == "above" and following in CLOSERS | {"for"} and self._after_dwelling(index):
-            return upper, index + 1
-        if word in ("upper", "og") and reading.starts(index) and following in (":", "-", "–"):
-            return upper, index + 1
-        if word == "og" and following in CLOSERS:
-            return upper, index + 1
-        if word == "up" and reading.starts(index) and following == ":":
-            return upper, index + 1
-        relative = word in ("over", "above") and following in ("it", "that", "them") and self._ends_clause(index + 2)
-        if relative and reading.word(index - 1) not in FLOOR_WORDS:
-            return upper, index + 2
+        if self._is_upper(index) or self._is_above(index):
+            return [FloorRef("upper")], index + 1
+        if self._is_upper_one(index):
+            return [FloorRef("upper")], index + 2
         if word == "middle" and (following in FLOOR_WORDS or (following == "one" and self._names_storey(index + 1))):
             return [FloorRef("middle")], index + 2
-        if word == "middle" and following in (":", "=") and reading.starts(index):
-            return [FloorRef("middle")], index + 1
-        if (
-            word == "middle"
-            and reading.words(index - 2, index) == ("in", "the")
-            and reading.word(index - 3) not in ("courtyard", "yard", "patio", "garden", "atrium", "cloister", "stair")
-            and (
-                following in CLOSERS | {"with", "there", "are", "is", "come", "we", "a", "an"}
-                or self._counts(index + 1)
-            )
-            and self.has_floors
+        return ([FloorRef("middle")], index + 1) if self._is_middle(index) else None
+
+    def _upper_range(self, index: int) -> tuple[list[FloorRef], int] | None:
+        """Read "upper floors 2-4"."""
+        reading = self.reading
+        low, high = reading.value(index + 2), reading.value(index + 4)
+        ranged = reading.word(index + 3) in ("-", "–", "to") and 0 < low < high <= 100
+        if not ranged or not reading.kind(index + 2) == reading.kind(index + 4) == "number":
+            return None
+        shift = int(low == 1)  # "upper floors 1-3" lie above the ground floor
+        return [FloorRef("range", int(low) + shift, int(high) + shift)], index + 5
+
+    def _is_upper(self, index: int) -> bool:
+        """Whether a token stands for the upper floors: "upstairs", "Upper: two bedrooms", "up:"."""
+        reading = self.reading
+        word, following = reading.word(index), reading.word(index + 1)
+        if word == "upper" and following in (":", ",") and reading.word(index - 1) == "the":
+            return True
+        if word in ("upper", "og") and reading.starts(index) and following in (":", "-", "–"):
+            return True
+        if word == "up":
+            return following == ":" and reading.starts(index)
+        return word in ("upstair", "upstairs") or (word == "og" and following in CLOSERS)
+
+    def _is_above(self, index: int) -> bool:
+        """Whether "above" stands for the upper floors: "above are two flats", "a shop with a flat above"."""
+        reading, following = self.reading, self.reading.word(index + 1)
+        if reading.word(index) != "above":
+            return False
+        if reading.starts(index) and following in (":", ",", "are", "is", "there", "we", "i", "you", "a"):
+            return True
+        listed = reading.word(index - 1) == ","
+        if following in CLOSERS | {"with"} and (self._is_storeyed_adverb(index) or listed):
+            return True
+        return self._leads_list(index) or (following in CLOSERS | {"for"} and self._after_dwelling(index))
+
+    def _is_upper_one(self, index: int) -> bool:
+        """Whether two words stand for the upper floors: "on the upper one", "higher up", "above it"."""
+        reading = self.reading
+        word, following = reading.word(index), reading.word(index + 1)
+        if (word, following) == ("higher", "up") or (
+            (word, following) == ("upper", "one") and self._is_elliptic(index)
         ):
-            return [FloorRef("middle")], index + 1
-        return None
+            return True
+        relative = word in ("over", "above") and following in ("it", "that", "them") and self._ends_clause(index + 2)
+        return relative and reading.word(index - 1) not in FLOOR_WORDS
+
+    def _is_middle(self, index: int) -> bool:
+        """Whether "middle" stands for the storeys in between: "Middle: three flats", "in the middle two offices"."""
+        reading, following = self.reading, self.reading.word(index + 1)
+        if reading.word(index) != "middle":
+            return False
+        if following in (":", "=") and reading.starts(index):
+            return True
+        inside = reading.words(index - 2, index) == ("in", "the") and reading.word(index - 3) not in _WITH_MIDDLES
+        goes_on = following in CLOSERS | {"with", "there", "are", "is", "come", "we", "a", "an"}
+        return self.has_floors and inside and (goes_on or self._counts(index + 1))
+
+
+_WITH_MIDDLES = frozenset({"courtyard", "yard", "patio", "garden", "atrium", "cloister", "stair"})
+"""What has a middle of its own: "a courtyard in the middle"."""

@@ -289,16 +289,40 @@ def _phrases_of(reading: Reading, begin: int, end: int) -> list[Phrase]:
 
 def _headed(reading: Reading, begin: int, end: int, *, whole: bool) -> Phrase | None:
     """Return the phrase of tokens `begin` to `end` if the last of them can be its head."""
-    last = reading.word(end - 1)
-    if not whole and reading.word(end) in _PARTS:
+    if _goes_on(reading, begin, end, whole=whole) or _is_figurative(reading, begin, end):
         return None
-    if not whole and reading.word(end) in ("style", "styled"):
-        return None  # "chalet style" is how the building looks
+    mention = _mention_ending(reading, begin, end)
+    found = _furniture_or_core(reading, begin, end, mention)
+    if found is not None:
+        return found
+    if mention is not None:
+        if mention.building and not whole and _are_people(reading, end):
+            return None  # "wind farm technicians"
+        if _are_book_stacks(reading, begin, end):
+            return finished_phrase(reading, "object", begin, end, category="bookshelf")
+        return _by_mention(reading, begin, end, mention)
+    if reading.word(end - 1) == "room" and reading.word(end - 2) in _SUPERLATIVES:
+        return None
+    return _room_by_head(reading, begin, end) or _people_or_furniture(reading, begin, end, whole=whole)
+
+
+def _goes_on(reading: Reading, begin: int, end: int, *, whole: bool) -> bool:
+    """Whether the word after some tokens makes them a modifier, or stands for a noun itself."""
+    if not whole and reading.word(end) in _PARTS | {"style", "styled"}:
+        return True  # "chalet style" is how the building looks
     one = reading.word(end) == "one" and reading.word(end + 1) not in FLOOR_WORDS | {"flight"}
-    if one and reading.word(begin - 1) in ("a", "an"):
-        return None  # "two kitchens, a meat one and a dairy one"
-    if _is_figurative(reading, begin, end):
-        return None
+    return one and reading.word(begin - 1) in ("a", "an")  # "two kitchens, a meat one and a dairy one"
+
+
+def _furniture_or_core(reading: Reading, begin: int, end: int, mention: Mention | None) -> Phrase | None:
+    """Return furniture, stairs or a lift, where these come before a room of that name; else nothing.
+
+    Parameters
+    ----------
+    mention : Mention, optional
+        The phrase of the lexicon that ends with the tokens.
+    """
+    last = reading.word(end - 1)
     if own := own_furniture_of(reading.words(begin, end)):
         return finished_phrase(reading, "object", begin, end, category=own)
     category, size = furniture_of(reading.words(begin, end))
@@ -306,52 +330,56 @@ def _headed(reading: Reading, begin: int, end: int, *, whole: bool) -> Phrase | 
         return finished_phrase(reading, "room", begin, end, room="cinema_hall")
     if last in _STAIRS | _LIFTS and size < 2:
         return finished_phrase(reading, "stair" if last in _STAIRS else "elevator", begin, end)
-    mention = _mention_ending(reading, begin, end)
-    if last in _FURNITURE_TOO and size > 1 and (mention is None or mention.last - mention.first < size):
+    longer = size > 1 and (mention is None or mention.last - mention.first < size)
+    counter = last == "counter" and mention is not None
+    counter = counter and reading.word(count_before(reading, begin, end)[0] - 1) == "with"
+    if counter or (longer and last in _FURNITURE_TOO):
         return finished_phrase(reading, "object", begin, end, category=category)
-    if last == "counter" and mention is not None and reading.word(count_before(reading, begin, end)[0] - 1) == "with":
-        return finished_phrase(reading, "object", begin, end, category=category)
-    if mention is not None and mention.building and not whole and _are_people(reading, end):
-        return None  # "wind farm technicians"
-    if mention is not None and _are_book_stacks(reading, begin, end):
-        return finished_phrase(reading, "object", begin, end, category="bookshelf")  # "30 book stacks"
-    if mention is not None and (mention.room or mention.building):
-        room = mention.room or room_of_building(mention.building, reading.knowledge)
-        if (
-            last == "studio"
-            and end - begin > 1
-            and mention.last - mention.first == 1
-            and _names_use(reading, begin, end)
-        ):
+    return None
+
+
+def _by_mention(reading: Reading, begin: int, end: int, mention: Mention) -> Phrase:
+    """Return the room or the building that the lexicon has, as more words before its head may tell it further."""
+    last = reading.word(end - 1)
+    room = mention.room or room_of_building(mention.building, reading.knowledge)
+    if end - begin > 1 and mention.last - mention.first == 1:
+        if last == "studio" and _names_use(reading, begin, end):
             return finished_phrase(reading, "room", begin, end, room=HEAD_TYPES[last], known=False)
-        if (
-            last == "hall"
-            and mention.last - mention.first == 1
-            and end - begin > 1
-            and name_of(reading, begin, end) != "hall"
-        ):
+        if last == "hall" and name_of(reading, begin, end) != "hall":
             room = _hall_of(reading, begin, end)
-        head: Head = "room" if mention.room or not mention.building else "building"
-        return finished_phrase(reading, head, begin, end, room=room, building=mention.building, mention=mention)
-    if last == "room" and reading.word(end - 2) in _SUPERLATIVES:
-        return None
-    bare = last == "room" and all(word in PLAIN or word in ("guest",) for word in reading.words(begin, end - 1))
-    if bare and reading.plural(end - 1) and (count_before(reading, begin, end)[2] or count_after(reading, end)[1]):
-        return finished_phrase(reading, "room", begin, end, room="study_room", known=False)
-    if last in ("room", "corner") and end - begin == 1 and _has_purpose(reading, end) and not reading.plural(end - 1):
-        return finished_phrase(reading, "room", begin, end, room="study_room", known=False)
+    head: Head = "room" if mention.room or not mention.building else "building"
+    return finished_phrase(reading, head, begin, end, room=room, building=mention.building, mention=mention)
+
+
+def _room_by_head(reading: Reading, begin: int, end: int) -> Phrase | None:
+    """Return a room that the lexicon does not have, by a noun that can head a room's name: "honey room"."""
+    last, plural = reading.word(end - 1), reading.plural(end - 1)
     _, _, counted, determiner = count_before(reading, begin, end)
-    listed = determiner in ("a", "an") and reading.word(begin - 2) in ("and", ",", "plus", "&", ":")
-    alone = last in _STANDS_ALONE and (reading.plural(end - 1) or counted or determiner == "the" or listed)
-    if alone and end - begin == 1:
-        return finished_phrase(reading, "room", begin, end, room=HEAD_TYPES[last], known=False)
-    if last in HEAD_TYPES and end - begin > 1 and not (last in _NO_HEADS and reading.word(end - 2) in PLAIN):
-        name = name_of(reading, begin, end)
-        if name != last:
-            kind = similar_room_type(name, reading.knowledge)
-            return finished_phrase(reading, "room", begin, end, room=kind, known=False)
+    bare = last == "room" and all(word in PLAIN or word == "guest" for word in reading.words(begin, end - 1))
+    if bare and plural and (counted or count_after(reading, end)[1]):
+        return finished_phrase(reading, "room", begin, end, room="study_room", known=False)
+    if end - begin == 1:
+        if last in ("room", "corner") and _has_purpose(reading, end) and not plural:
+            return finished_phrase(reading, "room", begin, end, room="study_room", known=False)
+        listed = determiner in ("a", "an") and reading.word(begin - 2) in ("and", ",", "plus", "&", ":")
+        if last in _STANDS_ALONE and (plural or counted or determiner == "the" or listed):
+            return finished_phrase(reading, "room", begin, end, room=HEAD_TYPES[last], known=False)
+        return None
+    if last not in HEAD_TYPES or (last in _NO_HEADS and reading.word(end - 2) in PLAIN):
+        return None
+    name = name_of(reading, begin, end)
+    if name == last:
+        return None
+    kind = similar_room_type(name, reading.knowledge)
+    return finished_phrase(reading, "room", begin, end, room=kind, known=False)
+
+
+def _people_or_furniture(reading: Reading, begin: int, end: int, *, whole: bool) -> Phrase | None:
+    """Return the people or the furniture of the asset catalogue that some tokens name."""
+    last = reading.word(end - 1)
     if last in PEOPLE:
         return finished_phrase(reading, "people", begin, end)
+    category, _ = furniture_of(reading.words(begin, end))
     titles = last == "table" and reading.words(end, end + 2) in (("of", "room"), ("of", "content"))
     if category and not titles and (whole or not _modifies(reading, end)):
         return finished_phrase(reading, "object", begin, end, category=category)
@@ -373,6 +401,7 @@ def _is_figurative(reading: Reading, begin: int, end: int) -> bool:
 
 
 def _are_book_stacks(reading: Reading, begin: int, end: int) -> bool:
+    """Whether stacks are shelves rather than rooms: "30 book stacks"."""
     return (
         reading.plural(end - 1)
         and reading.words(end - 2, end) == ("book", "stack")

@@ -192,108 +192,108 @@ def count_before(reading: Reading, begin: int, end: int) -> tuple[int, int | Non
     index, determiner = begin - 1, ""
     for _ in range(4):
         word = reading.word(index)
-        if (
-            reading.kind(index) == "number"
-            and not reading.tokens[index + 1].spaced
-            and reading.word(index + 1) in UNITS_OF_ROOMS
-        ):
-            index -= 1  # "two-bedroom" is an adjective
-            continue
-        if reading.kind(index) == "number" and reading.text[
-            reading.tokens[index].end : reading.tokens[index].end + 1
-        ] in ("-", "‑"):
-            break  # "two-family house", "four-poster bed"
-        if reading.kind(index) == "number" and not reading.tokens[index].spaced and reading.kind(index - 1) == "word":
-            break  # "BSL-3 laboratory" has the number in its name
-        if reading.kind(index) == "number" and index not in reading.taken:
-            value = reading.value(index)
-            adjective = (
-                reading.tokens[index].soft
-                and reading.plural(end - 1)
-                and word in ("single", "double", "twin", "triple")
-            )
-            if adjective or word == "double":
-                index -= 1
-                continue
-            if value != int(value) or not 1 <= value <= 2000:
+        if passed := _passed_over(reading, index, end):
+            index -= passed
+        elif reading.kind(index) == "number":
+            if not _is_count(reading, index):
                 break
-            if reading.word(index - 1) in ("and", "–", "to", "or") and reading.kind(index - 2) == "number":
-                low = reading.value(index - 2)
-                if reading.word(index - 1) != "and" and low < value <= 3 * low:
-                    return index - 2, int((low + value) / 2), True, determiner
-            first = index
-            while (
-                reading.word(first - 1)
-                in ("least", "at", "exactly", "about", "a", "of", "minimum", "up", "to", "some", "around", "roughly")
-                and first - 1 not in reading.taken
-                and begin - first < 5
-            ):
-                if reading.word(first - 1) in ("at", "to", "of", "a") and reading.word(first) not in (
-                    "least",
-                    "minimum",
-                ):
-                    break
-                first -= 1
-            if reading.word(first - 1) in ("the", "these", "those", "both", "all", "our", "each", "every"):
+            middle = _middle_of_range(reading, index)
+            if middle is not None:
+                return index - 2, middle, True, determiner
+            first = _with_hedges(reading, begin, index)
+            if reading.word(first - 1) in _BEFORE_COUNTS:
                 determiner = determiner or reading.word(first - 1)
-            return first, int(value), True, determiner
-        if word in ("nos", "no", "pcs", "pc") and reading.kind(index - 1) == "number":
-            index -= 1  # "30 nos. chairs"
-            continue
-        if word == "." and reading.word(index - 1) in ("nos", "no", "pcs") and reading.kind(index - 2) == "number":
-            index -= 2
-            continue
-        if word == "of" and reading.kind(index - 1) == "number" and reading.tokens[index - 1].soft:
-            index -= 1
-            continue
-        if word in (
-            "a",
-            "an",
-            "the",
-            "each",
-            "every",
-            "per",
-            "own",
-            "its",
-            "their",
-            "our",
-            "my",
-            "her",
-            "his",
-            "both",
-            "all",
-            "no",
-            "this",
-            "that",
-            "these",
-            "those",
-            "any",
-            "either",
-            "another",
-            "some",
-            "several",
-            "many",
-            "multiple",
-            "few",
-            "various",
-            "numerous",
-            "enough",
-            "more",
-        ):
+            return first, int(reading.value(index)), True, determiner
+        elif word in _DETERMINERS:
             determiner = determiner or word
-            if word in ("own", "more", "few"):
-                index -= 1
-                continue
-            if word == "no":
-                return begin, None, False, determiner
-            if word == "a" and determiner == "few":
-                return index, None, False, "several"
-            return index, None, False, determiner
-        if word in ("more", "other", "such", "very", "same", "separate"):
+            if word not in _BEFORE_THEM_ANOTHER:
+                return _determined(begin, index, word, determiner)
             index -= 1
-            continue
-        break
+        else:
+            break
     return begin, None, False, determiner
+
+
+_DETERMINERS = frozenset(
+    """
+    a an the each every per own its their our my her his both all no this that these those any either another some
+    several many multiple few various numerous enough more
+    """.split()
+)
+_BEFORE_THEM_ANOTHER = frozenset({"own", "more", "few"})
+"""Determiners that another one may stand before: "its own", "two more", "a few"."""
+_BETWEEN = frozenset({"other", "such", "very", "same", "separate"})
+"""Words between a count or a determiner and its noun."""
+_BEFORE_COUNTS = frozenset({"the", "these", "those", "both", "all", "our", "each", "every"})
+"""Determiners of a phrase that has a count: "the four bedrooms"."""
+_HEDGES = frozenset("least at exactly about a of minimum up to some around roughly".split())
+_HEDGES_OF_TWO = frozenset({"at", "to", "of", "a"})
+"""Words that say how exact a count is only before "least" and "minimum": "at least", "a minimum"."""
+
+
+def _determined(begin: int, index: int, word: str, determiner: str) -> tuple[int, None, bool, str]:
+    """Return what `count_before` does for a phrase without a number whose outermost determiner is `word`."""
+    if word == "no":
+        return begin, None, False, determiner
+    return index, None, False, "several" if (word, determiner) == ("a", "few") else determiner
+
+
+def _is_adjective(reading: Reading, index: int, end: int) -> bool:
+    """Whether a number is an adjective of the phrase and counts nothing: "two-bedroom flats", "double rooms"."""
+    if reading.kind(index) != "number":
+        return False
+    if not reading.tokens[index + 1].spaced and reading.word(index + 1) in UNITS_OF_ROOMS:
+        return True
+    if index in reading.taken or _is_in_name(reading, index):
+        return False
+    word = reading.word(index)
+    soft = reading.tokens[index].soft and word in ("single", "double", "twin", "triple")
+    return word == "double" or (soft and reading.plural(end - 1))
+
+
+def _is_in_name(reading: Reading, index: int) -> bool:
+    """Whether a number is part of a compound: "two-family house", "four-poster bed", "BSL-3 laboratory"."""
+    end = reading.tokens[index].end
+    if reading.text[end : end + 1] in ("-", "‑"):
+        return True
+    return not reading.tokens[index].spaced and reading.kind(index - 1) == "word"
+
+
+def _is_count(reading: Reading, index: int) -> bool:
+    """Whether a number can say how many there are of something."""
+    value = reading.value(index)
+    whole = value == int(value) and 1 <= value <= 2000
+    return whole and index not in reading.taken and not _is_in_name(reading, index)
+
+
+def _middle_of_range(reading: Reading, index: int) -> int | None:
+    """Return the middle of "four to six", where a number is the upper end of a range."""
+    if reading.word(index - 1) not in ("–", "to", "or") or reading.kind(index - 2) != "number":
+        return None
+    low, high = reading.value(index - 2), reading.value(index)
+    return int((low + high) / 2) if low < high <= 3 * low else None
+
+
+def _with_hedges(reading: Reading, begin: int, index: int) -> int:
+    """Return where a count starts with the words that say how exact it is: "at least four", "up to six"."""
+    first = index
+    while reading.word(first - 1) in _HEDGES and first - 1 not in reading.taken and begin - first < 5:
+        if reading.word(first - 1) in _HEDGES_OF_TWO and reading.word(first) not in ("least", "minimum"):
+            break
+        first -= 1
+    return first
+
+
+def _passed_over(reading: Reading, index: int, end: int) -> int:
+    """Return how many tokens from `index` back stand between a count and its noun: "30 nos. chairs", "a dozen of"."""
+    word = reading.word(index)
+    if word in ("nos", "no", "pcs", "pc") and reading.kind(index - 1) == "number":
+        return 1
+    if word == "." and reading.word(index - 1) in ("nos", "no", "pcs") and reading.kind(index - 2) == "number":
+        return 2
+    if word == "of" and reading.kind(index - 1) == "number" and reading.tokens[index - 1].soft:
+        return 1
+    return int(word in _BETWEEN or _is_adjective(reading, index, end))
 
 
 def count_after(reading: Reading, end: int) -> tuple[int, int | None]:

@@ -1,7 +1,8 @@
 """Read what rooms are called beyond their kind: numbers, what they are for, and kinds that nobody knows."""
 
 from collections.abc import Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from functools import cached_property
 
 from mansion_language import singular
 from mansion_planner.brief.lexicon import Mention
@@ -217,70 +218,140 @@ def listed_unknowns(reading: Reading, chunks: list[tuple[int, int]], phrases: li
 
     Only where rooms stand in the same sentence, or a storey's heading opens it: other unknown words are no rooms.
     """
-    rooms_in = {reading.sentence[phrase.first] for phrase in phrases if phrase.head == "room"}
+    rooms = [phrase for phrase in phrases if phrase.head == "room"]
+    named = _Named(
+        sentences={reading.sentence[phrase.first] for phrase in rooms},
+        begins={phrase.begin for phrase in rooms},
+        ends={phrase.last for phrase in rooms},
+        things={phrase.last for phrase in phrases if phrase.head == "object"},
+    )
     found: list[Phrase] = []
-    ends = {phrase.last - 1 for phrase in phrases if phrase.head == "room"}
-    things = {phrase.last for phrase in phrases if phrase.head == "object"}
-    rooms = {phrase.begin for phrase in phrases if phrase.head == "room"}
     for begin, end in chunks:
-        if not reading.free(begin, end) or end - begin > 3:
+        if not reading.free(begin, end) or end - begin > 3 or not _Entry(reading, begin, end, named).is_room():
             continue
-        sentence = reading.sentence[begin]
-        start = next(i for i in range(begin, -1, -1) if i == 0 or reading.sentence[i - 1] != sentence)
-        headed = any(i in reading.taken and reading.word(i) == ":" for i in range(start, begin)) or (
-            start in reading.taken and reading.word(start) not in _LIST_STARTS
-        )
-        before = reading.word(begin - 1)
-        if reading.kind(begin - 1) == "number" and reading.word(begin - 2) == "for" and reading.plural(end - 1):
-            continue  # "a bay for three engines"
-        measured = _has_measure(reading, end)
-        divided = before == ";" and sentence - 1 in rooms_in and reading.word(end) in (";", "with", "(", ".", "")
-        divided = divided and end - begin <= 2 and not reading.plural(end - 1)
-        if not measured and not divided and sentence not in rooms_in and not headed:
-            continue
-        if before in ("a", "an") and reading.word(begin - 2) == "and" and begin - 2 in things:
-            continue  # "each with a bed and a chest"
-        if reading.word(begin - 2) in _HOLDS and reading.plural(end - 1) and reading.kind(begin - 1) == "number":
-            continue  # "a hall holding eight steel tanks"
-        counted = reading.kind(begin - 1) == "number" and begin - 1 not in reading.taken
-        opens = before in _LIST_STARTS or counted or begin - 1 in reading.taken
-        joined = (
-            before in (":", ",", "and", "|", "-", "*", "&", "\n")
-            or counted
-            or (
-                before in ("a", "an", "the", "one")
-                and reading.word(begin - 2) in (",", "and", ":", "a", "|", "with", "has")
-            )
-        )
-        listed = divided or (opens and (joined or begin - 1 in reading.taken) and reading.word(end) in _LIST_ENDS)
-        if not listed and not measured:
-            continue
-        words = reading.words(begin, end)
-        if counted and reading.plural(end - 1) and words[-1].endswith(("er", "or", "ist", "ant", "ian", "eer")):
-            continue  # "30 consultants" are people
-        if any(word in PLAIN or word.endswith(("ly", "ed")) or word in _NO_ROOMS for word in words[-1:]):
-            continue
-        bare = before in (",", "and", "&", "|") and not counted
-        between = before == "," and begin - 1 in things and headed and reading.word(end) == ","
-        between = between and not reading.plural(end - 1) and (end + 1 in rooms or reading.word(end + 2) == ",")
-        if (
-            bare
-            and not measured
-            and not between
-            and begin - 2 not in ends
-            and (begin - 3 not in ends or reading.word(begin - 2) != ",")
-        ):
-            continue
-        if any(m.style and (m.first, m.last) == (begin, end) for m in reading.mentions):
-            continue  # "a penthouse of 210 m2, art deco"
         name = name_of(reading, begin, end)
-        elliptic = "" if reading.plural(end - 1) else elliptic_room_type(words, reading.knowledge)
+        elliptic = "" if reading.plural(end - 1) else elliptic_room_type(reading.words(begin, end), reading.knowledge)
         kind = elliptic or similar_room_type(name, reading.knowledge)
         phrase = finished_phrase(reading, "room", begin, end, room=kind, known=bool(elliptic))
         reading.take(phrase.first, phrase.last)
-        ends.add(phrase.last - 1)
+        named.ends.add(phrase.last)
         found.append(phrase)
     return found
+
+
+@dataclass(frozen=True)
+class _Named:
+    """Where a brief names rooms and furniture.
+
+    Attributes
+    ----------
+    sentences : set of int
+        Sentences with rooms.
+    begins, ends : set of int
+        First tokens of rooms, and the tokens after them.
+    things : set of int
+        The tokens after furniture.
+    """
+
+    sentences: set[int]
+    begins: set[int]
+    ends: set[int]
+    things: set[int]
+
+
+@dataclass(frozen=True)
+class _Entry:
+    """Words that nobody knows, tokens `begin` to `end` (exclusive), which may be an entry of a list of rooms."""
+
+    reading: Reading
+    begin: int
+    end: int
+    named: _Named
+
+    def is_room(self) -> bool:
+        """Whether they name a room."""
+        told = self._measured or self._divided or self._headed
+        if not told and self.reading.sentence[self.begin] not in self.named.sentences:
+            return False
+        if not self._measured and (not self._is_listed() or self._goes_on_furniture()):
+            return False
+        return not self._is_content() and not self._is_no_name()
+
+    @property
+    def _before(self) -> str:
+        return self.reading.word(self.begin - 1)
+
+    @property
+    def _after(self) -> str:
+        return self.reading.word(self.end)
+
+    @property
+    def _plural(self) -> bool:
+        return self.reading.plural(self.end - 1)
+
+    @property
+    def _counted(self) -> bool:
+        return self.reading.kind(self.begin - 1) == "number" and self.begin - 1 not in self.reading.taken
+
+    @property
+    def _measured(self) -> bool:
+        return _has_measure(self.reading, self.end)
+
+    @cached_property
+    def _headed(self) -> bool:
+        """Whether the heading of a storey opens the sentence."""
+        reading = self.reading
+        start = reading.sentence.index(reading.sentence[self.begin])
+        if any(i in reading.taken and reading.word(i) == ":" for i in range(start, self.begin)):
+            return True
+        return start in reading.taken and reading.word(start) not in _LIST_STARTS
+
+    @property
+    def _divided(self) -> bool:
+        """Whether a semicolon goes on with a list: "a library; scriptorium; a kitchen"."""
+        goes_on = self._before == ";" and self.reading.sentence[self.begin] - 1 in self.named.sentences
+        closed = self._after in (";", "with", "(", ".", "")
+        return goes_on and closed and self.end - self.begin <= 2 and not self._plural
+
+    def _is_listed(self) -> bool:
+        """Whether a mark, a joint or a number leads an entry, and a mark or a joint closes it."""
+        if self._divided:
+            return True
+        lead = self.reading.word(self.begin - 2)
+        marked = self._before in (":", ",", "and", "|", "-", "*", "&", "\n")
+        article = self._before in ("a", "an", "the", "one") and lead in (",", "and", ":", "a", "|", "with", "has")
+        opens = marked or article or self._counted or self.begin - 1 in self.reading.taken
+        return opens and self._after in _LIST_ENDS
+
+    def _goes_on_furniture(self) -> bool:
+        """Whether a bare noun goes on with what a room holds: "a hall with a bed, chest and desk"."""
+        bare = self._before in (",", "and", "&", "|") and not self._counted
+        if not bare or self.begin - 1 in self.named.ends:
+            return False
+        if self.begin - 2 in self.named.ends and self.reading.word(self.begin - 2) == ",":
+            return False
+        between = self._before == "," and self.begin - 1 in self.named.things and self._headed and self._after == ","
+        between = between and not self._plural
+        return not (between and (self.end + 1 in self.named.begins or self.reading.word(self.end + 2) == ","))
+
+    def _is_content(self) -> bool:
+        """Whether they name people or furniture in a room."""
+        reading, begin, lead = self.reading, self.begin, self.reading.word(self.begin - 2)
+        if self._before in ("a", "an") and lead == "and" and begin - 2 in self.named.things:
+            return True  # "each with a bed and a chest"
+        if not self._plural or reading.kind(begin - 1) != "number":
+            return False
+        if lead == "for" or lead in _HOLDS:
+            return True  # "a bay for three engines", "a hall holding eight steel tanks"
+        people = reading.word(self.end - 1).endswith(("er", "or", "ist", "ant", "ian", "eer"))
+        return people and self._counted  # "30 consultants"
+
+    def _is_no_name(self) -> bool:
+        """Whether they say how a room is: "a penthouse of 210 m2, art deco"."""
+        word = self.reading.word(self.end - 1)
+        if word in PLAIN or word.endswith(("ly", "ed")) or word in _NO_ROOMS:
+            return True
+        return any(m.style and (m.first, m.last) == (self.begin, self.end) for m in self.reading.mentions)
 
 
 def _has_measure(reading: Reading, end: int) -> bool:

@@ -1,5 +1,7 @@
 """Read how many storeys and basements a brief asks for: "four storeys", "G+3", "all on one level"."""
 
+from dataclasses import dataclass
+
 from mansion_planner.brief.facts import FloorRef, Quantity
 from mansion_planner.brief.furniture_words import furniture_of
 from mansion_planner.brief.phrase import PLAIN
@@ -25,6 +27,21 @@ STOREY_ADJECTIVES = frozenset(
 _ANAPHORS = frozenset({"it", "that", "them", "this", "these", "those"})
 _BELOW = frozenset({"underground", "basement", "subterranean", "below"})
 CLOSERS = frozenset({"", ".", ",", ";", ":", "\n", ")", "!", "?", "=", "-"})
+
+
+@dataclass(frozen=True)
+class _Count:
+    """A number of storeys, at tokens `first` to `last` (exclusive), and the adjectives before the noun."""
+
+    value: float
+    first: int
+    last: int
+    adjectives: tuple[str, ...]
+
+    @property
+    def with_the_first(self) -> float:
+        """The number with the ground floor: "two upper floors" and "two more floors" leave it out."""
+        return self.value + (not {"upper", "additional", "more"}.isdisjoint(self.adjectives))
 
 
 class StoreyCounts:
@@ -190,97 +207,140 @@ class StoreyCounts:
     def _plain_count(self, index: int) -> int:
         """Read "four storeys", "3-storey", "between two and three floors", "two more floors below ground"."""
         reading = self.reading
-        if (
-            reading.words(index, index + 1) == ("tree",)
-            and reading.word(index + 1) in FLOOR_WORDS
-            and reading.plural(index + 1)
-        ):
+        if reading.word(index) == "tree" and reading.word(index + 1) in FLOOR_WORDS and reading.plural(index + 1):
             self._state(3, index, index + 2)  # the commonest misspelling of "three"
             return index + 2
-        if reading.kind(index) != "number" or (
-            reading.word(index - 1) in FLOOR_WORDS and reading.word(index - 1) != "story"
+        count = self._count_at(index)
+        if count is None:
+            return index
+        for read in (
+            self._basement_among_them,
+            self._above_ground,
+            self._above_those_named,
+            self._below_ground,
+            self._on_top_of_those_named,
+            self._attic_over_them,
+            self._of_a_use,
         ):
-            return index
-        if self._of_room(index):
-            return index
+            last = read(count)
+            if last:
+                return last
+        self._state(count.with_the_first, index, count.last)
+        return count.last
+
+    def _count_at(self, index: int) -> _Count | None:
+        """Return the number of storeys that stands at a token, where it counts all of a building or a part."""
+        reading = self.reading
+        named = reading.word(index - 1) in FLOOR_WORDS and reading.word(index - 1) != "story"
+        if reading.kind(index) != "number" or named or self._of_room(index):
+            return None
+        value, last = self._value_or_middle(index)
+        if reading.word(last) in ("of", "or") and reading.word(last + 1) in ("those", "these", "the"):
+            return None
+        adjectives = self._adjectives(last)
+        last += len(adjectives)
+        if reading.word(last) not in FLOOR_WORDS or value != int(value) or not 0 < value < 10_000:
+            return None
+        every = reading.word(index - 1) == "all" and value > 1 and not self.places
+        if reading.word(index - 1) in DEFINITE and not every:
+            return None
+        if not reading.plural(last) and reading.plural(last + 1) and furniture_of(reading.words(last, last + 2))[1] > 1:
+            return None  # "three floor lamps"
+        last += 1
+        if reading.word(last) in ("up", "down", "higher", "lower", "upward", "downward") and not adjectives:
+            return None  # "one floor up" tells a storey
+        if value == 1 and self._measures_one(last):
+            return None
+        return _Count(value, index, last + (reading.word(last) in ("high", "height", "tall")), adjectives)
+
+    def _value_or_middle(self, index: int) -> tuple[float, int]:
+        """Return the number at a token, or the middle of "two to four floors", and the token after it."""
+        reading = self.reading
         value, last = reading.value(index), index + 1
         ranged = reading.word(last) in ("and", "to", "or", "–", "-") and reading.kind(last + 1) == "number"
         if ranged and reading.word(last + 2) in FLOOR_WORDS and value < reading.value(last + 1) <= value + 3:
-            value, last = float(int((value + reading.value(last + 1)) / 2)), last + 2
-        if reading.word(last) in ("of", "or") and reading.word(last + 1) in ("those", "these", "the"):
-            return index
-        adjectives: list[str] = []
+            return float(int((value + reading.value(last + 1)) / 2)), last + 2
+        return value, last
+
+    def _adjectives(self, index: int) -> tuple[str, ...]:
+        """Return the words from a token on, two at most, that tell of storeys: "two full storeys"."""
+        reading, last = self.reading, index
         while (
             reading.word(last) in STOREY_ADJECTIVES | PLAIN | {"upper", "only"}
             and (reading.word(last) not in FLOOR_WORDS or reading.word(last + 1) in FLOOR_WORDS)
-            and len(adjectives) < 2
+            and last - index < 2
         ):
-            adjectives.append(reading.word(last))
             last += 1
-        if reading.word(last) not in FLOOR_WORDS or value != int(value) or not 0 < value < 10_000:
-            return index
-        if reading.word(index - 1) in DEFINITE and not (
-            reading.word(index - 1) == "all" and value > 1 and not self.places
-        ):
-            return index
-        if not reading.plural(last) and reading.plural(last + 1) and furniture_of(reading.words(last, last + 2))[1] > 1:
-            return index  # "three floor lamps"
-        last += 1
-        if reading.word(last) in ("up", "down", "higher", "lower", "upward", "downward") and not adjectives:
-            return index  # "one floor up" tells a storey
-        if value == 1 and self._measures_one(last):
-            return index
-        last += reading.word(last) in ("high", "height", "tall")
-        above = reading.word(last) in ("over", "above") and reading.word(last + 1) in ("it", "that", "them", "this")
-        ground = reading.word(last) in ("over", "above") and reading.words(last + 1, last + 3) in (
-            ("the", "street"),
-            ("the", "ground"),
-            ("ground", "level"),
-        )
-        basement = self._included_basement(last) if value > 1 else 0
-        if basement:
-            self._state(value - 1, index, basement)
-            self._state(1, last, basement, below=True)
-            return basement
-        if ground or (reading.word(last) == "above" and reading.word(last + 1) in ("ground", "grade")):
-            self._state(value, index, last)
-            return last
-        base = self._storey_below()
-        if above and base and not reading.facts.floors:
-            span = reading.span(index, last + 2)
-            self._state(base + value, index, last + 2)
-            storeys = FloorRef("range", base + 1, base + int(value), span)
-            self.places.append(Place(index, last + 2, (storeys,), led=False))
-            return last + 2
-        below = bool(_BELOW & set(adjectives)) or (
-            reading.word(last) in ("below", "underground", "under")
-            and reading.word(last + 1) in ("ground", "grade", *CLOSERS)
-        )
-        if below:
-            last += reading.word(last) in ("below", "underground", "under")
-            last += reading.word(last) in ("ground", "grade")
-            self._state(value, index, last, below=True)
-            return last
-        lead = reading.words(index - 4, index)
-        over = not {"above", "top"}.isdisjoint(lead) and not {"it", "that", "this", "them"}.isdisjoint(lead)
-        if over and self.places and not reading.facts.floors:
-            base = self.previous.first - 1 if self.previous is not None and self.previous.kind == "number" else 1
-            span = reading.span(index, last)
-            self._state(value + max(base, 1), index, last)
-            self.places.append(
-                Place(index, last, (FloorRef("range", max(base, 1) + 1, max(base, 1) + int(value), span),), led=False)
-            )
-            return last
-        attic = self._attic_above(last)
-        if attic:
-            self._state(value + 1, index, attic)
-            return attic
-        if "upper" in adjectives or "additional" in adjectives or "more" in adjectives:
-            value += 1
-        if reading.word(last) == "of" and self._storeys_of_a_use(last):
-            return self._storeys_with_a_use(index, last, int(value))
-        self._state(value, index, last)
+        return reading.words(index, last)
+
+    def _basement_among_them(self, count: _Count) -> int:
+        """Read "4 levels if you count the basement"; return where it ends, or 0, as all that read on from a count."""
+        last = self._included_basement(count.last) if count.value > 1 else 0
+        if last:
+            self._state(count.value - 1, count.first, last)
+            self._state(1, count.last, last, below=True)
         return last
+
+    def _above_ground(self, count: _Count) -> int:
+        """Read "four storeys above ground", "three floors over the street"."""
+        lead, following = self.reading.word(count.last), self.reading.words(count.last + 1, count.last + 3)
+        street = lead in ("over", "above") and following in (("the", "street"), ("the", "ground"), ("ground", "level"))
+        if not street and not (lead == "above" and following[0] in ("ground", "grade")):
+            return 0
+        self._state(count.value, count.first, count.last)
+        return count.last
+
+    def _above_those_named(self, count: _Count) -> int:
+        """Read "three floors above it"."""
+        reading, base = self.reading, self._storey_below()
+        over = reading.word(count.last) in ("over", "above")
+        over = over and reading.word(count.last + 1) in ("it", "that", "them", "this")
+        if not over or not base or reading.facts.floors:
+            return 0
+        return self._state_above(base, count, count.last + 2)
+
+    def _below_ground(self, count: _Count) -> int:
+        """Read "two basement levels", "two floors underground", "one level below grade"."""
+        reading, last = self.reading, count.last
+        placed = reading.word(last) in ("below", "underground", "under")
+        placed = placed and reading.word(last + 1) in ("ground", "grade", *CLOSERS)
+        if not placed and _BELOW.isdisjoint(count.adjectives):
+            return 0
+        last += reading.word(last) in ("below", "underground", "under")
+        last += reading.word(last) in ("ground", "grade")
+        self._state(count.value, count.first, last, below=True)
+        return last
+
+    def _on_top_of_those_named(self, count: _Count) -> int:
+        """Read "above it are three floors", "on top of that two storeys"."""
+        reading = self.reading
+        lead = reading.words(count.first - 4, count.first)
+        over = not {"above", "top"}.isdisjoint(lead) and not {"it", "that", "this", "them"}.isdisjoint(lead)
+        if not over or not self.places or reading.facts.floors:
+            return 0
+        base = self.previous.first - 1 if self.previous is not None and self.previous.kind == "number" else 1
+        return self._state_above(max(base, 1), count, count.last)
+
+    def _state_above(self, base: int, count: _Count, last: int) -> int:
+        """State the number of storeys with so many above storey `base`, which are a place; return `last`."""
+        self._state(base + count.value, count.first, last)
+        span = self.reading.span(count.first, last)
+        storeys = FloorRef("range", base + 1, base + int(count.value), span)
+        self.places.append(Place(count.first, last, (storeys,), led=False))
+        return last
+
+    def _attic_over_them(self, count: _Count) -> int:
+        """Read "2 full floors + attic"."""
+        last = self._attic_above(count.last)
+        if last:
+            self._state(count.value + 1, count.first, last)
+        return last
+
+    def _of_a_use(self, count: _Count) -> int:
+        """Read "three floors of offices"."""
+        if self.reading.word(count.last) != "of" or not self._storeys_of_a_use(count.last):
+            return 0
+        return self._storeys_with_a_use(count.first, count.last, int(count.with_the_first))
 
     def _storeys_with_a_use(self, index: int, last: int, many: int) -> int:
         """Read "three floors of offices above a shop", "a bar, then four storeys of rooms", "five floors of flats".

@@ -309,56 +309,115 @@ class _Scanner:
         return refs or list(self.places[-1].refs)
 
     def _set(self, index: int) -> tuple[list[FloorRef], int] | None:
+        """Read "odd floors", "on both", "the typical floor", "every second floor", "all floors except the top"."""
+        for read in (
+            self._odd_or_even,
+            self._all_of_those_named,
+            self._typical_floor,
+            self._by_floor,
+            self._each_of_those_counted,
+            self._by_turns,
+            self._each_of_some,
+            self._every,
+        ):
+            found = read(index)
+            if found is not None:
+                return found
+        return None
+
+    def _odd_or_even(self, index: int) -> tuple[list[FloorRef], int] | None:
+        """Read "odd floors", "the even ones", "even numbered floors"."""
         reading = self.reading
         word, last = reading.word(index), index + 1
-        if word in ("odd", "even") and (
-            reading.word(last) in FLOOR_WORDS | {"numbered"} or (reading.word(last) == "one" and reading.plural(last))
-        ):
-            return [FloorRef("odd" if word == "odd" else "even")], last + 1 + (reading.word(last) == "numbered")
-        if (
-            word in ("both", "each", "all")
-            and (reading.word(last) in CLOSERS or reading.words(last, last + 2) == ("of", "them"))
-            and reading.word(index - 1) == "on"
-            and self.has_floors
-        ):
-            last += 2 * (reading.word(last) == "of")
-            named = [p for p in self.places if reading.sentence[p.first] == reading.sentence[index]]
-            several = named and (len(named[-1].refs) > 1 or named[-1].refs[0].kind == "range")
-            return (list(named[-1].refs) if several else [FloorRef("every")]), last
-        if word == "typical" and reading.word(last) in FLOOR_WORDS:
-            numbered = self.numbered.numbered(last)
-            if numbered is not None:
-                return numbered
-            alike = not reading.plural(last) and not self._names_top()
-            return ([self._typical()] if alike else [FloorRef("middle")]), last + 1
-        if word == "per" and reading.kind(index - 1) == "unit":
+        ones = reading.word(last) == "one" and reading.plural(last)
+        if word not in ("odd", "even") or not (ones or reading.word(last) in FLOOR_WORDS | {"numbered"}):
             return None
-        if word == "by" and reading.word(last) in FLOOR_WORDS and not reading.plural(last) and self._counts(index):
-            return [FloorRef("every")], last + 1  # "three apartments by floor"
-        if word not in ("every", "each", "all", "per", "both", "any", "either", "whole"):
+        return [FloorRef("odd" if word == "odd" else "even")], last + 1 + (reading.word(last) == "numbered")
+
+    def _all_of_those_named(self, index: int) -> tuple[list[FloorRef], int] | None:
+        """Read "on both", "on each of them": the storeys that the sentence names last, or all."""
+        reading, last = self.reading, index + 1
+        closed = reading.word(last) in CLOSERS or reading.words(last, last + 2) == ("of", "them")
+        led = reading.word(index) in ("both", "each", "all") and reading.word(index - 1) == "on"
+        if not (closed and led and self.has_floors):
             return None
-        counted = (
-            reading.word(index - 1) == "," and reading.word(index - 2) in FLOOR_WORDS and index - 2 in reading.taken
+        last += 2 * (reading.word(last) == "of")
+        named = [p for p in self.places if reading.sentence[p.first] == reading.sentence[index]]
+        several = named and (len(named[-1].refs) > 1 or named[-1].refs[0].kind == "range")
+        return (list(named[-1].refs) if several else [FloorRef("every")]), last
+
+    def _typical_floor(self, index: int) -> tuple[list[FloorRef], int] | None:
+        """Read "the typical floor", "typical floors 2 to 5"."""
+        reading, last = self.reading, index + 1
+        if reading.word(index) != "typical" or reading.word(last) not in FLOOR_WORDS:
+            return None
+        numbered = self.numbered.numbered(last)
+        if numbered is not None:
+            return numbered
+        alike = not reading.plural(last) and not self._names_top()
+        return ([self._typical()] if alike else [FloorRef("middle")]), last + 1
+
+    def _by_floor(self, index: int) -> tuple[list[FloorRef], int] | None:
+        """Read "three apartments by floor"."""
+        reading, last = self.reading, index + 1
+        single = reading.word(last) in FLOOR_WORDS and not reading.plural(last)
+        return (
+            ([FloorRef("every")], last + 1) if reading.word(index) == "by" and single and self._counts(index) else None
         )
-        counted = counted and not self._names_several(index)
-        if word == "each" and counted and reading.word(last) in ("with", "has", "having", "contain", "hold"):
-            return [FloorRef("every")], last  # "three floors, each with 12 rooms"
-        if word == "each" and reading.word(last) == "other" and reading.word(last + 1) in FLOOR_WORDS and self.places:
-            return [FloorRef("upper")], last + 2  # "a shop on the ground floor; each other floor two flats"
-        by_turns = word in ("every", "each") and reading.word(last) in ("second", "other")
-        if by_turns and reading.word(last + 1) in FLOOR_WORDS and not reading.plural(last + 1):
-            return [FloorRef("even")], last + 2  # "every second floor"
-        if reading.word(last) == "of":
-            last += 1 + (reading.word(last + 1) in ("the", "its", "our", "these", "those"))
-            numbered = self.numbered.numbered(last) if reading.word(last) in FLOOR_WORDS else None
-            if numbered is not None:
-                return numbered  # "each of floors 2 and 3"
-            many = int(reading.value(last + 1)) if reading.kind(last + 1) == "number" else 0
-            end = last + 2 + (reading.word(last + 2) in FLOOR_WORDS)
-            if many and reading.word(last) in ("upper", "top", "uppermost"):
-                return [FloorRef("top", many, many)], end  # "each of the upper three"
-            if many and reading.word(last) in ("lower", "bottom", "lowest"):
-                return [FloorRef("range", 1, many)], end
+
+    def _each_of_those_counted(self, index: int) -> tuple[list[FloorRef], int] | None:
+        """Read "three floors, each with 12 rooms"."""
+        reading = self.reading
+        if reading.word(index) != "each" or reading.word(index - 1) != "," or self._names_several(index):
+            return None
+        counted = reading.word(index - 2) in FLOOR_WORDS and index - 2 in reading.taken
+        has = reading.word(index + 1) in ("with", "has", "having", "have", "contain", "hold")
+        return ([FloorRef("every")], index + 1) if counted and has else None
+
+    def _by_turns(self, index: int) -> tuple[list[FloorRef], int] | None:
+        """Read "every second floor", and after another storey "each other floor"."""
+        reading = self.reading
+        word, order = reading.word(index), reading.word(index + 1)
+        if word not in ("every", "each") or reading.word(index + 2) not in FLOOR_WORDS:
+            return None
+        if word == "each" and order == "other" and self.places:
+            return [FloorRef("upper")], index + 3  # "a shop on the ground floor; each other floor two flats"
+        by_turns = order in ("second", "other") and not reading.plural(index + 2)
+        return ([FloorRef("even")], index + 3) if by_turns else None
+
+    def _is_quantifier(self, index: int) -> bool:
+        """Whether a token tells of how many storeys something is said; in "90 m2 per floor" it belongs to the area."""
+        words = ("every", "each", "all", "per", "both", "any", "either", "whole")
+        per_unit = self.reading.word(index) == "per" and self.reading.kind(index - 1) == "unit"
+        return self.reading.word(index) in words and not per_unit
+
+    def _after_of(self, index: int) -> int:
+        """Return the token after "of the" in "each of the upper three"; `index` where there is no "of"."""
+        reading = self.reading
+        if reading.word(index) != "of":
+            return index
+        return index + 1 + (reading.word(index + 1) in ("the", "its", "our", "these", "those"))
+
+    def _each_of_some(self, index: int) -> tuple[list[FloorRef], int] | None:
+        """Read "each of floors 2 and 3", "each of the upper three"."""
+        reading, last = self.reading, self._after_of(index + 1)
+        if not self._is_quantifier(index) or last == index + 1:
+            return None
+        if reading.word(last) in FLOOR_WORDS:
+            return self.numbered.numbered(last)
+        many = int(reading.value(last + 1)) if reading.kind(last + 1) == "number" else 0
+        end = last + 2 + (reading.word(last + 2) in FLOOR_WORDS)
+        if many and reading.word(last) in ("upper", "top", "uppermost"):
+            return [FloorRef("top", many, many)], end
+        if many and reading.word(last) in ("lower", "bottom", "lowest"):
+            return [FloorRef("range", 1, many)], end
+        return None
+
+    def _every(self, index: int) -> tuple[list[FloorRef], int] | None:
+        """Read "each floor", "all three upper floors", "every floor except the top"."""
+        if not self._is_quantifier(index):
+            return None
+        reading, last = self.reading, self._after_of(index + 1)
         last += reading.word(last) in ("the", "our", "single", "one")
         counted = reading.kind(last) == "number" and reading.word(last + 1) in FLOOR_WORDS
         if counted and reading.value(last) > 1 and not reading.facts.floors:
@@ -371,16 +430,18 @@ class _Scanner:
         last += 1
         if reading.words(last, last + 3) == ("in", "the", "middle"):
             return [FloorRef("middle")], last + 3
-        if reading.word(last) in ("except", "without", "but", "save") or reading.words(last, last + 2) == (
-            "other",
-            "than",
-        ):
-            at = last + 1 + (reading.word(last) == "other")
-            at += reading.word(at) in ("for", "on")
-            at += reading.word(at) == "the"
-            if reading.word(at) in TOPS:
-                at += 1 + (reading.word(at + 1) in FLOOR_WORDS | {"one"})
-                return [FloorRef("not_top")], at
-            if reading.word(at) in ("ground", "first"):
-                return [FloorRef("upper")], at + 1 + (reading.word(at + 1) in FLOOR_WORDS | {"one"})
-        return [FloorRef("upper" if upper else "every")], last
+        return self._all_but(last) or ([FloorRef("upper" if upper else "every")], last)
+
+    def _all_but(self, index: int) -> tuple[list[FloorRef], int] | None:
+        """Read "except the top one", "other than the ground floor"."""
+        reading = self.reading
+        other_than = reading.words(index, index + 2) == ("other", "than")
+        if not other_than and reading.word(index) not in ("except", "without", "but", "save"):
+            return None
+        at = index + 1 + other_than
+        at += reading.word(at) in ("for", "on")
+        at += reading.word(at) == "the"
+        end = at + 1 + (reading.word(at + 1) in FLOOR_WORDS | {"one"})
+        if reading.word(at) in TOPS:
+            return [FloorRef("not_top")], end
+        return ([FloorRef("upper")], end) if reading.word(at) in ("ground", "first") else None

@@ -3,6 +3,7 @@
 import itertools
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 from mansion_planner.brief.phrase import Phrase
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
@@ -55,99 +56,175 @@ def read_suites(
     twin_rooms: dict[int, list[int]] = {}
     twins_of: dict[int, list[int]] = {}
     for position, number in enumerate(rooms):
-        phrase = phrases[number]
-        if phrase.determiner == "per" or number in same:
+        before = rooms[:position]
+        named = _named_before(reading, phrases, before, number)
+        if phrases[number].determiner == "per" or number in same or named is None:
             continue
-        owner = next(
-            (
-                n
-                for n in reversed(rooms[:position])
-                if reading.sentence[phrases[n].first] == reading.sentence[phrase.first]
-            ),
-            None,
-        )
-        if owner is None or any(phrases[owner].last <= first < phrase.first for first in inner):
+        owner = same.get(named, named)
+        pair = _Pair(reading, phrases[named], phrases[owner], phrases[number], again=named in same)
+        if any(pair.named.last <= first < pair.phrase.first for first in inner) or pair.is_of_others():
             continue
-        gap_words = reading.words(phrases[owner].last, phrase.begin)
-        gap = set(gap_words)
-        if "of" in gap and not {"which", "them", "these", "those", "whom"}.isdisjoint(gap):
-            continue  # "six rooms, three of which have a bathroom"
-        if reading.words(phrases[owner].first - 2, phrases[owner].first) == ("of", "the") and reading.kind(
-            phrases[owner].first - 3
-        ) in ("number",):
-            continue  # "two of the three bedrooms en suite"
-        every = phrases[owner].determiner in ("each", "every") and reading.word(phrases[owner].last) in (
-            "get",
-            "has",
-            "need",
-        )
-        if "," in gap and owner not in suites and not every and _list_goes_on(phrases, owner, number, gap_words):
+        if named not in suites and pair.list_goes_on(phrases[named + 1 : number]):
             continue
-        if ("each", "group") in itertools.pairwise(gap_words) or ("per", "group") in itertools.pairwise(gap_words):
-            continue  # "ten offices in two groups, each group with a kitchenette"
-        lead = reading.words(phrase.first - 2, phrase.first)
-        if phrase.counted and lead == ("each", "and") and phrases[number - 1].head == "object":
-            continue  # "dormitories with 6 beds each and two shower rooms"
-        if _measures_each(reading, phrases[owner].last, phrase.begin):
-            gap.discard("each")
-        tail = reading.words(phrase.last, phrase.last + 1)
-        has = bool(gap & {"with", "having", "has", "have", "own", "get", "plus", "its", "contain"})
-        distributed = phrases[owner].determiner in ("each", "every", "both", "all")
-        generic = phrases[owner].determiner in ("a", "an", "each", "every")
-        if generic and owner in same:
-            twins_of[number] = [n for n in rooms[:position] if phrases[n].name == phrases[owner].name and n not in same]
-        distributed = distributed or (generic and owner in same)
-        owner = same.get(owner, owner)
-        several = (phrases[owner].count or 2) > 1 or distributed
+        if pair.counted_with_furniture() and phrases[number - 1].head == "object":
+            continue
+        if pair.again and pair.is_generic():
+            twins_of[number] = [n for n in before if phrases[n].name == pair.named.name and n not in same]
         if owner in suites:
-            shared = not _SHARED.isdisjoint(reading.words(phrase.first, phrase.noun_end))
-            joined = (
-                not shared
-                and phrases[suites[owner]].last != phrases[owner].begin
-                and _outside_brackets(gap_words) <= {"and", "a", "an", "its", "own", ",", "the", "one"}
-                and "and" in gap
-                and not (phrase.determiner == "the" and "," in gap_words)
-            )
-            if joined:
+            if pair.adds_to(phrases[suites[owner]]):
                 suites[number] = suites[owner]
-            continue
-        distributive = has and (
-            bool(gap & {"each", "every", "apiece"})
-            or tail in (("each",), ("apiece",))
-            or reading.words(phrase.last, phrase.last + 2) == ("for", "each")
-            or distributed
-        )
-        both = phrase.determiner in ("both", "all", "each") and phrase.room_type == "ensuite_bathroom"
-        mine = "own" in gap or phrase.determiner == "own" or reading.word(phrase.begin) in ("own", "private")
-        own = has and (mine or (("its" in gap or phrase.determiner == "its") and phrase.room_type in _PRIVATE))
-        plain = (
-            has
-            and phrase.room_type in _PRIVATE
-            and not several
-            and "with" in gap
-            and phrases[owner].room_type in _SLEEPING
-        )
-        if has and "each" in gap and not several:
-            twins = [
-                n
-                for n in rooms[:position]
-                if phrases[n].room_type == phrases[owner].room_type
-                and reading.sentence[phrases[n].first] == reading.sentence[phrase.first]
-            ]
-            if len(twins) > 1:
-                twin_rooms[number] = twins
-                suites[number] = owner
-                continue
-        if tail == ("each",) and reading.word(phrases[owner].last) == "each":
-            continue  # "floors with 30 desks each and 4 offices each"
-        if tail == ("each",) and not has and "and" in gap and _of_storeys(reading, phrases[owner].begin):
-            continue  # "levels 3 and 4: ten patient rooms and a nurses' station each"
-        postposed = not gap_words and phrase.room_type == "ensuite_bathroom"  # "three bedrooms en suite"
-        shared_out = several and (distributive or tail == ("each",))
-        if shared_out or both or postposed or own or plain:
+        elif len(twins := _twins(pair, phrases, before)) > 1:
+            twin_rooms[number], suites[number] = twins, owner
+        elif pair.belongs():
             suites[number] = owner
     twin_rooms |= {n: others for n, others in twins_of.items() if n in suites and len(others) > 1}
     return Suites({n: o for n, o in suites.items() if n not in same}, twin_rooms)
+
+
+def _named_before(reading: Reading, phrases: Sequence[Phrase], before: Sequence[int], number: int) -> int | None:
+    """Return the last of the rooms before one that its sentence names."""
+    sentence = reading.sentence[phrases[number].first]
+    return next((n for n in reversed(before) if reading.sentence[phrases[n].first] == sentence), None)
+
+
+@dataclass(frozen=True)
+class _Pair:
+    """A room and the one named before it in its sentence, which may have it for itself.
+
+    Attributes
+    ----------
+    named : Phrase
+        What stands before the room.
+    owner : Phrase
+        The same, or the phrase that it speaks of.
+    phrase : Phrase
+        The room that may be the owner's.
+    again : bool
+        What stands before only speaks of another phrase.
+    """
+
+    reading: Reading
+    named: Phrase
+    owner: Phrase
+    phrase: Phrase
+    again: bool
+
+    @cached_property
+    def words(self) -> tuple[str, ...]:
+        """The words between the two."""
+        return self.reading.words(self.named.last, self.phrase.begin)
+
+    @cached_property
+    def gap(self) -> set[str]:
+        """The words between the two, without an "each" that is said of an area."""
+        gap = set(self.words)
+        return gap - {"each"} if _measures_each(self.reading, self.named.last, self.phrase.begin) else gap
+
+    def is_of_others(self) -> bool:
+        """Whether only some of the rooms before, or groups of them, have the room."""
+        if "of" in self.gap and not {"which", "them", "these", "those", "whom"}.isdisjoint(self.gap):
+            return True  # "six rooms, three of which have a bathroom"
+        first = self.named.first
+        if self.reading.words(first - 2, first) == ("of", "the") and self.reading.kind(first - 3) == "number":
+            return True  # "two of the three bedrooms en suite"
+        # "ten offices in two groups, each group with a kitchenette"
+        return not {("each", "group"), ("per", "group")}.isdisjoint(itertools.pairwise(self.words))
+
+    def list_goes_on(self, between: Sequence[Phrase]) -> bool:
+        """Whether a comma after furniture only leads on to the next room: "a bedroom with bunk beds, one bathroom"."""
+        if "," not in self.gap or not any(phrase.head == "object" for phrase in between):
+            return False
+        every = self.named.determiner in ("each", "every")
+        if every and self.reading.word(self.named.last) in ("get", "has", "need"):
+            return False
+        after = self.words[len(self.words) - self.words[::-1].index(",") :]
+        return {"with", "each", "own", "its", "has", "have"}.isdisjoint(after)
+
+    def counted_with_furniture(self) -> bool:
+        """Whether "each" may be said of furniture: "dormitories with 6 beds each and two shower rooms"."""
+        first = self.phrase.first
+        return self.phrase.counted and self.reading.words(first - 2, first) == ("each", "and")
+
+    def is_generic(self) -> bool:
+        """Whether what stands before means any room of its kind."""
+        return self.named.determiner in ("a", "an", "each", "every")
+
+    def has(self) -> bool:
+        """Whether a word between the two says that one has the other."""
+        return not {"with", "having", "has", "have", "own", "get", "plus", "its", "contain"}.isdisjoint(self.gap)
+
+    def is_distributed(self) -> bool:
+        """Whether the sentence speaks of each of several owners."""
+        return self.named.determiner in ("each", "every", "both", "all") or (self.is_generic() and self.again)
+
+    def is_several(self) -> bool:
+        """Whether there are several owners."""
+        return (self.owner.count or 2) > 1 or self.is_distributed()
+
+    def adds_to(self, holder: Phrase) -> bool:
+        """Whether the room is one more that `holder` has: "a bedroom with a bathroom and a closet"."""
+        return (
+            _SHARED.isdisjoint(self.reading.words(self.phrase.first, self.phrase.noun_end))
+            and holder.last != self.owner.begin
+            and _outside_brackets(self.words) <= {"and", "a", "an", "its", "own", ",", "the", "one"}
+            and "and" in self.gap
+            and not (self.phrase.determiner == "the" and "," in self.words)
+        )
+
+    def belongs(self) -> bool:
+        """Whether the owner has the room, or each of the owners one."""
+        if self._shares_each_with_others():
+            return False
+        both = self.phrase.determiner in ("both", "all", "each") and self.phrase.room_type == "ensuite_bathroom"
+        postposed = not self.words and self.phrase.room_type == "ensuite_bathroom"  # "three bedrooms en suite"
+        return self._is_shared_out() or both or postposed or self._is_own() or self._is_private()
+
+    def _ends_in_each(self) -> bool:
+        return self.reading.word(self.phrase.last) == "each"
+
+    def _shares_each_with_others(self) -> bool:
+        """Whether "each" at the end is said of storeys, or of what stands before as well."""
+        if not self._ends_in_each():
+            return False
+        if self.reading.word(self.owner.last) == "each":
+            return True  # "floors with 30 desks each and 4 offices each"
+        # "levels 3 and 4: ten patient rooms and a nurses' station each"
+        return not self.has() and "and" in self.gap and _of_storeys(self.reading, self.owner.begin)
+
+    def _is_shared_out(self) -> bool:
+        """Whether each of several owners has one: "bedrooms, each with a bathroom"."""
+        last = self.phrase.last
+        said = (
+            not {"each", "every", "apiece"}.isdisjoint(self.gap)
+            or self.reading.word(last) == "apiece"
+            or self.reading.words(last, last + 2) == ("for", "each")
+            or self.is_distributed()
+        )
+        return self.is_several() and (self._ends_in_each() or (self.has() and said))
+
+    def _is_own(self) -> bool:
+        """Whether the brief calls the room the owner's: "a suite with its own pantry"."""
+        mine = "own" in self.gap or self.phrase.determiner == "own"
+        mine = mine or self.reading.word(self.phrase.begin) in ("own", "private")
+        its = "its" in self.gap or self.phrase.determiner == "its"
+        return self.has() and (mine or (its and self.phrase.room_type in _PRIVATE))
+
+    def _is_private(self) -> bool:
+        """Whether a room to sleep in has a room that is private as a rule: "a bedroom with a bathroom"."""
+        private = self.phrase.room_type in _PRIVATE and self.owner.room_type in _SLEEPING
+        return private and "with" in self.gap and not self.is_several()
+
+
+def _twins(pair: _Pair, phrases: Sequence[Phrase], before: Sequence[int]) -> list[int]:
+    """Return the rooms like the owner that "each" is said of: "a bedroom and another bedroom, each with a bathroom"."""
+    if not pair.has() or "each" not in pair.gap or pair.is_several():
+        return []
+    sentence = pair.reading.sentence
+    return [
+        n
+        for n in before
+        if phrases[n].room_type == pair.owner.room_type and sentence[phrases[n].first] == sentence[pair.phrase.first]
+    ]
 
 
 def _of_storeys(reading: Reading, index: int) -> bool:
@@ -165,13 +242,6 @@ def _measures_each(reading: Reading, first: int, last: int) -> bool:
         reading.word(at) == "each" and reading.kind(at + 1) == "number" and reading.kind(at + 2) == "unit"
         for at in range(first, last)
     )
-
-
-def _list_goes_on(phrases: Sequence[Phrase], owner: int, number: int, gap: tuple[str, ...]) -> bool:
-    """Whether a comma after furniture only leads on to the next room: "a bedroom with bunk beds, one bathroom"."""
-    after = gap[len(gap) - gap[::-1].index(",") :]
-    between = any(p.head == "object" for p in phrases[owner + 1 : number])
-    return between and {"with", "each", "own", "its", "has", "have"}.isdisjoint(after)
 
 
 def _outside_brackets(words: tuple[str, ...]) -> set[str]:
