@@ -5,7 +5,7 @@ import pytest
 from mansion_editing.editor import SceneEditor
 from mansion_editing.instructions.instruct import instruct
 from mansion_editing.instructions.sentences.reader import read_instruction
-from mansion_editing.instructions.statements import Add, Ensure, Paint, Remove
+from mansion_editing.instructions.statements import Add, Ensure, Furnish, Paint, Remove, Rename
 from mansion_editing.state import SceneState
 
 
@@ -60,3 +60,28 @@ def test_the_place_a_sentence_begins_with_is_where_things_go_from(editor: SceneE
 def test_a_small_thing_is_put_beside_another_on_a_table(state: SceneState) -> None:
     (added,) = read_instruction("Put a plate on the table in the kitchen next to the mug.", state).statements
     assert isinstance(added, Add) and added.place.relation == "beside"
+
+
+def test_a_room_that_a_list_turns_into_another_is_called_so(editor: SceneEditor) -> None:
+    text = "Turn the hall into a waiting room: the sofa goes with all that's on it, a bench comes in, the chairs stay."
+    assert instruct(editor, text).done
+    kinds = [item.category for _, item in editor.state.objects() if item.room == "F1/hall"]
+    assert "sofa" not in kinds and kinds.count("bench") == 1 and kinds.count("chair") == 3
+    room = editor.state.room("F1/hall")
+    assert room is not None and room[1].name == "Waiting room"
+
+
+def test_a_room_made_into_another_without_a_list_is_furnished(state: SceneState) -> None:
+    (furnished,) = read_instruction("Make the hall into an office.", state).statements
+    assert isinstance(furnished, Furnish) and furnished.kind == "office"
+
+
+@pytest.mark.parametrize("room", ["the hall", "the room called Hall"])
+def test_from_now_on_a_room_is_what_it_is_called(state: SceneState, room: str) -> None:
+    (renamed,) = read_instruction(f'From now on {room} is "Studio".', state).statements
+    assert isinstance(renamed, Rename) and renamed.name == "Studio"
+
+
+def test_its_chair_is_no_kind_that_the_building_has_none_of(state: SceneState) -> None:
+    instruction = read_instruction("Remove the sofa in the hall and its chair.", state)
+    assert not any(isinstance(s, Remove) and s.things.noun == "sofa chair" for s in instruction.statements)

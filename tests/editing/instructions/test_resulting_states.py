@@ -103,3 +103,12 @@ def test_nothing_changes_in_several_rooms(furnished_state: SceneState) -> None:
 def test_a_state_that_is_not_understood_is_no_remark(furnished_state: SceneState) -> None:
     text = "Put the mug from the kitchen on the sofa in the hall, turned upside down on Monday."
     assert read_instruction(text, furnished_state).not_understood
+
+
+def test_a_state_is_not_that_of_what_cannot_take_it(furnished_state: SceneState) -> None:
+    assert read_instruction("Put the mug from the kitchen in the fridge, open.", furnished_state).not_understood
+
+
+def test_a_new_thing_after_a_state_is_brought(furnished_state: SceneState) -> None:
+    text = "Put a laptop on the sofa in the hall, open, and a mug beside it."
+    assert not any(isinstance(s, SetState) and s.things.noun == "mug" for s in _asked(text, furnished_state))

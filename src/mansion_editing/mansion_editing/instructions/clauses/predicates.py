@@ -153,7 +153,7 @@ class Predicates(States, Colours, Ways):
             return [self._given(n, goal, quote, each=item.phrase.each) for n in new], new[-1].end
         if deed == "rename":
             after += self.text(after) in ("to", "as")
-            name, stop = self._name(after)
+            name, stop = self.name_at(after)
             return [Rename(room=item.rooms(), name=name, quote=self.quote(at, stop))], stop
         if deed == "furnish" and self.text(after) in ("as", "into", "like"):
             kind = self.phrase(after + 1)

@@ -40,6 +40,7 @@ from mansion_editing.instructions.sentences.refinement import (
     spared_of,
     surplus_of,
     tells_of_surplus,
+    turned_by_list,
     with_noun_at,
     with_storeys,
 )
@@ -60,6 +61,7 @@ from mansion_editing.instructions.statements import (
     Paint,
     Place,
     Remove,
+    Rename,
     Reshape,
     Rooms,
     SetState,
@@ -120,7 +122,7 @@ class _Reader(Asides, Telling, Tails, Headings, Repeating, Referring, Depending,
         told = msgspec.json.encode(self.statements).decode()
         plain = [word for word in self.words if word.text in UNRECORDED]
         ignored = list(dict.fromkeys(w.raw for w in plain if not re.search(rf'"noun":"[^"]*\b{w.text}\b', told)))
-        statements = with_storeys(with_takings_first(self.statements, self.lexicon))
+        statements = turned_by_list(with_storeys(with_takings_first(self.statements, self.lexicon)))
         return Instruction(statements=statements, not_understood=self.unknown, ignored=ignored)
 
     def _introduces(self, statement: Statement, later: Sequence[Statement]) -> bool:
@@ -175,6 +177,7 @@ class _Reader(Asides, Telling, Tails, Headings, Repeating, Referring, Depending,
             at = reader.skip(at + 1 + (reader.text(at + 1) == "wait"))
         if tuple(w.text for w in words[at : at + 3]) == ("from", "now", "on"):
             at = reader.skip(at + 3)
+            at = self._end_of_new_name(reader, at) or at
         if at >= len(words):
             return
         if self._reads_scope(reader, at) or self._tells_of_person(reader, at):
@@ -215,6 +218,16 @@ class _Reader(Asides, Telling, Tails, Headings, Repeating, Referring, Depending,
                 at = end
                 continue
             at = self._read_clause(reader, words, at)
+
+    def _end_of_new_name(self, reader: ClauseReader, at: int) -> int:
+        """Read ``the room called Office is "Studio"`` after ``from now on``; return its end, 0 for others."""
+        called = reader.text(at + 1) == "room" and reader.text(at + 2) in ("called", "named")
+        room = reader.item(at + 3 if called else at)
+        if room is None or not room.is_room or reader.text(room.end) != "is" or reader.text(room.end + 1) != '"':
+            return 0
+        name, end = reader.name_at(room.end + 2)
+        self.statements.append(Rename(room=room.rooms(), name=name, quote=self._quote(reader.words, at, end)))
+        return end
 
     def _read_consequence(self, words: Sequence[Word], at: int) -> None:
         """Read ``otherwise the milk gets warm`` after a request, which says why; an order would need a condition."""
@@ -340,7 +353,8 @@ class _Reader(Asides, Telling, Tails, Headings, Repeating, Referring, Depending,
         if end < len(words) and words[end].text not in ("and", ",", ".", "please"):
             return None
         new = item.phrase.amount.kind == "some" and words[at].text in ("a", "an")
-        if isinstance(last, Remove) and new:
+        brought = isinstance(last, SetState) and last.things.refers == "last"
+        if new and (brought or isinstance(last, Remove)):
             return None  # "the rugs go, a desk ..." is no other thing that goes
         things = item.things()
         rooms = last.things.place.rooms if last.things.place is not None else None

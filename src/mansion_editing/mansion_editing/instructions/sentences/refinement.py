@@ -12,10 +12,12 @@ from mansion_editing.instructions.statements import (
     Add,
     Amount,
     Ensure,
+    Furnish,
     Keep,
     Move,
     Place,
     Remove,
+    Rename,
     Replace,
     Rooms,
     Statement,
@@ -41,6 +43,7 @@ __all__ = [
     "spared_of",
     "surplus_of",
     "tells_of_surplus",
+    "turned_by_list",
     "with_noun_at",
     "with_storeys",
 ]
@@ -85,6 +88,21 @@ def counting_those_there(statement: Statement) -> Statement:
     if isinstance(statement, Add) and statement.things.amount.kind == "some":
         return Ensure(things=statement.things, place=statement.place, each=statement.each, quote=statement.quote)
     return statement
+
+
+def turned_by_list(statements: Sequence[Statement]) -> list[Statement]:
+    """Return statements in which a room that becomes another one is only called so, where a list furnishes it.
+
+    ``Turn the study into a guest room: the desk goes, a bed comes in, the shelves stay`` tells all that changes in it.
+    """
+    out = list(statements)
+    for at, statement in enumerate(out):
+        rest = out[at + 1 :]
+        listed = all(any(isinstance(s, kind) for s in rest) for kind in (Remove, Add, Keep))
+        if isinstance(statement, Furnish) and statement.kind and listed and not statement.rooms.every:
+            name = statement.kind.capitalize()
+            out[at] = Rename(room=statement.rooms, name=name, quote=statement.quote)
+    return out
 
 
 _INSTEAD: Final = (("instead", "of"), ("in", "exchange", "for"), ("in", "return", "for"))

@@ -40,6 +40,10 @@ class Resulting(Progress):
         if start == at and reader.words[at].raw not in ("switched", "turned", "powered"):
             return 0
         states, end = _states_at(reader, start)
+        last = self.clause[-1] if self.clause else None
+        noun = last.things.noun.split() if isinstance(last, Add | Ensure | Move) else []
+        if noun and not all(self.lexicon.takes_state(tuple(noun), state) for state, _ in states):
+            return 0  # the furniture that it is in, or something else
         return end if states and self._tell(reader, states, start, end) else 0
 
     def _which_is(self, reader: ClauseReader, at: int) -> int:

@@ -97,6 +97,10 @@ class Tails(Resulting, Counting):
             if opened:
                 end = opened
                 continue
+            loaded = self._with_its_load(reader, end)
+            if loaded:
+                end = loaded
+                continue
             untouched = self._without_touching(reader, end)
             if untouched:
                 end = untouched
@@ -247,6 +251,18 @@ class Tails(Resulting, Counting):
             plain = len(whom) <= 3 and all(word.kind == "word" for word in whom) and not self._names_anything(whom)
             end = stop if plain else end
         return end
+
+    def _with_its_load(self, reader: ClauseReader, at: int) -> int:
+        """Return the end of ``with all that's on it`` after what goes or moves, which takes along what it carries."""
+        end = at + (reader.text(at) == ",")
+        carried = self.clause and isinstance(self.clause[-1], Remove | Move)
+        if not carried or reader.text(end) != "with" or reader.text(end + 1) not in ("all", "everything"):
+            return 0
+        end += 2
+        while reader.text(end) in ("that", "which", "is", "lie", "stand", "there", "of", "the", "thing"):
+            end += 1
+        on_it = reader.text(end) in ("on", "in", "inside") and reader.text(end + 1) in ("it", "them")
+        return end + 2 if on_it else 0
 
     def _without_touching(self, reader: ClauseReader, at: int) -> int:
         """Read ``without moving the tables``, ``without touching what is on it``; return its end, 0 for others."""
