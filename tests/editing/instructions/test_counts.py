@@ -5,7 +5,7 @@ import pytest
 from mansion_editing.editor import SceneEditor
 from mansion_editing.instructions.instruct import instruct
 from mansion_editing.instructions.sentences.reader import read_instruction
-from mansion_editing.instructions.statements import Add, Move, Remove, SetState
+from mansion_editing.instructions.statements import Add, Ensure, Move, Remove, SetState
 from mansion_editing.state import SceneState
 
 
@@ -174,3 +174,10 @@ def test_out_with_a_list_and_what_alone_stays(state: SceneState) -> None:
     instruction = read_instruction(text, state)
     assert not instruction.not_understood
     assert [type(statement).__name__ for statement in instruction.statements] == ["Remove"] * 3 + ["Keep"]
+
+
+def test_exactly_holds_for_all_of_a_list(state: SceneState) -> None:
+    text = "On the dining table in the kitchen there should be exactly two plates, two forks and a mug."
+    said = read_instruction(text, state).statements
+    amounts = [(s.things.amount.kind, s.things.amount.number) for s in said if isinstance(s, Ensure)]
+    assert amounts == [("exactly", 2), ("exactly", 2), ("exactly", 1)]

@@ -112,3 +112,8 @@ def test_a_state_is_not_that_of_what_cannot_take_it(furnished_state: SceneState)
 def test_a_new_thing_after_a_state_is_brought(furnished_state: SceneState) -> None:
     text = "Put a laptop on the sofa in the hall, open, and a mug beside it."
     assert not any(isinstance(s, SetState) and s.things.noun == "mug" for s in _asked(text, furnished_state))
+
+
+def test_things_after_a_state_are_there_and_not_in_it(furnished_state: SceneState) -> None:
+    there = _asked("Kitchen: ceiling lights on, two candles on the dining table.", furnished_state)[-1]
+    assert isinstance(there, Ensure) and there.things.noun == "candle" and there.things.amount.number == 2

@@ -305,6 +305,10 @@ class Sentence(ABC):
     def _as_before(self, item: Item, before: Sequence[Item]) -> Item:
         """Give a bare noun the quantifier before it: any bottle of wine or beer."""
         amount = item.phrase.amount
+        plain = amount.kind == "some" and amount.number > 0 and not item.phrase.definite and not item.phrase.refers
+        if before and before[-1].phrase.amount.kind == "exactly" and plain:
+            exactly = Amount(kind="exactly", number=amount.number)  # "exactly four plates, four forks and a jug"
+            return Item(replace(item.phrase, amount=exactly), item.places, item.end)
         bare = item.phrase.end - item.phrase.start == len(item.phrase.noun.words) and not item.phrase.definite
         if not before or not bare or before[-1].phrase.amount.kind not in ("all", "none") or amount.kind != "some":
             return item

@@ -353,9 +353,13 @@ class _Reader(Asides, Telling, Tails, Headings, Repeating, Referring, Depending,
         if end < len(words) and words[end].text not in ("and", ",", ".", "please"):
             return None
         new = item.phrase.amount.kind == "some" and words[at].text in ("a", "an")
-        brought = isinstance(last, SetState) and last.things.refers == "last"
-        if new and (brought or isinstance(last, Remove)):
-            return None  # "the rugs go, a desk ..." is no other thing that goes
+        counted = new or (item.phrase.amount.kind == "some" and words[at].kind == "number" and not item.phrase.definite)
+        brought = isinstance(last, SetState) and counted and bool(item.places)
+        brought = brought and not self._begins_with_order(last.quote)
+        if brought or (new and isinstance(last, Remove)):
+            return (
+                None  # "the rugs go, a desk ..." is no other thing that goes, "TV on, two mugs on the table" no state
+            )
         things = item.things()
         rooms = last.things.place.rooms if last.things.place is not None else None
         if things.place is None and rooms is not None:
