@@ -357,9 +357,7 @@ class _Reader(Asides, Telling, Tails, Headings, Repeating, Referring, Depending,
         brought = isinstance(last, SetState) and counted and bool(item.places)
         brought = brought and not self._begins_with_order(last.quote)
         if brought or (new and isinstance(last, Remove)):
-            return (
-                None  # "the rugs go, a desk ..." is no other thing that goes, "TV on, two mugs on the table" no state
-            )
+            return None  # a desk after "the rugs go" does not go, two mugs after "TV on" take no state
         things = item.things()
         rooms = last.things.place.rooms if last.things.place is not None else None
         if things.place is None and rooms is not None:
