@@ -59,9 +59,10 @@ class Referring(Progress):
         last = next((s for s in reversed(self.statements) if not isinstance(s, Mention)), None)
         place = getattr(statement, "place", None)
         told = self.statements[-1] if self.statements else None
-        if isinstance(told, Mention) and told.rooms is not None and isinstance(statement, Add | Ensure):
-            needed = place is not None and place.spot == "" and _is_bare_it(place.anchor) and self.topic is None
-            return msgspec.structs.replace(statement, place=Place(rooms=told.rooms)) if needed else statement
+        needed = isinstance(statement, Add | Ensure) and isinstance(place, Place) and not place.spot
+        needed = needed and place is not None and _is_bare_it(place.anchor) and self.topic is None
+        if needed and isinstance(told, Mention) and told.rooms is not None:
+            return msgspec.structs.replace(statement, place=Place(rooms=told.rooms))
         if not isinstance(last, Rename | Finish | Furnish) or self.topic is not None:
             return statement
         if not isinstance(place, Place) or place.relation not in ("in", "on") or not _is_bare_it(place.anchor):
