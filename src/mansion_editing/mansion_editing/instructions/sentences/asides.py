@@ -214,7 +214,8 @@ def _parts(words: Sequence[Word]) -> list[tuple[int, int]]:
 def _begins_with_state(words: Sequence[Word]) -> bool:
     """Whether words begin with how something shall be: ``switched on``, ``opened``, ``filled with apples``."""
     following = words[1].text if len(words) > 1 else ""
-    state = words[0].text in STATE_WORDS and following not in DETERMINERS
+    event = words[0].text == "open" and following in ("day", "evening", "night", "house", "week")
+    state = words[0].text in STATE_WORDS and following not in DETERMINERS and not event
     state = state or (following in STATE_WORDS and words[0].raw.endswith("ed"))
     return state or ((words[0].raw,) in PARTICIPLES and following not in DETERMINERS)
 
