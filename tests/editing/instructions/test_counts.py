@@ -5,7 +5,7 @@ import pytest
 from mansion_editing.editor import SceneEditor
 from mansion_editing.instructions.instruct import instruct
 from mansion_editing.instructions.sentences.reader import read_instruction
-from mansion_editing.instructions.statements import Move, Remove, SetState
+from mansion_editing.instructions.statements import Add, Ensure, Move, Remove, SetState
 from mansion_editing.state import SceneState
 
 
@@ -120,3 +120,64 @@ def test_what_comes_in_the_place_of_another_stands_there(editor: SceneEditor) ->
 def test_one_that_stays_off_is_off(state: SceneState) -> None:
     statements = read_instruction("Switch on the lamp in the hall, the one in the kitchen stays off.", state).statements
     assert [(s.state, s.value) for s in statements if isinstance(s, SetState)] == [("on", True), ("on", False)]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "There should only be two chairs in the hall, at the moment there are three.",
+        "There should only be two chairs in the hall, right now it's three.",
+        "Three chairs in the hall is one too many.",
+        "Three chairs in the hall are one too many: take one away.",
+        "Three chairs in the hall is a trip hazard, two are plenty.",
+    ],
+)
+def test_what_is_there_is_told_beside_what_shall_be(editor: SceneEditor, text: str) -> None:
+    assert instruct(editor, text).done and _left(editor, "chair", "F1/hall") == 2
+
+
+def test_the_spare_ones_are_those_beyond_the_number(state: SceneState) -> None:
+    said = read_instruction("Two chairs are enough in the hall; put the spare ones in the kitchen.", state).statements
+    (moved,) = [statement for statement in said if isinstance(statement, Move)]
+    assert moved.things.amount.kind == "all_but" and moved.things.amount.number == 2
+    assert read_instruction("Put the spare ones in the kitchen.", state).not_understood
+
+
+@pytest.mark.parametrize(
+    ("text", "number"),
+    [
+        ("Put a mug on the dining table in the kitchen for each of the four people who sit there.", 4),
+        ("Put two mugs for each of three guests on the dining table in the kitchen.", 6),
+    ],
+)
+def test_so_many_for_each_person(state: SceneState, text: str, number: int) -> None:
+    instruction = read_instruction(text, state)
+    (added,) = [statement for statement in instruction.statements if isinstance(statement, Add)]
+    assert not instruction.not_understood and added.things.amount.number == number and not added.each
+
+
+@pytest.mark.parametrize("total", [", two in all", " (two in total)", ", two altogether"])
+def test_a_total_is_the_number_of_places(state: SceneState, total: str) -> None:
+    (added,) = read_instruction(f"Put a candle on each dining table{total}.", state).statements
+    assert isinstance(added, Add) and added.each and added.place.anchor is not None
+    assert added.place.anchor.amount.of == 2
+
+
+def test_what_a_room_has_nothing_for_is_needed_there(state: SceneState) -> None:
+    said = read_instruction("The hall has nowhere to hang coats, it needs a coat rack.", state).statements
+    (added,) = [statement for statement in said if isinstance(statement, Add)]
+    assert added.place.rooms is not None and added.place.rooms.words == "hall"
+
+
+def test_out_with_a_list_and_what_alone_stays(state: SceneState) -> None:
+    text = "Out with the chairs, the mugs and the sofa; only the fridge may stay."
+    instruction = read_instruction(text, state)
+    assert not instruction.not_understood
+    assert [type(statement).__name__ for statement in instruction.statements] == ["Remove"] * 3 + ["Keep"]
+
+
+def test_exactly_holds_for_all_of_a_list(state: SceneState) -> None:
+    text = "On the dining table in the kitchen there should be exactly two plates, two forks and a mug."
+    said = read_instruction(text, state).statements
+    amounts = [(s.things.amount.kind, s.things.amount.number) for s in said if isinstance(s, Ensure)]
+    assert amounts == [("exactly", 2), ("exactly", 2), ("exactly", 1)]

@@ -87,6 +87,9 @@ class Changing(Wishes, Moving, Sizes):
                 return self._painted(surface[0], colour[0], colour[1], self.quote(at, colour[2])), colour[2]
         if self.text(place) == "it" and place + 1 < len(self.words) and self.words[place + 1].kind == "number":
             return self._wanted(at, place + 1)
+        room = self.item(place, places=False)
+        if room is not None and room.is_room and "into" in [word.text for word in self.words[room.end : room.end + 6]]:
+            return self._furnish(at, place)
         item = self.item(place)
         if item is None:
             raise NotUnderstood(at, self.boundary(at))

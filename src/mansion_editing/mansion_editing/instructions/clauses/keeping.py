@@ -8,7 +8,13 @@ from mansion_editing.instructions.clauses.removing import Removing
 from mansion_editing.instructions.clauses.staying import Staying
 from mansion_editing.instructions.clauses.wishes import Wishes
 from mansion_editing.instructions.phrases.verbs import verb_at
-from mansion_editing.instructions.phrases.word_sets import ALL_THE_REST, KEPT_AS_IT_IS, LEFT_ALONE, LEFT_AS_IT_IS
+from mansion_editing.instructions.phrases.word_sets import (
+    ALL_THE_REST,
+    KEPT_AS_IT_IS,
+    LEFT_ALONE,
+    LEFT_AS_IT_IS,
+    LEFT_SO,
+)
 from mansion_editing.instructions.phrases.words import STATE_WORDS
 from mansion_editing.instructions.statements import (
     Amount,
@@ -68,10 +74,11 @@ class Keeping(Staying, Wishes, Adding, Removing):
         if others is not None:
             return others
         end += self.text(end) in ("inside", "there", "here")
-        if self.text(end) in STATE_WORDS or (
-            self.text(end) in ("switched", "turned") and self.text(end + 1) in STATE_WORDS
-        ):
-            end += self.text(end) in ("switched", "turned")
+        stated = end
+        while self.text(stated) in LEFT_SO:
+            stated += 1
+        if self.text(stated) in STATE_WORDS and (stated == end or self.phrase(stated + 1) is None):
+            end = stated
             state, value = STATE_WORDS[self.text(end)]
             quote = self.quote(at, end + 1)
             return [self._state_of(items, i, state, (), quote, value=value) for i in items], end + 1

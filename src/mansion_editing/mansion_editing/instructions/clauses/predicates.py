@@ -153,7 +153,7 @@ class Predicates(States, Colours, Ways):
             return [self._given(n, goal, quote, each=item.phrase.each) for n in new], new[-1].end
         if deed == "rename":
             after += self.text(after) in ("to", "as")
-            name, stop = self._name(after)
+            name, stop = self.name_at(after)
             return [Rename(room=item.rooms(), name=name, quote=self.quote(at, stop))], stop
         if deed == "furnish" and self.text(after) in ("as", "into", "like"):
             kind = self.phrase(after + 1)
@@ -172,6 +172,10 @@ class Predicates(States, Colours, Ways):
             places, end = self.places(place + 3 + (self.text(place + 3) == "being"))
             gone = Item(item.phrase, (*item.places, *places), end).things()
             return [Remove(things=self._all_if_plural(gone), quote=self.quote(at, end))], end
+        if item.is_room and word in ("has", "have") and self._lacks_use(place + 1):
+            return [Mention(rooms=item.rooms(), quote=self.quote(at, self._lacks_use(place + 1)))], self._lacks_use(
+                place + 1
+            )
         lacked = self._said_alone_without(item, place, at, negated)
         if lacked is not None:
             return lacked
@@ -228,6 +232,15 @@ class Predicates(States, Colours, Ways):
                 out.append(Ensure(things=thing.phrase.things(), place=where, each=each, quote=quote))
         return out, end
 
+    def _lacks_use(self, at: int) -> int:
+        """Return the end of ``nowhere to hang clothes``, ``nothing to sit on``; 0 for other words."""
+        if self.text(at) not in ("nowhere", "nothing") or self.text(at + 1) != "to":
+            return 0
+        end = at + 2
+        while end < len(self.words) and self.words[end].kind == "word" and self.text(end) not in ("and", "so", "but"):
+            end += 1
+        return end
+
     def _said_alone_without(self, item: Item, place: int, at: int, negated: bool) -> tuple[list[Statement], int] | None:
         """Read ``is the only one without a wardrobe`` of a room, which tells what it lacks."""
         said = tuple(self.text(place + k) for k in range(3))
@@ -274,7 +287,8 @@ class Predicates(States, Colours, Ways):
         if word in ("go", "disappear", "vanish", "leave") and not negated:
             rubbish = self._rubbish(place + 1) if word == "go" else 0
             if rubbish:
-                return [Remove(things=self._all_if_plural(item.things()), quote=self.quote(at, rubbish))], rubbish
+                gone = self._within_frame(item.things())
+                return [Remove(things=self._all_if_plural(gone), quote=self.quote(at, rubbish))], rubbish
             left = self.item(place + 1) if word == "leave" else None
             if left is not None and left.is_room:
                 gone = with_place(item.things(), Place(rooms=left.rooms()))
@@ -286,7 +300,7 @@ class Predicates(States, Colours, Ways):
             places, end = self.places(place + 1)
             if not places or all(p.source and not p.goal for p in places):
                 end += self.text(end) in ("away",)
-                gone = Item(item.phrase, (*item.places, *places), end).things()
+                gone = self._within_frame(Item(item.phrase, (*item.places, *places), end).things())
                 return [Remove(things=self._all_if_plural(gone), quote=self.quote(at, end))], end
             return [self._brought(item, places, self.quote(at, end))], end
         if word in BEING_SOMEWHERE and not negated:
@@ -322,6 +336,9 @@ class Predicates(States, Colours, Ways):
     def _said_enough(self, item: Item, place: int, at: int, negated: bool) -> tuple[list[Statement], int] | None:
         """Read ``two chairs are enough in the hall``, ``one lamp will do``: what is more than that goes."""
         number = item.phrase.amount.number
+        surplus = self._surplus(item, place, at)
+        if surplus is not None and not negated:
+            return surplus
         place -= self.text(place - 1) == "do" and place > item.end + 1
         enough = self.text(place) in ("enough", "sufficient", "plenty", "suffice") or self.text(place - 1) == "suffice"
         does = self.text(place) == "do" and self.text(place - 1) in ("will", "would")
@@ -334,6 +351,21 @@ class Predicates(States, Colours, Ways):
         if goal == Place() and not item.phrase.refers:
             return None
         return [Ensure(things=things, place=goal, each=each, quote=self.quote(at, end))], end
+
+    def _surplus(self, item: Item, place: int, at: int) -> tuple[list[Statement], int] | None:
+        """Read ``three chairs in the hall are one too many``, of which the next clause may say what becomes."""
+        number, less = item.phrase.amount.number, self.words[place : place + 1]
+        counted = bool(less) and less[0].kind == "number" and 0 < less[0].value < number
+        if not counted or (self.text(place + 1), self.text(place + 2)) != ("too", "many") or item.phrase.definite:
+            return None
+        goal, each = self._framed(item.goal())
+        if goal == Place():
+            return None
+        left = Amount(kind="at_most", number=number - int(less[0].value))
+        whole = msgspec.structs.replace(item.phrase.things(), amount=Amount(number=number), plural=True)
+        self.affirmed = with_place(whole, goal)
+        things = msgspec.structs.replace(item.phrase.things(), amount=left)
+        return [Ensure(things=things, place=goal, each=each, quote=self.quote(at, place + 3))], place + 3
 
     def _said_missing(self, item: Item, place: int, at: int, negated: bool) -> tuple[list[Statement], int] | None:
         """Read ``a glass is missing on the table``, which tells what the next clause is about."""
@@ -439,4 +471,5 @@ class Predicates(States, Colours, Ways):
         colour = self.colour_at(place)
         if colour is None:
             return None
-        return self._painted([item], colour[0], colour[1], self.quote(at, colour[2])), colour[2]
+        end = colour[2] + (self.text(colour[2]) == "one")  # "could the black chairs be white ones"
+        return self._painted([item], colour[0], colour[1], self.quote(at, end)), end

@@ -130,7 +130,7 @@ class ClauseReader(Keeping, Changing, Taking, PastSteps, Fronting):
             quote = self.quote(at, end)
             return [self._removed(items, item, (), (), quote) for item in items], end
         out: list[Statement] = []
-        found = self._state_after(items[-1], end, at) if len(items) == 1 else None
+        found = self._states_after(items, end, at)
         if found is not None:
             return found
         if self.text(end) == "as" and self.text(end + 1) in ("it", "they"):

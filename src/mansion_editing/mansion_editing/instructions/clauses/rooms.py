@@ -37,10 +37,10 @@ class RoomChanges(Giving):
         rooms = Item(item.phrase, tuple(places), end).rooms()
         while self.text(end) in BEFORE_NAMES:
             end += 1
-        name, stop = self._name(end)
+        name, stop = self.name_at(end)
         return [Rename(room=rooms, name=name, quote=self.quote(at, stop))], stop
 
-    def _name(self, at: int) -> tuple[str, int]:
+    def name_at(self, at: int) -> tuple[str, int]:
         """Read a name as it is written, up to a mark or the end."""
         stop = at
         while stop < len(self.words) and self.text(stop) not in (",", '"', ";", "please", "\n") and stop < at + 8:

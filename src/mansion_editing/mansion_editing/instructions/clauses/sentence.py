@@ -256,7 +256,7 @@ class Sentence(ABC):
                 return self._objects(found, item)
             found.append(self._beside_it(self._as_before(self._named(item, found), found), found))
             after = self.conjunction(item.end)
-            if not after or self.starts_clause(after) or self.text(after) in ("only", "just"):
+            if not after or self.starts_clause(after) or self.text(after) in ("only", "just", "now"):
                 return found
             at = after
 
@@ -305,6 +305,10 @@ class Sentence(ABC):
     def _as_before(self, item: Item, before: Sequence[Item]) -> Item:
         """Give a bare noun the quantifier before it: any bottle of wine or beer."""
         amount = item.phrase.amount
+        plain = amount.kind == "some" and amount.number > 0 and not item.phrase.definite and not item.phrase.refers
+        if before and before[-1].phrase.amount.kind == "exactly" and plain:
+            exactly = Amount(kind="exactly", number=amount.number)  # "exactly four plates, four forks and a jug"
+            return Item(replace(item.phrase, amount=exactly), item.places, item.end)
         bare = item.phrase.end - item.phrase.start == len(item.phrase.noun.words) and not item.phrase.definite
         if not before or not bare or before[-1].phrase.amount.kind not in ("all", "none") or amount.kind != "some":
             return item
@@ -543,7 +547,17 @@ class Sentence(ABC):
         """Return a place with what the sentence began with."""
         place, each = goal
         each = each or (self.frame.rooms is not None and self.frame.rooms.every and bool(self.frame.rooms.words))
-        return (place if self.frame == Place() else merged(place, self.frame) if place != Place() else self.frame), each
+        if self.frame != Place():
+            place = self.frame if place == Place() else merged(place, self.frame)
+        return _with_holder_at(place), each
+
+
+def _with_holder_at(place: Place) -> Place:
+    """Return ``on the high table by the wall`` as on the table that is by the wall."""
+    holder = place.anchor
+    if not place.spot or holder is None or place.relation not in ("on", "in") or holder.refers or not holder.definite:
+        return place
+    return msgspec.structs.replace(place, spot="", anchor=with_place(holder, Place(spot=place.spot)))
 
 
 def _with_room_ones(places: tuple[ReadPlace, ...]) -> tuple[ReadPlace, ...]:

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import msgspec
 
-from mansion_editing.instructions.clauses.items import Item, joined_places
+from mansion_editing.instructions.clauses.items import Item, NotUnderstood, joined_places
 from mansion_editing.instructions.clauses.outcomes import named_as
 from mansion_editing.instructions.clauses.rooms import RoomChanges
 from mansion_editing.instructions.clauses.turning import Turning
@@ -30,6 +30,9 @@ class States(RoomChanges, Turning):
             quote = self.quote(at, end)
             return [self._state_of(items, i, "on", besides, quote, value=value) for i in items], end
         items = self.items(place)
+        last = items[-1]
+        if (self.text(last.phrase.end), self.text(last.phrase.end + 1)) == ("on", "there"):  # "turn it on there"
+            items[-1] = Item(last.phrase, (), last.phrase.end)
         end = items[-1].end
         if self.text(end) in ("on", "off") or (self.text(end) in ("back",) and self.text(end + 1) in ("on", "off")):
             end += self.text(end) == "back"
@@ -82,6 +85,27 @@ class States(RoomChanges, Turning):
         quote = self.quote(at, end)
         return [self._state_of(items, item, state, besides, quote, value=value) for item in items], end
 
+    def tells_states(self, at: int) -> bool:
+        """Whether things without a verb begin here, of which a state is said: ``TV and lamp both off``."""
+        try:
+            items = self.items(at)
+        except NotUnderstood:
+            return False
+        return self._states_after(items, items[-1].end, at) is not None
+
+    def _states_after(self, items: Sequence[Item], end: int, at: int) -> tuple[list[Statement], int] | None:
+        """Read ``TV on``, ``washing machine and dryer both running`` of things that are there."""
+        if len(items) > 1 and (
+            any(i.is_room for i in items) or not all(self._are_those_there(i.phrase) for i in items)
+        ):
+            return None
+        found = self._state_after(items[-1], end, at)
+        last = found[0][-1] if found is not None and len(found[0]) == 1 else None
+        if len(items) == 1 or found is None or not isinstance(last, SetState):
+            return found if len(items) == 1 else None
+        before = [self._state_of(items, i, last.state, (), last.quote, value=last.value) for i in items[:-1]]
+        return [*before, last], found[1]
+
     def _state_after(self, item: Item, end: int, at: int) -> tuple[list[Statement], int] | None:
         place = end
         while self.text(place) in BEFORE_STATES:
@@ -95,7 +119,7 @@ class States(RoomChanges, Turning):
             ):
                 return None
             place += 1
-        dark = self.text(place) == "out" and item.phrase.noun.words[-1:] == ("light",)
+        dark = self.text(place) in ("out", "dark") and self.lexicon.gives_light(item.phrase.noun.words)
         if dark:
             quote = self.quote(at, place + 1)
             where, stop = self.places(place + 1)
@@ -110,7 +134,7 @@ class States(RoomChanges, Turning):
         quote = self.quote(at, stop)
         whole = Item(item.phrase, (*item.places, *where), stop)
         switched = self._state_of([whole], whole, state, (), quote, value=value)
-        brought = not item.phrase.definite and item.phrase.amount.kind == "some" and bool(item.places)
+        brought = not self._are_those_there(item.phrase) and item.phrase.amount.kind == "some" and bool(item.places)
         if brought and not item.is_room:
             goal, each = self._framed(item.goal())
             return [Ensure(things=item.phrase.things(), place=goal, each=each, quote=quote), switched], stop

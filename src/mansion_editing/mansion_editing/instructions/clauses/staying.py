@@ -106,10 +106,16 @@ class Staying(Subjects):
         if self.text(end) not in CHANGED:
             return None
         after, end = self.places(end + 1)
-        place, _ = self._framed(joined_places([*before, *after]))
-        if place == Place() or place.outside or not self._clause_ends(end):
+        found = [self._framed(joined_places([*before, *after]))[0]]
+        while (after or before) and self.text(end) in ("or", "nor", "and", ","):
+            more, stop = self.places(end + 1 + (self.text(end + 1) in ("or", "nor", "and")))
+            if not more:
+                break
+            found, end = [*found, joined_places(more)[0]], stop
+        if any(place == Place() or place.outside for place in found) or not self._clause_ends(end):
             return None
-        return [Keep(things=everything_at(place), quote=self.quote(at, end))], end
+        quote = self.quote(at, end)
+        return [Keep(things=everything_at(place), quote=quote) for place in found], end
 
     def _keeps_its_own(self, at: int) -> tuple[list[Statement], int] | None:
         """Read ``the dining room keeps its own`` and ``the bedroom keeps its lamps``."""
@@ -117,6 +123,7 @@ class Staying(Subjects):
         if room is None or not room.is_room or self.text(room.end) != "keep":
             return None
         place = room.end + 1
+        place += (1 + (self.text(place + 1) == "of")) if self.text(place) == "all" else 0
         own = place + 1 if self.text(place) in ("the", "their", "its") else place
         if self.text(own) == "own" and self._clause_ends(own + 1):
             if self.last_noun is None:

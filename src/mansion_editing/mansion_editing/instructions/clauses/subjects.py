@@ -6,7 +6,7 @@ from mansion_editing.instructions.clauses.items import Item, joined_places
 from mansion_editing.instructions.clauses.predicates import Predicates
 from mansion_editing.instructions.phrases.word_sets import BEFORE_COLOURS
 from mansion_editing.instructions.phrases.words import BE, MODALS
-from mansion_editing.instructions.statements import Amount, Clear, Ensure, Mention, Place, Statement, Things
+from mansion_editing.instructions.statements import Add, Amount, Clear, Ensure, Mention, Place, Rooms, Statement, Things
 
 __all__ = ["Subjects"]
 
@@ -21,6 +21,9 @@ class Subjects(Predicates):
         number = self._number_should_be(at) or self._only_thing(at)
         if number is not None:
             return number
+        coming = self._coming(at)
+        if coming is not None:
+            return coming
         surface = self.surface(at)
         if surface is not None:
             end = surface[1]
@@ -58,6 +61,43 @@ class Subjects(Predicates):
             out += found[0]
             end = found[1]
         return out, end
+
+    def _coming(self, at: int) -> tuple[list[Statement], int] | None:
+        """Read ``a desk with a lamp on it and an office chair come in``: new things."""
+        new: list[tuple[Item, Item | None]] = []
+        place = at
+        while True:
+            item = self.item(place)
+            if item is None or item.is_room or item.phrase.definite or item.phrase.refers or item.phrase.noun.unknown:
+                return None
+            end, companion = item.end, None
+            if self.text(end) == "with":
+                companion = self.item(end + 1)
+                if companion is None or not _is_on_it(companion):
+                    return None
+                end = companion.end
+            new.append((item, companion))
+            place = self.conjunction(end)
+            if not place:
+                break
+        while self.text(end) in MODALS or self.text(end) in ("also", "then", "to", "now", "has", "have", "is", "are"):
+            end += 1
+        if self.text(end) != "come":
+            return None
+        places, stop = self.places(end + 1)
+        if not places and self.text(end + 1) not in ("in", "along", "inside"):
+            return None
+        stop = stop if places else end + 2
+        goal, each = self._framed(joined_places(places) if places else (Place(), False))
+        goal = Place(rooms=Rooms(same=True)) if goal == Place() else goal
+        quote = self.quote(at, stop)
+        out: list[Statement] = []
+        for thing, companion in new:
+            out.append(Add(things=thing.phrase.things(), place=goal, each=each, quote=quote))
+            if companion is not None:
+                on_it = joined_places(companion.places)[0]
+                out.append(Add(things=companion.phrase.things(), place=on_it, quote=quote))
+        return out, stop
 
     def _only_thing(self, at: int) -> tuple[list[Statement], int] | None:
         """Read ``the only thing on the table should be a vase``."""
@@ -128,3 +168,9 @@ class Subjects(Predicates):
         if not spare:
             end, spare = self.exceptions(end)
         return [Clear(place=self._framed(joined_places(places))[0], spare=spare, quote=self.quote(at, end))], end
+
+
+def _is_on_it(item: Item) -> bool:
+    """Whether something is on or in what was named before it: ``a lamp on it``."""
+    anchor = joined_places(item.places)[0].anchor if item.places else None
+    return anchor is not None and anchor.refers == "last" and not anchor.noun

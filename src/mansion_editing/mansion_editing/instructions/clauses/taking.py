@@ -140,7 +140,9 @@ class Taking(Adding, Removing):
         objects = [
             k
             for k in range(after, min(after + 8, len(self.words)))
-            if self.text(k) in ("it", "them", "that") and self.text(k - 1) not in _BEFORE_HOLDERS
+            if self.text(k) in ("it", "them", "that")
+            and self.text(k - 1) not in _BEFORE_HOLDERS
+            and self.words[k].raw != "door"
         ]
         return self.starts_clause(after) and bool(objects)
 

@@ -135,6 +135,8 @@ class Wishes(Subjects, Negations):
             if self.text(place) in ("have", "get") and who in ("can", "could", "may", "might"):
                 return self._wanted(at, place + 1)
             return self.read(place)
+        if who in MODALS and self.text(place + 1) == "there":
+            return self._existential(place + 1, asked=True)
         if who in MODALS and self.text(place + 1) not in ("not", "it"):
             found = self._asked_of_subjects(at, place + 1)
             if found is not None:
@@ -157,7 +159,7 @@ class Wishes(Subjects, Negations):
             return None
         shared = subjects[-1].places if not any(item.places for item in subjects[:-1]) else ()
         end = subjects[-1].end
-        while self.text(end) in BEFORE_REQUESTS:
+        while self.text(end) in BEFORE_REQUESTS and self.text(end) not in AFTER_MODALS:
             end += 1
         if self.text(end) not in AFTER_MODALS or not all(s.phrase.definite or len(subjects) == 1 for s in subjects):
             return None

@@ -122,7 +122,7 @@ def able_ones(state: SceneState, things: Things, context: Context, able: Callabl
     if things.refers != "last" or things.noun or things.place is not None:
         return things
     last = things_of(state, things, context)
-    carriers = list(dict.fromkeys(item.parent for item in last if item.parent is not None))
+    carriers = list(dict.fromkeys(item.parent for item in last if item.parent is not None)) or [*context.holders]
     found = None if any(able(item) for item in last) or len(carriers) != 1 else state.find(carriers[0])
     return Things(noun=found[1].id, definite=True) if found is not None and able(found[1]) else things
 

@@ -6,6 +6,7 @@ from functools import lru_cache
 from typing import Final
 
 from mansion_assets.catalogue.vocabulary import stems, vocabulary_of
+from mansion_editing.instructions.phrases.lexicon import LIGHTS
 from mansion_editing.state import SceneState
 from mansion_language.colours import COLOUR_WORDS, colour_of
 from mansion_msgs_py.scene import SceneObject
@@ -15,7 +16,6 @@ __all__ = ["called", "has_colour", "has_material", "id_order", "is_fixed", "is_l
 _BUILT_IN: Final = frozenset({"sink", "faucet", "beer_tap"})
 """Categories that stand in furniture and are fixed to it all the same."""
 
-_LIGHTS: Final = ("lamp", "light", "chandelier", "ceiling_panel", "spot_track")
 _SEATS: Final = ("chair", "stool", "sofa", "loveseat", "bench", "seat", "pouf", "ottoman", "recliner", "pew", "couch")
 _DRINKS: Final = ("cola_can", "juice_carton", "milk_carton", "water_bottle", "beer_bottle", "wine_bottle")
 _FOOD: Final = (
@@ -51,7 +51,7 @@ def _one_of(categories: Iterable[str]) -> Callable[[SceneObject], bool]:
 
 def is_light(item: SceneObject) -> bool:
     """Whether an object gives light and switches."""
-    return item.toggleable and item.category.endswith(_LIGHTS)
+    return item.toggleable and item.category.endswith(LIGHTS)
 
 
 def is_loose(item: SceneObject) -> bool:
@@ -86,6 +86,8 @@ _MANY: Final[dict[str, Callable[[SceneObject], bool]]] = {
     "seating": _ending(_SEATS),
     "drink": _one_of(_DRINKS),
     "beverage": _one_of(_DRINKS),
+    "water": _one_of(("water_bottle", "water_jug")),
+    "wine": _one_of(("wine_bottle",)),
     "food": _one_of(_FOOD),
     "snack": _one_of(_FOOD),
     "grocery": _one_of((*_FOOD, *_DRINKS)),

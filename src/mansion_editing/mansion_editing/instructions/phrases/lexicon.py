@@ -12,19 +12,22 @@ from mansion_knowledge import interchangeable_names
 from mansion_knowledge.common_words import common_words
 from mansion_language.spelling import Speller
 
-__all__ = ["ANYTHING", "HYPERNYMS", "WAYS", "Lexicon"]
+__all__ = ["ANYTHING", "HYPERNYMS", "LIGHTS", "WAYS", "Lexicon"]
 
 ANYTHING = frozenset(["thing", "object", "stuff", "item", "content", "everything", "anything", "clutter", "mess"])
 """Nouns for whatever is there."""
 
 HYPERNYMS = frozenset(
     "furniture light lighting seat seating drink fruit electronics decoration appliance food cutlery tableware "
-    "dish toy device equipment vegetable plant storage kitchenware alcohol beverage gadget".split()
+    "dish toy device equipment vegetable plant storage kitchenware alcohol beverage gadget water wine".split()
 )
 """Nouns for objects of several categories."""
 
 WAYS = frozenset(["way", "path", "route", "access", "passage", "walkway"])
 """Nouns for what a robot gets through by."""
+
+LIGHTS = ("lamp", "light", "chandelier", "ceiling_panel", "spot_track")
+"""Ends of the categories that give light."""
 
 _LIKE = {"kid": "child"}
 """Words that instructions are read with in place of others."""
@@ -112,9 +115,12 @@ class Lexicon:
         return word in WAYS
 
     def stands(self, words: tuple[str, ...]) -> bool:
-        """Whether words name furniture that stands on the floor."""
+        """Whether words name furniture that stands on the floor; a general word, where most of its kinds do."""
         kinds = vocabulary_of(self._state.catalogue).nouns(" ".join(words))
-        return bool(kinds) and self._state.catalogue.by_category(kinds[0])[0].mount == "floor"
+        mounts = [self._state.catalogue.by_category(kind)[0].mount for kind in kinds]
+        general = not vocabulary_of(self._state.catalogue).exact(words)
+        most = 2 * mounts.count("floor") > len(mounts)
+        return most if general else mounts[:1] == ["floor"]
 
     def is_loose(self, words: tuple[str, ...]) -> bool:
         """Whether words name what lies on or in furniture."""
@@ -126,6 +132,17 @@ class Lexicon:
         kinds = vocabulary_of(self._state.catalogue).nouns(" ".join(words))
         asset = self._state.catalogue.by_category(kinds[0])[0] if kinds else None
         return asset is not None and bool(asset.volumes or asset.surfaces)
+
+    def takes_state(self, words: tuple[str, ...], state: str) -> bool:
+        """Whether words name what opens (``open``), or switches (``on``)."""
+        kinds = vocabulary_of(self._state.catalogue).nouns(" ".join(words))
+        asset = self._state.catalogue.by_category(kinds[0])[0] if kinds else None
+        return asset is not None and (asset.openable if state == "open" else asset.toggleable)
+
+    def gives_light(self, words: tuple[str, ...]) -> bool:
+        """Whether words name lamps."""
+        kinds = vocabulary_of(self._state.catalogue).nouns(" ".join(words))
+        return words[-1:] == ("light",) or (bool(kinds) and kinds[0].endswith(LIGHTS))
 
     def lies_beside_others(self, words: tuple[str, ...]) -> bool:
         """Whether words name loose things that hold nothing, which others of a set lie beside: plates, laptops."""

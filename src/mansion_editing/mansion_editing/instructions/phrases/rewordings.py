@@ -83,7 +83,17 @@ _PHRASES: Final[dict[tuple[str, ...], tuple[str, ...]]] = {
     ("for", "the", "time", "being"): ("for", "now"),
     ("for", "the", "moment"): ("for", "now"),
     ("at", "the", "moment"): ("now",),
+    ("right", "now"): ("now",),
     ("out", "of", "the", "way"): ("away",),
+    ("only", "be"): ("be", "only"),
+    ("just", "be"): ("be", "only"),
+    ("only", "have"): ("have", "only"),
+    ("only", "contain"): ("contain", "only"),
+    ("only", "hold"): ("hold", "only"),
+    ("rather", "have"): ("want",),
+    ("rather", "see"): ("want",),
+    ("could", "do", "with"): ("need",),
+    ("can", "do", "with"): ("need",),
 }  # fmt: skip
 """Words, longest first where one begins another, and the words that mean the same."""
 _AT_EDGES: Final = frozenset(("if", "you", modal) for modal in ("would", "can", "could"))

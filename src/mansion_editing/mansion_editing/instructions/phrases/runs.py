@@ -26,7 +26,7 @@ SHADES: Final = frozenset(["light", "dark", "pale", "bright", "deep", "pastel", 
 
 
 _ARTICLES_AFTER_VERBS: Final = frozenset(
-    "a an the all every each two three four five six some another my our its".split()
+    "a an the all both every each two three four five six some another my our its".split()
 )
 
 
@@ -38,8 +38,8 @@ ENDS_RUN: Final = (
         "running lit already too instead again "
         "somewhere anywhere here now also as if so that facing exactly which upstairs downstairs each both all every "
         "ajar deleted reachable accessible where belong sit lie apart rather wherever whose whatever died broke fell "
-        "short away does did look seem anew afresh want visible go disappear vanish put exceed trade untouched alone "
-        "starting next either if unless half closer nearer further farther forward forwards backward backwards "
+        "short away does did come look seem anew afresh want visible go disappear vanish put exceed trade untouched "
+        "alone starting next either if unless half closer nearer further farther forward forwards backward backwards "
         "wobble squeak smell leak flicker rattle creak stink drip "
         "keep before after when while until today tonight tomorrow yesterday anyway though asap yet".split()
     )
@@ -47,7 +47,8 @@ ENDS_RUN: Final = (
 
 
 _MAY_BE_NOUN: Final = frozenset(
-    "light open left right front stand set middle dark present sitting waiting standing living accessible".split()
+    "light open left right front stand set middle dark present sitting waiting standing hanging living"
+    " accessible".split()
 )
 
 

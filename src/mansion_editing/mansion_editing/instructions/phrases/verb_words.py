@@ -13,7 +13,8 @@ Deed: TypeAlias = Literal[
 """What a verb asks for."""
 
 _VERBS: Final[dict[Deed, str]] = {
-    "add": "add|put|place|lay|install|position|supply|provide|insert|drop|stick|deposit|park|stand|hang|mount|spawn|"
+    "add": "in with|"
+           "add|put|place|lay|install|position|supply|provide|insert|drop|stick|deposit|park|stand|hang|mount|spawn|"
            "create|include|store|hide|serve|spread|fix|arrange|distribute|rest|shelve|line up|set up|"
            "set out|lay out|squeeze|tuck|fit|attach|introduce|order|buy|build in|throw in|lean|display|plug in|"
            "assemble|"
@@ -23,8 +24,8 @@ _VERBS: Final[dict[Deed, str]] = {
     "bring": "bring|fetch|deliver|get|carry|return",
     "remove": "remove|delete|take away|take out|take off|take down|get rid of|throw away|throw out|dispose of|discard|"
               "eliminate|clear away|erase|bin|scrap|drop off|rid|ditch|lose|junk|trash|chuck out|chuck|"
-              "uninstall|dump|away with|off with|clear off|clear out|withdraw|subtract|pull out|do away with|kick out|"
-              "toss out|"
+              "uninstall|dump|away with|out with|off with|clear off|clear out|withdraw|subtract|pull out|do away with|"
+              "kick out|toss out|"
               "move out|put away|destroy|strip out",
     "take": "take|grab|pick up|pick|collect|gather|gather up|catch",
     "go": "go to|walk to|look at|find|approach|search for|go over to|drive to|take a look at|consider|locate|look for",

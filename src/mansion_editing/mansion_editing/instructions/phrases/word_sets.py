@@ -61,6 +61,7 @@ __all__ = [
     "KEPT_AS_IT_IS",
     "LEFT_ALONE",
     "LEFT_AS_IT_IS",
+    "LEFT_SO",
     "LYING",
     "NEAR_SPOTS",
     "NO_FRONTED_PLACES",
@@ -111,7 +112,7 @@ SOMEBODY: Final = frozenset("robot agent i we one guest visitor people everyone 
 
 BEFORE_VERBS: Final = frozenset("please then also just not never do finally".split())
 BEGIN_CLAUSES: Final = frozenset("there i we you nothing make let if because nobody".split())
-PREDICATE_VERBS: Final = frozenset("is are stay remain need has have go get belong lack want face".split())
+PREDICATE_VERBS: Final = frozenset("is are stay remain need has have go get belong come lack want face".split())
 AFTER_THANKS: Final = frozenset("you very so much a lot in advance for your help".split())
 BEFORE_PREDICATES: Final = frozenset(
     "to not also always never do does now all both still get longer each supposed itself themselves has have no "
@@ -124,7 +125,7 @@ FAILING: Final = frozenset(
     "rattles creak creaks stink stinks drip drips".split()
 )
 BEFORE_COLOURS: Final = frozenset("be is are in get painted have become turn made".split())
-BEFORE_STATES: Final = frozenset("switched turned left kept powered wide fully be always ,".split())
+BEFORE_STATES: Final = frozenset("switched turned left kept powered standing both all wide fully be always ,".split())
 DISTURBING: Final = frozenset("touch disturb alter bother affect move break mess".split())
 AFTER_NEGATED: Final = frozenset("on off any more either yet at all anymore there away".split())
 
@@ -133,6 +134,7 @@ AFTER_NEGATED: Final = frozenset("on off any more either yet at all anymore ther
 ALL_THE_REST: Final = frozenset("everything else all the other thing rest of it anything".split())
 LEFT_ALONE: Final = frozenset("as where alone unchanged untouched in like".split())
 LEFT_AS_IT_IS: Final = frozenset("as where alone unchanged untouched in place it is they are".split())
+LEFT_SO: Final = frozenset("switched turned standing wide fully both all".split())
 KEPT_AS_IT_IS: Final = frozenset(
     "alone as where it they is are untouched in place be there unchanged exactly like that stand the way was".split()
 )
@@ -214,7 +216,7 @@ AFTER_PURPOSES: Final = frozenset("that we i they people the it everyone guest n
 PAST_VERBS: Final = frozenset(
     "is are was were has have had will like likes stole came got said left arrive arrives visit".split()
 )
-HEADINGS: Final = frozenset("thing state task list step change order room".split())
+HEADINGS: Final = frozenset("thing state task list step change order room scene set data shot setup".split())
 JOINING: Final = frozenset("and but then while plus so &".split())
 AFTER_CLAUSES: Final = frozenset(
     "too also again instead anymore altogether now there here already completely together each only ) first back "

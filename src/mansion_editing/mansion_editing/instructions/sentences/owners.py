@@ -39,5 +39,5 @@ def _owns(owner: Word, noun: str, lexicon: Lexicon) -> bool:
     if owner.kind != "word" or owner.text in FUNCTION_WORDS:
         return False
     pair = (owner.text, noun)
-    thing = lexicon.is_object(pair) and not lexicon.is_own_room((owner.text,))
+    thing = lexicon.is_object(pair) and lexicon.is_here(" ".join(pair)) and not lexicon.is_own_room((owner.text,))
     return thing or lexicon.is_own_room(pair)

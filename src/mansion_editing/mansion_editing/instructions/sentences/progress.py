@@ -9,6 +9,8 @@ from mansion_editing.instructions.phrases.nouns import Noun
 from mansion_editing.instructions.phrases.remarks import without_remarks
 from mansion_editing.instructions.phrases.rewordings import reworded
 from mansion_editing.instructions.phrases.storey_counts import counted_from_ground, counts_above_ground
+from mansion_editing.instructions.phrases.totals import totals_before
+from mansion_editing.instructions.phrases.verbs import verb_at
 from mansion_editing.instructions.phrases.words import Word, split_words
 from mansion_editing.instructions.statements import Place, Statement, Things
 from mansion_editing.state import SceneState
@@ -24,7 +26,7 @@ class Progress:
         self.lexicon = Lexicon(state)
         self.floors = state.floors
         words = split_words(text, self.lexicon.speller, self.lexicon.kept)
-        self.words = without_remarks(reworded(mended(written_out(words, text), self.lexicon)))
+        self.words = without_remarks(totals_before(reworded(mended(written_out(words, text), self.lexicon))))
         if counts_above_ground(text, brief):
             self.words = counted_from_ground(self.words)
         self.statements: list[Statement] = []
@@ -47,3 +49,13 @@ class Progress:
         if start >= end:
             return ""
         return self.text[words[start].start : words[min(end, len(words)) - 1].end]
+
+    def _names_anything(self, words: Sequence[Word]) -> bool:
+        """Whether words name an object or a room of the building."""
+        return any(self.lexicon.is_object((w.text,)) or self.lexicon.is_own_room((w.text,)) for w in words)
+
+    def _begins_with_order(self, quote: str) -> bool:
+        start = self.text.find(quote)
+        at = next((k for k, word in enumerate(self.words) if word.start >= start), len(self.words))
+        verb = verb_at(self.words, at, self.lexicon)
+        return verb is not None and verb[0] not in ("leave", "keep", "make", "want")

@@ -2,7 +2,7 @@
 
 import re
 from collections.abc import Iterable, Sequence
-from typing import Final, Literal
+from typing import Literal
 
 import msgspec
 
@@ -10,12 +10,10 @@ from mansion_assets.catalogue.descriptions import hypernyms_of
 from mansion_editing.instructions.clauses.items import NotUnderstood, TwoReadings
 from mansion_editing.instructions.clauses.reader import ClauseReader, of_each_room
 from mansion_editing.instructions.phrases.lexicon import HYPERNYMS
-from mansion_editing.instructions.phrases.noun_phrases import noun_phrase
 from mansion_editing.instructions.phrases.places import merged, read_place
 from mansion_editing.instructions.phrases.storeys import read_storeys
 from mansion_editing.instructions.phrases.verbs import verb_at
-from mansion_editing.instructions.phrases.word_sets import HEADINGS
-from mansion_editing.instructions.phrases.words import STATE_WORDS, UNRECORDED, Word
+from mansion_editing.instructions.phrases.words import MODALS, STATE_WORDS, UNRECORDED, Word
 from mansion_editing.instructions.sentences.accounting import unaccounted
 from mansion_editing.instructions.sentences.asides import Asides
 from mansion_editing.instructions.sentences.background import is_background, is_told, split_sentences
@@ -23,6 +21,8 @@ from mansion_editing.instructions.sentences.clearing import with_takings_first
 from mansion_editing.instructions.sentences.conditions import Condition, begins_condition, else_at
 from mansion_editing.instructions.sentences.correcting import Correcting
 from mansion_editing.instructions.sentences.depending import Depending
+from mansion_editing.instructions.sentences.headings import Headings
+from mansion_editing.instructions.sentences.lids import opened_as_whole
 from mansion_editing.instructions.sentences.owners import owners_named
 from mansion_editing.instructions.sentences.questions import read_question
 from mansion_editing.instructions.sentences.referring import Referring
@@ -31,12 +31,16 @@ from mansion_editing.instructions.sentences.refinement import (
     exactly,
     in_place_of,
     is_everything,
+    is_surplus,
     moves_it,
     must_contain,
     only_brings_it,
     removes_all_of_it,
     removes_what_went,
     spared_of,
+    surplus_of,
+    tells_of_surplus,
+    turned_by_list,
     with_noun_at,
     with_storeys,
 )
@@ -55,6 +59,7 @@ from mansion_editing.instructions.statements import (
     Move,
     Place,
     Remove,
+    Rename,
     Reshape,
     Rooms,
     SetState,
@@ -65,14 +70,6 @@ from mansion_editing.instructions.statements import (
 from mansion_editing.state import SceneState
 
 __all__ = ["read_instruction"]
-
-_ASKED_OF_ALL: Final = frozenset("everything all anything nothing none no not out away gone".split()) | set(STATE_WORDS)
-"""Words by which a heading asks for something itself: ``All off: ...``."""
-
-_ELSEWHERE: Final = frozenset("building house everywhere anywhere room".split())
-"""Words of sentences that go on with something else than the room of a heading."""
-_REFERRING: Final = frozenset("it its them they there here".split())
-"""Words that mean what was mentioned last, wherever it is by now."""
 
 
 def read_instruction(text: str, state: SceneState, brief: str = "") -> Instruction:
@@ -93,7 +90,7 @@ def read_instruction(text: str, state: SceneState, brief: str = "") -> Instructi
     return _Reader(text, state, brief).read()
 
 
-class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending, Correcting, SceneSetting):
+class _Reader(Asides, Telling, Tails, Headings, Repeating, Referring, Depending, Correcting, SceneSetting):
     """Reads one instruction."""
 
     def read(self) -> Instruction:
@@ -102,7 +99,9 @@ class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending, Correctin
         for number, (own, marked) in enumerate(sentences):
             self.is_last = number + 1 == len(sentences)
             later = self.later = [] if self.is_last else sentences[number + 1][0]
-            sentence = self._with_listed(self._at_their_owner(owners_named(own, self.lexicon)))
+            before = sentences[number - 1][0] if number else []
+            whole = opened_as_whole(owners_named(own, self.lexicon), before, self.lexicon)
+            sentence = self._with_listed(self._at_their_owner(whole))
             self._read_beside_asides(sentence, later, marked=marked)
         self.statements = [
             Mention(quote=s.quote) if self._introduces(s, self.statements[number + 1 :]) else s
@@ -117,7 +116,7 @@ class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending, Correctin
         told = msgspec.json.encode(self.statements).decode()
         plain = [word for word in self.words if word.text in UNRECORDED]
         ignored = list(dict.fromkeys(w.raw for w in plain if not re.search(rf'"noun":"[^"]*\b{w.text}\b', told)))
-        statements = with_storeys(with_takings_first(self.statements, self.lexicon))
+        statements = turned_by_list(with_storeys(with_takings_first(self.statements, self.lexicon)))
         return Instruction(statements=statements, not_understood=self.unknown, ignored=ignored)
 
     def _introduces(self, statement: Statement, later: Sequence[Statement]) -> bool:
@@ -137,12 +136,6 @@ class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending, Correctin
         after = self.statements if last is None else self.statements[self.statements.index(last) + 1 :]
         verbs = [s.quote for s in after if isinstance(s, Mention) and self._begins_with_order(s.quote)]
         return verbs[:1]
-
-    def _begins_with_order(self, quote: str) -> bool:
-        start = self.text.find(quote)
-        at = next((k for k, word in enumerate(self.words) if word.start >= start), len(self.words))
-        verb = verb_at(self.words, at, self.lexicon)
-        return verb is not None and verb[0] not in ("leave", "keep", "make", "want")
 
     def _told_later(self, statement: Statement) -> Statement:
         """Return a statement with the places of things that a sentence before it told."""
@@ -172,6 +165,7 @@ class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending, Correctin
             at = reader.skip(at + 1 + (reader.text(at + 1) == "wait"))
         if tuple(w.text for w in words[at : at + 3]) == ("from", "now", "on"):
             at = reader.skip(at + 3)
+            at = self._end_of_new_name(reader, at) or at
         if at >= len(words):
             return
         told = 0 if marked else self._sets_scene(reader, at)
@@ -186,7 +180,7 @@ class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending, Correctin
             and self._reads_question(reader, words, at, marked=marked)
         ):
             return
-        at = self._read_label(words, at)
+        at = self._read_label(reader, words, at)
         at = self._read_heading(reader, words, at)
         at = self._read_exception(reader, at)
         at = self._read_frame(reader, at)
@@ -196,7 +190,8 @@ class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending, Correctin
         if self._reads_state_of_topic(words, at):
             return
         while at < len(words):
-            at = reader.skip(self._corrected(reader, words, at) or at)
+            at = self._corrected(reader, words, at) or at
+            at = self._end_of_ability(words, at) or self._end_of_present_number(words, at) or reader.skip(at)
             if at >= len(words):
                 return
             if words[at].text == "otherwise":
@@ -214,6 +209,16 @@ class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending, Correctin
                 at = end
                 continue
             at = self._goes_to_rest(reader, at) or self._read_clause(reader, words, at)
+
+    def _end_of_new_name(self, reader: ClauseReader, at: int) -> int:
+        """Read ``the room called Office is "Studio"`` after ``from now on``; return its end, 0 for others."""
+        called = reader.text(at + 1) == "room" and reader.text(at + 2) in ("called", "named")
+        room = reader.item(at + 3 if called else at)
+        if room is None or not room.is_room or reader.text(room.end) != "is" or reader.text(room.end + 1) != '"':
+            return 0
+        name, end = reader.name_at(room.end + 2)
+        self.statements.append(Rename(room=room.rooms(), name=name, quote=self._quote(reader.words, at, end)))
+        return end
 
     def _read_consequence(self, words: Sequence[Word], at: int) -> None:
         """Read ``otherwise the milk gets warm`` after a request, which says why; an order would need a condition."""
@@ -234,27 +239,6 @@ class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending, Correctin
         start = len(self.statements)
         self._read_sentence(words, marked=False)
         self._depend(condition, start, self._quote(words, 0, len(words)))
-
-    def _read_heading(self, reader: ClauseReader, words: Sequence[Word], at: int) -> int:
-        """Read what a sentence is about: ``The lamp: ...``, ``Too many chairs ...``."""
-        heading = reader.item(at)
-        told = heading is not None and (heading.phrase.definite or bool(heading.places))
-        if heading is not None and told and not heading.is_room and reader.text(heading.end) == ":":
-            self.topic = msgspec.structs.replace(heading.things(), definite=True)
-            self.statements.append(Mention(quote=self._quote(words, at, heading.end)))
-            at = heading.end + 1
-        if heading is not None and told and not heading.is_room and reader.text(heading.end) == ",":
-            verb = verb_at(words, reader.skip(heading.end), self.lexicon)
-            if verb is not None and reader.text(verb[1]) in ("it", "them") and heading.phrase.definite:
-                self.topic = heading.things()  # "the bin from the hall, bring it to the study"
-                self.statements.append(Mention(quote=self._quote(words, at, heading.end)))
-                at = heading.end + 1
-        if reader.text(at) == "many" and at > 0 and words[at - 1].text == "too":
-            much = reader.item(at + 1)
-            if much is not None:
-                self.statements.append(Mention(quote=self._quote(words, at - 1, much.end)))
-                at = reader.skip(much.end)
-        return at
 
     def _reads_state_of_topic(self, words: Sequence[Word], at: int) -> bool:
         """Read ``off`` after ``The table lamp in the dining area:``."""
@@ -338,57 +322,6 @@ class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending, Correctin
         if wished and reader.last_noun is None:
             reader.last_noun = reader.phrase_of(wished)
 
-    def _end_of_occasion(self, reader: ClauseReader, at: int) -> int:
-        """Return the colon after ``, evening mode`` of a room; the place itself where no such words follow."""
-        stop = next((k for k in range(at, min(at + 5, len(reader.words))) if reader.text(k) == ":"), at)
-        occasion = reader.words[at + 1 : stop]
-        plain = reader.text(at) == "," and bool(occasion) and all(word.kind == "word" for word in occasion)
-        plain = plain and not _ASKED_OF_ALL & {word.text for word in occasion}
-        return at if not plain or self._names_anything(occasion) or verb_at(occasion, 0, self.lexicon) else stop
-
-    def _read_label(self, words: Sequence[Word], at: int) -> int:
-        """Read ``Preparing the workshop:``, a heading that names nothing of the building."""
-        stop = next((k for k in range(at, len(words)) if words[k].text == ":"), len(words))
-        verb = verb_at(words, at, self.lexicon)
-        asks = verb is not None and not words[at].raw.endswith("ing")
-        asks = asks or bool(_ASKED_OF_ALL & {word.text for word in words[at:stop]})
-        if stop == at or asks or stop + 1 >= len(words) or not self._is_label(words, at, stop):
-            return at
-        self.statements.append(Mention(quote=self._quote(words, at, stop)))
-        return stop + 1
-
-    def _is_label(self, words: Sequence[Word], at: int, stop: int) -> bool:
-        """Whether words before a colon are a heading: ``Initial state:``."""
-        if stop >= len(words) or words[stop].text != ":" or stop - at > 9:
-            return False
-        usual = HEADINGS
-        nouns = [w.text for w in words[at:stop] if w.text not in usual]
-        named = any(self.lexicon.is_object((noun,)) or self.lexicon.is_own_room((noun,)) for noun in nouns)
-        named = named or self._begins_with_own_room(words, at)
-        return not named or words[at].text in ("we", "i")
-
-    def _keep_heading(self, reader: ClauseReader, words: Sequence[Word], at: int) -> None:
-        """Put the room of a heading before later sentences that name no room: ``Study: lamp off. Chairs out.``"""
-        if reader.frame != Place():
-            self.heading = reader.frame if at and words[at - 1].text == ":" else Place()
-        elif any(word.text in _ELSEWHERE for word in words) or self._names_place(reader, words):
-            self.heading = Place()
-        elif not any(word.text in _REFERRING for word in words):
-            reader.frame = self.heading
-
-    def _names_place(self, reader: ClauseReader, words: Sequence[Word]) -> bool:
-        """Whether words name a room or a storey."""
-        for at in range(len(words)):
-            room = reader.item(at, places=False)
-            if (room is not None and room.is_room) or read_storeys(words, at, self.floors) is not None:
-                return True
-        return False
-
-    def _begins_with_own_room(self, words: Sequence[Word], at: int) -> bool:
-        """Whether words begin with a room's name of several words: ``head teacher's office``, ``guest rooms 4``."""
-        room = noun_phrase(words, at, self.lexicon, self.floors)
-        return room is not None and room.noun.kind in ("room", "both") and self.lexicon.is_own_room(room.noun.words)
-
     def _take(self, found: Iterable[Statement]) -> None:
         """Add statements; what stays is an exception of what is cleared or removed just before."""
         for statement in found:
@@ -423,14 +356,20 @@ class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending, Correctin
             if alone and re.match(r"(keep|leave) (only|just)\b", statement.quote.lower()):
                 self.unknown.append(statement.quote)  # it is not told what all else is
                 continue
-            if isinstance(statement, Keep) and isinstance(last, Remove) and last.things.noun and only:
+            listed = self._removed_together()
+            if (
+                isinstance(statement, Keep)
+                and isinstance(last, Remove)
+                and last.things.noun
+                and only
+                and not listed[2:]
+            ):
                 self.unknown.append(statement.quote)  # more than what was named would have to go
                 continue
             if isinstance(statement, Keep) and isinstance(last, Remove) and last.things.amount.kind == "all":
                 but = msgspec.structs.replace(last.things, beside=(*last.things.beside, statement.things))
                 self.statements[-1] = msgspec.structs.replace(last, things=but)
                 continue
-            listed = self._removed_together()
             if len(listed) > 1 and isinstance(statement, Move) and moves_it(statement) and statement.things.plural:
                 quote = self._from_to(listed[0], statement)
                 moved_all = [Move(things=gone.things, place=statement.place, quote=quote) for gone in listed]
@@ -439,6 +378,14 @@ class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending, Correctin
             if isinstance(last, Remove) and isinstance(statement, Move) and last.things.noun and moves_it(statement):
                 moved = Move(things=last.things, place=statement.place, quote=self._from_to(last, statement))
                 self.statements[-1] = moved
+                continue
+            if isinstance(last, Ensure) and isinstance(statement, Move | Remove) and is_surplus(statement, last):
+                rest = surplus_of(last, statement.things)
+                self.statements[-1] = msgspec.structs.replace(statement, things=rest)
+                continue
+            if tells_of_surplus(statement):
+                self.undecided = True
+                self.unknown.append(statement.quote)  # it is not told how many shall be there
                 continue
             if isinstance(last, Ensure) and isinstance(statement, Remove) and statement.things.refers == "others":
                 self.statements[-1] = msgspec.structs.replace(exactly(last), quote=self._from_to(last, statement))
@@ -469,6 +416,8 @@ class _Reader(Asides, Telling, Tails, Repeating, Referring, Depending, Correctin
         try:
             found = read_question(reader, words, at, marked=marked)
         except NotUnderstood as fault:
+            if words[at].text in MODALS:
+                return False  # "could the black chairs be white ones?"
             self.unknown.append(self._quote(words, at, max(fault.end, len(words))))
             return True
         if found is None:

@@ -57,9 +57,14 @@ class Referring(Progress):
     def _about_room(self, statement: Statement) -> Statement:
         """Put the room that was renamed, painted or furnished just before for ``it``."""
         last = next((s for s in reversed(self.statements) if not isinstance(s, Mention)), None)
+        place = getattr(statement, "place", None)
+        told = self.statements[-1] if self.statements else None
+        needed = isinstance(statement, Add | Ensure) and isinstance(place, Place) and not place.spot
+        needed = needed and place is not None and _is_bare_it(place.anchor) and self.topic is None
+        if needed and isinstance(told, Mention) and told.rooms is not None:
+            return msgspec.structs.replace(statement, place=Place(rooms=told.rooms))
         if not isinstance(last, Rename | Finish | Furnish) or self.topic is not None:
             return statement
-        place = getattr(statement, "place", None)
         if not isinstance(place, Place) or place.relation not in ("in", "on") or not _is_bare_it(place.anchor):
             return statement
         return msgspec.structs.replace(statement, place=Place(rooms=Rooms(same=True), spot=place.spot))

@@ -1,5 +1,6 @@
 """Statements that later words tell more of: their places, storeys and numbers."""
 
+import re
 from collections.abc import Sequence
 from typing import Any, Final
 
@@ -11,10 +12,12 @@ from mansion_editing.instructions.statements import (
     Add,
     Amount,
     Ensure,
+    Furnish,
     Keep,
     Move,
     Place,
     Remove,
+    Rename,
     Replace,
     Rooms,
     Statement,
@@ -29,6 +32,7 @@ __all__ = [
     "in_place_of",
     "is_everything",
     "is_open",
+    "is_surplus",
     "moves_it",
     "must_contain",
     "narrowed",
@@ -37,6 +41,9 @@ __all__ = [
     "removes_what_went",
     "so_many",
     "spared_of",
+    "surplus_of",
+    "tells_of_surplus",
+    "turned_by_list",
     "with_noun_at",
     "with_storeys",
 ]
@@ -51,11 +58,51 @@ def exactly(statement: Statement) -> Statement:
     return statement
 
 
+_SURPLUS: Final = re.compile(r"\b(spare|surplus|extra|excess|superfluous|redundant|left ?over) ones?\b", re.IGNORECASE)
+
+
+def is_surplus(statement: Move | Remove, last: Ensure) -> bool:
+    """Whether a statement says what becomes of the things beyond the number that shall be: ``the spare ones``."""
+    things, most = statement.things, last.things.amount
+    named = bool(_SURPLUS.search(statement.quote)) and things.noun in ("", "one", last.things.noun)
+    others = things.refers == "others" and not things.noun and isinstance(statement, Move)
+    return (named or others) and most.kind in ("at_most", "exactly") and things.place is None and bool(last.things.noun)
+
+
+def tells_of_surplus(statement: Statement) -> bool:
+    """Whether a statement is about ``the spare ones`` of what was counted before."""
+    return isinstance(statement, Move | Remove) and bool(_SURPLUS.search(statement.quote))
+
+
+def surplus_of(last: Ensure, things: Things) -> Things:
+    """Return the things beyond the number that shall be at a place."""
+    most = last.things.amount.number
+    whole = most + things.amount.number if things.refers == "others" and things.amount.kind == "some" else 0
+    rest = Amount(kind="all_but", number=most, of=whole if whole > most else 0)
+    at = None if last.place == Place() else last.place
+    return msgspec.structs.replace(last.things, amount=rest, definite=True, plural=True, place=at)
+
+
 def counting_those_there(statement: Statement) -> Statement:
     """Return that so many are there, those that are there already among them."""
     if isinstance(statement, Add) and statement.things.amount.kind == "some":
         return Ensure(things=statement.things, place=statement.place, each=statement.each, quote=statement.quote)
     return statement
+
+
+def turned_by_list(statements: Sequence[Statement]) -> list[Statement]:
+    """Return statements in which a room that becomes another one is only called so, where a list furnishes it.
+
+    ``Turn the study into a guest room: the desk goes, a bed comes in, the shelves stay`` tells all that changes in it.
+    """
+    out = list(statements)
+    for at, statement in enumerate(out):
+        rest = out[at + 1 :]
+        listed = all(any(isinstance(s, kind) for s in rest) for kind in (Remove, Add, Keep))
+        if isinstance(statement, Furnish) and statement.kind and listed and not statement.rooms.every:
+            name = statement.kind.capitalize()
+            out[at] = Rename(room=statement.rooms, name=name, quote=statement.quote)
+    return out
 
 
 _INSTEAD: Final = (("instead", "of"), ("in", "exchange", "for"), ("in", "return", "for"))

@@ -103,10 +103,18 @@ class Repeating(Progress):
         item = reader.item(at)
         if item is None or item.is_room or reader.subjects(at) or item.phrase.amount.kind == "none":
             return None
+        if reader.tells_states(at):
+            return None
         end = item.end + (reader.text(item.end) in ("too", "also"))
         end += 2 * ((reader.text(end), reader.text(end + 1)) == ("as", "well"))
         if end < len(words) and words[end].text not in ("and", ",", ".", "please"):
             return None
+        new = item.phrase.amount.kind == "some" and words[at].text in ("a", "an")
+        counted = new or (item.phrase.amount.kind == "some" and words[at].kind == "number" and not item.phrase.definite)
+        brought = isinstance(last, SetState) and counted and bool(item.places)
+        brought = brought and not self._begins_with_order(last.quote)
+        if brought or (new and isinstance(last, Remove)):
+            return None  # a desk after "the rugs go" does not go, two mugs after "TV on" take no state
         things = item.things()
         if things.noun == "one" and (things.place is not None or things.colour):
             things = msgspec.structs.replace(things, noun=last.things.noun)

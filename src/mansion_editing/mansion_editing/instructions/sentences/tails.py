@@ -5,17 +5,25 @@ from typing import Final
 
 import msgspec
 
-from mansion_editing.instructions.clauses.items import NotUnderstood
+from mansion_editing.instructions.clauses.items import NotUnderstood, joined_places
 from mansion_editing.instructions.clauses.reader import ClauseReader, sparing
 from mansion_editing.instructions.phrases.loads import end_of_load
 from mansion_editing.instructions.phrases.places import with_place
 from mansion_editing.instructions.phrases.word_sets import AFTER_CLAUSES, JOINING, PEOPLE
-from mansion_editing.instructions.phrases.words import COURTESIES, MODALS, PERSONS, STATE_WORDS, Word
+from mansion_editing.instructions.phrases.words import (
+    COURTESIES,
+    DETERMINERS,
+    MODALS,
+    PERSONS,
+    PREPOSITIONS,
+    STATE_WORDS,
+    Word,
+)
 from mansion_editing.instructions.sentences.background import end_of_background
 from mansion_editing.instructions.sentences.conditions import on_condition, read_condition
+from mansion_editing.instructions.sentences.counting import Counting
 from mansion_editing.instructions.sentences.lacking import end_of_presence, given_where_none_is, lacking_at
-from mansion_editing.instructions.sentences.progress import Progress
-from mansion_editing.instructions.sentences.refinement import counting_those_there
+from mansion_editing.instructions.sentences.resulting import Resulting
 from mansion_editing.instructions.statements import (
     Add,
     Amount,
@@ -42,9 +50,11 @@ _PAIRS_AFTER_CLAUSES: Final = (
     ("any", "more"), ("you", "find"), ("you", "see"), ("nothing", "else"), ("no", "other"), ("as", "well"),
     ("at", "all"), ("if", "possible"), ("for", "me"), ("for", "us"), ("for", "now"), ("right", "now"), ("for", "each"),
     ("from", "now"), ("now", "on"), ("at", "once"), ("right", "away"), ("straight", "away"),
-    ("of", "course"), ("as", "usual"), ("in", "total"), ("or", "so"),
+    ("of", "course"), ("from", "today"), ("from", "tomorrow"), ("as", "usual"), ("in", "total"), ("or", "so"),
 )  # fmt: skip
 
+
+_BESIDE: Final = frozenset("beside near left right behind front".split())
 
 _EXCEPTING: Final = frozenset("except apart save excluding".split())
 _DISTURBING: Final = frozenset(
@@ -55,11 +65,8 @@ _DISTURBING: Final = frozenset(
 _INTENTS: Final = frozenset("welcome surprise treat greeting memento thank-you present gift joke reward".split())
 """What something is meant as, which no scene records."""
 
-_LIDS: Final = frozenset("lid door cover screen flap".split())
-"""Parts by which a thing opens."""
 
-
-class Tails(Progress):
+class Tails(Resulting, Counting):
     """Reads what follows a clause and is none itself."""
 
     def _read_tail(self, reader: ClauseReader, words: Sequence[Word], end: int) -> tuple[int, bool]:
@@ -87,9 +94,8 @@ class Tails(Progress):
                 continue
             text = words[end].text
             pair = (text, words[end + 1].text if end + 1 < len(words) else "")
-            counted = self._counts_those_there(words, end)
+            counted = self._in_number(reader, end)
             if counted:
-                self.clause = [counting_those_there(statement) for statement in self.clause]
                 end = counted
                 continue
             meant = self._end_of_intent(words, end)
@@ -97,7 +103,7 @@ class Tails(Progress):
                 self.statements.append(Mention(quote=self._quote(words, end, meant), passed_over=True))
                 end = meant
                 continue
-            opened = self._with_lid(reader, end)
+            opened = self._in_state(reader, end)
             if opened:
                 end = opened
                 continue
@@ -135,17 +141,25 @@ class Tails(Progress):
         if end_of_background(words, end) > end or reader.starts_clause(end):
             return end, exact
         stop = reader.boundary(end)
-        aside = words[end].text in _BEFORE_ASIDES and not any(w.kind == "number" for w in words[end:stop])
+        aside = words[end].text in _BEFORE_ASIDES or self._is_for_some_purpose(words[end:stop])
+        aside = aside and not any(w.kind == "number" for w in words[end:stop])
         if aside and not self._names_anything(words[end:stop]):
             self.statements.append(Mention(quote=self._quote(words, end, stop)))
             return stop, exact
         self.unknown.append(self._quote(words, end, stop))
         return stop, exact
 
+    def _is_for_some_purpose(self, words: Sequence[Word]) -> bool:
+        """Whether words after a state say what it is good for: ``to air``, ``to cool down``."""
+        plain = len(words) > 1 and all(word.kind == "word" and not word.capital for word in words)
+        verb = plain and words[0].text == "to" and words[1].text not in DETERMINERS | PREPOSITIONS
+        return verb and bool(self.clause) and all(isinstance(s, SetState) for s in self.clause)
+
     def _besides(self, reader: ClauseReader, at: int) -> int:
         """Read what comes with new things, or an exception; return its end, 0 for others."""
         return (
             self._furnished_with(reader, at)
+            or self._with_contents(reader, at)
             or self._with_companions(reader, at)
             or self._all_except(reader, at)
             or self._with_what_lies_on_it(reader, at)
@@ -196,6 +210,33 @@ class Tails(Progress):
         except NotUnderstood:
             return 0
         self.clause = [*self.clause, *contents]
+        return end
+
+    def _with_contents(self, reader: ClauseReader, at: int) -> int:
+        """Read ``with a bag in it`` of furniture that opens; return its end, 0 for others."""
+        last = self.clause[-1] if self.clause else None
+        start = at + (reader.text(at) in (",", "and"))
+        if reader.text(start) != "with" or not isinstance(last, SetState) or reader.phrase(start + 1) is None:
+            return 0
+        try:
+            items = reader.items(start + 1)
+        except NotUnderstood:
+            return 0
+        goals = [item.goal()[0] for item in items]
+        shared = goals[-1]
+        inside = shared.relation in ("in", "on") and shared.anchor is not None and shared.anchor.refers == "last"
+        if not inside or any(goal not in (Place(), shared) for goal in goals) or last.things.plural:
+            return 0
+        holder = msgspec.structs.replace(last.things, definite=True)
+        place = Place(relation=shared.relation, anchor=holder)
+        end = items[-1].end
+        mark, stop = reader.places(end + 1) if reader.text(end) == "," else ((), end)
+        near = joined_places(mark)[0] if mark else Place()
+        if near.anchor is not None and near.relation in _BESIDE and near.anchor.definite:
+            place = msgspec.structs.replace(near, anchor=with_place(near.anchor, place))
+            end = stop
+        quote = self._quote(reader.words, start, end)
+        self.clause = [*self.clause, *(Ensure(things=i.phrase.things(), place=place, quote=quote) for i in items)]
         return end
 
     def _with_companions(self, reader: ClauseReader, at: int) -> int:
@@ -253,22 +294,6 @@ class Tails(Progress):
             end = stop if plain else end
         return end
 
-    def _with_lid(self, reader: ClauseReader, at: int) -> int:
-        """Read ``with the lid open`` after what is put somewhere; return its end, 0 for others."""
-        at += reader.text(at) == ","
-        own = reader.text(at) == "with" and reader.text(at + 1) in ("the", "its", "their")
-        state = STATE_WORDS.get(reader.text(at + 3))
-        if not own or reader.text(at + 2) not in _LIDS or state is None or state[0] != "open" or not self.clause:
-            return 0
-        last = self.clause[-1]
-        if not isinstance(last, Add | Ensure | Move):
-            return 0
-        end = at + 4
-        quote = self._quote(reader.words, at, end)
-        it = Things(amount=Amount(number=0), definite=True, refers="last")
-        self.clause = [*self.clause, SetState(things=it, state="open", value=state[1], quote=quote)]
-        return end
-
     def _without_touching(self, reader: ClauseReader, at: int) -> int:
         """Read ``without moving the tables``, ``without touching what is on it``; return its end, 0 for others."""
         at += reader.text(at) == ","
@@ -306,16 +331,6 @@ class Tails(Progress):
         end += 1 + (reader.text(end + 1) in ("it", "them", "there"))
         place = Place(relation="in" if relation == "in" else "on", anchor=holder)
         return Things(amount=Amount(kind="all", number=0), definite=True, plural=True, place=place), end
-
-    def _counts_those_there(self, words: Sequence[Word], at: int) -> int:
-        """Return the end of ``, counting the ones already there``; 0 where it is not said."""
-        at += words[at].text == ","
-        if at >= len(words) or words[at].raw not in ("counting", "including"):
-            return 0
-        end = next((k for k in range(at, len(words)) if words[k].kind == "mark"), len(words))
-        said = [word.text for word in words[at + 1 : end]]
-        those = said[:1] in (["what"], ["those"]) or said[:2] in (["the", "one"], ["the", "existing"])
-        return end if those and len(said) <= 6 and {"already", "there", "existing"} & set(said) else 0
 
     def _if_it_fits(self, words: Sequence[Word], at: int) -> int:
         """Return the end of ``if there is room for it``, ``if it fits``: so wherever it can be done; 0 for others."""
@@ -373,10 +388,6 @@ class Tails(Progress):
             return at + 1
         places, end = reader.places(at)
         return end if places else 0
-
-    def _names_anything(self, words: Sequence[Word]) -> bool:
-        """Whether words name an object or a room of the building."""
-        return any(self.lexicon.is_object((w.text,)) or self.lexicon.is_own_room((w.text,)) for w in words)
 
     def _from_to(self, first: Statement, last: Statement) -> str:
         """Return the words from one statement's to another's."""

@@ -24,7 +24,7 @@ from mansion_editing.instructions.phrases.words import (
 from mansion_editing.instructions.sentences.background import end_of_background
 from mansion_editing.instructions.sentences.progress import Progress
 from mansion_editing.instructions.sentences.refinement import is_open, narrowed, with_noun_at
-from mansion_editing.instructions.statements import Amount, Mention, Place
+from mansion_editing.instructions.statements import Amount, Ensure, Mention, Place
 
 __all__ = ["Telling"]
 
@@ -37,6 +37,8 @@ _WISHING: Final = frozenset(
 _BEFORE_OCCASIONS: Final = frozenset("for after before during given despite until".split())
 
 _I: Final = frozenset(["i", "we", "i'd", "we'd"])
+_ABLE: Final = frozenset("i we he she you everyone everybody people anyone".split())
+_COUNTING: Final = frozenset("it there is are a we have has got still about they that".split())
 _BECOMING: Final = frozenset("go stay remain disappear vanish".split())
 """Verbs that say what shall become of their subject."""
 
@@ -169,6 +171,36 @@ class Telling(Progress):
                 self.unknown.append(self._quote(words, at, end))
                 return end
             return joint
+        return end
+
+    def _end_of_present_number(self, words: Sequence[Word], at: int) -> int:
+        """Read ``, at the moment it is a dozen`` after a wished number; return its end, 0 for others."""
+        last = self.statements[-1] if self.statements else None
+        if not isinstance(last, Ensure) or last.things.amount.kind not in ("exactly", "at_most"):
+            return 0
+        said = [word.text for word in words[at:]]
+        start = next((k for k, text in enumerate(said) if text not in (",", "-", "and", "but", "right")), len(said))
+        end = start + 1
+        while said[end : end + 1] and said[end] in _COUNTING:
+            end += 1
+        counted = end < len(said) and (words[at + end].kind == "number" or said[end] == "dozen") and end > start + 1
+        ends = at + end + 1 >= len(words) or words[at + end + 1].kind == "mark"
+        if said[start : start + 1] not in (["now"], ["currently"], ["presently"]) or not counted or not ends:
+            return 0
+        self.statements.append(Mention(quote=self._quote(words, at + start, at + end + 1)))
+        return at + end + 1
+
+    def _end_of_ability(self, words: Sequence[Word], at: int) -> int:
+        """Read ``so I can find it``, what somebody can do then; return its end, 0 for others."""
+        said = [word.text for word in words[at : at + 4]]
+        end = next((k for k in range(at, len(words)) if words[k].kind == "mark"), len(words))
+        able = said[:1] == ["so"] and said[1:2] and said[1] in _ABLE and said[2:3] in (["can"], ["could"])
+        plain = all(word.kind == "word" for word in words[at:end]) and not {"not", "and"} & {
+            w.text for w in words[at:end]
+        }
+        if not able or not plain or self._names_anything(words[at + 3 : end]):
+            return 0
+        self.statements.append(Mention(quote=self._quote(words, at, end)))
         return end
 
     def _end_of_adverbial(self, words: Sequence[Word], at: int) -> int:

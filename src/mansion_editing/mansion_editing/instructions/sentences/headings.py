@@ -1,0 +1,123 @@
+"""Headings: the room, the thing or the occasion that comes before a colon."""
+
+from collections.abc import Sequence
+from typing import Final
+
+import msgspec
+
+from mansion_editing.instructions.clauses.items import joined_places
+from mansion_editing.instructions.clauses.reader import ClauseReader
+from mansion_editing.instructions.phrases.noun_phrases import noun_phrase
+from mansion_editing.instructions.phrases.storeys import read_storeys
+from mansion_editing.instructions.phrases.verbs import verb_at
+from mansion_editing.instructions.phrases.word_sets import HEADINGS
+from mansion_editing.instructions.phrases.words import DETERMINERS, STATE_WORDS, Word
+from mansion_editing.instructions.sentences.progress import Progress
+from mansion_editing.instructions.statements import Mention, Place
+
+__all__ = ["Headings"]
+
+_ASKED_OF_ALL: Final = frozenset("everything all anything nothing none no not out away gone".split()) | set(STATE_WORDS)
+"""Words by which a heading asks for something itself: ``All off: ...``."""
+
+_ELSEWHERE: Final = frozenset("building house everywhere anywhere room".split())
+"""Words of sentences that go on with something else than the room of a heading."""
+_REFERRING: Final = frozenset("it its them they there here".split())
+"""Words that mean what was mentioned last, wherever it is by now."""
+_MOST_OF_OCCASION: Final = 4
+"""Words of a heading before its room."""
+
+
+class Headings(Progress):
+    """Reads what a sentence, or several, begin with before a colon."""
+
+    def _read_label(self, reader: ClauseReader, words: Sequence[Word], at: int) -> int:
+        """Read ``Preparing the workshop:``, a heading that names nothing of the building but the room of it all."""
+        stop = next((k for k in range(at, len(words)) if words[k].text == ":"), len(words))
+        verb = verb_at(words, at, self.lexicon)
+        if stop == at or stop + 1 >= len(words) or (verb is not None and not words[at].raw.endswith("ing")):
+            return at
+        if _asks(words[at:stop]) or not self._is_label(words, at, stop):
+            start = next((k for k in range(at + 1, stop) if reader.places(k)[1] == stop), stop)
+            place, _ = joined_places(reader.places(start)[0])
+            plain = place.rooms is not None and place == Place(rooms=place.rooms) and not place.rooms.same
+            if not plain or not self._is_occasion(words[at:start]):
+                return at
+            reader.frame = place
+        self.statements.append(Mention(quote=self._quote(words, at, stop)))
+        return stop + 1
+
+    def _is_label(self, words: Sequence[Word], at: int, stop: int) -> bool:
+        """Whether words before a colon are a heading: ``Initial state:``."""
+        if stop >= len(words) or words[stop].text != ":" or stop - at > 9:
+            return False
+        usual = HEADINGS
+        nouns = [w.text for w in words[at:stop] if w.text not in usual]
+        named = any(self.lexicon.is_object((noun,)) or self.lexicon.is_own_room((noun,)) for noun in nouns)
+        named = named or self._begins_with_own_room(words, at)
+        return not named or words[at].text in ("we", "i")
+
+    def _read_heading(self, reader: ClauseReader, words: Sequence[Word], at: int) -> int:
+        """Read what a sentence is about: ``The lamp: ...``, ``Too many chairs ...``."""
+        heading = reader.item(at)
+        told = heading is not None and (heading.phrase.definite or bool(heading.places))
+        if heading is not None and told and not heading.is_room and reader.text(heading.end) == ":":
+            self.topic = msgspec.structs.replace(heading.things(), definite=True)
+            self.statements.append(Mention(quote=self._quote(words, at, heading.end)))
+            at = heading.end + 1
+        if heading is not None and told and not heading.is_room and reader.text(heading.end) == ",":
+            verb = verb_at(words, reader.skip(heading.end), self.lexicon)
+            if verb is not None and reader.text(verb[1]) in ("it", "them") and heading.phrase.definite:
+                self.topic = heading.things()  # "the bin from the hall, bring it to the study"
+                self.statements.append(Mention(quote=self._quote(words, at, heading.end)))
+                at = heading.end + 1
+        if reader.text(at) == "many" and at > 0 and words[at - 1].text == "too":
+            much = reader.item(at + 1)
+            if much is not None:
+                self.statements.append(Mention(quote=self._quote(words, at - 1, much.end)))
+                at = reader.skip(much.end)
+        return at
+
+    def _end_of_occasion(self, reader: ClauseReader, at: int) -> int:
+        """Return the colon after ``, evening mode`` of a room; the place itself where no such words follow."""
+        stop = next((k for k in range(at, min(at + 5, len(reader.words))) if reader.text(k) == ":"), at)
+        occasion = reader.words[at + 1 : stop]
+        plain = reader.text(at) == "," and bool(occasion) and all(word.kind == "word" for word in occasion)
+        plain = plain and not _ASKED_OF_ALL & {word.text for word in occasion}
+        return at if not plain or self._names_anything(occasion) or verb_at(occasion, 0, self.lexicon) else stop
+
+    def _keep_heading(self, reader: ClauseReader, words: Sequence[Word], at: int) -> None:
+        """Put the room of a heading before later sentences that name no room: ``Study: lamp off. Chairs out.``"""
+        if reader.frame != Place():
+            self.heading = reader.frame if at and words[at - 1].text == ":" else Place()
+        elif any(word.text in _ELSEWHERE for word in words) or self._names_place(reader, words):
+            self.heading = Place()
+        elif not any(word.text in _REFERRING for word in words):
+            reader.frame = self.heading
+
+    def _names_place(self, reader: ClauseReader, words: Sequence[Word]) -> bool:
+        """Whether words name a room or a storey."""
+        for at in range(len(words)):
+            room = reader.item(at, places=False)
+            if (room is not None and room.is_room) or read_storeys(words, at, self.floors) is not None:
+                return True
+        return False
+
+    def _begins_with_own_room(self, words: Sequence[Word], at: int) -> bool:
+        """Whether words begin with a room's name of several words: ``head teacher's office``, ``guest rooms 4``."""
+        room = noun_phrase(words, at, self.lexicon, self.floors)
+        return room is not None and room.noun.kind in ("room", "both") and self.lexicon.is_own_room(room.noun.words)
+
+    def _is_occasion(self, words: Sequence[Word]) -> bool:
+        """Whether words before a place and a colon name what happens there: ``Movie night``."""
+        plain = len(words) <= _MOST_OF_OCCASION and all(word.kind == "word" for word in words) and not _asks(words)
+        return (
+            plain
+            and words[0].text not in DETERMINERS - {"a", "an", "the", "our"}
+            and not (self._names_anything(words[-1:]) or words[-1].text in ("more", "less", "fewer"))
+        )
+
+
+def _asks(words: Sequence[Word]) -> bool:
+    """Whether words before a colon ask for something themselves."""
+    return bool(_ASKED_OF_ALL & {word.text for word in words})
