@@ -8,10 +8,9 @@ import msgspec
 
 from mansion_editing.instructions.clauses.outcomes import everything_at
 from mansion_editing.instructions.clauses.reader import ClauseReader
-from mansion_editing.instructions.phrases.verb_words import PARTICIPLES
 from mansion_editing.instructions.phrases.verbs import verb_at
 from mansion_editing.instructions.phrases.word_sets import PEOPLE, RELATIVES
-from mansion_editing.instructions.phrases.words import DETERMINERS, PERSONS, STATE_WORDS, Word
+from mansion_editing.instructions.phrases.words import PERSONS, Word
 from mansion_editing.instructions.sentences.bystanding import (
     asks_for_nothing,
     asks_for_one_each,
@@ -119,8 +118,7 @@ class Asides(Progress):
 
     def _is_aside(self, words: Sequence[Word], *, followed: bool, marked: bool) -> bool:
         words = _trimmed(words)
-        state = begins_with_state(words) or _begins_with_state(words)
-        if words and (words[0].text in _RELATIVE | _EXCEPTING or state or _corrects(words)):
+        if words and (words[0].text in _RELATIVE | _EXCEPTING or begins_with_state(words) or _corrects(words)):
             return False
         joints = [at for at, word in enumerate(words) if at and word.text in _CUTS | _JOINTS | {"then", "or"}]
         if any(verb_at(words, at + 1, self.lexicon) is not None for at in joints):
@@ -232,15 +230,6 @@ def _parts(words: Sequence[Word]) -> list[tuple[int, int]]:
     beginnings = [(0, at) for at in reversed(cuts)]
     inner = [] if len(cuts) > _MOST_CUTS else [(one, other) for one in cuts for other in reversed(cuts) if one < other]
     return [(0, count), *ends, *beginnings, *inner]
-
-
-def _begins_with_state(words: Sequence[Word]) -> bool:
-    """Whether words begin with how something shall be: ``switched on``, ``opened``, ``filled with apples``."""
-    following = words[1].text if len(words) > 1 else ""
-    event = words[0].text == "open" and following in ("day", "evening", "night", "house", "week")
-    state = words[0].text in STATE_WORDS and following not in DETERMINERS and not event
-    state = state or (following in STATE_WORDS and words[0].raw.endswith("ed"))
-    return state or ((words[0].raw,) in PARTICIPLES and following not in DETERMINERS)
 
 
 def _trimmed(words: Sequence[Word]) -> Sequence[Word]:

@@ -10,6 +10,7 @@ from mansion_editing.instructions.phrases.word_sets import PEOPLE, RELATIVES
 from mansion_editing.instructions.phrases.words import (
     BE,
     COURTESIES,
+    DETERMINERS,
     MODALS,
     NEED,
     PERSONS,
@@ -52,6 +53,8 @@ _SAID_BY_NOBODY: Final = frozenset("everything anything something all these thos
 _PAST: Final = frozenset("was were had did came got said bought forgot left broke told gave".split())
 _DONE: Final = _PAST | frozenset("put let taken given made brought kept chosen hung built done been".split())
 _HAVING: Final = frozenset("has have had".split())
+_OPEN_TO_ALL: Final = frozenset("day evening night house week".split())
+"""What ``open`` is no state of: ``open day on Saturday``."""
 _SWITCHED: Final = frozenset("switched turned powered left kept set standing wide".split())
 
 
@@ -154,10 +157,16 @@ def _names(words: Sequence[Word], lexicon: Lexicon) -> bool:
 
 def begins_with_state(words: Sequence[Word]) -> bool:
     """Whether words without a subject begin with a state, which may be wished for: ``switched on so I can find it``."""
-    texts = [word.text for word in words[:2]]
-    if not texts or (texts[0] in ("on", "off") and len(words) > 1 and words[1].text not in ("so", "and", "before")):
+    if not words:
         return False
-    return texts[0] in STATE_WORDS or (texts[0] in _SWITCHED and texts[1:] != [] and texts[1] in STATE_WORDS)
+    first, following = words[0], words[1].text if len(words) > 1 else ""
+    if following in DETERMINERS or (first.text == "open" and following in _OPEN_TO_ALL):
+        return False
+    brought_to = first.raw.endswith("ed") or first.text in _SWITCHED
+    if (first.raw,) in PARTICIPLES or (following in STATE_WORDS and brought_to):
+        return True
+    switched = first.text in ("on", "off")
+    return first.text in STATE_WORDS and (not switched or following in ("", "so", "and", "before"))
 
 
 def asks_for_one_each(words: Sequence[Word]) -> bool:
