@@ -123,3 +123,10 @@ def test_orders_for_the_things_of_somebody_are_no_remarks(furnished_state: Scene
 
 def test_the_room_of_nobody_is_not_guessed(editor: SceneEditor) -> None:
     assert not instruct(editor, "Put a plant in his room.").done
+
+
+def test_what_comes_instead_of_a_thing_only_told_of_is_not_guessed(furnished_state: SceneState) -> None:
+    told = "Nobody likes the plate on the dining table, put a bowl there instead."
+    assert read_instruction(told, furnished_state).not_understood == ["put a bowl there"]
+    asked = "Remove the plate from the dining table and put a bowl there instead."
+    assert read_instruction(asked, furnished_state).not_understood == []

@@ -237,6 +237,8 @@ class Wishes(Subjects, Negations):
 
     def _of_persons(self, at: int) -> tuple[list[Statement], int] | None:
         """Read ``the officer on duty wants a phone on the desk``: what persons want, who are no part of the scene."""
+        if self.text(at) == "nobody" or (self.text(at) in ("no", "none") and self.text(at + 1) in ("one", "of")):
+            return None
         wanted = self._of_persons_in_room(at)
         if wanted is not None:
             return wanted

@@ -109,6 +109,7 @@ class _Reader(Asides, Telling, Tails, Headings, Repeating, Referring, Depending,
         ]
         self.statements = [s for one in self.statements for s in [self._told_later(one)]]
         self.unknown += [s.quote for s in self.statements if '"noun":"one"' in msgspec.json.encode(s).decode()]
+        self.unknown += self._instead_of_nothing()
         if not self.unknown:
             self.unknown = unaccounted(self.text, self.words, self.statements, self.lexicon) or self._asks_in_vain()
         if not self.unknown and all(isinstance(statement, Mention) for statement in self.statements):
@@ -129,6 +130,14 @@ class _Reader(Asides, Telling, Tails, Headings, Repeating, Referring, Depending,
             and statement.things.noun in hypernyms_of(other.things.noun.replace(" ", "_"))
             for other in later
         )
+
+    def _instead_of_nothing(self) -> list[str]:
+        """Return what shall come ``instead`` of what was only told of: whether that goes is not said."""
+        first = next((s for s in self.statements if not isinstance(s, Mention | Keep)), None)
+        if not isinstance(first, Add | Ensure) or not any(isinstance(s, Mention) for s in self.statements):
+            return []
+        after = self.text.partition(first.quote)[2]
+        return [first.quote] if re.match(r"\W*instead\b(?! of)", after) else []
 
     def _asks_in_vain(self) -> list[str]:
         """Return the last clause with a verb where it was only taken to begin what no other clause goes on with."""
