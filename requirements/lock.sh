@@ -58,17 +58,17 @@ for python in "${pythons[@]}"; do
     if wanted ifc "$@"; then # its wheels want glibc 2.31, which Debian 11 and Ubuntu 20.04 have
         platform=x86_64-manylinux_2_31 compile "$python" ifc.in "ifc-$python.txt" --constraint "core-$python.txt"
     fi
+    for extra in "${extras[@]}"; do
+        if wanted "$extra" "$@"; then
+            compile "$python" "$extra.in" "$extra-$python.txt" --constraint "core-$python.txt"
+        fi
+    done
     if wanted rerun "$@"; then # it asks for a newer NumPy than ROS 2 Jazzy has, and runs with that one
         grep -o '^numpy==[0-9.]*' "core-$python.txt" >numpy.new
         compile "$python" rerun.in "rerun-$python.txt" --override numpy.new \
             --constraint "core-$python.txt" --constraint "world-$python.txt"
         rm numpy.new
     fi
-    for extra in "${extras[@]}"; do
-        if wanted "$extra" "$@"; then
-            compile "$python" "$extra.in" "$extra-$python.txt" --constraint "core-$python.txt"
-        fi
-    done
 done
 if wanted ros "$@"; then
     compile 3.12 ros.in ros.txt --constraint core-3.12.txt --constraint sim-3.12.txt

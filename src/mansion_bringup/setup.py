@@ -58,7 +58,7 @@ setup(
         "test": ["pytest"],
         "cluster": ["distributed>=2024.1"],
         "record": ["mcap>=1.1", "mcap-ros2-support>=0.5"],
-        "rerun": ["rerun-sdk>=0.41"],
+        "rerun": ["mcap>=1.1", "mcap-ros2-support>=0.5", "rerun-sdk>=0.41"],
     },
     entry_points={
         "console_scripts": [

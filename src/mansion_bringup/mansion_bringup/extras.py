@@ -100,12 +100,16 @@ def require_extra(name: str) -> None:
         )
 
 
+_OPTIONS: Final = {"rerun": "--no-deps "}
+"""Of pip: rerun-sdk asks for a newer NumPy than ROS 2 Jazzy has (docs/install.md names what else it needs)."""
+
+
 def _command(name: str) -> str:
     """Return what installs an extra into the environment of this process."""
     if _is_launchers(Path(sys.prefix)):
         return f"{sys.executable} -m mansion_bringup.extras {name}"
     if (_CHECKOUT / "requirements" / f"{name}.in").exists():
-        return f"python3 -m pip install -r requirements/{name}.in"
+        return f"python3 -m pip install {_OPTIONS.get(name, '')}-r requirements/{name}.in"
     return f"python3 -m pip install 'mansion[{name}]'"
 
 

@@ -11,6 +11,7 @@ import msgspec
 
 from mansion_knowledge.object_kinds import answers, seats_of_row, stand_ins
 from mansion_knowledge.room_names import kin_of
+from mansion_msgs_py.codec import prepared
 
 __all__ = ["Need", "Thing", "needs_of", "pieces_there", "still_wanted"]
 
@@ -95,7 +96,7 @@ class _Essentials(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 def _tables() -> tuple[Mapping[str, tuple[Need, ...]], Mapping[str, tuple[Need, ...]]]:
     """Return the needs by room type, and by what people call a room."""
     text = files("mansion_knowledge").joinpath("data", "room_essentials.toml").read_bytes()
-    data = msgspec.toml.decode(text, type=_Essentials)
+    data = msgspec.toml.decode(text, type=prepared(_Essentials))
     things = {name: _thing(name, record) for name, record in data.things.items()}
     by_type, by_name = dict[str, tuple[Need, ...]](), dict[str, tuple[Need, ...]]()
     for use in data.use:

@@ -3,6 +3,7 @@
 Decoding gives a value or raises `MansionError` with the JSON path of the fault, and nothing else, whatever the input.
 """
 
+import os
 import re
 import threading
 from collections.abc import Hashable, Iterator
@@ -34,6 +35,11 @@ T = TypeVar("T")
 # msgspec looks at the fields of a struct when it is first asked to decode one, and a second thread that uses the struct
 # meanwhile finds fields without types, which ends the process. So only one thread at a time lets it look.
 _looking_at_types = threading.RLock()
+os.register_at_fork(
+    before=_looking_at_types.acquire,
+    after_in_parent=_looking_at_types.release,
+    after_in_child=_looking_at_types.release,
+)
 
 
 @cache

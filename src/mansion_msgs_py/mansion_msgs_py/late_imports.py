@@ -1,5 +1,6 @@
 """Imports inside functions that several threads may be the first to call."""
 
+import os
 import threading
 from typing import Final
 
@@ -12,3 +13,6 @@ Two threads that enter a package from two sides, one by the package and one by a
 Python then gives one of them a module that is not complete, and its import fails. Modules hold it in functions alone:
 whoever took it while it is itself imported could wait for a thread that waits for that import.
 """
+
+# A worker that is forked while a thread imports would wait for ever for a lock whose owner it does not have.
+os.register_at_fork(before=importing.acquire, after_in_parent=importing.release, after_in_child=importing.release)

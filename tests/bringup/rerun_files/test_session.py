@@ -90,7 +90,7 @@ def test_the_building_follows_the_events_from_topic_or_folder(
         "CloseDoor of default",
         f"{door}: closed",
     ]
-    (way,) = rows["/path"]
+    (way,) = rows["/path/0"]
     assert way[TIME] == START + 4 * SECOND and len(way["LineStrips3D:strips"][0]) == 2
     assert any("InstancePoses3D:translations" in row for row in rows["/mansion/robot_pose"])
 

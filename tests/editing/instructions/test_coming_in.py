@@ -85,3 +85,9 @@ def test_from_now_on_a_room_is_what_it_is_called(state: SceneState, room: str) -
 def test_its_chair_is_no_kind_that_the_building_has_none_of(state: SceneState) -> None:
     instruction = read_instruction("Remove the sofa in the hall and its chair.", state)
     assert not any(isinstance(s, Remove) and s.things.noun == "sofa chair" for s in instruction.statements)
+
+
+def test_a_list_about_other_rooms_turns_none_into_another(state: SceneState) -> None:
+    text = "Turn the hall into an office. Remove the mug from the kitchen, put a plate on the table in the kitchen."
+    statements = read_instruction(f"{text} The sofa in the bedroom stays.", state).statements
+    assert [s.kind for s in statements if isinstance(s, Furnish)] == ["office"]

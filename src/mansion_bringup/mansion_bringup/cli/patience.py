@@ -14,14 +14,14 @@ __all__ = ["TOLD_AFTER", "WORK", "told_when_slow", "with_patience"]
 TOLD_AFTER: Final = 2.0
 """Seconds after which a command says what it does."""
 
-# Seconds of one core for the four-storey office of the README; see docs/command_line.md.
+# Seconds of one core for the four-storey office of the README, in round figures.
 WORK: Final[dict[str, tuple[str, str]]] = {
     "plan": ("reading the sentence and planning the rooms", "about 3 s"),
     "check": ("deriving every promise from the geometry again", "about 3 s for 64 rooms"),
     "view": ("making the page with its 3D model", "about 7 s for 64 rooms"),
     "export": ("writing the files", "3 to 20 s for 64 rooms, by format"),
     "look": ("loading the building into the renderer", "about 9 s for 64 rooms without a GPU"),
-    "edit": ("changing the building, checking it and writing its files anew", "about 10 s for 64 rooms"),
+    "edit": ("doing what is asked, checking the building and writing its files anew", "about 10 s for 64 rooms"),
     "skill": ("loading the building and running the skill", "about 2 s for 64 rooms"),
     "task generate": ("sampling tasks and doing each", "about half a second a task"),
     "task run": ("doing the tasks", "about half a second a task"),

@@ -1,6 +1,5 @@
 """``mansion record``: episodes and sessions of the graph as MCAP files, or as recordings for Rerun."""
 
-import tempfile
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -149,10 +148,17 @@ def _session_file(output: Path, building: Path | None) -> Iterator[Path]:
     from mansion_bringup.rerun_files.session import convert_session, starting_world
 
     begun = None if building is None else starting_world(building)
-    with tempfile.TemporaryDirectory() as folder:
-        yield (messages := Path(folder, "session.mcap"))
+    messages = output.with_suffix(".mcap")
+    check_output_file(messages)
+    try:
+        yield messages
         err.print(f"writing {output}", highlight=False)
         convert_session(messages, output, begun)
+    except BaseException:
+        if messages.exists():
+            err.print(f"the messages are kept in {messages}", markup=False, highlight=False)
+        raise
+    messages.unlink()
 
 
 def _prepare(output: Path, *, pictures: bool) -> None:

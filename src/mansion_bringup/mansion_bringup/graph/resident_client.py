@@ -106,22 +106,32 @@ class _News:
         self._client = client
         self._lock = threading.Lock()
         self._calls: dict[str, list[queue.SimpleQueue[str | None]]] = {}
+        self._heard: set[str] = set()
 
     @contextlib.contextmanager
     def of(self, topic: str) -> Iterator["queue.SimpleQueue[str | None]"]:
         """Yield a queue of the messages of a topic until the end of the block; ``None`` is the last."""
         told: queue.SimpleQueue[str | None] = queue.SimpleQueue()
         with self._lock:
-            known = topic in self._calls
+            first = topic not in self._heard
+            self._heard.add(topic)
             self._calls.setdefault(topic, []).append(told)
-        if not known:
-            self._client.listen(topic, lambda text: self._spread(topic, text))
         try:
+            if first:
+                self._hear(topic)
             yield told
         finally:
             with self._lock:
                 self._calls[topic].remove(told)
             told.put(None)
+
+    def _hear(self, topic: str) -> None:
+        try:
+            self._client.listen(topic, lambda text: self._spread(topic, text))
+        except BaseException:
+            with self._lock:
+                self._heard.discard(topic)
+            raise
 
     def _spread(self, topic: str, text: str) -> None:
         with self._lock:

@@ -70,7 +70,15 @@ class BuildingDirector(MansionNode):
         add_json_subscription(self, topic("build_requests"), self._build_from_topic, callback_group=group)
         self._resident: ResidentClient | None = None
         if self.get_parameter("lend_client").value:
-            self._resident = ResidentClient(self.get_namespace(), self._stages)
+            self._resident = self._lent()
+
+    def _lent(self) -> ResidentClient | None:
+        """Lend the client where a socket can be made; the node serves as well without."""
+        try:
+            return ResidentClient(self.get_namespace(), self._stages)
+        except OSError as error:
+            self.get_logger().warning(f"`mansion call` makes participants of its own: {error}")
+            return None
 
     def build(self, job: BuildJob) -> BuildReply:
         """Build one building; at most `MAX_BUILDS` at the same time."""

@@ -48,7 +48,7 @@ class BuildingDrawing:
         self._scenes = {scene.floor: scene for scene in scenes}
         self._changed: dict[str, ObjectState] = {}
         self._open: dict[str, bool] = {}
-        self._driven: list[list[tuple[float, float, float]]] = []
+        self._ways = 0
         self._held: str | None = None
         self._begun = False
         for scene in scenes:
@@ -147,8 +147,11 @@ class BuildingDrawing:
 
     def drive(self, points: Sequence[tuple[float, float]], height: float, time: int) -> None:
         """Add a way that the robot drove, at a height in the building, to those before it."""
-        self._driven.append([(x, y, height + 0.05) for x, y in points])
-        self._file.show(["path"], self._rerun.LineStrips3D(self._driven, colors=[_ROBOT], radii=0.03), time=time)
+        way = [(x, y, height + 0.05) for x, y in points]
+        self._file.show(
+            ["path", str(self._ways)], self._rerun.LineStrips3D([way], colors=[_ROBOT], radii=0.03), time=time
+        )
+        self._ways += 1
 
     def hold(self, held: str | None, pose: Pose2D, height: float, time: int) -> None:
         """Show what the robot has in its hand, above it."""

@@ -14,7 +14,6 @@ TIMELINE: Final = "message_log_time"
 """The timeline on which Rerun puts the messages of an MCAP file."""
 
 _PICTURES: Final = "/mansion/camera"
-_POSE: Final = "/mansion/robot_pose"
 
 
 class Clock(Enum):

@@ -5,12 +5,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
 
-import msgspec
-
 from mansion_bringup.rerun_files.building_drawing import BuildingDrawing
 from mansion_bringup.rerun_files.rrd_file import Clock, RrdFile
 from mansion_geometry.robot_body import ROBOT_RADIUS
-from mansion_msgs_py.codec import decode
+from mansion_msgs_py.codec import convert, decode
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import FloorScene
 from mansion_msgs_py.world import ObjectState, SkillChange, WorldEvent
@@ -129,7 +127,7 @@ class _World:
             if key == "open" and name in self._known:
                 self._doors[name] = bool(change.after)
             elif key == "place" and name in self._objects:
-                self._move(name, msgspec.convert(change.after, ObjectState))
+                self._move(name, convert(ObjectState, change.after))
             elif name in self._objects:
                 self._objects.set_state(name, key, change.after)
         return self._drawing.update(self._objects, self._doors, time)

@@ -1,5 +1,6 @@
 """The life of a node process: how it starts, spins, and ends on SIGINT or SIGTERM."""
 
+import contextlib
 import faulthandler
 import os
 import signal
@@ -141,7 +142,9 @@ def run_node(make: Callable[[], Node], args: Sequence[str] | None = None, *, thr
         With status 1 when `make` refuses, as it does for a parameter that it cannot use; the reason is logged.
     """
     # A crash in a compiled library leaves the stack of every thread in the log, not a bare exit status.
-    faulthandler.enable()
+    # Where standard error is no file, as in a test, there is no place for it.
+    with contextlib.suppress(RuntimeError, AttributeError, OSError, ValueError):
+        faulthandler.enable()
     interrupts = Interrupts()
     interrupts.install()
     watch_from_outside()

@@ -8,7 +8,7 @@ from dataclasses import replace
 from mansion_language import Token
 from mansion_language.units import AREA
 
-__all__ = ["PAUSES", "corrected_numbers", "sign_at"]
+__all__ = ["PAUSES", "WEAK", "corrected_numbers", "sign_at"]
 
 _SIGNS = (
     ("make", "that"), ("make", "it"), ("i", "mean"), ("or", "rather"), ("or", "better"), ("scratch", "that"),
@@ -17,7 +17,7 @@ _SIGNS = (
     ("excuse", "me"),
 )  # fmt: skip
 """What is said to take back a number, several of them one after the other at times."""
-_WEAK = frozenset({("no",), ("well",), ("better",), ("rather",), ("actually",), ("make", "it"), ("wait",)})
+WEAK = frozenset({("no",), ("well",), ("better",), ("rather",), ("actually",), ("make", "it"), ("wait",)})
 """Signs that take something back only after a comma, a bracket or a dash."""
 PAUSES = frozenset({",", "(", "-", "–", "…", ":"})
 """Marks that set apart what takes something back."""
@@ -68,7 +68,7 @@ def _correction(tokens: list[Token], before: list[Token], index: int) -> tuple[i
         at, paused = at + 1, True
     first, weak = at, True
     while (sign := sign_at(tokens, at)) is not None:
-        weak = weak and sign in _WEAK
+        weak = weak and sign in WEAK
         at += len(sign)
         while _word(tokens, at) in PAUSES:
             at += 1

@@ -59,12 +59,13 @@ _SETTINGS = frozenset(
     community communal company corporate charity volunteer state federal central county royal international university
     campus model sample demo fantasy imaginary typical traditional style styled type cum look inspired themed storey
     multifamily family-run group test pilot future small-town mixed use multi generation generational cute pretty lovely
-    tower mini walk ish youth boy girl student staff health charming
+    tower mini walk ish rise mid slim youth boy girl student staff health charming
     stunning spectacular magnificent superb impressive exclusive prestigious
     unique exceptional head stylish fancy posh custom grand stately luxury luxurious budget starter ideal
     """.split()
 )
-"""Words before a kind of building for where it stands, whose it is or how it pleases, which no plan could answer."""
+"""Words before a kind of building for where it stands, whose it is or how it pleases, which no plan could answer, and
+for its height ("high-rise"), which its storeys answer."""
 _KINDS = frozenset({"room", "building", "object", "stair", "elevator"})
 
 

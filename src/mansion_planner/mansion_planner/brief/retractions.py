@@ -6,7 +6,7 @@ What is named last takes the place of the first, with its number where it has no
 from collections.abc import Sequence
 from dataclasses import replace
 
-from mansion_planner.brief.corrections import PAUSES, sign_at
+from mansion_planner.brief.corrections import PAUSES, WEAK, sign_at
 from mansion_planner.brief.phrase import Phrase
 from mansion_planner.brief.reading import Reading
 
@@ -15,7 +15,7 @@ __all__ = ["without_retractions"]
 _KINDS = {"room": "place", "building": "place", "object": "thing", "unknown": "thing"}
 _ARTICLES = frozenset({"a", "an", "the", "one"})
 _LEADS = frozenset({"in", "on", "at", "for", "of"})
-_NEEDS_PAUSE = frozenset({("no",), ("well",), ("better",), ("rather",), ("wait",), ("make", "it")})
+_NEEDS_PAUSE = WEAK - {("actually",)}
 """Signs that only a pause after them tells from "no bookshop" and "rather a bookshop"."""
 
 

@@ -19,6 +19,7 @@ from mansion_editing.instructions.phrases.word_sets import (
     AFTER_THANKS,
     BEFORE_VERBS,
     BEGIN_CLAUSES,
+    BESIDE_RELATIONS,
     BETWEEN_CLAUSES,
     PREDICATE_VERBS,
 )
@@ -43,7 +44,6 @@ _LYING: Final = frozenset("lying standing sitting hanging resting leaning".split
 _RESTS: Final = frozenset("is are lie lies stand stands sit sits hang hangs rest rests".split())
 """Verbs of a relative clause that say where something is."""
 
-_BESIDE: Final = frozenset("beside near left right behind front".split())
 """Relations of small things to others on the same surface."""
 
 _HOLDING: Final = frozenset(["on", "in", "under"])
@@ -164,7 +164,7 @@ class Sentence(ABC):
         mark, holder = near.place.anchor, surface.anchor
         if mark is None or holder is None or mark.place is not None or holder.refers:
             return None
-        carried = surface.relation in ("on", "in") and near.place.relation in _BESIDE
+        carried = surface.relation in ("on", "in") and near.place.relation in BESIDE_RELATIONS
         small = not self.lexicon.stands(tuple(mark.noun.split())) and not mark.refers
         if not carried or not small or not self.lexicon.stands(tuple(holder.noun.split())):
             return None

@@ -43,6 +43,7 @@ __all__ = [
     "BEFORE_WISHES",
     "BEGIN_CLAUSES",
     "BEING_SOMEWHERE",
+    "BESIDE_RELATIONS",
     "BETWEEN_CLAUSES",
     "CHANGED",
     "DIRECTIONS",
@@ -64,9 +65,10 @@ __all__ = [
     "LEFT_SO",
     "LYING",
     "NEAR_SPOTS",
-    "NO_FRONTED_PLACES",
     "NOT_MEANT",
+    "NO_FRONTED_PLACES",
     "OPEN_QUESTIONS",
+    "OPEN_TO_ALL",
     "OPINIONS",
     "PAST_VERBS",
     "PEOPLE",
@@ -239,3 +241,9 @@ AFTER_WHAT: Final = frozenset(
 BEFORE_ASKED_STATES: Final = frozenset(
     "currently still already switched turned all now either completely really".split()
 )
+
+BESIDE_RELATIONS: Final = frozenset("beside near left right behind front".split())
+"""Relations of what stands on the same floor or surface as its anchor."""
+
+OPEN_TO_ALL: Final = frozenset("day evening night house week".split())
+"""What ``open`` is no state of: ``open day on Saturday``."""

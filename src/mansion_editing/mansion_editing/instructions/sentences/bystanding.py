@@ -6,7 +6,7 @@ from typing import Final
 from mansion_editing.instructions.phrases.lexicon import Lexicon
 from mansion_editing.instructions.phrases.verb_words import BY_WORDS, PARTICIPLES
 from mansion_editing.instructions.phrases.verbs import verb_at
-from mansion_editing.instructions.phrases.word_sets import PEOPLE, RELATIVES
+from mansion_editing.instructions.phrases.word_sets import OPEN_TO_ALL, PEOPLE, RELATIVES
 from mansion_editing.instructions.phrases.words import (
     BE,
     COURTESIES,
@@ -53,8 +53,6 @@ _SAID_BY_NOBODY: Final = frozenset("everything anything something all these thos
 _PAST: Final = frozenset("was were had did came got said bought forgot left broke told gave".split())
 _DONE: Final = _PAST | frozenset("put let taken given made brought kept chosen hung built done been".split())
 _HAVING: Final = frozenset("has have had".split())
-_OPEN_TO_ALL: Final = frozenset("day evening night house week".split())
-"""What ``open`` is no state of: ``open day on Saturday``."""
 _SWITCHED: Final = frozenset("switched turned powered left kept set standing wide".split())
 
 
@@ -160,7 +158,7 @@ def begins_with_state(words: Sequence[Word]) -> bool:
     if not words:
         return False
     first, following = words[0], words[1].text if len(words) > 1 else ""
-    if following in DETERMINERS or (first.text == "open" and following in _OPEN_TO_ALL):
+    if following in DETERMINERS or (first.text == "open" and following in OPEN_TO_ALL):
         return False
     brought_to = first.raw.endswith("ed") or first.text in _SWITCHED
     if (first.raw,) in PARTICIPLES or (following in STATE_WORDS and brought_to):

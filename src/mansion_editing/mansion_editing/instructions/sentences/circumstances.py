@@ -10,7 +10,7 @@ from typing import Final
 from mansion_editing.instructions.phrases.lexicon import HYPERNYMS, Lexicon
 from mansion_editing.instructions.phrases.verb_words import BY_WORDS
 from mansion_editing.instructions.phrases.verbs import verb_at
-from mansion_editing.instructions.phrases.word_sets import PEOPLE
+from mansion_editing.instructions.phrases.word_sets import OPEN_TO_ALL, PEOPLE
 from mansion_editing.instructions.phrases.words import (
     ADVERBS,
     BE,
@@ -20,6 +20,7 @@ from mansion_editing.instructions.phrases.words import (
     MODALS,
     PERSONS,
     PREPOSITIONS,
+    PRONOUNS,
     STATE_WORDS,
     Word,
 )
@@ -43,7 +44,6 @@ _LIMITING: Final = frozenset(
 )
 """Words that tell how much or which of something is meant."""
 
-_PRONOUNS: Final = frozenset("it they them this that these those".split())
 _TIMES: Final = frozenset(
     "from since after during before until by on in at as next this last tomorrow today tonight yesterday recently "
     "currently usually sometimes".split()
@@ -55,7 +55,6 @@ _HAPPENED: Final = frozenset(
     "thought knew brought sent spent meant kept heard ran won sold caught spoke grew drew flew slept sat stood".split()
 )
 _NEEDING: Final = frozenset("need want require lack miss like deserve".split())
-_EVENTS: Final = frozenset("day evening night house week".split())
 _OCCASIONS: Final = frozenset(
     "monday tuesday wednesday thursday friday saturday sunday weekend morning afternoon tonight today tomorrow noon "
     "midnight january february march april may june july august september october november december christmas easter "
@@ -98,7 +97,7 @@ def is_circumstance(words: Sequence[Word], lexicon: Lexicon, *, followed: bool) 
         return False
     words = _from_subject(words, lexicon)
     texts = [word.text for word in words]
-    event = texts[:1] == ["open"] and texts[1:2] and texts[1] in _EVENTS
+    event = texts[:1] == ["open"] and texts[1:2] and texts[1] in OPEN_TO_ALL
     ordered = verb_at(words, 0, lexicon) is not None and not event
     if len(words) < 2 or ordered or texts[0] in ("there", "not", "no", "if", "unless"):
         return False
@@ -111,7 +110,7 @@ def is_circumstance(words: Sequence[Word], lexicon: Lexicon, *, followed: bool) 
     if not any(_names([word], lexicon) or word.kind == "id" for word in words):
         return _is_foreign(words, lexicon)
     verb = _verb_of(words, lexicon)
-    if verb is None or _names_here(words[:verb], lexicon) or texts[0] in _PRONOUNS - {"they"}:
+    if verb is None or _names_here(words[:verb], lexicon) or texts[0] in PRONOUNS - {"they"}:
         return False
     if "not" in texts and not followed:
         return False
@@ -155,21 +154,21 @@ def _is_foreign(words: Sequence[Word], lexicon: Lexicon) -> bool:
     would = "would" in texts or any(word.raw.endswith("'d") for word in words)
     wishing = {*texts} & (_WISHING | MODALS | {"be"}) - (frozenset() if would else frozenset(["love", "like"]))
     told = texts[-1:] == ["it"] and texts[0] not in ("i", "we", "you", "it")
-    if {*texts} & _PRONOUNS and wishing - {"have", "has", "will", "get"} and not told:
+    if {*texts} & PRONOUNS and wishing - {"have", "has", "will", "get"} and not told:
         return False
     if {*texts} & _NEEDING and (texts[0] in ("i", "we", "you") or not {*texts} & _ABSTRACT):
         return told and not {*texts} & (_NEEDING - {"like"})
     if (words[0].kind == "number" and len(words) < _SHORTEST) or texts[0] in PREPOSITIONS - {"of"}:
         return False
     verb = _verb_of(words, lexicon)
-    if verb is not None and {*texts} & _HABITS and texts[0] not in ("i", "we", "you", *_PRONOUNS):
+    if verb is not None and {*texts} & _HABITS and texts[0] not in ("i", "we", "you", *PRONOUNS):
         return True
     if verb is not None:
         return not {*texts} & {"one", "ones", "those", "these", "them", "everything", "instead", "another"}
     plain = all(word.kind == "word" for word in words) and texts[0] not in DETERMINERS | PREPOSITIONS
-    unsaid = _LIMITING | _PRONOUNS | (STATE_WORDS.keys() - {"on"}) | {"not", "no", "out"}
-    timely = {*texts} & (_OCCASIONS | PEOPLE | PERSONS | _EVENTS)
-    rest = texts[1:] if texts[0] == "open" and texts[1] in _EVENTS else texts
+    unsaid = _LIMITING | PRONOUNS | (STATE_WORDS.keys() - {"on"}) | {"not", "no", "out"}
+    timely = {*texts} & (_OCCASIONS | PEOPLE | PERSONS | OPEN_TO_ALL)
+    rest = texts[1:] if texts[0] == "open" and texts[1] in OPEN_TO_ALL else texts
     return plain and bool(timely) and not {*rest} & unsaid
 
 

@@ -97,12 +97,22 @@ def turned_by_list(statements: Sequence[Statement]) -> list[Statement]:
     """
     out = list(statements)
     for at, statement in enumerate(out):
-        rest = out[at + 1 :]
-        listed = all(any(isinstance(s, kind) for s in rest) for kind in (Remove, Add, Keep))
-        if isinstance(statement, Furnish) and statement.kind and listed and not statement.rooms.every:
+        if not isinstance(statement, Furnish) or not statement.kind or statement.rooms.every:
+            continue
+        rest = [s for s in out[at + 1 :] if _is_in_it(s, statement.rooms)]
+        if all(any(isinstance(s, kind) for s in rest) for kind in (Remove, Add, Keep)):
             name = statement.kind.capitalize()
             out[at] = Rename(room=statement.rooms, name=name, quote=statement.quote)
     return out
+
+
+def _is_in_it(statement: Statement, rooms: Rooms) -> bool:
+    """Whether what goes, comes or stays is in a room named just before, or is told without a room."""
+    if not isinstance(statement, Remove | Add | Keep):
+        return False
+    place = statement.place if isinstance(statement, Add) else statement.things.place
+    where = None if place is None else place.rooms
+    return where is None or where.same or where == rooms
 
 
 _INSTEAD: Final = (("instead", "of"), ("in", "exchange", "for"), ("in", "return", "for"))

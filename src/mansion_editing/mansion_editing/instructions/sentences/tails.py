@@ -9,7 +9,7 @@ from mansion_editing.instructions.clauses.items import NotUnderstood, joined_pla
 from mansion_editing.instructions.clauses.reader import ClauseReader, sparing
 from mansion_editing.instructions.phrases.loads import end_of_load
 from mansion_editing.instructions.phrases.places import with_place
-from mansion_editing.instructions.phrases.word_sets import AFTER_CLAUSES, JOINING, PEOPLE
+from mansion_editing.instructions.phrases.word_sets import AFTER_CLAUSES, BESIDE_RELATIONS, JOINING, PEOPLE
 from mansion_editing.instructions.phrases.words import (
     COURTESIES,
     DETERMINERS,
@@ -53,8 +53,6 @@ _PAIRS_AFTER_CLAUSES: Final = (
     ("of", "course"), ("from", "today"), ("from", "tomorrow"), ("as", "usual"), ("in", "total"), ("or", "so"),
 )  # fmt: skip
 
-
-_BESIDE: Final = frozenset("beside near left right behind front".split())
 
 _EXCEPTING: Final = frozenset("except apart save excluding".split())
 _DISTURBING: Final = frozenset(
@@ -232,7 +230,7 @@ class Tails(Resulting, Counting):
         end = items[-1].end
         mark, stop = reader.places(end + 1) if reader.text(end) == "," else ((), end)
         near = joined_places(mark)[0] if mark else Place()
-        if near.anchor is not None and near.relation in _BESIDE and near.anchor.definite:
+        if near.anchor is not None and near.relation in BESIDE_RELATIONS and near.anchor.definite:
             place = msgspec.structs.replace(near, anchor=with_place(near.anchor, place))
             end = stop
         quote = self._quote(reader.words, start, end)
