@@ -4,7 +4,7 @@ from mansion_planner.brief.facts import FloorRef
 from mansion_planner.brief.named_storeys import NamedStoreys
 from mansion_planner.brief.numbered_storeys import NumberedStoreys
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
-from mansion_planner.brief.storey_counts import DEFINITE, STOREY_ADJECTIVES
+from mansion_planner.brief.storey_counts import ANAPHORS, DEFINITE, STOREY_ADJECTIVES
 
 __all__ = ["RelativeStoreys"]
 
@@ -20,7 +20,6 @@ _ABOVE = (
     ("upward",),
     ("up",),
 )
-_ANAPHORS = frozenset({"it", "that", "them", "this", "these", "those"})
 _STREET = frozenset({"ground", "street", "grade", "lobby", "entrance"})
 
 
@@ -78,7 +77,7 @@ class RelativeStoreys:
             if reading.kind(last + 1) == "unit" or nouns[:1] == ("x",):
                 return None  # "each of the floors above 300 m2"
         last += above == ("on", "top") and reading.word(last) == "of"
-        if reading.word(last) in _ANAPHORS:
+        if reading.word(last) in ANAPHORS:
             return self._number_of(previous), last + 1
         at = last + (reading.word(last) in ("the", "our"))
         for read in (self.named.ground, self.numbered.level, self.numbered.numbered, self.numbered.ordinal):

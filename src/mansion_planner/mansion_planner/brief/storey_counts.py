@@ -7,7 +7,7 @@ from mansion_planner.brief.furniture_words import furniture_of
 from mansion_planner.brief.phrase import PLAIN
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
 
-__all__ = ["CLOSERS", "DEFINITE", "STOREY_ADJECTIVES", "StoreyCounts", "settle_counts"]
+__all__ = ["ANAPHORS", "CLOSERS", "DEFINITE", "STOREY_ADJECTIVES", "StoreyCounts", "settle_counts"]
 
 _NEGATIONS = frozenset({"no", "without", "not", "neither", "nor", "never"})
 DEFINITE = frozenset(
@@ -24,7 +24,7 @@ STOREY_ADJECTIVES = frozenset(
     working usable living successive consecutive more
     """.split()
 )
-_ANAPHORS = frozenset({"it", "that", "them", "this", "these", "those"})
+ANAPHORS = frozenset({"it", "that", "them", "this", "these", "those"})
 _BELOW = frozenset({"underground", "basement", "subterranean", "below"})
 CLOSERS = frozenset({"", ".", ",", ";", ":", "\n", ")", "!", "?", "=", "-"})
 
@@ -357,7 +357,7 @@ class StoreyCounts:
             span = reading.span(index, last)
             self.places.append(Place(index, last, (FloorRef("range", base + 1, base + many, span),), led=False))
             if stacked:
-                if reading.word(stacked[1] - 1) not in _ANAPHORS:
+                if reading.word(stacked[1] - 1) not in ANAPHORS:
                     ground = FloorRef("number", 1, 1, reading.span(*stacked))
                     self.places.append(Place(*stacked, (ground,), led=False, heading=True))
                 reading.take(*stacked)
@@ -376,7 +376,7 @@ class StoreyCounts:
                 return None
             end = at + (3 if reading.words(at, at + 3) == ("on", "top", "of") else 1)
             if reading.word(at) in ("above", "over", "atop") or end == at + 3:
-                if reading.word(end) in _ANAPHORS:
+                if reading.word(end) in ANAPHORS:
                     return at, end + 1
                 outside = reading.word(end) in ("ground", "grade", "street")
                 return None if outside or reading.words(end, end + 2) == ("the", "ground") else (at, end)

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import Final
 
-from mansion_editing.instructions.phrases.words import DETERMINERS, PREPOSITIONS, PRONOUNS, Word, text_at
+from mansion_editing.instructions.phrases.words import DETERMINERS, PREPOSITIONS, PRONOUNS, Word, next_mark, text_at
 
 __all__ = ["reworded"]
 
@@ -207,7 +207,7 @@ def _supposed(words: Sequence[Word], at: int) -> int:
     ):
         return 0
     end = at + 2 + (text_at(words, at + 2) in ("still", "already", "now"))
-    stop = next((k for k in range(end, len(words)) if words[k].kind == "mark"), len(words))
+    stop = next_mark(words, end)
     return end + 1 - at if text_at(words, end) == "be" and text_at(words, stop) == "," else 0
 
 

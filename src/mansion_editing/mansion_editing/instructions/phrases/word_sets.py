@@ -77,6 +77,7 @@ __all__ = [
     "PROPERTIES",
     "RELATIVES",
     "RESTING_VERBS",
+    "TELLING_WHERE",
     "SOMEBODY",
     "SO_DOING",
     "STAYING",
@@ -247,3 +248,6 @@ BESIDE_RELATIONS: Final = frozenset("beside near left right behind front".split(
 
 OPEN_TO_ALL: Final = frozenset("day evening night house week".split())
 """What ``open`` is no state of: ``open day on Saturday``."""
+
+TELLING_WHERE: Final = frozenset("is are lies lie stands stand sits hangs hang lives live rests was were".split())
+"""Verbs that say where something is or was, as they are written."""

@@ -31,6 +31,7 @@ __all__ = [
     "VAGUE",
     "Word",
     "split_words",
+    "next_mark",
     "text_at",
 ]
 
@@ -214,3 +215,8 @@ def _join_codes(words: list[Word]) -> list[Word]:
 def text_at(words: Sequence[Word], at: int) -> str:
     """Return the word at a place, empty before the first and beyond the last."""
     return words[at].text if 0 <= at < len(words) else ""
+
+
+def next_mark(words: Sequence[Word], at: int) -> int:
+    """Return the place of the first mark from a place on, or the end of the words."""
+    return next((k for k in range(at, len(words)) if words[k].kind == "mark"), len(words))

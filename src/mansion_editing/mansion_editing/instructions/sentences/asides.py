@@ -9,7 +9,7 @@ import msgspec
 from mansion_editing.instructions.clauses.outcomes import everything_at
 from mansion_editing.instructions.clauses.reader import ClauseReader
 from mansion_editing.instructions.phrases.verbs import verb_at
-from mansion_editing.instructions.phrases.word_sets import PEOPLE, RELATIVES
+from mansion_editing.instructions.phrases.word_sets import PEOPLE, RELATIVES, TELLING_WHERE
 from mansion_editing.instructions.phrases.words import PERSONS, Word
 from mansion_editing.instructions.sentences.bystanding import (
     asks_for_nothing,
@@ -24,7 +24,6 @@ from mansion_editing.instructions.sentences.bystanding import (
 )
 from mansion_editing.instructions.sentences.circumstances import is_circumstance
 from mansion_editing.instructions.sentences.progress import Progress
-from mansion_editing.instructions.sentences.scene_setting import RESTING
 from mansion_editing.instructions.sentences.taking_up import listed_in, with_list_for_pronoun
 from mansion_editing.instructions.statements import Add, Amount, Ensure, Mention, Place, Remove, Things
 
@@ -185,7 +184,7 @@ class Asides(Progress):
             return False
         reader = self._reader(words)
         known = reader.item(0) is not None or words[1].text in PERSONS | PEOPLE | RELATIVES
-        resting = next((k for k in range(2, min(4, len(words))) if words[k].raw in RESTING), 0)
+        resting = next((k for k in range(2, min(4, len(words))) if words[k].raw in TELLING_WHERE), 0)
         return not known and bool(resting) and any(things.noun for things in _named(reader))
 
     def _lacking(self, words: Sequence[Word]) -> Things | None:

@@ -8,7 +8,7 @@ import msgspec
 from mansion_editing.instructions.clauses.items import joined_places
 from mansion_editing.instructions.clauses.reader import ClauseReader
 from mansion_editing.instructions.phrases.word_sets import PEOPLE
-from mansion_editing.instructions.phrases.words import PERSONS, Word
+from mansion_editing.instructions.phrases.words import PERSONS, Word, next_mark
 from mansion_editing.instructions.sentences.progress import Progress
 from mansion_editing.instructions.sentences.refinement import counting_those_there
 from mansion_editing.instructions.statements import Add, Amount, Clear, Ensure, Mention, Place, Statement, Things
@@ -39,7 +39,7 @@ class Counting(Progress):
         at += words[at].text == ","
         if at >= len(words) or words[at].raw not in ("counting", "including"):
             return 0
-        end = next((k for k in range(at, len(words)) if words[k].kind == "mark"), len(words))
+        end = next_mark(words, at)
         said = [word.text for word in words[at + 1 : end]]
         those = said[:1] in (["what"], ["those"]) or said[:2] in (["the", "one"], ["the", "existing"])
         return end if those and len(said) <= 6 and {"already", "there", "existing"} & set(said) else 0

@@ -10,7 +10,7 @@ from mansion_editing.instructions.clauses.items import Item, NotUnderstood, join
 from mansion_editing.instructions.clauses.reader import ClauseReader
 from mansion_editing.instructions.phrases.places import merged, with_place
 from mansion_editing.instructions.phrases.verbs import verb_at
-from mansion_editing.instructions.phrases.word_sets import PEOPLE, RELATIVES
+from mansion_editing.instructions.phrases.word_sets import PEOPLE, RELATIVES, TELLING_WHERE
 from mansion_editing.instructions.phrases.words import ADVERBS, MODALS, PERSONS, STATE_WORDS, Word, text_at
 from mansion_editing.instructions.sentences.progress import Progress
 from mansion_editing.instructions.statements import (
@@ -27,15 +27,13 @@ from mansion_editing.instructions.statements import (
     Things,
 )
 
-__all__ = ["RESTING", "SceneSetting"]
+__all__ = ["SceneSetting"]
 
 _HAVING: Final = frozenset("has have holds contains works uses".split())
 _LEFT: Final = frozenset(
     "left forgot forgotten lost dropped threw thrown put placed parked hid hidden laid hung stored stuck abandoned "
     "dumped deposited carried brought".split()
 )
-RESTING: Final = frozenset("is are lies lie stands stand sits hangs hang lives live rests was were".split())
-"""Verbs that say where something is."""
 _AT_REST: Final = frozenset("lying standing sitting hanging kept stored parked resting left forgotten".split())
 _SOMETIMES: Final = frozenset("usually normally always still currently now already right at present".split())
 _NOW: Final = frozenset("now currently again there right".split())
@@ -48,7 +46,7 @@ _TITLES: Final = frozenset("mr mrs ms miss dr prof".split())
 _LIVING: Final = frozenset("lives sleeps sits works stays is".split())
 _PAIRS: Final = frozenset("both them they these those two".split())
 _WISHED: Final = frozenset("belong prefer rather want like go please swap".split())
-_SLEEPING: Final = RESTING - {"was", "were"} | frozenset("sleeps sleep goes go moves move".split())
+_SLEEPING: Final = TELLING_WHERE - {"was", "were"} | frozenset("sleeps sleep goes go moves move".split())
 """Verbs of what becomes of something: ``tonight it sleeps on the sofa``."""
 
 _FROM_NOW: Final = frozenset("tonight tomorrow today now from on then instead".split())
@@ -177,7 +175,7 @@ class SceneSetting(Progress):
     def _at_rest(self, reader: ClauseReader, at: int, *, asked: bool) -> tuple[list[Things], int] | None:
         """Read subjects, a verb of rest, which may be left out where it is not `asked` for, and their place."""
         words = reader.words
-        verb = next((k for k in range(at + 1, min(at + 2 * _MOST, len(words))) if words[k].raw in RESTING), 0)
+        verb = next((k for k in range(at + 1, min(at + 2 * _MOST, len(words))) if words[k].raw in TELLING_WHERE), 0)
         if not verb and not asked:
             item = reader.item(at)
             plain = item is not None and item.places and item.phrase.definite and not item.is_room
@@ -257,7 +255,7 @@ class SceneSetting(Progress):
         verb = words[at + 1].raw if at + 1 < len(words) else ""
         if told is None or text_at(words, at) not in ("it", "they", "he", "she") or verb not in _SLEEPING:
             return 0
-        if verb in RESTING and at == first:
+        if verb in TELLING_WHERE and at == first:
             return 0
         places, end = reader.places(at + 2)
         place, each = joined_places(list(places))

@@ -18,6 +18,7 @@ from mansion_editing.instructions.phrases.words import (
     PREPOSITIONS,
     STATE_WORDS,
     Word,
+    next_mark,
 )
 from mansion_editing.instructions.sentences.background import end_of_background
 from mansion_editing.instructions.sentences.conditions import on_condition, read_condition
@@ -48,7 +49,7 @@ _EVERY_ONE: Final = (("every", "single", "one"), ("all", "of", "them"), ("each",
 _BEFORE_ASIDES: Final = frozenset("for before after when while until".split())
 _PAIRS_AFTER_CLAUSES: Final = (
     ("any", "more"), ("you", "find"), ("you", "see"), ("nothing", "else"), ("no", "other"), ("as", "well"),
-    ("at", "all"), ("if", "possible"), ("for", "me"), ("for", "us"), ("for", "now"), ("right", "now"), ("for", "each"),
+    ("at", "all"), ("if", "possible"), ("for", "me"), ("for", "us"), ("for", "now"), ("for", "each"),
     ("from", "now"), ("now", "on"), ("at", "once"), ("right", "away"), ("straight", "away"),
     ("of", "course"), ("from", "today"), ("from", "tomorrow"), ("as", "usual"), ("in", "total"), ("or", "so"),
 )  # fmt: skip
@@ -171,7 +172,7 @@ class Tails(Resulting, Counting):
         numbered = at > 0 and reader.words[at - 1 - (reader.text(at - 1) == ",")].raw.isdecimal()
         if reader.text(start) != "where" or not numbered:
             return 0
-        end = next((k for k in range(start, len(reader.words)) if reader.words[k].kind == "mark"), len(reader.words))
+        end = next_mark(reader.words, start)
         said = reader.words[start + 1 : end]
         somebody = {word.text for word in said[:3]} & (PERSONS | PEOPLE)
         plain = all(word.kind == "word" and word.text not in STATE_WORDS for word in said)
@@ -194,7 +195,7 @@ class Tails(Resulting, Counting):
             return 0
         if (reader.text(at), reader.text(at + 1)) != ("so", "that"):
             return 0
-        end = next((k for k in range(at, len(reader.words)) if reader.words[k].kind == "mark"), len(reader.words))
+        end = next_mark(reader.words, at)
         said = [word.text for word in reader.words[at + 2 : end]]
         return end if said[:1] in (["each"], ["they"], ["one"], ["both"]) and {"other", "place"} & set(said) else 0
 
@@ -286,7 +287,7 @@ class Tails(Resulting, Counting):
             return 0
         end = at + 3
         if end < len(words) and words[end].text == "for":
-            stop = next((k for k in range(end, len(words)) if words[k].kind == "mark"), len(words))
+            stop = next_mark(words, end)
             whom = words[end + 1 : stop]
             plain = len(whom) <= 3 and all(word.kind == "word" for word in whom) and not self._names_anything(whom)
             end = stop if plain else end

@@ -20,6 +20,7 @@ from mansion_editing.instructions.phrases.words import (
     PREPOSITIONS,
     STATE_WORDS,
     Word,
+    next_mark,
 )
 from mansion_editing.instructions.sentences.background import end_of_background
 from mansion_editing.instructions.sentences.progress import Progress
@@ -193,7 +194,7 @@ class Telling(Progress):
     def _end_of_ability(self, words: Sequence[Word], at: int) -> int:
         """Read ``so I can find it``, what somebody can do then; return its end, 0 for others."""
         said = [word.text for word in words[at : at + 4]]
-        end = next((k for k in range(at, len(words)) if words[k].kind == "mark"), len(words))
+        end = next_mark(words, at)
         able = said[:1] == ["so"] and said[1:2] and said[1] in _ABLE and said[2:3] in (["can"], ["could"])
         plain = all(word.kind == "word" for word in words[at:end]) and not {"not", "and"} & {
             w.text for w in words[at:end]
