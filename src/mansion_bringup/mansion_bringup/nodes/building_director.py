@@ -77,7 +77,9 @@ class BuildingDirector(MansionNode):
         try:
             return ResidentClient(self.get_namespace(), self._stages)
         except OSError as error:
-            self.get_logger().warning(f"`mansion call` makes participants of its own: {error}")
+            self.get_logger().warning(
+                f"cannot lend the client, so each `mansion call` starts a participant of its own: {error}"
+            )
             return None
 
     def build(self, job: BuildJob) -> BuildReply:

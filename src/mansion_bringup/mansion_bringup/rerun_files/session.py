@@ -80,7 +80,7 @@ def _contents(file: Path) -> tuple[list[str], int]:
     with file.open("rb") as stream:
         summary = make_reader(stream).get_summary()
     if summary is None or summary.statistics is None:
-        raise MansionError(ErrorCode.INVALID_PAYLOAD, f"{file} has no summary: its recording did not end")
+        raise MansionError(ErrorCode.INVALID_PAYLOAD, f"{file} has no summary: the recording was not finished")
     return [channel.topic for channel in summary.channels.values()], summary.statistics.message_start_time
 
 
