@@ -26,7 +26,8 @@ def server_kills(count: int, folder: Path, rng: random.Random) -> Iterator[tuple
     """Kill the process of a skill server while a client calls skills; yield each number with what was wrong."""
     from mansion_bringup.client import MansionClient
     from mansion_bringup.discovery import kept_to_this_machine
-    from mansion_bringup.graph.processes import GraphOptions, GraphProcesses, free_domain
+    from mansion_bringup.graph.domains import free_domain
+    from mansion_bringup.graph.processes import GraphOptions, GraphProcesses
     from mansion_bringup.graph.skill_port import SERVER as NODE
     from mansion_msgs_py.errors import MansionError
 

@@ -35,7 +35,7 @@ from _processes import (
     spin,
 )
 
-from mansion_bringup.graph.processes import free_domain
+from mansion_bringup.graph.domains import free_domain
 
 SHARED: Final = "/dev/shm"
 

@@ -15,7 +15,8 @@ from pathlib import Path
 from _processes import load, processor_seconds, proportional_mb, resident_mb
 
 from mansion_bringup.discovery import kept_to_this_machine
-from mansion_bringup.graph.processes import GRAPH_NODES, GraphOptions, GraphProcesses, free_domain
+from mansion_bringup.graph.domains import free_domain
+from mansion_bringup.graph.processes import GRAPH_NODES, GraphOptions, GraphProcesses
 
 SETTLE = 2.0
 """Seconds between the last service's coming up and the measuring."""

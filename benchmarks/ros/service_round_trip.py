@@ -32,7 +32,7 @@ from typing import Any, Final
 
 from _processes import LOOPBACK, RANGE, Worker, all_ended, begin_worker, environment, load, say, spin
 
-from mansion_bringup.graph.processes import free_domain
+from mansion_bringup.graph.domains import free_domain
 
 MODULE: Final = (sys.executable, "-P", "-m", "mansion_bringup")
 LAUNCHER: Final = (str(Path(__file__).resolve().parents[2] / "mansion"),)

@@ -17,7 +17,7 @@ from typing import Any, Final
 
 from _processes import LOOPBACK, RANGE, Worker, all_ended, begin_worker, environment, load, say, spin
 
-from mansion_bringup.graph.processes import free_domain
+from mansion_bringup.graph.domains import free_domain
 
 PERIOD: Final = 0.05
 """Seconds between two messages."""

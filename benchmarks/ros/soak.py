@@ -29,7 +29,7 @@ from _processes import (
     say,
 )
 
-from mansion_bringup.graph.processes import free_domain
+from mansion_bringup.graph.domains import free_domain
 from mansion_msgs_py.errors import MansionError
 
 PATIENCE: Final = 15.0

@@ -5,7 +5,8 @@ import statistics
 import time
 
 from mansion_bringup.client import MansionClient
-from mansion_bringup.graph.processes import GraphOptions, GraphProcesses, NodeProcess, free_domain
+from mansion_bringup.graph.domains import free_domain
+from mansion_bringup.graph.processes import GraphOptions, GraphProcesses, NodeProcess
 
 
 def main() -> None:

@@ -37,7 +37,7 @@ def run(script: Path, folder: Path, *arguments: str) -> subprocess.CompletedProc
     """Run a script in `folder`, in a ROS domain of its own."""
     environment = dict(os.environ)
     if script.stem in GRAPH:
-        from mansion_bringup.graph.processes import free_domain
+        from mansion_bringup.graph.domains import free_domain
 
         environment["ROS_DOMAIN_ID"] = str(free_domain())
     return subprocess.run(

@@ -5,7 +5,8 @@ from collections.abc import Iterator
 
 import pytest
 
-from mansion_bringup.graph.processes import GraphOptions, GraphProcesses, free_domain
+from mansion_bringup.graph.domains import free_domain
+from mansion_bringup.graph.processes import GraphOptions, GraphProcesses
 
 os.environ.setdefault("ROS_AUTOMATIC_DISCOVERY_RANGE", "LOCALHOST")
 

@@ -9,7 +9,7 @@ import pytest
 rclpy = pytest.importorskip("rclpy")
 
 from mansion_bringup.client import MansionClient  # noqa: E402
-from mansion_bringup.graph.processes import free_domain  # noqa: E402
+from mansion_bringup.graph.domains import free_domain  # noqa: E402
 from mansion_msgs_py.interfaces import ServiceInterface  # noqa: E402
 from mansion_msgs_py.nodes.node import MansionNode  # noqa: E402
 from mansion_msgs_py.nodes.shell import add_json_service  # noqa: E402

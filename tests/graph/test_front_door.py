@@ -10,7 +10,8 @@ from pathlib import Path
 import pytest
 
 import mansion
-from mansion_bringup.graph.processes import GraphProcesses, free_domain
+from mansion_bringup.graph.domains import free_domain
+from mansion_bringup.graph.processes import GraphProcesses
 
 pytestmark = pytest.mark.graph
 

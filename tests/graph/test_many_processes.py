@@ -15,7 +15,7 @@ from typing import Any
 import pytest
 
 from mansion_bringup.discovery import CHOICES, kept_to_this_machine
-from mansion_bringup.graph.processes import free_domain
+from mansion_bringup.graph.domains import free_domain
 
 pytestmark = pytest.mark.graph
 

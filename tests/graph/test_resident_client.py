@@ -16,7 +16,7 @@ from pathlib import Path
 import pytest
 
 from mansion_bringup.discovery import CHOICES, loopback_variables
-from mansion_bringup.graph.processes import free_domain
+from mansion_bringup.graph.domains import free_domain
 
 pytest.importorskip("rclpy")
 pytestmark = pytest.mark.graph

@@ -13,7 +13,8 @@ import pytest
 
 pytest.importorskip("rclpy")
 
-from mansion_bringup.graph.processes import GraphOptions, GraphProcesses, free_domain
+from mansion_bringup.graph.domains import free_domain
+from mansion_bringup.graph.processes import GraphOptions, GraphProcesses
 from mansion_bringup.pipeline.build import build_building
 from mansion_msgs_py.request import BuildRequest
 

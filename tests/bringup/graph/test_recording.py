@@ -17,7 +17,8 @@ from sensor_msgs.msg import CameraInfo
 from std_msgs.msg import String
 
 from mansion_bringup.client import MansionClient
-from mansion_bringup.graph.processes import GraphOptions, GraphProcesses, free_domain
+from mansion_bringup.graph.domains import free_domain
+from mansion_bringup.graph.processes import GraphOptions, GraphProcesses
 from mansion_bringup.graph.recording import GraphRecording, definition_of
 from mansion_bringup.graph.skill_port import SERVER
 from mansion_msgs_py.interfaces import LATCHED, STREAM

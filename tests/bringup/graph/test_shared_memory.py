@@ -13,7 +13,7 @@ from pathlib import Path
 
 import pytest
 
-from mansion_bringup.graph.processes import free_domain
+from mansion_bringup.graph.domains import free_domain
 from mansion_bringup.graph.shared_memory import SegmentLedger, ledger_folders, remove_left_behind
 
 SHM = Path("/dev/shm")

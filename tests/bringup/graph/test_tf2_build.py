@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from mansion_bringup.graph import tf2_build
-from mansion_bringup.graph.processes import free_domain
+from mansion_bringup.graph.domains import free_domain
 from mansion_bringup.graph.tf2_build import build_tf2_msgs, has_tf2, missing_tools
 from mansion_msgs_py.errors import ErrorCode, MansionError
 

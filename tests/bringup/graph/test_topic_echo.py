@@ -11,7 +11,7 @@ from nav_msgs.msg import OccupancyGrid
 from std_msgs.msg import String
 
 from mansion_bringup.client import MansionClient
-from mansion_bringup.graph.processes import free_domain
+from mansion_bringup.graph.domains import free_domain
 from mansion_bringup.graph.tf2_build import has_tf2
 from mansion_bringup.graph.topic_echo import FoundTopic, find_topic, full_name, message_class, message_yaml, silence
 from mansion_msgs_py.errors import MansionError

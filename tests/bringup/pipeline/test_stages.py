@@ -13,7 +13,7 @@ from rclpy.context import Context
 from rclpy.node import Node
 
 from mansion_bringup.client import MansionClient
-from mansion_bringup.graph.processes import free_domain
+from mansion_bringup.graph.domains import free_domain
 from mansion_bringup.pipeline.stages import RemoteStages
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.interfaces import service

@@ -12,7 +12,8 @@ pytest.importorskip("rclpy")
 
 from mansion_assets.catalogue import load_catalogue
 from mansion_bringup.client import MansionClient
-from mansion_bringup.graph.processes import GraphOptions, GraphProcesses, NodeProcess, free_domain
+from mansion_bringup.graph.domains import free_domain
+from mansion_bringup.graph.processes import GraphOptions, GraphProcesses, NodeProcess
 from mansion_editing.editor import SceneEditor
 from mansion_editing.physics.engine import StaticEngine
 from mansion_editing.storage import BuildingStore

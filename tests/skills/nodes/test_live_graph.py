@@ -12,7 +12,8 @@ import numpy as np
 import pytest
 
 from mansion_bringup.client import MansionClient
-from mansion_bringup.graph.processes import GraphOptions, GraphProcesses, NodeProcess, free_domain
+from mansion_bringup.graph.domains import free_domain
+from mansion_bringup.graph.processes import GraphOptions, GraphProcesses, NodeProcess
 from mansion_export.nav2 import map_pgm, map_yaml
 from mansion_msgs_py.codec import decode, encode_bytes
 from mansion_msgs_py.scene import FloorScene

@@ -17,7 +17,8 @@ import pytest
 
 from invariants import check_world
 from mansion_bringup.client import MansionClient
-from mansion_bringup.graph.processes import GraphOptions, GraphProcesses, NodeProcess, free_domain
+from mansion_bringup.graph.domains import free_domain
+from mansion_bringup.graph.processes import GraphOptions, GraphProcesses, NodeProcess
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.interfaces import topic
 from mansion_msgs_py.nodes.shell import qos_profile

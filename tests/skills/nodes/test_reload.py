@@ -18,7 +18,8 @@ from sample_building import write_building
 rclpy = pytest.importorskip("rclpy")
 
 from mansion_bringup.client import MansionClient  # noqa: E402
-from mansion_bringup.graph.processes import GraphOptions, GraphProcesses, NodeProcess, free_domain  # noqa: E402
+from mansion_bringup.graph.domains import free_domain  # noqa: E402
+from mansion_bringup.graph.processes import GraphOptions, GraphProcesses, NodeProcess  # noqa: E402
 from mansion_bringup.graph.topic_echo import message_class  # noqa: E402
 from mansion_msgs_py.errors import MansionError  # noqa: E402
 from mansion_msgs_py.interfaces import TOPICS  # noqa: E402

@@ -10,7 +10,8 @@ from sample_building import write_building
 pytest.importorskip("rclpy")
 
 from mansion_bringup.client import MansionClient
-from mansion_bringup.graph.processes import GraphOptions, GraphProcesses, NodeProcess, free_domain
+from mansion_bringup.graph.domains import free_domain
+from mansion_bringup.graph.processes import GraphOptions, GraphProcesses, NodeProcess
 from mansion_skills.engine.motion import STALE
 
 pytestmark = pytest.mark.graph

@@ -10,7 +10,8 @@ import numpy as np
 import pytest
 
 from mansion_bringup.client import MansionClient
-from mansion_bringup.graph.processes import GraphOptions, GraphProcesses, NodeProcess, free_domain
+from mansion_bringup.graph.domains import free_domain
+from mansion_bringup.graph.processes import GraphOptions, GraphProcesses, NodeProcess
 from mansion_msgs_py.codec import decode
 from mansion_msgs_py.interfaces import topic
 from mansion_msgs_py.nodes.shell import qos_profile

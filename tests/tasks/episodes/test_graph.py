@@ -9,7 +9,8 @@ import pytest
 
 from episode_tasks import apple_task, call, mug_task, search_task
 from mansion_bringup.client import MansionClient
-from mansion_bringup.graph.processes import GraphOptions, GraphProcesses, free_domain
+from mansion_bringup.graph.domains import free_domain
+from mansion_bringup.graph.processes import GraphOptions, GraphProcesses
 from mansion_bringup.graph.skill_port import SERVER, GraphPort
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.task import Task

@@ -11,7 +11,8 @@ from statistics import median
 
 from mansion_bringup.client import MansionClient
 from mansion_bringup.discovery import kept_to_this_machine
-from mansion_bringup.graph.processes import GraphOptions, GraphProcesses, free_domain
+from mansion_bringup.graph.domains import free_domain
+from mansion_bringup.graph.processes import GraphOptions, GraphProcesses
 from mansion_bringup.pipeline.build import build_building
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.world import Progress

@@ -3,7 +3,6 @@
 import contextlib
 import os
 import signal
-import socket
 import subprocess
 import sys
 import time
@@ -15,6 +14,7 @@ from types import TracebackType
 from typing import TYPE_CHECKING
 
 from mansion_bringup.discovery import kept_to_this_machine
+from mansion_bringup.graph.domains import free_domain
 from mansion_bringup.graph.rclpy_available import check_rclpy
 from mansion_bringup.graph.shared_memory import SegmentLedger, remove_left_behind
 from mansion_msgs_py.codec import encode
@@ -24,39 +24,7 @@ from mansion_msgs_py.interface_types import DEFAULT_NAMESPACE
 if TYPE_CHECKING:
     from mansion_bringup.client import MansionClient
 
-__all__ = ["GRAPH_NODES", "GraphOptions", "GraphProcesses", "NodeProcess", "free_domain", "graph_client"]
-
-PORT_BASE = 7400
-DOMAIN_GAIN = 250
-FIRST_UNICAST = 10
-LAST_DOMAIN = 101
-"""Above it, the ports of a domain fall into Linux's ephemeral range."""
-
-
-def free_domain(start: int | None = None) -> int:
-    """Return a domain whose first participant's discovery port (RTPS 2.2, 9.6.1.1) is free on loopback.
-
-    Parameters
-    ----------
-    start : int, optional
-        Where to begin looking; depends on the process id when absent, so that neighbours rarely try the same.
-    """
-    first = os.getpid() if start is None else start
-    for step in range(LAST_DOMAIN):
-        domain = 1 + (first + step) % LAST_DOMAIN
-        if str(domain) != os.environ.get("ROS_DOMAIN_ID") and _is_free(domain):
-            return domain
-    raise MansionError(ErrorCode.UNAVAILABLE, "every ROS domain of this machine is in use")
-
-
-def _is_free(domain: int) -> bool:
-    port = PORT_BASE + DOMAIN_GAIN * domain + FIRST_UNICAST
-    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
-        try:
-            probe.bind(("127.0.0.1", port))
-        except OSError:
-            return False
-    return True
+__all__ = ["GRAPH_NODES", "GraphOptions", "GraphProcesses", "NodeProcess", "graph_client"]
 
 
 @dataclass(frozen=True)

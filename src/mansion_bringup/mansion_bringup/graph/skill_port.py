@@ -8,7 +8,8 @@ from typing import Any
 
 from mansion_bringup.client import MansionClient
 from mansion_bringup.discovery import kept_to_this_machine
-from mansion_bringup.graph.processes import GraphOptions, GraphProcesses, NodeProcess, free_domain
+from mansion_bringup.graph.domains import free_domain
+from mansion_bringup.graph.processes import GraphOptions, GraphProcesses, NodeProcess
 from mansion_msgs_py.building import LoadBuilding
 from mansion_msgs_py.codec import decode, encode
 from mansion_msgs_py.errors import ErrorCode, MansionError
