@@ -351,6 +351,8 @@ class _Entry:
         word = self.reading.word(self.end - 1)
         if word in PLAIN or word.endswith(("ly", "ed")) or word in _NO_ROOMS:
             return True
+        if word in _STRENGTHS and self.end - self.begin == 1:
+            return True  # "on the second floor right next to the archive"
         return any(m.style and (m.first, m.last) == (self.begin, self.end) for m in self.reading.mentions)
 
 
@@ -377,6 +379,9 @@ _NO_ROOMS = frozenset(
     opportunity potential
     """.split()
 )
+
+_STRENGTHS = frozenset({"right", "immediately", "close", "close-by", "hard"})
+"""Adverbs that only strengthen where something is."""
 
 _PURPOSEFUL = frozenset(
     """
@@ -433,7 +438,9 @@ def with_users(reading: Reading, phrase: Phrase, names: Mapping[str, int]) -> li
     if phrase.head != "room" or reading.word(last) not in ("for", "of") or not uses(last + 1):
         return [phrase]
     users, index = [last + 1], last + 2
-    while reading.word(index) in ("and", ",", "&"):
+    closed = False
+    while reading.word(index) in ("and", "&") or (reading.word(index) == "," and not closed):
+        closed = reading.word(index) != "," or reading.word(index + 1) == "and"
         index += 1 + (reading.word(index + 1) == "and")
         index += reading.words(index, index + 1) in (("another",), ("one",), ("others",))
         index += reading.word(index) == "for"
