@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from mansion_planner.brief.facts import ObjectFact
 from mansion_planner.brief.furniture_words import usually_in
 from mansion_planner.brief.phrase import FUNCTION_WORDS, Phrase
-from mansion_planner.brief.reading import Reading
+from mansion_planner.brief.reading import FLOOR_WORDS, Reading
 from mansion_planner.brief.relations import Relation
 from mansion_planner.brief.storey_attachment import Attachment
 
@@ -412,7 +412,8 @@ def _is_of_holder(reading: Reading, phrases: list[Phrase], holder: int, inner: i
         or reading.knowledge.room(outer.room_type).unit
     ):
         return False
-    lead, joint = set(reading.words(outer.last, room.begin)), reading.words(room.last, things[0].first)
+    between = (at for at in range(outer.last, room.begin) if reading.kind(at) not in ("number", "unit"))
+    lead, joint = {reading.word(at) for at in between} - FLOOR_WORDS, reading.words(room.last, things[0].first)
     if not lead & {"with", "has", "have"} or not lead <= _HAVING or room.determiner == "the" or room.plural:
         return False
     listed = joint in (("and",), ("&",))
@@ -427,10 +428,8 @@ def _is_of_holder(reading: Reading, phrases: list[Phrase], holder: int, inner: i
     )
 
 
-_HAVING = frozenset(
-    {"with", "has", "have", "having", "a", "an", "one", "its", "own", "each", "every", "of", "them", ","}
-)
-"""Words between a room and one that it has."""
+_HAVING = frozenset("with has have having a an one its own each every of on them ,".split())
+"""Words between a room and one that it has, besides sizes and storeys."""
 
 
 def _leads_into(gap: tuple[str, ...]) -> bool:

@@ -52,6 +52,7 @@ from mansion_planner.brief.stacked_uses import read_stacking
 from mansion_planner.brief.storey_attachment import Attachment
 from mansion_planner.brief.storeys import read_storeys
 from mansion_planner.brief.suites import read_suites
+from mansion_planner.brief.told_by_size import told_by_size
 from mansion_planner.brief.unit_storeys import attach_units
 from mansion_planner.brief.units import are_units, is_type_of_flat
 from mansion_planner.brief.unread_words import leave_unread
@@ -126,7 +127,8 @@ class _Reader:
         as_studio_flat(reading, phrases)
         phrases = with_shared_sizes(reading, measures, phrases)
         self.phrases = [room_for_building(reading, phrase) for phrase in give_measures(reading, measures, phrases)]
-        self.phrases = sized(reading, with_bare_areas(reading, self.phrases), self.building)
+        one_of_several = told_by_size(reading, with_bare_areas(reading, self.phrases))
+        self.phrases = sized(reading, one_of_several.phrases, self.building)
         reading.go_on()
         read_late_counts(reading, self.phrases)
         self.phrases, self.households = read_households(reading, self.phrases, self.places, self.building)
@@ -143,6 +145,7 @@ class _Reader:
             if phrase.first in shared and number in self.attached:
                 self.attached[number] = Attachment(self.attached[number].refs)
         read_halves(reading, self.phrases, self.places, self.attached)
+        self._place_with(one_of_several.others)
         self._other_names_of_building()
         reading.go_on()
         self.same, self.groups = coreferences(reading, self.phrases, self._wanted_rooms(), self.relations)
@@ -281,6 +284,14 @@ class _Reader:
         )
 
     # Phrases that stand for others ----------------------------------------------------------------------------------
+
+    def _place_with(self, others: dict[int, int]) -> None:
+        """Put a room that is told by its size, whose storey is not said, where the others of its kind are."""
+        numbers = {phrase.first: number for number, phrase in enumerate(self.phrases)}
+        for first, other in others.items():
+            held = self.attached.get(numbers[other]) if other in numbers else None
+            if first in numbers and numbers[first] not in self.attached and held is not None:
+                self.attached[numbers[first]] = Attachment(held.refs)
 
     def _find_building(self) -> None:
         """Find the phrase that names the building again, after phrases were added or left out."""
