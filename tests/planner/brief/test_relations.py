@@ -28,6 +28,14 @@ def read(brief: str) -> BriefFacts:
             "A school: recital room with a stage, the instrument store next door to it, a foyer.",
             {("instrument_store", "recital_room")},
         ),
+        (
+            "A house: snug at the front, kitchen at the back, and the dining room between the two.",
+            {("dining_room", "snug"), ("dining_room", "kitchen")},
+        ),
+        (
+            "A laboratory: a microbiology lab of 50 m2 entered through an airlock, a weighing room.",
+            {("microbiology_lab", "airlock")},
+        ),
         ("A villa. The study is on the second floor right next to the archive.", {("study", "archive")}),
         ("A department with 5 offices. The mayor's office beside its secretariat.", {("mayor_office", "secretariat")}),
         (

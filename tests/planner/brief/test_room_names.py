@@ -169,3 +169,30 @@ def test_those_whom_a_practice_is_for_are_people() -> None:
 def test_a_studio_of_an_agency_is_to_work_in() -> None:
     facts = read("Advertising agency on two floors. Upper floor: one open studio with 32 desks and a coffee bar")
     assert [fact.room_type for fact in facts.rooms] == ["open_office", "cafe"]
+
+
+@pytest.mark.parametrize("rooms", ["en-suite bathrooms", "en-suite wet rooms"])
+def test_bedrooms_with_en_suite_rooms_have_one_each(rooms: str) -> None:
+    facts = read(f"A care home with twenty single bedrooms with {rooms}, a lounge and an assisted bathroom")
+    assert [fact.name for fact in facts.rooms] == ["single_bedroom", "lounge", "assisted_bathroom"]
+    assert [(room.label, room.count) for room in facts.rooms[0].suite] == [(rooms, 1)]
+
+
+def test_a_counted_number_of_en_suite_rooms_is_theirs_alone() -> None:
+    facts = read("A house with four bedrooms with two en-suite bathrooms")
+    assert [(fact.room_type, fact.count, fact.suite) for fact in facts.rooms] == [
+        ("bedroom", 4, ()),
+        ("ensuite_bathroom", 2, ()),
+    ]
+
+
+@pytest.mark.parametrize(
+    ("brief", "rooms"),
+    [
+        ("A house with a snug and a kitchen", ["living_room", "kitchen"]),
+        ("A house with a kitchen. The bedrooms should be warm and snug.", ["kitchen", "bedroom"]),
+        ("A house with two bedrooms that are snug", ["bedroom"]),
+    ],
+)
+def test_a_snug_is_a_room_where_it_is_no_adjective(brief: str, rooms: list[str]) -> None:
+    assert [fact.room_type for fact in read(brief).rooms] == rooms

@@ -423,6 +423,8 @@ def _is_of_holder(reading: Reading, phrases: list[Phrase], holder: int, inner: i
         listed = any("and" in reading.words(one.last, other.first) for one, other in joints)
     if not listed:
         return False
+    if room.room_type == "stage":
+        return True  # it is a part of the hall
     return not (usually_in(thing.category, room.room_type) and outer.known) or usually_in(
         thing.category, outer.room_type
     )

@@ -411,9 +411,15 @@ def _is_figurative(reading: Reading, begin: int, end: int) -> bool:
         return True
     if lead in ("they", "we", "you", "people"):
         return True  # "they slide down a pole": a verb
+    if noun == "snug" and (lead in _COPULAS or (lead in ("and", ",") and reading.word(begin - 2) in PLAIN)):
+        return True  # "the bedrooms should be warm and snug"
     if noun == "table" and not reading.plural(begin):
         return lead == "see" or (lead == "the" and reading.word(begin - 2) in ("see", "per"))
     return noun == "display" and lead == "on"
+
+
+_COPULAS = frozenset("is are be feel feels look looks very so stay keep".split())
+"""Words after which an adjective stands."""
 
 
 def _are_book_stacks(reading: Reading, begin: int, end: int) -> bool:
