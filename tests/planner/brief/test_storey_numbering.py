@@ -31,6 +31,19 @@ def storeys(brief: str) -> dict[str, int | str]:
             "Ground storey: dining room. 1st storey above it: two bathrooms; 2nd storey: studio.",
             {"dining_room": 1, "bathroom": 2, "studio": 3},
         ),
+        (
+            "A school of four floors. On ground floor is gym. First and second floor are same: six classrooms on each. "
+            "On third floor a library.",
+            {"gym": 1, "classroom": 2, "library": 4},
+        ),
+        (
+            "A clinic with 4 levels. Ground floor: pharmacy. The 1st and the 2nd floor have a lab. 3rd floor: archive.",
+            {"pharmacy": 1, "lab": 2, "archive": 4},
+        ),
+        (
+            "An office of three floors. Ground floor has cafe. First, second and third floors have a meeting room.",
+            {"cafe": 1, "meeting_room": 1},
+        ),
     ],
 )
 def test_numbers_count_from_the_ground_floor_or_above_it(brief: str, expected: dict[str, int | str]) -> None:
