@@ -40,6 +40,10 @@ _STAIRS = frozenset({"stair", "staircase", "stairwell", "stairway", "stairs"})
 _LIFTS = frozenset({"lift", "elevator"})
 _FURNITURE_TOO = frozenset({"locker", "stall"})
 """Nouns that name a room, and furniture after certain words: a bedside locker, a milking stall."""
+_EQUIPMENT = frozenset(
+    {("emergency", "shower"), ("safety", "shower"), ("drench", "shower"), ("birthing", "pool"), ("birth", "pool")}
+)
+"""What stands in a room, though its noun alone names a room."""
 _VERBAL_MODIFIERS = frozenset(
     """
     live touch sleep cook sit meet walk measuring making serving meeting sharing reading facing opening making share
@@ -331,6 +335,13 @@ def _furniture_or_core(reading: Reading, begin: int, end: int, mention: Mention 
     longer = size > 1 and (mention is None or mention.last - mention.first < size)
     counter = last == "counter" and mention is not None
     counter = counter and reading.word(count_before(reading, begin, end)[0] - 1) == "with"
+    lockers = last == "locker" and reading.plural(end - 1) and not count_before(reading, begin, end)[2]
+    if lockers and longer and set(reading.words(begin, end - 1)) <= PEOPLE:
+        room = finished_phrase(reading, "room", begin, end, room="changing_room")
+        return replace(room, count=1, plural=False)  # "staff lockers" are one room
+    if reading.words(end - 2, end) in _EQUIPMENT:
+        category = furniture_of((reading.word(end - 1),))[0] if size < 2 else category
+        return finished_phrase(reading, "object", begin, end, category=category)
     if counter or (longer and last in _FURNITURE_TOO):
         return finished_phrase(reading, "object", begin, end, category=category)
     return None
@@ -340,7 +351,8 @@ def _by_mention(reading: Reading, begin: int, end: int, mention: Mention) -> Phr
     """Return the room or the building that the lexicon has, as more words before its head may tell it further."""
     last = reading.word(end - 1)
     room = mention.room or room_of_building(mention.building, reading.knowledge)
-    if last in PEOPLE and reading.plural(end - 1) and not mention.room:
+    served = reading.word(count_before(reading, begin, end)[0] - 1) == "for"
+    if last in PEOPLE and reading.plural(end - 1) and (served or not mention.room):
         return finished_phrase(reading, "people", begin, end)  # "50 diners" are no eating houses
     if end - begin > 1 and mention.last - mention.first == 1:
         if last == "studio" and _names_use(reading, begin, end):
@@ -382,6 +394,8 @@ def _people_or_furniture(reading: Reading, begin: int, end: int, *, whole: bool)
     if last in PEOPLE:
         return finished_phrase(reading, "people", begin, end)
     category, _ = furniture_of(reading.words(begin, end))
+    if last == "island" and reading.word(count_before(reading, begin, end)[0] - 1) in ("of", "on", "at"):
+        return None  # "the school of a small island"
     titles = last == "table" and reading.words(end, end + 2) in (("of", "room"), ("of", "content"))
     if category and not titles and (whole or not _modifies(reading, end)):
         return finished_phrase(reading, "object", begin, end, category=category)

@@ -345,6 +345,8 @@ class _Entry:
         word = self.reading.word(self.end - 1)
         if word in PLAIN or word.endswith(("ly", "ed")) or word in _NO_ROOMS:
             return True
+        if word in _STRENGTHS and self.end - self.begin == 1:
+            return True  # "on the second floor right next to the archive"
         return any(m.style and (m.first, m.last) == (self.begin, self.end) for m in self.reading.mentions)
 
 
@@ -371,6 +373,9 @@ _NO_ROOMS = frozenset(
     opportunity potential
     """.split()
 )
+
+_STRENGTHS = frozenset({"right", "immediately", "close", "close-by", "hard"})
+"""Adverbs that only strengthen where something is."""
 
 _PURPOSEFUL = frozenset(
     """
