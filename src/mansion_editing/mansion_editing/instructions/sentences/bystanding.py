@@ -24,6 +24,7 @@ __all__ = [
     "asks_for_nothing",
     "asks_for_one_each",
     "begins_with_state",
+    "fills_gaps",
     "is_exclamation",
     "is_habit",
     "is_purpose",
@@ -46,6 +47,12 @@ _LACKING: Final = frozenset("no none nothing not never without broken defective 
 _NOT_OURS: Final = frozenset("a an part my mine ours hers his theirs yours concerned affected involved".split())
 _OTHERS: Final = PEOPLE | frozenset("people nobody everyone everybody somebody child kid".split())
 _THOSE: Final = frozenset("it them those these that this".split())
+_FILLING: Final = frozenset("add put place give bring supply provide fill".split())
+_OF_GAPS: Final = _FILLING | frozenset(
+    "in up to one ones it them a new only just where wherever whatever what those that which is are be missing lacking "
+    "none not no yet still there have has do does the gap".split()
+)
+"""All words of a clause by which what is missing shall be filled in."""
 _CONTRACTED: Final = frozenset("isn't aren't wasn't weren't".split())
 _RESTING: Final = frozenset("stand sit lie hang rest live".split())
 _COUNTED: Final = frozenset("a an some any several".split())
@@ -176,6 +183,23 @@ def asks_for_one_each(words: Sequence[Word]) -> bool:
     enough = after in (["has", "one"], ["have", "one"], ["is", "fine"], ["are", "fine"])
     none = len(after) <= 5 and bool({"not", "no"} & set(after)) and bool({"need", "get", "require"} & set(after))
     return owner and has and (enough or (none and bool({"another", "second", "more", "one"} & set(after))))
+
+
+def fills_gaps(words: Sequence[Word]) -> bool:
+    """Whether words only say that what is missing shall be added: ``add one only where it is missing``."""
+    texts = [word.text for word in words if word.text not in COURTESIES | {",", "so", "then", "and", "."}]
+    texts = texts[1:] if texts[:1] in (["only"], ["just"]) else texts
+    if texts[:1] == [] or texts[0] not in _FILLING or not {*texts} <= _OF_GAPS:
+        return False
+    lacking = [at for at, text in enumerate(texts) if text in ("missing", "lacking", "none", "not", "no")]
+    where = next((at for at, text in enumerate(texts) if text.startswith(("wh", "that", "those"))), len(texts))
+    if len(lacking) != 1 or lacking[0] < where:
+        return texts == ["fill", "the", "gap"] or texts == ["fill", "in", "the", "gap"]
+    return texts[lacking[0]] not in ("not", "no") or texts[lacking[0] + 1 :] in (
+        ["have", "one"],
+        ["one"],
+        ["one", "yet"],
+    )
 
 
 def is_exclamation(words: Sequence[Word], lexicon: Lexicon) -> bool:
