@@ -41,6 +41,7 @@ class Progress:
         self.told: list[tuple[str, Place]] = []
         self.clause: list[Statement] = []
         self.scene: tuple[Things, ...] = ()
+        self.counted: tuple[Things, ...] = ()
         self.later: list[Word] = []
         self.whose: list[Word] = []
         self.is_last = False
