@@ -22,6 +22,7 @@ from mansion_editing.instructions.sentences.bystanding import (
     is_regret,
     is_rhetorical,
     needs_the_space,
+    stands_wrong,
 )
 from mansion_editing.instructions.sentences.circumstances import is_circumstance
 from mansion_editing.instructions.sentences.progress import Progress
@@ -97,7 +98,8 @@ class Asides(Progress):
                 self._read_sentence(_trimmed(part), marked=False)
                 if len(self.unknown) == len(first["unknown"]):
                     return
-            if not self._is_aside(part, followed=before and bool(rest or later), marked=marked):
+            wrong = self._stands_wrong(part, (rest or later) if before else [])
+            if not (wrong or self._is_aside(part, followed=before and bool(rest or later), marked=marked)):
                 continue
             self._go_back(first)
             if before and self._is_unclear(part, rest or later):
@@ -113,6 +115,12 @@ class Asides(Progress):
                     self._pass_over(part, later if end == len(words) else [])
                 return
         self._go_back(whole)
+
+    def _stands_wrong(self, words: Sequence[Word], later: Sequence[Word]) -> bool:
+        """Whether words only tell why something shall be turned or moved: ``it is the wrong way round``."""
+        subject = stands_wrong(_trimmed(words))
+        taken_up = any(word.text in ("it", "them") for word in later)
+        return bool(subject) and (taken_up or not (later or self._names_anything(subject[-1:])))
 
     def _with_subject(self, told: Sequence[Word], rest: Sequence[Word]) -> Sequence[Word]:
         """Return ``stays off`` after ``The shredder is broken`` with its subject."""

@@ -31,6 +31,7 @@ __all__ = [
     "is_regret",
     "is_rhetorical",
     "needs_the_space",
+    "stands_wrong",
 ]
 
 _ASKING: Final = MODALS | NEED | frozenset(
@@ -238,6 +239,22 @@ def is_regret(words: Sequence[Word]) -> bool:
     past = any(word.raw in _DONE or (word.raw.endswith("ed") and word.kind == "word") for word in done)
     before = set(texts[1:at])
     return past and before in ({"should", "never"}, {"should", "not"}, {"should", "really", "not"})
+
+
+_STANDING: Final = frozenset("is are was were stand look face point sit hang lie be".split())
+_WRONG: Final = frozenset("side way end direction place spot".split())
+
+
+def stands_wrong(words: Sequence[Word]) -> Sequence[Word]:
+    """Return the subject of ``the head end is on the wrong side``, ``it faces the wrong way``; empty for others."""
+    words = [word for word in _bare(words) if word.text not in ("now", "currently", "still", "round", "around")]
+    texts = [word.text for word in words]
+    at = texts.index("wrong") if "wrong" in texts else 0
+    verb = next((k for k in range(at - 1, 0, -1) if texts[k] in _STANDING), 0)
+    ends = texts[at + 1 : at + 2] and texts[at + 1] in _WRONG and len(texts) == at + 2
+    between = texts[verb + 1 : at] in (["the"], ["on", "the"], ["in", "the"], ["at", "the"], ["to", "the"])
+    plain = all(word.kind != "mark" for word in words) and not {*texts} & (MODALS | {"not", "no", "if", "and", "or"})
+    return words[:verb] if verb and ends and between and plain else []
 
 
 def needs_the_space(words: Sequence[Word]) -> bool:
