@@ -36,6 +36,26 @@ def test_rooms_keep_the_names_that_the_brief_gives_them(text: str, names: set[st
     assert set(rooms(text)) == names
 
 
+@pytest.mark.parametrize(
+    ("text", "name", "kind"),
+    [
+        ("A warehouse with an office, zone of shipping, a charging room.", "shipping_zone", "loading_dock"),
+        ("A hospital with a pharmacy and a post of nurses.", "nurse_post", "nurse_station"),
+        ("A museum with two offices and the reserve of artworks.", "artwork_reserve", "storage"),
+        ("A factory with a production hall and a measuring room.", "measuring_room", "study_room"),
+        ("A factory with a production hall and a goods entrance.", "good_entrance", "loading_dock"),
+        ("A shop with an office and a walk-in refrigerator.", "walk_in_refrigerator", "cold_storage"),
+        ("A hospital. At the ground floor are the emergencies.", "emergency", "emergency_room"),
+    ],
+)
+def test_a_place_is_a_room_by_what_it_is_for(text: str, name: str, kind: str) -> None:
+    assert rooms(text)[name].room_type == kind
+
+
+def test_a_zone_of_the_town_is_no_room() -> None:
+    assert not rooms("A house in a zone of the town, 120 m2.")
+
+
 def test_numbered_rooms_have_areas_of_their_own() -> None:
     found = rooms("One-family house:\nBedroom 1 - 16 m²\nBedroom 2 - 12 m²\nBathroom - 7 m²")
     assert (found["bedroom_1"].area, found["bedroom_2"].area, found["bathroom"].area) == (16, 12, 7)

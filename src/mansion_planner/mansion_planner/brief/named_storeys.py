@@ -23,6 +23,10 @@ _AFTER_TOP = frozenset("with and there nothing only two one become we the sit co
 """Words that what is on the top storey follows: "on top there is a bar"."""
 
 
+_AFTER_GROUND = frozenset("and there has is are also we should must".split())
+"""Words that what is on the ground floor follows: "on the ground are a kitchen and a pantry"."""
+
+
 class NamedStoreys:
     """Reads the names of storeys: each method returns what is meant at a token and the token after it, if anything.
 
@@ -99,7 +103,7 @@ class NamedStoreys:
         if following in ("for", "has", "hold") and lead in (":", ";"):
             return True
         led = lead in ("the", "on", "at") or reading.starts(index) or (lead == "in" and reading.starts(index - 1))
-        return led and (following in CLOSERS or following in ("and", "there", "has", "is", "also"))
+        return led and following in CLOSERS | _AFTER_GROUND
 
     def _is_bottom(self, index: int) -> bool:
         """Whether "bottom" or "lowest" stands for the ground floor: "at the bottom a shop", "the very bottom"."""

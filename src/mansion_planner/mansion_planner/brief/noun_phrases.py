@@ -4,7 +4,6 @@
 phrase, else a noun that can head a room's name ("honey room"), else a piece of furniture of the asset catalogue.
 """
 
-from collections import Counter
 from dataclasses import replace
 
 from mansion_planner.brief.furniture_words import furniture_of, own_furniture_of
@@ -31,8 +30,8 @@ from mansion_planner.brief.room_names import (
     with_designators,
     with_purpose,
     with_sizes,
-    with_users,
 )
+from mansion_planner.brief.room_users import with_users
 from mansion_planner.brief.similarity import HEAD_TYPES, elliptic_room_type, room_of_building, similar_room_type
 
 __all__ = ["noun_phrases"]
@@ -47,8 +46,8 @@ _EQUIPMENT = frozenset(
 """What stands in a room, though its noun alone names a room."""
 _VERBAL_MODIFIERS = frozenset(
     """
-    live touch sleep cook sit meet walk making serving meeting sharing reading facing opening making share sit stand
-    look talk play round
+    live touch sleep cook sit meet walk measuring making serving meeting sharing reading facing opening making share
+    sit stand look talk play round
     """.split()
 )
 _PARTS = frozenset("roof window door wall ceiling view light equipment furniture roofed".split())
@@ -74,8 +73,7 @@ def noun_phrases(reading: Reading) -> list[Phrase]:
     phrases += _with_own_names(reading, listed_unknowns(reading, chunks, phrases))
     phrases += _named_again(reading, chunks, phrases)
     phrases += further_ones(reading, phrases)
-    names = Counter(phrase.name for phrase in phrases)
-    phrases = [part for phrase in phrases for part in with_users(reading, phrase, names)]
+    phrases = with_users(reading, phrases)
     return sorted(by_own_name(reading, with_sizes(reading, phrases)), key=lambda phrase: phrase.first)
 
 
@@ -375,6 +373,8 @@ def _room_by_head(reading: Reading, begin: int, end: int) -> Phrase | None:
     if end - begin == 1:
         if last in ("room", "corner") and _has_purpose(reading, end) and not plural:
             return finished_phrase(reading, "room", begin, end, room="study_room", known=False)
+        if last in _PLACES_OF and _listed_with_purpose(reading, begin, end):
+            return finished_phrase(reading, "room", begin, end, room=HEAD_TYPES[last], known=False)
         listed = determiner in ("a", "an") and reading.word(begin - 2) in ("and", ",", "plus", "&", ":")
         if last in _STANDS_ALONE and (plural or counted or determiner == "the" or listed):
             return finished_phrase(reading, "room", begin, end, room=HEAD_TYPES[last], known=False)
@@ -464,6 +464,23 @@ def _has_purpose(reading: Reading, end: int) -> bool:
     after = end + 1 + (reading.word(end + 1) in ("the", "our"))
     return reading.word(end) == "of" and reading.kind(after) == "word" and reading.word(after) not in FUNCTION_WORDS
 
+
+def _listed_with_purpose(reading: Reading, begin: int, end: int) -> bool:
+    """Whether a list goes on with a place and what it is for: ", zone of shipping", "a post of nurses"."""
+    after = end + 1 + (reading.word(end + 1) == "the")
+    word = reading.word(after)
+    purpose = reading.word(end) == "of" and reading.kind(after) == "word" and word not in FUNCTION_WORDS | FLOOR_WORDS
+    mention = reading.mention_at.get(after)
+    whole = mention is not None and bool(mention.building) and not mention.room
+    first = begin - (reading.word(begin - 1) in ("a", "an", "the", "one"))
+    listed = reading.starts(first) or reading.word(first - 1) in _LIST_LEADS or reading.kind(begin - 1) == "number"
+    return purpose and listed and not whole and word not in _REGIONS
+
+
+_PLACES_OF = frozenset({"zone", "post", "reserve", "section", "depot"})
+"""Nouns that name a room by what it is for: "zone of shipping"; without that they may be anything."""
+_REGIONS = frozenset("city town building house site plot land country work duty office".split())
+_LIST_LEADS = frozenset({",", ":", "and", "with", "is", "are", "has", "have", "there", "&", ";", "-"})
 
 _STANDS_ALONE = frozenset(
     {"surgery", "booth", "cabin", "cell", "chamber", "ward", "salon", "loft", "kiosk", "chapel", "atelier"}
