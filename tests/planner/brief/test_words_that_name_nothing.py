@@ -41,8 +41,18 @@ def test_room_for_people_is_a_number_of_seats() -> None:
     assert [(fact.noun, fact.count, fact.room) for fact in facts.objects] == [("seats", 150, "canteen")]
 
 
-def test_what_nobody_gets_is_not_wanted() -> None:
-    assert "private_office" in [name for name, _ in read("A start-up. Nobody gets a private office.").excluded]
+@pytest.mark.parametrize(
+    "brief",
+    [
+        "A start-up. Nobody gets a private office.",
+        "A start-up. We don't want any private offices.",
+        "A start-up with a cafe. They do not want any private office.",
+    ],
+)
+def test_what_nobody_gets_is_not_wanted(brief: str) -> None:
+    facts = read(brief)
+    assert [name for name, _ in facts.excluded] == ["private_office"]
+    assert "private_office" not in [room.name for room in facts.rooms]
 
 
 @pytest.mark.parametrize("brief", ["An office of two floors.", "An office of about 200 m2 with a cafe."])

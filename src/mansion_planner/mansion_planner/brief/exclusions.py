@@ -31,7 +31,6 @@ _PHRASES = (
     ("no", "one", "get"),
     ("no", "one", "need"),
     ("no", "one", "want"),
-    ("not", "want", "any"),
 )
 _AFTER = (
     ("not", "needed"),
