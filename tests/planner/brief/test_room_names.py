@@ -146,3 +146,17 @@ def test_shared_rooms_belong_to_no_suite() -> None:
 def test_each_before_an_area_gives_nobody_a_room() -> None:
     facts = read("A house with 3 children rooms with each 13 m2, parents bedroom 17 m2, one bathroom")
     assert {fact.name: fact.count for fact in facts.rooms}["parent_bedroom"] == 1
+
+
+@pytest.mark.parametrize(
+    ("brief", "name", "room_type"),
+    [
+        ("An airport with a check-in hall and a hall of the luggage claim.", "luggage_claim_hall", "baggage_claim"),
+        ("A clinic with a lobby and a room for the treatments.", "treatment_room", "treatment_room"),
+        ("A museum with a shop and seven rooms of exhibition.", "exhibition_room", "gallery"),
+        ("A museum with a shop and a workshop of restoration.", "restoration_workshop", "restoration_room"),
+    ],
+)
+def test_a_purpose_that_names_a_known_room_is_that_room(brief: str, name: str, room_type: str) -> None:
+    facts = read_brief(brief, default_knowledge())
+    assert {room.name: (room.room_type, room.known) for room in facts.rooms}[name] == (room_type, True)

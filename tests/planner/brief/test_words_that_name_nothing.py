@@ -67,3 +67,36 @@ def test_the_office_of_somebody_is_a_room() -> None:
 def test_a_relative_clause_may_stand_before_an_area() -> None:
     rooms = {room.name: room.area for room in read("A house. The kitchen where we all eat, about 25 m2.").rooms}
     assert rooms == {"kitchen": 25.0}
+
+
+@pytest.mark.parametrize(
+    ("brief", "rooms"),
+    [
+        ("A house with a kitchen with an island and four bar stools.", ["kitchen"]),
+        ("A bed and breakfast. We, the owners, live downstairs in a bedroom.", ["bedroom"]),
+        ("An apartment of Paris with 62 m2. It has a salon.", ["salon"]),
+        ("A dental practice for three dentists. It needs a waiting room.", ["waiting_room"]),
+        (
+            "A house with an archive. The office is on the second floor right next to the archive.",
+            ["archive", "office"],
+        ),
+        (
+            "A restaurant with one office and two bathrooms, feminine and masculine.",
+            ["office", "woman_bathroom", "man_bathroom"],
+        ),
+        ("A centre with a tools and pots shop and a bistro.", ["tool_and_pot_shop", "bistro"]),
+    ],
+)
+def test_a_word_that_names_no_room_is_none(brief: str, rooms: list[str]) -> None:
+    assert [room.name for room in read(brief).rooms] == rooms
+
+
+@pytest.mark.parametrize(
+    ("brief", "rooms"),
+    [
+        ("A library with a scriptorium and a kitchen.", ["scriptorium", "kitchen"]),
+        ("A mall with a lobby, three hairdressers and two dentists.", ["lobby", "hairdresser", "dentist"]),
+    ],
+)
+def test_a_word_that_names_a_room_stays_one(brief: str, rooms: list[str]) -> None:
+    assert [room.name for room in read(brief).rooms] == rooms

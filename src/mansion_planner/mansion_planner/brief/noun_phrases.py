@@ -342,6 +342,9 @@ def _by_mention(reading: Reading, begin: int, end: int, mention: Mention) -> Phr
     """Return the room or the building that the lexicon has, as more words before its head may tell it further."""
     last = reading.word(end - 1)
     room = mention.room or room_of_building(mention.building, reading.knowledge)
+    alone = end - begin == 1 and reading.plural(begin) and last.endswith(("ist", "er", "vet"))
+    if alone and _is_for(reading, begin, end):
+        return finished_phrase(reading, "people", begin, end)  # "a practice for three dentists"
     if last in PEOPLE and reading.plural(end - 1) and not mention.room:
         return finished_phrase(reading, "people", begin, end)  # "50 diners" are no eating houses
     if end - begin > 1 and mention.last - mention.first == 1:
@@ -351,6 +354,12 @@ def _by_mention(reading: Reading, begin: int, end: int, mention: Mention) -> Phr
             room = _hall_of(reading, begin, end)
     head: Head = "room" if mention.room or not mention.building else "building"
     return finished_phrase(reading, head, begin, end, room=room, building=mention.building, mention=mention)
+
+
+def _is_for(reading: Reading, begin: int, end: int) -> bool:
+    """Whether "for" leads a number of something: "for three dentists"."""
+    first, _, counted, _ = count_before(reading, begin, end)
+    return counted and reading.word(first - 1) == "for"
 
 
 def _room_by_head(reading: Reading, begin: int, end: int) -> Phrase | None:

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 from mansion_language import singular
-from mansion_planner.brief.lexicon import Mention
+from mansion_planner.brief.lexicon import Mention, lexicon_of
 from mansion_planner.brief.phrase import FUNCTION_WORDS, PEOPLE, PLAIN, Phrase, finished_phrase, name_of
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
 from mansion_planner.brief.similarity import HEAD_TYPES, elliptic_room_type, similar_room_type
@@ -30,6 +30,9 @@ def one_of(phrase: Phrase, first: int, last: int) -> Phrase:
 
 def coordinated(reading: Reading, chunks: list[tuple[int, int]], phrase: Phrase) -> list[Phrase]:
     """Read "chemistry and physics labs" and "men's and women's changing rooms" as a room of each kind."""
+    shared = _with_both_modifiers(reading, chunks, phrase)
+    if shared is not None:
+        return [shared]
     if (
         phrase.head != "room"
         or not phrase.plural
@@ -55,6 +58,21 @@ def coordinated(reading: Reading, chunks: list[tuple[int, int]], phrase: Phrase)
         replace(one_of(phrase, *other), name=first[:60], label=label, room_type=room_type),
         replace(phrase, count=1, counted=True, plural=False),
     ]
+
+
+def _with_both_modifiers(reading: Reading, chunks: list[tuple[int, int]], phrase: Phrase) -> Phrase | None:
+    """Return one room with all that it is called after: "a tools and pots shop"; nothing for other phrases."""
+    if phrase.head != "room" or phrase.plural or phrase.first != phrase.begin or phrase.noun_end - phrase.begin < 2:
+        return None
+    if reading.word(phrase.begin - 1) not in ("and", "&"):
+        return None
+    first = next((a for a, b in chunks if b == phrase.begin - 1 and b - a == 1 and reading.free(a, b)), None)
+    if first is None or not reading.plural(first) or reading.word(first - 1) not in ("a", "an", "one"):
+        return None
+    reading.take(first - 1, phrase.last)
+    name = f"{reading.word(first)}_and_{phrase.name}"[:60]
+    label = reading.span(first, phrase.noun_end).words
+    return replace(phrase, first=first - 1, begin=first, name=name, label=label, determiner="a")
 
 
 def designated_nouns(reading: Reading) -> frozenset[str]:
@@ -224,6 +242,7 @@ def listed_unknowns(reading: Reading, chunks: list[tuple[int, int]], phrases: li
         begins={phrase.begin for phrase in rooms},
         ends={phrase.last for phrase in rooms},
         things={phrase.last for phrase in phrases if phrase.head == "object"},
+        furniture={phrase.begin for phrase in phrases if phrase.head == "object"},
     )
     found: list[Phrase] = []
     for begin, end in chunks:
@@ -251,12 +270,15 @@ class _Named:
         First tokens of rooms, and the tokens after them.
     things : set of int
         The tokens after furniture.
+    furniture : set of int
+        The first tokens of furniture.
     """
 
     sentences: set[int]
     begins: set[int]
     ends: set[int]
     things: set[int]
+    furniture: set[int]
 
 
 @dataclass(frozen=True)
@@ -339,6 +361,10 @@ class _Entry:
         reading, begin, lead = self.reading, self.begin, self.reading.word(self.begin - 2)
         if self._before in ("a", "an") and lead == "and" and begin - 2 in self.named.things:
             return True  # "each with a bed and a chest"
+        if self._before in ("a", "an") and lead == "with" and self._precedes_furniture():
+            return True  # "a kitchen with an island and four bar stools"
+        if self._before == "the" and lead == "," and reading.word(begin - 3) in ("we", "us", "i"):
+            return True  # "we, the owners, live downstairs"
         if not self._plural or reading.kind(begin - 1) != "number":
             return False
         if lead == "for" or lead in _HOLDS:
@@ -346,10 +372,18 @@ class _Entry:
         people = reading.word(self.end - 1).endswith(("er", "or", "ist", "ant", "ian", "eer"))
         return people and self._counted  # "30 consultants"
 
+    def _precedes_furniture(self) -> bool:
+        """Whether furniture goes on right after them: "... and four bar stools"."""
+        joined = self._after in ("and", "&", ",")
+        return joined and any(self.end < first <= self.end + 4 for first in self.named.furniture)
+
     def _is_no_name(self) -> bool:
         """Whether they say how a room is: "a penthouse of 210 m2, art deco"."""
         word = self.reading.word(self.end - 1)
-        if word in PLAIN or word.endswith(("ly", "ed")) or word in _NO_ROOMS:
+        place = self._before in ("of", "in", "near") and self.reading.tokens[self.begin].capital
+        if place and any(m.building and m.last == self.begin - 1 for m in self.reading.mentions):
+            return True  # "an apartment of Paris with 62 m2"
+        if word in PLAIN or word.endswith(("ly", "ed")) or word in _NO_ROOMS | _OF_SEXES:
             return True
         return any(m.style and (m.first, m.last) == (self.begin, self.end) for m in self.reading.mentions)
 
@@ -374,7 +408,7 @@ _NO_ROOMS = frozenset(
     other larger smaller bigger star escape dust water power heating cooling air sun daylight privacy quiet peace m
     metre meter roof region order vicinity neighbourhood neighborhood altogether totality
     st ea adj approx spectacular stunning ground first thought think guess reckon say site facility facilities
-    opportunity potential
+    opportunity potential right left
     """.split()
 )
 
@@ -423,6 +457,15 @@ def with_users(reading: Reading, phrase: Phrase, names: Mapping[str, int]) -> li
     """
     one_of_several = names[phrase.name] > 1 and not phrase.plural
     last = phrase.last
+    if (
+        phrase.head == "room"
+        and phrase.plural
+        and phrase.count in (None, 2)
+        and _SEXES.keys() >= set(_two(reading, last))
+    ):
+        rooms = [_of_users(reading, one_of(phrase, phrase.first, last), user) for user in (last + 1, last + 3)]
+        reading.take(last, last + 4)
+        return [rooms[0], replace(rooms[1], first=last + 3, begin=last + 3, noun_end=last + 4)]
     if phrase.head == "room" and reading.word(last) in _SEXES and one_of_several:
         return [_of_users(reading, phrase, last)]  # "vestiary feminine"
     apart = phrase.plural and "separate" in reading.words(phrase.first - 1, phrase.noun_end)
@@ -459,6 +502,12 @@ def with_users(reading: Reading, phrase: Phrase, names: Mapping[str, int]) -> li
     return rooms
 
 
+def _two(reading: Reading, last: int) -> tuple[str, ...]:
+    """Return the two words after a room and a mark: "two bathrooms, feminine and masculine"."""
+    told = reading.word(last) in (",", "(", ":", "-", "–") and reading.word(last + 2) in ("and", "&")
+    return (reading.word(last + 1), reading.word(last + 3)) if told else ("",)
+
+
 _NOTHING = Mention(0, 0)
 
 
@@ -474,6 +523,10 @@ _SEXES = {
     "man": "man", "woman": "woman", "boy": "boy", "girl": "girl", "male": "man", "female": "woman", "lady": "lady",
     "gentleman": "gentleman", "masculine": "man", "feminine": "woman", "gent": "gentleman",
 }  # fmt: skip
+
+
+_OF_SEXES = frozenset({"masculine", "feminine", "male", "female"})
+"""Adjectives that tell rooms apart by their users and name none."""
 
 
 def _is_name(reading: Reading, index: int) -> bool:
@@ -528,6 +581,20 @@ def with_purpose(reading: Reading, phrase: Phrase) -> Phrase:
         else phrase.room_type
     )
     label = reading.span(phrase.begin, end).words
-    known = phrase.known or bool(own_rooms and elliptic_room_type(reading.words(begin, end), reading.knowledge))
+    same = _kind_named(reading, begin, end, phrase.name)
+    known = bool(same) or phrase.known
+    known = known or bool(own_rooms and elliptic_room_type(reading.words(begin, end), reading.knowledge))
     reading.take(last, end)
-    return replace(phrase, name=name, label=label, last=end, room_type=room or phrase.room_type, known=known)
+    return replace(phrase, name=name, label=label, last=end, room_type=same or room or phrase.room_type, known=known)
+
+
+def _kind_named(reading: Reading, begin: int, end: int, noun: str) -> str:
+    """Return the room type that the lexicon has for a purpose before its noun; empty for none.
+
+    The "hall of the luggage claim" is a luggage claim, the "room for the treatments" a treatment room.
+    """
+    if noun not in _PURPOSEFUL:
+        return ""
+    phrases, words = lexicon_of(reading.knowledge).phrases, reading.words(begin, end)
+    found = phrases.get((*words, noun)) or (phrases.get(words) if noun == "hall" else None)
+    return found.room if found is not None else ""
