@@ -100,3 +100,31 @@ def test_a_word_that_names_no_room_is_none(brief: str, rooms: list[str]) -> None
 )
 def test_a_word_that_names_a_room_stays_one(brief: str, rooms: list[str]) -> None:
     assert [room.name for room in read(brief).rooms] == rooms
+
+
+@pytest.mark.parametrize(
+    "brief",
+    ["Map for a stealth game: a house with a kitchen.", "A house with a kitchen. One lift big enough for crates."],
+)
+def test_a_thing_in_passing_is_not_asked_for(brief: str) -> None:
+    facts = read(brief)
+    assert facts.objects == []
+    assert [room.name for room in facts.rooms] == ["kitchen"]
+
+
+def test_a_map_in_a_room_is_asked_for() -> None:
+    facts = read("Map for a stealth game: a house with a study with a map.")
+    assert [(thing.category, thing.room) for thing in facts.objects] == [("world_map", "study")]
+
+
+def test_a_box_for_shoes_is_no_pair_of_boots() -> None:
+    assert [thing.category for thing in read("A house. Please put a shoes box at the entrance.").objects] == [
+        "shoe_rack"
+    ]
+
+
+def test_a_reserve_of_artworks_is_a_store() -> None:
+    facts = read("A museum with the reserve of artworks, a workshop next to the reserve and three offices.")
+    assert facts.objects == []
+    assert (facts.rooms[0].name, facts.rooms[0].room_type) == ("artwork_reserve", "storage")
+    assert [(fact.first_name, fact.second_name) for fact in facts.adjacent] == [("workshop", "artwork_reserve")]

@@ -154,7 +154,7 @@ def _by_its_head(reading: Reading, heads: dict[str, Phrase], begin: int, end: in
     if end - begin != 1 or reading.word(begin - 1) != "the":
         return None
     phrase = heads.get(reading.word(begin))
-    earlier = phrase is not None and reading.sentence[phrase.first] < reading.sentence[begin]
+    earlier = phrase is not None and (reading.sentence[phrase.first] < reading.sentence[begin] or phrase.last <= begin)
     return phrase if earlier else None
 
 
@@ -372,6 +372,8 @@ def _room_by_head(reading: Reading, begin: int, end: int) -> Phrase | None:
     if end - begin == 1:
         if last in ("room", "corner") and _has_purpose(reading, end) and not plural:
             return finished_phrase(reading, "room", begin, end, room="study_room", known=False)
+        if last == "reserve" and reading.word(end) == "of" and _has_purpose(reading, end) and not plural:
+            return finished_phrase(reading, "room", begin, end, room="storage", known=False)
         listed = determiner in ("a", "an") and reading.word(begin - 2) in ("and", ",", "plus", "&", ":")
         if last in _STANDS_ALONE and (plural or counted or determiner == "the" or listed):
             return finished_phrase(reading, "room", begin, end, room=HEAD_TYPES[last], known=False)
@@ -392,7 +394,8 @@ def _people_or_furniture(reading: Reading, begin: int, end: int, *, whole: bool)
         return finished_phrase(reading, "people", begin, end)
     category, _ = furniture_of(reading.words(begin, end))
     titles = last == "table" and reading.words(end, end + 2) in (("of", "room"), ("of", "content"))
-    if category and not titles and (whole or not _modifies(reading, end)):
+    held = not whole and reading.word(end) in _HOLDERS and not furniture_of(reading.words(begin, end + 1))[1] > 1
+    if category and not titles and not held and (whole or not _modifies(reading, end)):
         return finished_phrase(reading, "object", begin, end, category=category)
     return None
 
@@ -406,9 +409,17 @@ def _is_figurative(reading: Reading, begin: int, end: int) -> bool:
         return True
     if lead in ("they", "we", "you", "people"):
         return True  # "they slide down a pole": a verb
+    if noun in _PICTURES and reading.word(end) in ("for", "of") and not reading.plural(begin):
+        first = begin - (lead in ("a", "an", "the", "our", "my"))
+        return first == 0 or reading.word(first - 1) in _MADE  # "a map for a stealth game"
     if noun == "table" and not reading.plural(begin):
         return lead == "see" or (lead == "the" and reading.word(begin - 2) in ("see", "per"))
     return noun == "display" and lead == "on"
+
+
+_PICTURES = frozenset({"map", "model", "picture", "drawing", "globe"})
+_MADE = frozenset("make create build generate want need design draw plan".split())
+"""What a brief asks to be made, of which the whole building is the picture."""
 
 
 def _are_book_stacks(reading: Reading, begin: int, end: int) -> bool:
@@ -433,6 +444,10 @@ _NO_FURNITURE = frozenset(
     """.split()
 )
 """Nouns that make a piece of furniture before them what they are about."""
+
+
+_HOLDERS = frozenset("box basket bin crate case holder bag container".split())
+"""Nouns that make a thing before them what is kept there: "a shoes box"."""
 
 
 def _are_people(reading: Reading, index: int) -> bool:

@@ -414,7 +414,7 @@ _NO_ROOMS = frozenset(
 
 _PURPOSEFUL = frozenset(
     """
-    room store storage workshop hall area space shop studio office lab cellar storeroom corner atelier zone
+    room store storage workshop hall area space shop studio office lab cellar storeroom corner atelier zone reserve
     """.split()
 )
 
