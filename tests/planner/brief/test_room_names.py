@@ -160,3 +160,8 @@ def test_each_before_an_area_gives_nobody_a_room() -> None:
 def test_a_purpose_that_names_a_known_room_is_that_room(brief: str, name: str, room_type: str) -> None:
     facts = read_brief(brief, default_knowledge())
     assert {room.name: (room.room_type, room.known) for room in facts.rooms}[name] == (room_type, True)
+
+
+def test_a_room_is_known_though_its_plural_is_written_otherwise() -> None:
+    rooms = read("A flat with a bath and a childrens room.").rooms
+    assert {room.name: (room.room_type, room.known) for room in rooms}["children_room"] == ("childrens_room", True)

@@ -128,3 +128,9 @@ def test_a_reserve_of_artworks_is_a_store() -> None:
     assert facts.objects == []
     assert (facts.rooms[0].name, facts.rooms[0].room_type) == ("artwork_reserve", "storage")
     assert [(fact.first_name, fact.second_name) for fact in facts.adjacent] == [("workshop", "artwork_reserve")]
+
+
+def test_the_bar_of_a_taproom_is_its_counter() -> None:
+    facts = read("A brewery with a cold store and the taproom with its long bar.")
+    assert [room.name for room in facts.rooms] == ["cold_store", "taproom"]
+    assert [(thing.category, thing.room) for thing in facts.objects] == [("bar_counter", "taproom")]

@@ -384,7 +384,12 @@ def _room_by_head(reading: Reading, begin: int, end: int) -> Phrase | None:
     if name == last:
         return None
     kind = similar_room_type(name, reading.knowledge)
-    return finished_phrase(reading, "room", begin, end, room=kind, known=False)
+    same = _without_plurals(name) == _without_plurals(kind)  # "childrens room"
+    return finished_phrase(reading, "room", begin, end, room=kind, known=same)
+
+
+def _without_plurals(name: str) -> list[str]:
+    return [word.rstrip("s") for word in name.split("_")]
 
 
 def _people_or_furniture(reading: Reading, begin: int, end: int, *, whole: bool) -> Phrase | None:

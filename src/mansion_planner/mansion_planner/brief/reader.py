@@ -261,7 +261,11 @@ class _Reader:
             before = self.phrases[number - 1] if number else None
             listed = fitted.get(reading.sentence[phrase.first], phrase.first) < phrase.first
             locker = phrase.name == "locker" and before is not None and self._is_locker(before, phrase)
-            if category and (listed or locker or (before is not None and self._is_fixture(before, phrase))):
+            counter = before is not None and self._is_counter_of(before, phrase)
+            if counter or (
+                category and (listed or locker or (before is not None and self._is_fixture(before, phrase)))
+            ):
+                category = "bar_counter" if counter else category
                 self.phrases[number] = replace(phrase, head="object", category=category, room_type="")
 
     def _is_fixture(self, room: Phrase, phrase: Phrase) -> bool:
@@ -270,6 +274,11 @@ class _Reader:
         if room.head != "room" or between not in (("with",), ("with", "a"), ("with", "the")):
             return False
         return phrase.name in ("locker", "workplace") or (room.room_type in _BATHROOMS and phrase.name in _FIXTURES)
+
+    def _is_counter_of(self, room: Phrase, phrase: Phrase) -> bool:
+        """Whether "a taproom with its long bar" speaks of the counter of a room that is a bar itself."""
+        between = self.reading.words(room.last, phrase.begin)
+        return phrase.name == "bar" == room.room_type and between in (("with", "its"), ("and", "its"), ("with", "a"))
 
     def _is_locker(self, before: Phrase, phrase: Phrase) -> bool:
         """Whether "eight lockers" and "a bed and a locker" are furniture: those counted, or named with furniture."""
