@@ -34,7 +34,6 @@ from mansion_planner.brief.furnishings import people_served, read_furnishings
 from mansion_planner.brief.furniture_words import furniture_of
 from mansion_planner.brief.heights import read_heights
 from mansion_planner.brief.households import read_households
-from mansion_planner.brief.kinds_by_building import kind_in_building
 from mansion_planner.brief.measures import Measure, find_measures, give_measures
 from mansion_planner.brief.named_rooms import desks_as_places, rooms_by_name
 from mansion_planner.brief.noun_phrases import noun_phrases
@@ -44,6 +43,7 @@ from mansion_planner.brief.reading import Place, Reading, start_reading
 from mansion_planner.brief.relations import Relation, read_relations
 from mansion_planner.brief.retractions import without_retractions
 from mansion_planner.brief.room_facts import RoomStatements, identifier
+from mansion_planner.brief.rooms_by_building import room_for_building
 from mansion_planner.brief.shared_places import read_shares
 from mansion_planner.brief.shared_rooms import as_studio_flat, rooms_of_several_uses
 from mansion_planner.brief.shared_sizes import with_shared_sizes
@@ -125,7 +125,7 @@ class _Reader:
         self.building = self._name_building(phrases)
         as_studio_flat(reading, phrases)
         phrases = with_shared_sizes(reading, measures, phrases)
-        self.phrases = [kind_in_building(reading, phrase) for phrase in give_measures(reading, measures, phrases)]
+        self.phrases = [room_for_building(reading, phrase) for phrase in give_measures(reading, measures, phrases)]
         self.phrases = sized(reading, with_bare_areas(reading, self.phrases), self.building)
         reading.go_on()
         read_late_counts(reading, self.phrases)
@@ -273,7 +273,9 @@ class _Reader:
         between = self.reading.words(room.last, phrase.begin)
         if room.head != "room" or between not in (("with",), ("with", "a"), ("with", "the")):
             return False
-        return phrase.name in ("locker", "workplace") or (room.room_type in _BATHROOMS and phrase.name in _FIXTURES)
+        return phrase.name.rpartition("_")[2] in ("locker", "workplace") or (
+            room.room_type in _BATHROOMS and phrase.name in _FIXTURES
+        )
 
     def _is_counter_of(self, room: Phrase, phrase: Phrase) -> bool:
         """Whether "a taproom with its long bar" speaks of the counter of a room that is a bar itself."""

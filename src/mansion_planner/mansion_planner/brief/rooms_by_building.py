@@ -1,8 +1,4 @@
-"""Choose the kinds of rooms that mean one thing in one building and another elsewhere.
-
-The assembly hall of a school has a stage, that of a factory has work benches; the cabin of a director is an office, and
-a student room has a bed only where students live.
-"""
+"""Read what a room is by the building that it stands in: "40 rooms" of a hotel, the cabin of a director."""
 
 from dataclasses import replace
 
@@ -11,18 +7,21 @@ from mansion_planner.brief.phrase import Phrase
 from mansion_planner.brief.reading import Reading
 from mansion_planner.brief.similarity import HEAD_TYPES, elliptic_room_type, similar_room_type
 
-__all__ = ["kind_in_building"]
+__all__ = ["room_for_building"]
 
 
-def kind_in_building(reading: Reading, phrase: Phrase) -> Phrase:
-    """Return a phrase as the kind of room that it is in the building of the brief.
+def room_for_building(reading: Reading, phrase: Phrase) -> Phrase:
+    """Return a phrase with the room that it names in a building of the kind that the brief is about.
 
     "40 rooms" in a hotel, hospital or dormitory are the rooms that it is for; elsewhere they stay unread.
     """
     if phrase.name == "cabin" and phrase.plural and phrase.counted and phrase.building:
         return replace(phrase, head="room", building="", room_type=HEAD_TYPES["cabin"], known=False)
-    named, family = _building_of(reading)
-    itself = reading.tokens[phrase.begin].start in {span.start for _, span in reading.facts.building if span.words}
+    facts = reading.facts
+    kind = facts.building[0][0] if facts.building else facts.building_like
+    record = reading.knowledge.buildings.get(kind)
+    family, like = (record.family, record.like) if record is not None else ("", "")
+    itself = reading.tokens[phrase.begin].start in {span.start for _, span in facts.building if span.words}
     own = None if itself else _by_family(reading, phrase, family)
     if own is not None:
         return own
@@ -34,22 +33,13 @@ def kind_in_building(reading: Reading, phrase: Phrase) -> Phrase:
         return replace(phrase, room_type="assembly_hall")
     if phrase.head != "room" or phrase.name not in ("room", "guest_room") or not phrase.counted:
         return phrase
-    record = reading.knowledge.buildings.get(named)
-    room = _PLAIN.get(named) or _PLAIN.get(record.like if record is not None else "")
+    room = _PLAIN.get(kind) or _PLAIN.get(like)
     if room is not None:
         return replace(phrase, room_type=room, known=True)
     if phrase.name != "room":
         return phrase
     reading.taken.difference_update(range(phrase.first, phrase.last))
     return replace(phrase, head="unknown")
-
-
-def _building_of(reading: Reading) -> tuple[str, str]:
-    """Return the kind of the brief's building and the family of that kind, or of the one that it is like."""
-    facts = reading.facts
-    kind = facts.building[0][0] if facts.building else ""
-    record = reading.knowledge.buildings.get(kind or facts.building_like)
-    return kind, record.family if record is not None else ""
 
 
 def _by_family(reading: Reading, phrase: Phrase, family: str) -> Phrase | None:
@@ -63,9 +53,11 @@ def _by_family(reading: Reading, phrase: Phrase, family: str) -> Phrase | None:
             return replace(phrase, head="room", building="", room_type=HEAD_TYPES["station"], known=False)
     if phrase.room_type == "studio_apartment" and words[-1] == "studio" and family in _WORKING:
         told = reading.word(phrase.last) == "for" and reading.kind(phrase.last + 1) == "word"
-        plain = family == "office" and len(words) == 1 and not told  # "a studio for podcasts"
-        kind = "open_office" if plain else HEAD_TYPES["studio"]
-        return replace(phrase, head="room", building="", room_type=kind, known=False)  # nobody lives in a dance school
+        desks = family == "office" and len(words) == 1 and not told  # "a studio for podcasts"
+        studio = "open_office" if desks else HEAD_TYPES["studio"]
+        return replace(
+            phrase, head="room", building="", room_type=studio, known=False
+        )  # nobody lives in a dance school
     if family == "industry" and phrase.room_type == "assembly_hall" and words[0] == "assembly":
         return replace(phrase, room_type="production_hall")
     if phrase.name == "student_room" and not phrase.counted and not phrase.plural and family in _WORKING:
@@ -86,4 +78,3 @@ _PLAIN = {
     "student_dormitory": "dorm_room",
     "nursing_home": "resident_room",
 }
-"""The rooms that a building is for."""
