@@ -175,6 +175,25 @@ def test_each_before_an_area_gives_nobody_a_room() -> None:
     assert {fact.name: fact.count for fact in facts.rooms}["parent_bedroom"] == 1
 
 
+@pytest.mark.parametrize(
+    ("brief", "name", "room_type"),
+    [
+        ("An airport with a check-in hall and a hall of the luggage claim.", "luggage_claim_hall", "baggage_claim"),
+        ("A clinic with a lobby and a room for the treatments.", "treatment_room", "treatment_room"),
+        ("A museum with a shop and seven rooms of exhibition.", "exhibition_room", "gallery"),
+        ("A museum with a shop and a workshop of restoration.", "restoration_workshop", "restoration_room"),
+    ],
+)
+def test_a_purpose_that_names_a_known_room_is_that_room(brief: str, name: str, room_type: str) -> None:
+    facts = read_brief(brief, default_knowledge())
+    assert {room.name: (room.room_type, room.known) for room in facts.rooms}[name] == (room_type, True)
+
+
+def test_a_room_is_known_though_its_plural_is_written_otherwise() -> None:
+    rooms = read("A flat with a bath and a childrens room.").rooms
+    assert {room.name: (room.room_type, room.known) for room in rooms}["children_room"] == ("childrens_room", True)
+
+
 def test_only_those_before_the_last_and_are_users() -> None:
     facts = read("Spa: separate changing rooms for women and men, showers, a sauna")
     assert [fact.name for fact in facts.rooms] == ["woman_changing_room", "man_changing_room", "shower", "sauna"]

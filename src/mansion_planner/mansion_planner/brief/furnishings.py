@@ -219,6 +219,7 @@ _UNSEATED = frozenset(
 
 _VEHICLES = frozenset({"van", "truck", "car", "garage_car", "bus", "motorcycle", "ambulance"})
 _CARRIES = frozenset({"for", "that", "which", "carry", "carries", "carrying", "take", "takes", "taking", "to", "fit"})
+_ROOMY = frozenset("big large wide deep high long strong enough is be hold to".split())
 _POINTS = frozenset({"the", "these", "those", "our", "my", "their", "his", "her", "your"})
 
 
@@ -238,6 +239,9 @@ def _passes_by(reading: Reading, phrases: list[Phrase], number: int) -> bool:
     if before is None or before.head not in ("elevator", "stair"):
         return False
     gap = reading.words(before.last, phrase.first)
+    if "enough" in gap and set(gap) <= _CARRIES | _ROOMY:  # no lift is made larger: these words stay unread
+        reading.taken.difference_update(range(phrase.first, phrase.last))
+        return True
     return bool(gap) and set(gap) <= _CARRIES
 
 

@@ -96,6 +96,8 @@ _MEANT = {
     "cooker": "stove",
     "oven": "stove",
     "shelf": "bookshelf",
+    "book case": "bookshelf",
+    "shoe box": "shoe_rack",
     "bookcase": "bookshelf",
     "locker": "locker",
     "workstation": "office_desk",

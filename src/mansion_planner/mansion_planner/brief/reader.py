@@ -264,7 +264,11 @@ class _Reader:
             before = self.phrases[number - 1] if number else None
             listed = fitted.get(reading.sentence[phrase.first], phrase.first) < phrase.first
             locker = phrase.name == "locker" and before is not None and self._is_locker(before, phrase)
-            if category and (listed or locker or (before is not None and self._is_fixture(before, phrase))):
+            counter = before is not None and self._is_counter_of(before, phrase)
+            if counter or (
+                category and (listed or locker or (before is not None and self._is_fixture(before, phrase)))
+            ):
+                category = "bar_counter" if counter else category
                 self.phrases[number] = replace(phrase, head="object", category=category, room_type="")
 
     def _is_fixture(self, room: Phrase, phrase: Phrase) -> bool:
@@ -275,6 +279,11 @@ class _Reader:
         return phrase.name.rpartition("_")[2] in ("locker", "workplace") or (
             room.room_type in _BATHROOMS and phrase.name in _FIXTURES
         )
+
+    def _is_counter_of(self, room: Phrase, phrase: Phrase) -> bool:
+        """Whether "a taproom with its long bar" speaks of the counter of a room that is a bar itself."""
+        between = self.reading.words(room.last, phrase.begin)
+        return phrase.name == "bar" == room.room_type and between in (("with", "its"), ("and", "its"), ("with", "a"))
 
     def _is_locker(self, before: Phrase, phrase: Phrase) -> bool:
         """Whether "eight lockers" and "a bed and a locker" are furniture: those counted, or named with furniture."""
@@ -571,7 +580,7 @@ _ENOUGH = frozenset({"suffice", "sufficient", "enough", "do"})
 _HOMES = frozenset({"house", "home", "building", "villa", "cottage", "cabin", "bungalow"})
 """Nouns that with "the" mean the whole building."""
 
-_FIXTURES = frozenset({"shower", "bath", "walk_in_shower"})
+_FIXTURES = frozenset({"shower", "bath", "walk_in_shower", "loo"})
 _BATHROOMS = frozenset({"bathroom", "ensuite_bathroom", "accessible_toilet"})
 
 _BARE = frozenset({"building", "complex"})

@@ -1,11 +1,11 @@
-"""Read what a room is by the building that it stands in: "40 rooms" of a hotel, the studio of an agency."""
+"""Read what a room is by the building that it stands in: "40 rooms" of a hotel, the cabin of a director."""
 
 from dataclasses import replace
 
 from mansion_planner.brief.building import is_compound
 from mansion_planner.brief.phrase import Phrase
 from mansion_planner.brief.reading import Reading
-from mansion_planner.brief.similarity import HEAD_TYPES, similar_room_type
+from mansion_planner.brief.similarity import HEAD_TYPES, elliptic_room_type, similar_room_type
 
 __all__ = ["room_for_building"]
 
@@ -17,21 +17,20 @@ def room_for_building(reading: Reading, phrase: Phrase) -> Phrase:
     """
     if phrase.name == "cabin" and phrase.plural and phrase.counted and phrase.building:
         return replace(phrase, head="room", building="", room_type=HEAD_TYPES["cabin"], known=False)
+    facts = reading.facts
+    kind = facts.building[0][0] if facts.building else facts.building_like
+    record = reading.knowledge.buildings.get(kind)
+    family, like = (record.family, record.like) if record is not None else ("", "")
+    itself = reading.tokens[phrase.begin].start in {span.start for _, span in facts.building if span.words}
+    own = None if itself else _by_family(reading, phrase, family)
+    if own is not None:
+        return own
     if phrase.head == "building" and not phrase.room_type:
         return replace(phrase, room_type=similar_room_type(phrase.name, reading.knowledge), known=False)
     if phrase.head == "building" and phrase.counted and phrase.plural and is_compound(reading, phrase):
         return replace(phrase, known=False)
     if phrase.name.split("_")[0] == "hall" and phrase.room_type == "hallway" and sum(phrase.areas[:1]) >= 40.0:
         return replace(phrase, room_type="assembly_hall")
-    facts = reading.facts
-    kind = facts.building[0][0] if facts.building else facts.building_like
-    record = reading.knowledge.buildings.get(kind)
-    family, like = (record.family, record.like) if record is not None else ("", "")
-    if family in _WORKING and phrase.room_type == "studio_apartment" and phrase.name.rpartition("_")[2] == "studio":
-        # nobody lives in a dance school
-        desks = family == "office" and reading.word(phrase.begin - 1) == "open"
-        studio = "open_office" if desks else HEAD_TYPES["studio"]
-        return replace(phrase, head="room", building="", room_type=studio, known=False)
     if phrase.head != "room" or phrase.name not in ("room", "guest_room") or not phrase.counted:
         return phrase
     room = _PLAIN.get(kind) or _PLAIN.get(like)
@@ -42,6 +41,32 @@ def room_for_building(reading: Reading, phrase: Phrase) -> Phrase:
     reading.taken.difference_update(range(phrase.first, phrase.last))
     return replace(phrase, head="unknown")
 
+
+def _by_family(reading: Reading, phrase: Phrase, family: str) -> Phrase | None:
+    """Return a room as the kind that it is in a family of buildings; nothing where the family makes no difference."""
+    words = phrase.name.split("_")
+    if phrase.building and phrase.head in ("room", "building") and words[0] != words[-1]:
+        if words[-1] == "cabin" and family and family not in _DWELT_IN:
+            kind = elliptic_room_type(tuple(words[:-1]), reading.knowledge) or "private_office"
+            return replace(phrase, head="room", building="", room_type=kind, known=True)
+        if words[-1] == "station" and phrase.building == "train_station" and not phrase.plural:
+            return replace(phrase, head="room", building="", room_type=HEAD_TYPES["station"], known=False)
+    if phrase.room_type == "studio_apartment" and words[-1] == "studio" and family in _WORKING:
+        told = reading.word(phrase.last) == "for" and reading.kind(phrase.last + 1) == "word"
+        desks = family == "office" and len(words) == 1 and not told  # "a studio for podcasts"
+        studio = "open_office" if desks else HEAD_TYPES["studio"]
+        return replace(
+            phrase, head="room", building="", room_type=studio, known=False
+        )  # nobody lives in a dance school
+    if family == "industry" and phrase.room_type == "assembly_hall" and words[0] == "assembly":
+        return replace(phrase, room_type="production_hall")
+    if phrase.name == "student_room" and not phrase.counted and not phrase.plural and family in _WORKING:
+        return replace(phrase, room_type="study_room", known=False)
+    return None
+
+
+_DWELT_IN = frozenset({"home", "lodging"})
+"""Families of buildings whose cabins are to sleep in."""
 
 _WORKING = frozenset({"office", "industry", "education", "culture", "sport", "retail"})
 """Families of buildings whose studios are to work in."""
