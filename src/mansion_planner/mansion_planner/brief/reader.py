@@ -30,7 +30,7 @@ from mansion_planner.brief.distant_counts import (
 from mansion_planner.brief.exclusions import negated_phrases, read_completeness
 from mansion_planner.brief.facts import AdjacencyFact, BriefFacts, OccupantFact, Quantity, Span
 from mansion_planner.brief.finishes import read_materials, read_style
-from mansion_planner.brief.furnishings import people_served, read_furnishings
+from mansion_planner.brief.furnishings import people_served, read_furnishings, seats_at_tables
 from mansion_planner.brief.furniture_words import furniture_of
 from mansion_planner.brief.heights import read_heights
 from mansion_planner.brief.households import read_households
@@ -458,7 +458,9 @@ class _Reader:
                 p.head == "room" and n != self.building and 0 <= phrase.first - p.last <= 3
                 for n, p in enumerate(self.phrases[:number])
             )
-            furnished = number and people_served(reading, self.phrases, number - 1)
+            furnished = number and (
+                people_served(reading, self.phrases, number - 1) or seats_at_tables(reading, self.phrases, number - 1)
+            )
             if phrase.counted and phrase.count and not (after_room or furnished or number in self.attached):
                 self.facts.occupants.append(OccupantFact(phrase.count, noun, reading.span(phrase.first, phrase.last)))
         for index in range(len(reading.tokens)):
