@@ -86,6 +86,7 @@ def test_a_grand_room_is_no_style_of_the_building() -> None:
         "A library with two floors. Is not necessary a cafe.",
         "A library with two floors. Not needed: sauna, cafe.",
         "A library with two floors. Cafe is not a must.",
+        "A library with two floors. Cafe also is not needed.",
     ],
 )
 def test_what_is_not_needed_is_not_built(text: str) -> None:

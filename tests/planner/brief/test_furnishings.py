@@ -148,3 +148,24 @@ def test_what_stands_in_a_room_is_no_room(text: str, category: str) -> None:
 
 def test_an_island_in_the_sea_is_no_furniture() -> None:
     assert wanted("The school of a small island with a lobby") == []
+
+
+@pytest.mark.parametrize(
+    ("tables", "seats"),
+    [
+        ("20 tables for 4 persons each", 80),
+        ("10 tables for 4 people", 40),
+        ("one table for 8 guests", 8),
+        ("12 tables for 50 guests", 50),
+    ],
+)
+def test_who_sits_at_tables_has_a_chair(tables: str, seats: int) -> None:
+    facts = read_brief(f"A restaurant. The dining room has {tables} and a bar.", default_knowledge())
+    chairs = [fact for fact in facts.objects if fact.category == "chair"]
+    assert [(fact.count, fact.room) for fact in chairs] == [(seats, "dining_room")]
+    assert not facts.occupants
+
+
+def test_chairs_that_are_counted_are_not_counted_again() -> None:
+    facts = read_brief("A house with a kitchen with a table for twelve people and 12 chairs.", default_knowledge())
+    assert [fact.count for fact in facts.objects if fact.category == "chair"] == [12]

@@ -56,6 +56,20 @@ def test_names_and_praise_are_no_properties(text: str) -> None:
     assert read(text).unheeded == []
 
 
+@pytest.mark.parametrize(
+    ("text", "style"),
+    [
+        ("A station, style is neoclassicism", "neoclassical"),
+        ("A flat in the haussmannian style", "classic"),
+        ("A house. Its style should be minimalism.", "minimalist"),
+    ],
+)
+def test_styles_are_named_by_their_nouns_too(text: str, style: str) -> None:
+    facts = read_brief(text, default_knowledge())
+    assert [name for name, _ in facts.styles] == [style]
+    assert not facts.unread
+
+
 def test_a_property_of_a_room_is_no_style_of_the_building() -> None:
     assert read("a house with two bright bedrooms").styles == []
     assert next(name for name, _ in read("Fitness studio. Bright and modern.").styles) == "modern"

@@ -42,6 +42,7 @@ def read(brief: str) -> BriefFacts:
             "A clinic with 5 treatment rooms. The store has to be beside of one treatment room.",
             {("store", "treatment_room")},
         ),
+        ("A clinic. The nurse station should share one wall with a lab.", {("nurse_station", "lab")}),
     ],
 )
 def test_rooms_side_by_side(brief: str, pairs: set[tuple[str, str]]) -> None:

@@ -30,6 +30,11 @@ def sizes(brief: str) -> list[tuple[str, int | None, float | None]]:
             "An office with one meeting room of 30 and two of 15 each; lobby 20 m2.",
             [("meeting_room", 1, 30.0), ("meeting_room", 2, 15.0), ("lobby", 1, 20.0)],
         ),
+        (
+            "An office with two conference rooms (a big one with 40 qm and a small one with 20 qm).",
+            [("conference_room", 1, 40.0), ("conference_room", 1, 20.0)],
+        ),
+        ("An office with two labs, one big with 40 m2 and one small with 20 m2.", [("lab", 1, 40.0), ("lab", 1, 20.0)]),
         ("A school with four labs: one of 80 m2, three of 50 m2.", [("lab", 1, 80.0), ("lab", 3, 50.0)]),
         ("Around it sit six private offices at 12 m2 apiece.", [("private_office", 6, 12.0)]),
         ("A school with Lab A and Lab B, each 40 m2.", [("lab_a", 1, 40.0), ("lab_b", 1, 40.0)]),

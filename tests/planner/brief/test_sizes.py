@@ -73,6 +73,8 @@ def test_a_size_without_a_room_is_told() -> None:
     [
         ("office; storeys: 4; gross area: 2,200 m2", 2200, None),
         ("office; GFA: 2,200 m2; 4 storeys", 2200, None),
+        ("A mall with 3 floors, total construction area is about 6,000 m2", 6000, None),
+        ("A house, built area: 180 m2, two floors", 180, None),
         ("Office building. Gross floor area: 2,200 m2. Storeys: 4.", 2200, None),
         ("An office with 900 m2 GFA on 3 floors", 900, None),
         ("An office, 3 storeys, 300 m2 gross floor area each", None, 300),

@@ -77,6 +77,25 @@ def test_a_storey_is_known_by_few_words(brief: str, expected: dict[str, int | st
     assert storeys(brief) == expected
 
 
+@pytest.mark.parametrize(
+    "brief",
+    [
+        "An office of three floors. Second floor and third floor are same, each have two labs.",
+        "An office of three floors. On the second floor and the third floor there are two labs.",
+        "An office of three floors with two labs on the second floor and the third floor.",
+    ],
+)
+def test_two_storeys_joined_by_and_are_told_of_together(brief: str) -> None:
+    (lab,) = read(brief).rooms
+    assert [ref.first for ref in lab.floors] == [2, 3]
+    assert lab.each
+
+
+def test_a_storey_after_and_may_open_what_is_told_of_it() -> None:
+    brief = "An office of three floors with a lab on the second floor and the third floor has a library."
+    assert storeys(brief) == {"lab": 2, "library": 3}
+
+
 def test_storeys_above_another_are_counted_with_it() -> None:
     facts = read("A hotel with a lobby floor and three guest floors above it, eight rooms on each guest floor.")
     assert [quantity.value for quantity in facts.floors] == [4]

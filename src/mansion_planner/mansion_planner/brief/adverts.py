@@ -1,12 +1,13 @@
 """Read rooms as advertisements of homes write them: "3 bed / 2 bath", "4BR", "three-bedroom house"."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 
-from mansion_planner.brief.facts import RoomFact
+from mansion_planner.brief.facts import BriefFacts, RoomFact
 from mansion_planner.brief.phrase import Phrase
 from mansion_planner.brief.reading import Place, Reading
 
-__all__ = ["read_adverts", "read_bedrooms_of_building"]
+__all__ = ["among_adverts", "read_adverts", "read_bedrooms_of_building"]
 
 _NEAR_START = 14
 """An advertisement has its rooms among so many tokens."""
@@ -70,3 +71,51 @@ def _state(reading: Reading, room_type: str, first: int, *, inside: bool = False
         return
     reading.facts.rooms.append(RoomFact(room_type, room_type, span, int(reading.value(first)), label=room_type))
     reading.take(first, last)
+
+
+_AMONG = {
+    "bedroom": frozenset({"bedroom", "master_bedroom", "childrens_room"}),
+    "bathroom": frozenset({"bathroom", "ensuite_bathroom"}),
+}
+"""Room types that an advertisement counts together."""
+
+
+def among_adverts(facts: BriefFacts, adverts: Sequence[RoomFact]) -> None:
+    """Count the rooms that a brief names among those that its advertisement counts.
+
+    "A three-bedroom house with a master bedroom and two children's bedrooms" has three of them. What is left of the
+    number stays as it is advertised; more rooms than advertised are kept, and the advertisement is told of.
+
+    Parameters
+    ----------
+    adverts : sequence of RoomFact
+        What `read_adverts` and `read_bedrooms_of_building` stated, the first of `facts.rooms`.
+    """
+    for advert in adverts:
+        kinds = _AMONG.get(advert.room_type, frozenset())
+        others = [room for room in facts.rooms if room.span != advert.span]
+        rooms = [(room, 1) for room in others]
+        rooms += [(inner, (room.count or 1) * _storeys(room)) for room in others for inner in room.suite]
+        named = [
+            (room, many) for room, many in rooms if room.room_type in kinds or room.name.endswith(f"_{advert.name}")
+        ]
+        if not named:
+            continue
+        counted = sum((room.count or 1) * _storeys(room) * many for room, many in named)
+        left = (advert.count or 0) - counted
+        at = next(n for n, room in enumerate(facts.rooms) if room.span == advert.span)
+        open_ended = next((n for n, room in enumerate(facts.rooms) if room.count is None and (room, 1) in named), None)
+        if left > 0 and open_ended is not None:
+            facts.rooms[open_ended] = replace(facts.rooms[open_ended], count=1 + left)
+            left = 0
+        if left > 0:
+            facts.rooms[at] = replace(advert, count=left)
+            continue
+        del facts.rooms[at]
+        if left < 0:
+            facts.unheeded.append(advert.span)
+
+
+def _storeys(room: RoomFact) -> int:
+    """Return on how many storeys so many rooms are, as far as the brief numbers them."""
+    return sum(ref.last - ref.first + 1 for ref in room.floors) if room.each else 1

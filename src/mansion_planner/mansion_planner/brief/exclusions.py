@@ -152,6 +152,10 @@ def negated_phrases(reading: Reading, phrases: list[Phrase]) -> dict[int, tuple[
             after = ("not", "need") if closes else None  # "cafe don't need"
         if after is None and reading.words(phrase.last, phrase.last + 2) == ("need", "not"):
             after = ("need", "not") if reading.breaks(phrase.last + 2) else None
+        also = reading.word(phrase.last) in ("also", "too")
+        if after is None and also:  # "a lift also is not needed"
+            said = next((p for p in _AFTER if reading.words(phrase.last + 1, phrase.last + 1 + len(p)) == p), ())
+            after = (reading.word(phrase.last), *said) if said else None
         end = phrase.last + len(after) if after is not None else absence_end(reading, phrase.last)
         if end > phrase.last:
             found[number] = (phrase.first, end)

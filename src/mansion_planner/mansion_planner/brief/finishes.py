@@ -125,6 +125,11 @@ def read_style(reading: Reading, *, named: bool) -> None:
             continue
         reading.facts.styles.append((mention.style, reading.span(mention.first, mention.last)))
         reading.take(mention.first, mention.last)
+        lead = mention.first - 1
+        while reading.word(lead) in ("is", "be", "should", "must", "will", ":", "="):
+            lead -= 1
+        if reading.word(lead) == "style":
+            reading.take(lead, lead + 1)  # "the style is neoclassicism"
     # A style with a name of its own says more than "plain" or "traditional".
     reading.facts.styles.sort(
         key=lambda style: (is_property(style[1].words.lower()), reading.knowledge.styles[style[0]].like == "")

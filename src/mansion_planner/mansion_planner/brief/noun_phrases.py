@@ -456,7 +456,7 @@ def _modifies(reading: Reading, end: int) -> bool:
 _NO_FURNITURE = frozenset(
     """
     game test experiment research simulation dataset data company maker agent robot policy task scenario study project
-    lesson course training plan programme program style
+    lesson course training plan programme program style delivery transport distribution
     """.split()
 )
 """Nouns that make a piece of furniture before them what they are about."""

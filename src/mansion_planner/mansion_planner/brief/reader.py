@@ -12,7 +12,7 @@ from dataclasses import replace
 from mansion_knowledge import KnowledgeBase
 from mansion_planner.brief.absences import read_absent_parts
 from mansion_planner.brief.accessible_parts import with_accessible_ones
-from mansion_planner.brief.adverts import read_adverts, read_bedrooms_of_building
+from mansion_planner.brief.adverts import among_adverts, read_adverts, read_bedrooms_of_building
 from mansion_planner.brief.background_phrases import without_bystanders
 from mansion_planner.brief.bare_areas import with_bare_areas
 from mansion_planner.brief.building import building_phrase, own_building_name, unknown_building
@@ -30,7 +30,7 @@ from mansion_planner.brief.distant_counts import (
 from mansion_planner.brief.exclusions import negated_phrases, read_completeness
 from mansion_planner.brief.facts import AdjacencyFact, BriefFacts, OccupantFact, Quantity, Span
 from mansion_planner.brief.finishes import read_materials, read_style
-from mansion_planner.brief.furnishings import people_served, read_furnishings
+from mansion_planner.brief.furnishings import people_served, read_furnishings, seats_at_tables
 from mansion_planner.brief.furniture_words import furniture_of
 from mansion_planner.brief.heights import read_heights
 from mansion_planner.brief.households import read_households
@@ -169,6 +169,7 @@ class _Reader:
         self.facts.objects += read_furnishings(
             reading, self.phrases, self.attached, self.negated, self.same, self.relations
         )
+        adverts = tuple(self.facts.rooms)
         RoomStatements(
             reading,
             self.places,
@@ -180,6 +181,7 @@ class _Reader:
             self.same,
             suites,
         ).record()
+        among_adverts(self.facts, adverts)
         read_desk_areas(self.facts)
         self._relations()
         read_completeness(reading)
@@ -478,7 +480,9 @@ class _Reader:
                 p.head == "room" and n != self.building and 0 <= phrase.first - p.last <= 3
                 for n, p in enumerate(self.phrases[:number])
             )
-            furnished = number and people_served(reading, self.phrases, number - 1)
+            furnished = number and (
+                people_served(reading, self.phrases, number - 1) or seats_at_tables(reading, self.phrases, number - 1)
+            )
             if phrase.counted and phrase.count and not (after_room or furnished or number in self.attached):
                 self.facts.occupants.append(OccupantFact(phrase.count, noun, reading.span(phrase.first, phrase.last)))
         for index in range(len(reading.tokens)):

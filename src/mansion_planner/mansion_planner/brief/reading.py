@@ -23,6 +23,7 @@ from mansion_planner.brief.token_forms import (
     decades,
     foreign_storeys,
     gross_areas,
+    kinds_of_area,
     open_decks,
 )
 
@@ -169,7 +170,7 @@ def start_reading(text: str, knowledge: KnowledgeBase, cancelled: Callable[[], b
     tokens = storey_tables(abbreviated_storeys(decades(tokens)), FLOOR_WORDS)
     tokens = flat_types(count_forms(storeys_by_use(storey_forms(text, tokens), FLOOR_WORDS)))
     tokens = compounds(corrected(tokens, lexicon.words, furniture_vocabulary()), lexicon.words)
-    tokens = capacities(foreign_storeys(open_decks(gross_areas(tokens))), lexicon.heads)
+    tokens = capacities(foreign_storeys(open_decks(kinds_of_area(gross_areas(tokens)))), lexicon.heads)
     mentions = lexicon.find(tokens)
     reading = Reading(
         text=text,

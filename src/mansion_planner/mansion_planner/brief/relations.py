@@ -43,8 +43,12 @@ _BESIDE = [
     ("off", "the"),
     ("off", "a"),
     ("off", "it"),
-    ("share", "a", "wall", "with"),
-    ("sharing", "a", "wall", "with"),
+    *[
+        (verb, *article, *kind, "wall", "with")
+        for verb in ("share", "sharing")
+        for article in (("a",), ("one",), ("the",), ("any",), ())
+        for kind in ((), ("common",), ("same",))
+    ],
     ("reached", "through"),
     ("reached", "from"),
     ("accessed", "from"),
@@ -63,8 +67,6 @@ _BESIDE = [
     ("adjoining", "with"),
     ("touch", "with"),
     ("next", "of"),
-    ("share", "wall", "with"),
-    ("sharing", "wall", "with"),
     ("common", "wall", "with"),
     ("opposite",),
     *[

@@ -55,9 +55,10 @@ def _by_family(reading: Reading, phrase: Phrase, family: str) -> Phrase | None:
         told = reading.word(phrase.last) == "for" and reading.kind(phrase.last + 1) == "word"
         desks = family == "office" and len(words) == 1 and not told  # "a studio for podcasts"
         studio = "open_office" if desks else HEAD_TYPES["studio"]
-        return replace(
-            phrase, head="room", building="", room_type=studio, known=False
-        )  # nobody lives in a dance school
+        # nobody lives in a dance school
+        return replace(phrase, head="room", building="", room_type=studio, known=False)
+    if family == "home" and phrase.room_type == HEAD_TYPES["chamber"] and phrase.name == "chamber":
+        return replace(phrase, room_type="bedroom", known=True)
     if family == "industry" and phrase.room_type == "assembly_hall" and words[0] == "assembly":
         return replace(phrase, room_type="production_hall")
     if phrase.name == "student_room" and not phrase.counted and not phrase.plural and family in _WORKING:

@@ -141,8 +141,8 @@ def _how_many(reading: Reading, index: int) -> tuple[int, int]:
     """Return how many rooms an entry speaks of (0: the others, -1: it is no entry), and the token after its words."""
     value = reading.value(index)
     if reading.kind(index) == "number" and index not in reading.taken and 1 <= value <= 40 and value == int(value):
-        return int(value), index + 1
-    at = index + (reading.word(index) == "the")
+        return int(value), index + 1 + (reading.word(index + 1) in _ONE - {"one"})  # "one big with 40 m2"
+    at = index + (reading.word(index) in ("the", "a", "an"))
     word = reading.word(at)
     left = reading.value(at + 1) if word in ("other", "remaining", "last") else 0.0
     if left and left == int(left) and reading.kind(at + 2) != "unit":

@@ -94,6 +94,10 @@ _UPSTAIRS = frozenset("upper other guest remaining sleeping bedroom residential"
 """What storeys above the ground floor are called together: "on each sleeping level"."""
 
 
+_SAID_OF_BOTH = frozenset("is are be has have hold contain there each both we should must will need with same".split())
+"""Words after two storeys that are told of together."""
+
+
 class _Scanner:
     """Goes over the tokens once; knows the storey named last, which others are told from."""
 
@@ -149,11 +153,25 @@ class _Scanner:
         """Add a place, to the one before it where both are named together: "on floor 2 and on floor 3"."""
         before = self.places[-1] if self.places else None
         kinds = {ref.kind for ref in (*place.refs, *(before.refs if before is not None else ()))}
-        together = before is not None and self.reading.words(before.last, place.first) == ("and", "on")
+        together = before is not None and self._are_together(before, place)
         if before is not None and together and kinds == {"number"}:
             self.places[-1] = replace(before, last=place.last, refs=(*before.refs, *place.refs))
         else:
             self.places.append(place)
+
+    def _are_together(self, before: Place, place: Place) -> bool:
+        """Whether two places are named as one: "second floor and third floor have ...", "on floor 2 and on floor 3"."""
+        reading = self.reading
+        gap = reading.words(before.last, place.first)
+        if gap == ("and", "on"):
+            return True
+        if gap not in (("and",), ("&",), ("and", "the")):
+            return False
+        first = before.first
+        while reading.word(first - 1) in ("the", "on", "in", "at", "both") and not reading.breaks(first - 1):
+            first -= 1
+        subject = reading.starts(first) and reading.word(place.last) in _SAID_OF_BOTH | {":", ","}
+        return subject or reading.breaks(place.last)
 
     def _reference(self, index: int) -> tuple[tuple[FloorRef, ...], int]:
         """Read a reference at `index`: what it means, and where it ends."""

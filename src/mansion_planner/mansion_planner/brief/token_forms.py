@@ -4,7 +4,16 @@ from dataclasses import replace
 
 from mansion_language import Token
 
-__all__ = ["abbreviated_storeys", "capacities", "compounds", "decades", "foreign_storeys", "gross_areas", "open_decks"]
+__all__ = [
+    "abbreviated_storeys",
+    "capacities",
+    "compounds",
+    "decades",
+    "foreign_storeys",
+    "gross_areas",
+    "kinds_of_area",
+    "open_decks",
+]
 
 
 def compounds(tokens: list[Token], words: frozenset[str]) -> list[Token]:
@@ -62,6 +71,24 @@ def gross_areas(tokens: list[Token]) -> list[Token]:
             first, last = tokens[at], tokens[end - 1]
             result += [replace(first, text="total", plural=False), replace(last, text="area", plural=False)]
         at = end
+    return result
+
+
+_KINDS_OF_AREA = frozenset("construction constructed built building covered plinth carpet usable".split())
+"""What the area of a building is called by, as in "construction area": no room's."""
+_TO_MEASURE = frozenset(": = is of about around approx approximately should be must has have with".split())
+
+
+def kinds_of_area(tokens: list[Token]) -> list[Token]:
+    """Read "construction area: 900 m2" and "total built area of 900 m2" as "area" and "total area"."""
+    result: list[Token] = []
+    for index, token in enumerate(tokens):
+        following = index + 2
+        while following < len(tokens) and tokens[following].text in _TO_MEASURE and following < index + 6:
+            following += 1
+        kind = token.text in _KINDS_OF_AREA and index + 1 < len(tokens) and tokens[index + 1].text == "area"
+        if not (kind and following < len(tokens) and tokens[following].kind == "number"):
+            result.append(token)
     return result
 
 
