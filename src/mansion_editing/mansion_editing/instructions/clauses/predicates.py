@@ -207,10 +207,6 @@ class Predicates(States, Colours, Ways):
         if negated:
             return self._gone_from(item, new, quote), end
         each = item.phrase.each or item.phrase.amount.kind == "all" or (item.phrase.plural and item.phrase.definite)
-        if place == item.end and word in ("has", "have") and [n.phrase.amount.kind for n in new] == ["none"]:
-            lacking = msgspec.structs.replace(new[0].phrase.things(), amount=Amount(kind="more"), place=goal)
-            self.topic = lacking
-            return [Mention(quote=quote)], end
         out: list[Statement] = []
         for thing in new:
             own = thing.goal()[0]

@@ -14,7 +14,7 @@ from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.descriptions import all_at, rooms_of, things_of
 from mansion_editing.instructions.meaning.nouns import is_loose
 from mansion_editing.instructions.meaning.numbers import means_one
-from mansion_editing.instructions.meaning.targets import Target, places_of
+from mansion_editing.instructions.meaning.targets import Target, names_any, places_of
 from mansion_editing.instructions.meaning.wording import place_words, thing_words
 from mansion_editing.instructions.statements import Add, Amount, Move, Place, Rooms, Swap, Things, Turn
 from mansion_editing.provisioning.facts import Scope
@@ -77,9 +77,16 @@ def move(statement: Move, state: SceneState, context: Context) -> Work:
 
 
 def _of_own_room(item: SceneObject, statement: Move, targets: list[Target]) -> list[Target]:
-    """Return the places in the own room of a thing where several rooms each keep their things, else all of them."""
+    """Return the places in the own room of a thing where several rooms each keep their things, else all of them.
+
+    Where words for any of several ("one of the shelves") name no room, the nearest are meant.
+    """
     source = statement.things.place
     rooms = statement.place.rooms
+    if rooms is None and names_any(statement.place):
+        near = [target for target in targets if target.room == item.room]
+        storey = item.room.split("/", 1)[0]
+        return near or [target for target in targets if target.room.split("/", 1)[0] == storey] or targets
     if source is None or rooms is None or not rooms.every or source.rooms != rooms:
         return targets
     own = [target for target in targets if target.room == item.room]
