@@ -139,3 +139,9 @@ def test_names_that_begin_like_verbs_are_nouns_in_notes(state: SceneState, joint
     read = read_instruction(f"glove box{joint}hand sanitizer on the dining table", state)
     assert read.not_understood == []
     assert [s.things.noun for s in read.statements if isinstance(s, Ensure)] == ["glove box", "hand sanitizer"]
+
+
+def test_a_filing_cabinet_is_no_verb(state: SceneState) -> None:
+    read = read_instruction("Office: bookshelf and filing cabinet out.", state)
+    assert read.not_understood == []
+    assert [s.things.noun for s in read.statements if isinstance(s, Remove)] == ["bookshelf", "filing cabinet"]

@@ -55,7 +55,7 @@ class Subjects(Lacks):
                 break
             place = after
         shared = all(s.phrase.definite or s.phrase.noun.plural or s.is_room for s in subjects)
-        shared = shared or self.text(subjects[-1].end) in ("stay", "remain")
+        shared = shared or self.text(subjects[-1].end) in ("stay", "remain") or self._go_there(subjects)
         last = subjects[-1].end
         follows = self.predicate_follows(last) or (asked and self.text(last) == "to")
         follows = follows or self._verb_of_lack(last, denied=False) is not None
@@ -74,6 +74,17 @@ class Subjects(Lacks):
             out += found[0]
             end = found[1]
         return out, end
+
+    def _go_there(self, subjects: list[Item]) -> bool:
+        """Whether new things, each with an article or a number, go somewhere: ``a plate and two forks go in it``."""
+        end = subjects[-1].end
+        places, _ = self.places(end + 1)
+        new = all(
+            item.phrase.amount.kind == "some" and item.phrase.amount.number > 0 and not self._is_bare(item.phrase)
+            for item in subjects
+        )
+        known = any(item.phrase.definite or item.phrase.refers or item.is_room or item.places for item in subjects)
+        return self.text(end) == "go" and bool(places) and not any(p.source for p in places) and new and not known
 
     def _coming(self, at: int) -> tuple[list[Statement], int] | None:
         """Read ``a desk with a lamp on it and an office chair come in``: new things."""

@@ -172,7 +172,9 @@ def _moved_to_any(
         reason = yield from move_after_clearing(info, anchor, reasons[-1], state)
         if not reason:
             fresh = [other.id for _, other in state.objects() if other.id not in known and other.asset == item.asset]
-            return _id_after(item.id, fresh, state)
+            new = _id_after(item.id, fresh, state)
+            if not _only_on_top(new, place, targets[0], state):
+                return new
     raise Unmet("; ".join(dict.fromkeys(reasons)) or f"there is no place for {item.id}")
 
 
@@ -181,6 +183,16 @@ def _only_inside(object_id: str, place: Place, target: Target, state: SceneState
     asset = None if target.anchor is None else state.asset(target.anchor)
     (item,) = live(state, [object_id])
     return place.relation == "on" and asset is not None and bool(asset.surfaces) and item.mount == "inside"
+
+
+def _only_on_top(object_id: str, place: Place, target: Target, state: SceneState) -> bool:
+    """Whether an object went on top of a piece of furniture in which it should lie."""
+    asset = None if target.anchor is None else state.asset(target.anchor)
+    (item,) = live(state, [object_id])
+    shelves = asset is not None and any(surface.kind == "shelf" for surface in asset.surfaces)
+    return (
+        place.relation == "in" and asset is not None and bool(asset.volumes) and not shelves and item.mount != "inside"
+    )
 
 
 def _ways(

@@ -23,7 +23,7 @@ _PARTICLES: Final = frozenset(["on", "off", "up", "down", "out", "over", "away"]
 """They belong to a verb as often as they begin a place."""
 
 
-_BEGIN_NAMES: Final = frozenset("hand power name flip swivel".split())
+_BEGIN_NAMES: Final = frozenset("hand power name flip swivel filing".split())
 """Verbs that are the first words of names and that nobody gives an order with without an article."""
 
 
