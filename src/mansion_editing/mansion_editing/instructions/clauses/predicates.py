@@ -3,7 +3,7 @@
 import msgspec
 
 from mansion_editing.instructions.clauses.colours import Colours
-from mansion_editing.instructions.clauses.items import Item, joined_places
+from mansion_editing.instructions.clauses.items import Item, NotUnderstood, joined_places
 from mansion_editing.instructions.clauses.outcomes import at_receiver
 from mansion_editing.instructions.clauses.states import States
 from mansion_editing.instructions.clauses.ways import Ways
@@ -171,6 +171,8 @@ class Predicates(States, Colours, Ways):
         if word in ("has", "have") and self.text(place + 1) == "no" and self.text(place + 2) in ("business", "place"):
             places, end = self.places(place + 3 + (self.text(place + 3) == "being"))
             gone = Item(item.phrase, (*item.places, *places), end).things()
+            if self._is_bare(item.phrase):
+                gone = msgspec.structs.replace(gone, amount=Amount(number=0), definite=True)
             return [Remove(things=self._all_if_plural(gone), quote=self.quote(at, end))], end
         if item.is_room and word in ("has", "have") and self._lacks_use(place + 1):
             return [Mention(rooms=item.rooms(), quote=self.quote(at, self._lacks_use(place + 1)))], self._lacks_use(
@@ -260,6 +262,8 @@ class Predicates(States, Colours, Ways):
             end = place + 1
             if self.text(end) in STATE_WORDS and word in ("stay", "remain") and self.phrase(end + 1) is None:
                 return self._said_state(item, end, at, negated)
+            if negated:
+                raise NotUnderstood(at, self.boundary(at))  # where it shall go is not told
             if self._is_bare(item.phrase) and word in ("stay", "remain") and not negated:
                 return self._bare_stays(item, end, at)
             if item.phrase.amount.number and not item.phrase.definite and not negated:
