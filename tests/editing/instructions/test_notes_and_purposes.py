@@ -85,3 +85,9 @@ def test_a_way_on_wheels_and_with_nothing_on_it(state: SceneState) -> None:
 )
 def test_a_way_that_shall_not_be_is_refused(denied: str, state: SceneState) -> None:
     assert read_instruction(denied, state).not_understood
+
+
+def test_a_thing_without_an_article_that_goes_is_a_certain_one(editor: SceneEditor) -> None:
+    report = instruct(editor, "Chair in the hall goes.")
+    assert not report.done and len(report.candidates) == 3
+    assert instruct(editor, "Sofa in the hall goes.").done and editor.state.find("F1/hall/sofa_1") is None

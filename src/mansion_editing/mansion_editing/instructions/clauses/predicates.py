@@ -171,8 +171,7 @@ class Predicates(States, Colours, Ways):
         if word in ("has", "have") and self.text(place + 1) == "no" and self.text(place + 2) in ("business", "place"):
             places, end = self.places(place + 3 + (self.text(place + 3) == "being"))
             gone = Item(item.phrase, (*item.places, *places), end).things()
-            if self._is_bare(item.phrase):
-                gone = msgspec.structs.replace(gone, amount=Amount(number=0), definite=True)
+            gone = self._as_certain(item, gone)
             return [Remove(things=self._all_if_plural(gone), quote=self.quote(at, end))], end
         if item.is_room and word in ("has", "have") and self._lacks_use(place + 1):
             return [Mention(rooms=item.rooms(), quote=self.quote(at, self._lacks_use(place + 1)))], self._lacks_use(
@@ -229,6 +228,11 @@ class Predicates(States, Colours, Ways):
             else:
                 out.append(Ensure(things=thing.phrase.things(), place=where, each=each, quote=quote))
         return out, end
+
+    def _as_certain(self, item: Item, things: Things) -> Things:
+        """Return a thing that is named without an article, as in notes, as the certain one that is there."""
+        one = self._is_bare(item.phrase) and not item.phrase.noun.plural
+        return msgspec.structs.replace(things, amount=Amount(number=0), definite=True) if one else things
 
     def _lacks_use(self, at: int) -> int:
         """Return the end of ``nowhere to hang clothes``, ``nothing to sit on``; 0 for other words."""
@@ -300,7 +304,8 @@ class Predicates(States, Colours, Ways):
             places, end = self.places(place + 1)
             if not places or all(p.source and not p.goal for p in places):
                 end += self.text(end) in ("away",)
-                gone = self._within_frame(Item(item.phrase, (*item.places, *places), end).things())
+                whole = Item(item.phrase, (*item.places, *places), end)
+                gone = self._as_certain(item, self._within_frame(whole.things()))
                 return [Remove(things=self._all_if_plural(gone), quote=self.quote(at, end))], end
             return [self._brought(item, places, self.quote(at, end))], end
         if word in BEING_SOMEWHERE and not negated:
