@@ -103,6 +103,13 @@ _CONTRACTIONS = {
     "alltogether": "altogether",
 }
 
+_CONTRACTIONS |= {
+    written.replace("'", ""): read
+    for written, read in tuple(_CONTRACTIONS.items())
+    if read == "not" and written not in ("can't", "won't")
+}
+"""Denials are written without their apostrophe too; two of them are words of another meaning then."""
+
 _TRIPLED = re.compile(r"([a-z])\1{2,}")
 """No English word has a letter three times in a row."""
 

@@ -71,3 +71,31 @@ def test_adverbs_belong_to_their_relation(text: str) -> None:
 def test_a_grand_room_is_no_style_of_the_building() -> None:
     facts = read_brief("A Victorian mansion with a grand hall and a grand staircase", default_knowledge())
     assert [style for style, _ in facts.styles] == ["victorian"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A library with two floors. Don't need cafe.",
+        "A library with two floors, cafe we don't need.",
+        "A library with two floors. Cafe no need.",
+        "A library with two floors. Dont need cafe.",
+        "A library with two floors. Cafe need not.",
+        "A library with two floors without need of cafe.",
+        "A library with two floors. Please avoid cafe.",
+        "A library with two floors. Is not necessary a cafe.",
+        "A library with two floors. Not needed: sauna, cafe.",
+        "A library with two floors. Cafe is not a must.",
+    ],
+)
+def test_what_is_not_needed_is_not_built(text: str) -> None:
+    plan = plan_building(BuildRequest(description=text))
+    assert all(room.room_type != "cafe" for floor in plan.program.floors for room in floor.rooms)
+    wishes = {wish.value.type: wish.status for wish in _receipt(text) if wish.kind == "no_room"}
+    assert wishes["cafe"] == "met"
+
+
+def test_what_a_room_does_not_need_is_no_room_left_out() -> None:
+    facts = read_brief("A house. The kitchen don't need a window.", default_knowledge())
+    assert not facts.excluded
+    assert [room.room_type for room in facts.rooms] == ["kitchen"]

@@ -204,6 +204,12 @@ def test_a_negation_ends_with_its_sentence() -> None:
     assert [name for name, _ in read("No basement. An elevator.").vertical] == ["elevator"]
 
 
+def test_an_area_of_one_floor_is_not_that_of_the_room_before_it() -> None:
+    facts = read("A library under one roof with the post office: one floor of 310 m2, with a book hall of 120 m2")
+    assert [quantity.value for quantity in facts.area + facts.floor_area] == [310.0]
+    assert {fact.name: fact.area for fact in facts.rooms} == {"post_office": None, "book_hall": 120.0}
+
+
 def test_sides_make_an_area() -> None:
     assert [quantity.value for quantity in read("an office of 20 x 15 metres").floor_area] == [300.0]
 
@@ -262,10 +268,24 @@ def test_a_second_room_of_a_kind_is_another_one() -> None:
         ("A house bent in a U around a patio", "U"),
         ("A monastery whose buildings form a closed quadrangle", "courtyard"),
         ("A house about an open garth", "courtyard"),
+        ("A faculty with four floors, plan in shape of letter L", "L"),
+        ('A school in the form of the letter "U", two floors', "U"),
+        ("A house, plan as letter H", "H"),
+        ("An office. The shape of building is like letter T", "T"),
+        ("An office, shape L", "L"),
+        ("A library of 2 floors, the building shape is square", "square"),
+        ("A lodge. Please make the outline a square", "square"),
     ],
 )
 def test_outlines_are_told_in_many_ways(text: str, shape: str) -> None:
     assert [name for name, _ in read(text).shapes] == [shape]
+
+
+@pytest.mark.parametrize(
+    "text", ["A flat. The kitchen has the shape of the letter L", "A house with a square shaped kitchen"]
+)
+def test_the_outline_of_a_room_is_not_that_of_the_building(text: str) -> None:
+    assert not read(text).shapes
 
 
 def test_what_is_next_to_it_is_next_to_the_room_before() -> None:

@@ -36,6 +36,26 @@ def test_rooms_keep_the_names_that_the_brief_gives_them(text: str, names: set[st
     assert set(rooms(text)) == names
 
 
+@pytest.mark.parametrize(
+    ("text", "name", "kind"),
+    [
+        ("A warehouse with an office, zone of shipping, a charging room.", "shipping_zone", "loading_dock"),
+        ("A hospital with a pharmacy and a post of nurses.", "nurse_post", "nurse_station"),
+        ("A museum with two offices and the reserve of artworks.", "artwork_reserve", "storage"),
+        ("A factory with a production hall and a measuring room.", "measuring_room", "study_room"),
+        ("A factory with a production hall and a goods entrance.", "good_entrance", "loading_dock"),
+        ("A shop with an office and a walk-in refrigerator.", "walk_in_refrigerator", "cold_storage"),
+        ("A hospital. At the ground floor are the emergencies.", "emergency", "emergency_room"),
+    ],
+)
+def test_a_place_is_a_room_by_what_it_is_for(text: str, name: str, kind: str) -> None:
+    assert rooms(text)[name].room_type == kind
+
+
+def test_a_zone_of_the_town_is_no_room() -> None:
+    assert not rooms("A house in a zone of the town, 120 m2.")
+
+
 def test_numbered_rooms_have_areas_of_their_own() -> None:
     found = rooms("One-family house:\nBedroom 1 - 16 m²\nBedroom 2 - 12 m²\nBathroom - 7 m²")
     assert (found["bedroom_1"].area, found["bedroom_2"].area, found["bathroom"].area) == (16, 12, 7)
@@ -100,6 +120,13 @@ def test_what_a_cell_is_fitted_with_is_furniture() -> None:
         ("A spa with vestiary masculine and vestiary feminine", {"man_vestiary", "woman_vestiary"}),
         ("Spa: changing room for women and changing room for men", {"woman_changing_room", "man_changing_room"}),
         ("A house with a large bathroom and a small bathroom", {"large_bathroom", "small_bathroom"}),
+        (
+            "Baths: separate changing rooms for women, men and families, showers, a sauna",
+            {"woman_changing_room", "man_changing_room", "family_changing_room", "shower"},
+        ),
+        ("A house of two floors with a downstairs loo, an airing cupboard upstairs", {"loo", "airing_cupboard"}),
+        ("A brewery: a tasting room, a laboratory and staff lockers", {"staff_locker"}),
+        ("A library: a children's library and a story room", {"story_room"}),
     ],
 )
 def test_rooms_are_called_by_their_purpose_their_users_and_their_size(brief: str, names: set[str]) -> None:
@@ -146,3 +173,19 @@ def test_shared_rooms_belong_to_no_suite() -> None:
 def test_each_before_an_area_gives_nobody_a_room() -> None:
     facts = read("A house with 3 children rooms with each 13 m2, parents bedroom 17 m2, one bathroom")
     assert {fact.name: fact.count for fact in facts.rooms}["parent_bedroom"] == 1
+
+
+def test_only_those_before_the_last_and_are_users() -> None:
+    facts = read("Spa: separate changing rooms for women and men, showers, a sauna")
+    assert [fact.name for fact in facts.rooms] == ["woman_changing_room", "man_changing_room", "shower", "sauna"]
+
+
+def test_those_whom_a_practice_is_for_are_people() -> None:
+    facts = read("Dental practice for three dentists with three treatment rooms")
+    assert [(fact.room_type, fact.count) for fact in facts.rooms] == [("treatment_room", 3)]
+    assert [fact.count for fact in facts.occupants] == [3]
+
+
+def test_a_studio_of_an_agency_is_to_work_in() -> None:
+    facts = read("Advertising agency on two floors. Upper floor: one open studio with 32 desks and a coffee bar")
+    assert [fact.room_type for fact in facts.rooms] == ["open_office", "cafe"]

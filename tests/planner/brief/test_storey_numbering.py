@@ -25,11 +25,37 @@ def storeys(brief: str) -> dict[str, int | str]:
             "A three-storey school: ground floor with a gym, floor 1 with a lab and floor 2 with a library.",
             {"gym": 1, "lab": 2, "library": 3},
         ),
+        (
+            "A hotel of three floors. The ground floor has a bar. The first and second floors have a lounge each.",
+            {"bar": 1, "lounge": 2},
+        ),
+        (
+            "A hotel of two floors. The ground floor has a bar. The first and second floors have a lounge each.",
+            {"bar": 1, "lounge": 1},
+        ),
+        (
+            "A ferry terminal, three floors. At quay level a check-in hall. Above that a departure lounge.",
+            {"check_in_hall": 1, "departure_lounge": 2},
+        ),
+        ("A house of five floors. A dentist and a law office share the second floor.", {"dentist": 2, "law_office": 2}),
         ("An office. The ground floor (level 1) has a cafe, level 2 has a library.", {"cafe": 1, "library": 2}),
         ("A two-storey office. Floor 1: cafe on the ground floor. Floor 2: library.", {"cafe": 1, "library": 2}),
         (
             "Ground storey: dining room. 1st storey above it: two bathrooms; 2nd storey: studio.",
             {"dining_room": 1, "bathroom": 2, "studio": 3},
+        ),
+        (
+            "A school of four floors. On ground floor is gym. First and second floor are same: six classrooms on each. "
+            "On third floor a library.",
+            {"gym": 1, "classroom": 2, "library": 4},
+        ),
+        (
+            "A clinic with 4 levels. Ground floor: pharmacy. The 1st and the 2nd floor have a lab. 3rd floor: archive.",
+            {"pharmacy": 1, "lab": 2, "archive": 4},
+        ),
+        (
+            "An office, three floors. The ground floor has a cafe. First, second and third floors have a lab.",
+            {"cafe": 1, "lab": 1},
         ),
     ],
 )
@@ -44,6 +70,7 @@ def test_numbers_count_from_the_ground_floor_or_above_it(brief: str, expected: d
         ("A school, 4 storeys. Canteen on 2. A gym on the ground floor.", {"canteen": 2, "gym": 1}),
         ("An inn, 3 storeys: a kitchen on the bottom one; three bedrooms on the next.", {"kitchen": 1, "bedroom": 2}),
         ("A block of three storeys. Parter: bakery. A lounge on the top floor.", {"bakery": 1, "lounge": "top"}),
+        ("A house, 2 storeys. On the ground are a kitchen. Upstairs a library.", {"kitchen": 1, "library": "upper"}),
     ],
 )
 def test_a_storey_is_known_by_few_words(brief: str, expected: dict[str, int | str]) -> None:

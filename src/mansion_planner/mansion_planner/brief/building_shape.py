@@ -30,22 +30,20 @@ def read_shape(reading: Reading) -> None:
         ):
             reading.facts.shapes.append((_SHAPES[word], reading.span(i, i + 1 + (reading.word(i + 1) == "shaped"))))
             reading.take(i, i + 2)
+        elif word in _SHAPES and _is_letter(reading, i) and (first := _after_form(reading, i, _FORMS)) < i:
+            reading.facts.shapes.append((_SHAPES[word], reading.span(first, i + 1)))
+            reading.take(first, i + 1)
         elif _is_court(reading, i):
             reading.facts.shapes.append(("courtyard", reading.span(i, i + 1)))
             reading.take(i, i + 1)
         elif word in ("rectangular", "rectangle", "oblong"):
             reading.facts.shapes.append(("rectangle", reading.span(i, i + 1)))
             reading.take(i, i + 1 + (reading.word(i + 1) in ("outline", "footprint", "plan", "shape", "building")))
-        elif word == "square" and reading.word(i + 1) in (
-            "outline",
-            "footprint",
-            "plan",
-            "shape",
-            "shaped",
-            "building",
-            "tower",
-            "house",
-            "form",
+        elif (
+            word == "square"
+            and reading.word(i + 1)
+            in ("outline", "footprint", "plan", "shape", "shaped", "building", "tower", "house", "form")
+            and not (reading.word(i + 1) == "shaped" and _names_room(reading, i + 2))
         ):
             reading.facts.shapes.append(("square", reading.span(i, i + 2)))
             reading.take(i, i + 2)
@@ -62,8 +60,36 @@ def read_shape(reading: Reading) -> None:
         elif word == "square" and reading.word(i - 1) in ("a", "our") and _names_building(reading, i + 1):
             reading.facts.shapes.append(("square", reading.span(i, i + 1)))
             reading.take(i, i + 1)
-        elif word in ("outline", "footprint", "plan") and "square" in reading.words(i + 1, i + 4):
-            reading.facts.shapes.append(("square", reading.span(i, i + 1)))
+        elif word == "square" and (first := _after_form(reading, i, _FORMS | {"plan", "footprint"})) < i:
+            reading.facts.shapes.append(("square", reading.span(first, i + 1)))
+            reading.take(first, i + 1)
+
+
+def _after_form(reading: Reading, index: int, ends: frozenset[str]) -> int:
+    """Return where words begin that lead to an outline's name: "in shape of letter L", "the shape is"; or `index`.
+
+    What is said of a room's form leads to none.
+    """
+    at = index - 1
+    while index - at < 8 and reading.word(at) in _FORM_LINKS - ends:
+        ends = ends | _BUILT if reading.word(at) == "letter" else ends
+        at -= 1
+    if reading.word(at) not in ends or reading.sentence[at] != reading.sentence[index]:
+        return index
+    at -= 2 * (reading.words(at - 2, at) in (("shape", "of"), ("form", "of")))
+    near = [mention for mention in reading.mentions if at - 4 <= mention.first < index]
+    near = [mention for mention in near if reading.sentence[mention.first] == reading.sentence[at]]
+    return index if any(mention.room and not mention.building for mention in near) else at
+
+
+_FORMS = frozenset({"shape", "form", "outline"})
+_BUILT = frozenset({"shaped", "plan", "building", "footprint"})
+"""Words that a letter after them tells the outline of, where it is called one."""
+_FORM_LINKS = frozenset(
+    """
+    of a an the letter latin capital like is as in : = " should must be have has building its house plan
+    """.split()
+)
 
 
 def _is_letter(reading: Reading, index: int) -> bool:

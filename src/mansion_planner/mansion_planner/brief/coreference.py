@@ -47,7 +47,7 @@ def coreferences(
             if several:
                 same[number] = several[-1]
                 continue
-        group = _group(phrases, number, rooms)
+        group = _group(phrases, number, rooms, placed=number in lefts)
         if group:
             groups[number], same[number] = group, group[-1]
             continue
@@ -87,11 +87,18 @@ def _is_inside(reading: Reading, phrase: Phrase) -> bool:
     )
 
 
-def _group(phrases: Sequence[Phrase], number: int, rooms: Sequence[int]) -> list[int]:
-    """Return the rooms that "the two dormitories" speaks of, where so many of the name stand before."""
+def _group(phrases: Sequence[Phrase], number: int, rooms: Sequence[int], *, placed: bool) -> list[int]:
+    """Return the rooms that "the two dormitories" speaks of, where so many of the name stand before.
+
+    Parameters
+    ----------
+    placed : bool
+        A relation is told of the phrase, so that it needs no article: "toilets away from the kitchen".
+    """
     phrase = phrases[number]
     one_of = phrase.determiner in ("either", "neither", "any") and not phrase.counted
-    if not one_of and (not phrase.plural or phrase.determiner not in ("the", "these", "both", "all")):
+    again = phrase.determiner in ("the", "these", "both", "all") or (placed and not phrase.determiner)
+    if not one_of and not (phrase.plural and again):
         return []
     before = [n for n in rooms if n < number and _same_name(phrase, phrases[n]) and phrases[n].count == 1]
     wanted = phrase.count if phrase.counted and phrase.count else len(before)

@@ -31,7 +31,10 @@ _PHRASES = (
     ("no", "one", "get"),
     ("no", "one", "need"),
     ("no", "one", "want"),
-    ("not", "want", "any"),
+    *[("without", noun, link) for noun in ("need", "necessity") for link in ("of", "for")],
+    ("no", "necessity", "of"),
+    *[("not", participle, ":") for participle in ("needed", "wanted", "required", "necessary", "included")],
+    ("not", "necessary"),
 )
 _AFTER = (
     ("not", "needed"),
@@ -44,7 +47,11 @@ _AFTER = (
     *[(verb, word) for verb in ("is", "are") for word in ("unnecessary", "superfluous", "unwanted", "undesired")],
     ("is", "not", "wanted"),
     ("are", "not", "needed"),
+    *[(verb, "no", participle) for verb in ("is", "are") for participle in ("needed", "necessary", "required")],
+    *[(verb, "not", "a", noun) for verb in ("is", "are") for noun in ("must", "need", "necessity")],
     ("we", "do", "not", "want"),
+    ("we", "do", "not", "need"),
+    ("we", "not", "need"),
     (":", "none"),
     (":", "no"),
     ("=", "no"),
@@ -106,6 +113,7 @@ _ENDS = frozenset(
     }
 )
 _SUBJECTS = frozenset("do does would i we you they he she it people".split())
+_CLAUSE_OPENERS = frozenset({",", "and", "but", "so", "also", "please"})
 _CONTRASTS = frozenset(
     "to in on at from into onto near next beside by towards toward inside of for like as under".split()
 )
@@ -139,6 +147,11 @@ def negated_phrases(reading: Reading, phrases: list[Phrase]) -> dict[int, tuple[
             and reading.breaks(phrase.last + 2)
         ):
             after = (",", "no")  # "lift, yes; cafe, no"
+        if after is None and reading.words(phrase.last, phrase.last + 2) in (("not", "need"), ("no", "need")):
+            closes = reading.breaks(phrase.last + 2) or reading.word(phrase.last + 2) in (",", "and", ")", "either")
+            after = ("not", "need") if closes else None  # "cafe don't need"
+        if after is None and reading.words(phrase.last, phrase.last + 2) == ("need", "not"):
+            after = ("need", "not") if reading.breaks(phrase.last + 2) else None
         end = phrase.last + len(after) if after is not None else absence_end(reading, phrase.last)
         if end > phrase.last:
             found[number] = (phrase.first, end)
@@ -234,8 +247,9 @@ def _negation(reading: Reading, index: int) -> int:
         return 1  # "I would rather have a shower than a bathtub"
     if reading.word(index) == "too" and reading.word(index + 2) == "for" and reading.word(index + 1) in _TIGHT:
         return 3
-    if reading.words(index, index + 2) == ("not", "need") and reading.word(index - 1) in _SUBJECTS:
-        return 2  # "we do not need private offices", "I don't need a gym"
+    opens = reading.starts(index) or reading.word(index - 1) in _SUBJECTS | _CLAUSE_OPENERS
+    if reading.words(index, index + 2) == ("not", "need") and opens:
+        return 2  # "we do not need private offices", "Don't need cafe"
     if reading.word(index) not in _BEFORE or reading.word(index + 1) in _COMPARISONS:
         return 0
     if reading.word(index) == "not" and reading.word(index + 1) in _CONTRASTS:
@@ -275,7 +289,7 @@ def _nothing_like(reading: Reading, index: int) -> int:
 def _reached(reading: Reading, phrases: list[Phrase], starts: dict[int, int], index: int) -> list[int]:
     """Return the phrases that a negation reaches from token `index` on."""
     reached: list[int] = []
-    steps, passed = 0, False
+    steps, passed, headed = 0, False, reading.word(index - 1) == ":"  # "not needed: cafe, gym"
     while index < len(reading.tokens) and steps < 9:
         number = starts.get(index)
         if number is not None:
@@ -298,7 +312,7 @@ def _reached(reading: Reading, phrases: list[Phrase], starts: dict[int, int], in
         passed = passed or (reading.kind(index) == "word" and word not in FUNCTION_WORDS)
         if reached and word not in ("or", "nor", "and", ",", "any", "anywhere", "a", "no", "either", "&", "/", "not"):
             break
-        if word == "," and not _goes_on(reading, phrases, starts, index + 1):
+        if word == "," and not (headed or _goes_on(reading, phrases, starts, index + 1)):
             break
         index += 1
         steps += 1

@@ -9,6 +9,7 @@ __all__ = ["COPULAS", "TOPS", "NamedStoreys"]
 _STREET = frozenset(
     """
     ground gnd street entrance entry garden courtyard water lobby arrival bottom lowest lower public shop pavement
+    quay quayside waterside pier
     """.split()
 )
 TOPS = frozenset({"top", "uppermost", "topmost", "highest", "last", "final"})
@@ -20,6 +21,10 @@ COPULAS = frozenset(
 
 _AFTER_TOP = frozenset("with and there nothing only two one become we the sit come".split())
 """Words that what is on the top storey follows: "on top there is a bar"."""
+
+
+_AFTER_GROUND = frozenset("and there has is are also we should must".split())
+"""Words that what is on the ground floor follows: "on the ground are a kitchen and a pantry"."""
 
 
 class NamedStoreys:
@@ -98,7 +103,7 @@ class NamedStoreys:
         if following in ("for", "has", "hold") and lead in (":", ";"):
             return True
         led = lead in ("the", "on", "at") or reading.starts(index) or (lead == "in" and reading.starts(index - 1))
-        return led and (following in CLOSERS or following in ("and", "there", "has", "is", "also"))
+        return led and following in CLOSERS | _AFTER_GROUND
 
     def _is_bottom(self, index: int) -> bool:
         """Whether "bottom" or "lowest" stands for the ground floor: "at the bottom a shop", "the very bottom"."""

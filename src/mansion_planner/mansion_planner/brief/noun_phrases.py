@@ -4,7 +4,6 @@
 phrase, else a noun that can head a room's name ("honey room"), else a piece of furniture of the asset catalogue.
 """
 
-from collections import Counter
 from dataclasses import replace
 
 from mansion_planner.brief.furniture_words import furniture_of, own_furniture_of
@@ -31,8 +30,8 @@ from mansion_planner.brief.room_names import (
     with_designators,
     with_purpose,
     with_sizes,
-    with_users,
 )
+from mansion_planner.brief.room_users import with_users
 from mansion_planner.brief.similarity import HEAD_TYPES, elliptic_room_type, room_of_building, similar_room_type
 
 __all__ = ["noun_phrases"]
@@ -41,10 +40,14 @@ _STAIRS = frozenset({"stair", "staircase", "stairwell", "stairway", "stairs"})
 _LIFTS = frozenset({"lift", "elevator"})
 _FURNITURE_TOO = frozenset({"locker", "stall"})
 """Nouns that name a room, and furniture after certain words: a bedside locker, a milking stall."""
+_EQUIPMENT = frozenset(
+    {("emergency", "shower"), ("safety", "shower"), ("drench", "shower"), ("birthing", "pool"), ("birth", "pool")}
+)
+"""What stands in a room, though its noun alone names a room."""
 _VERBAL_MODIFIERS = frozenset(
     """
-    live touch sleep cook sit meet walk making serving meeting sharing reading facing opening making share sit stand
-    look talk play round
+    live touch sleep cook sit meet walk measuring making serving meeting sharing reading facing opening making share
+    sit stand look talk play round
     """.split()
 )
 _PARTS = frozenset("roof window door wall ceiling view light equipment furniture roofed".split())
@@ -70,8 +73,7 @@ def noun_phrases(reading: Reading) -> list[Phrase]:
     phrases += _with_own_names(reading, listed_unknowns(reading, chunks, phrases))
     phrases += _named_again(reading, chunks, phrases)
     phrases += further_ones(reading, phrases)
-    names = Counter(phrase.name for phrase in phrases)
-    phrases = [part for phrase in phrases for part in with_users(reading, phrase, names)]
+    phrases = with_users(reading, phrases)
     return sorted(by_own_name(reading, with_sizes(reading, phrases)), key=lambda phrase: phrase.first)
 
 
@@ -333,6 +335,13 @@ def _furniture_or_core(reading: Reading, begin: int, end: int, mention: Mention 
     longer = size > 1 and (mention is None or mention.last - mention.first < size)
     counter = last == "counter" and mention is not None
     counter = counter and reading.word(count_before(reading, begin, end)[0] - 1) == "with"
+    lockers = last == "locker" and reading.plural(end - 1) and not count_before(reading, begin, end)[2]
+    if lockers and longer and set(reading.words(begin, end - 1)) <= PEOPLE:
+        room = finished_phrase(reading, "room", begin, end, room="changing_room")
+        return replace(room, count=1, plural=False)  # "staff lockers" are one room
+    if reading.words(end - 2, end) in _EQUIPMENT:
+        category = furniture_of((reading.word(end - 1),))[0] if size < 2 else category
+        return finished_phrase(reading, "object", begin, end, category=category)
     if counter or (longer and last in _FURNITURE_TOO):
         return finished_phrase(reading, "object", begin, end, category=category)
     return None
@@ -342,7 +351,8 @@ def _by_mention(reading: Reading, begin: int, end: int, mention: Mention) -> Phr
     """Return the room or the building that the lexicon has, as more words before its head may tell it further."""
     last = reading.word(end - 1)
     room = mention.room or room_of_building(mention.building, reading.knowledge)
-    if last in PEOPLE and reading.plural(end - 1) and not mention.room:
+    served = reading.word(count_before(reading, begin, end)[0] - 1) == "for"
+    if last in PEOPLE and reading.plural(end - 1) and (served or not mention.room):
         return finished_phrase(reading, "people", begin, end)  # "50 diners" are no eating houses
     if end - begin > 1 and mention.last - mention.first == 1:
         if last == "studio" and _names_use(reading, begin, end):
@@ -363,6 +373,8 @@ def _room_by_head(reading: Reading, begin: int, end: int) -> Phrase | None:
     if end - begin == 1:
         if last in ("room", "corner") and _has_purpose(reading, end) and not plural:
             return finished_phrase(reading, "room", begin, end, room="study_room", known=False)
+        if last in _PLACES_OF and _listed_with_purpose(reading, begin, end):
+            return finished_phrase(reading, "room", begin, end, room=HEAD_TYPES[last], known=False)
         listed = determiner in ("a", "an") and reading.word(begin - 2) in ("and", ",", "plus", "&", ":")
         if last in _STANDS_ALONE and (plural or counted or determiner == "the" or listed):
             return finished_phrase(reading, "room", begin, end, room=HEAD_TYPES[last], known=False)
@@ -382,6 +394,8 @@ def _people_or_furniture(reading: Reading, begin: int, end: int, *, whole: bool)
     if last in PEOPLE:
         return finished_phrase(reading, "people", begin, end)
     category, _ = furniture_of(reading.words(begin, end))
+    if last == "island" and reading.word(count_before(reading, begin, end)[0] - 1) in ("of", "on", "at"):
+        return None  # "the school of a small island"
     titles = last == "table" and reading.words(end, end + 2) in (("of", "room"), ("of", "content"))
     if category and not titles and (whole or not _modifies(reading, end)):
         return finished_phrase(reading, "object", begin, end, category=category)
@@ -444,6 +458,23 @@ def _has_purpose(reading: Reading, end: int) -> bool:
     after = end + 1 + (reading.word(end + 1) in ("the", "our"))
     return reading.word(end) == "of" and reading.kind(after) == "word" and reading.word(after) not in FUNCTION_WORDS
 
+
+def _listed_with_purpose(reading: Reading, begin: int, end: int) -> bool:
+    """Whether a list goes on with a place and what it is for: ", zone of shipping", "a post of nurses"."""
+    after = end + 1 + (reading.word(end + 1) == "the")
+    word = reading.word(after)
+    purpose = reading.word(end) == "of" and reading.kind(after) == "word" and word not in FUNCTION_WORDS | FLOOR_WORDS
+    mention = reading.mention_at.get(after)
+    whole = mention is not None and bool(mention.building) and not mention.room
+    first = begin - (reading.word(begin - 1) in ("a", "an", "the", "one"))
+    listed = reading.starts(first) or reading.word(first - 1) in _LIST_LEADS or reading.kind(begin - 1) == "number"
+    return purpose and listed and not whole and word not in _REGIONS
+
+
+_PLACES_OF = frozenset({"zone", "post", "reserve", "section", "depot"})
+"""Nouns that name a room by what it is for: "zone of shipping"; without that they may be anything."""
+_REGIONS = frozenset("city town building house site plot land country work duty office".split())
+_LIST_LEADS = frozenset({",", ":", "and", "with", "is", "are", "has", "have", "there", "&", ";", "-"})
 
 _STANDS_ALONE = frozenset(
     {"surgery", "booth", "cabin", "cell", "chamber", "ward", "salon", "loft", "kiosk", "chapel", "atelier"}

@@ -8,7 +8,7 @@ from mansion_language.units import AREA
 from mansion_planner.brief.lexicon import lexicon_of
 from mansion_planner.brief.phrase import Phrase
 from mansion_planner.brief.reading import Reading
-from mansion_planner.brief.room_names import one_of
+from mansion_planner.brief.room_users import one_of
 from mansion_planner.brief.similarity import elliptic_room_type
 
 __all__ = ["by_own_name", "with_own_names"]

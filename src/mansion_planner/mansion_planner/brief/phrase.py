@@ -36,7 +36,7 @@ FUNCTION_WORDS = frozenset(
     connect share sit stand lie lay belong follow reach touch adjoin border abut face join link attach separate
     including containing featuring holding housing comprising serving having sharing facing adjoining bordering
     touching leading opening connecting linking joining using giving making adjacent attached connected directly
-    straight also only just even still again very quite too rather really maybe perhaps possibly ideally mainly
+    straight direct also only just even still again very quite too rather really maybe perhaps possibly ideally mainly
     mostly partly nearly about around approximately roughly circa ca approx almost least most more less many few
     several multiple various numerous much enough same identical alike altogether together total overall exactly
     precisely apart away someone everybody everyone anyone nobody nothing everything something anything one's
@@ -47,7 +47,7 @@ FUNCTION_WORDS = frozenset(
     measure measuring occupy occupying span spanning
     well however therefore moreover nevertheless obviously yes ok pls hello hi dear thanks thank upstairs downstairs
     upstair downstair throughout everywhere anywhere elsewhere neither
-    either incl leaving fleeing escaping standing ditto idem likewise half itself themselves
+    either incl avoid omit exclude leaving fleeing escaping standing ditto idem likewise half itself themselves
     """.split()
 )
 """Words that no noun phrase of a room goes across."""
@@ -74,7 +74,7 @@ PEOPLE = frozenset(
     analyst programmer designer journalist trader operator researcher scientist professor lecturer cleaner waiter
     detainee prisoner technician judge juror priest cook chef baker brewer
     midwife therapist pilot driver clerk trainee apprentice intern volunteer swimmer climber viewer spectator
-    delegate
+    delegate dentist
     """.split()
 )
 """Nouns for those who live, work or stay in a building."""
@@ -222,7 +222,7 @@ _DETERMINERS = frozenset(
 )
 _BEFORE_THEM_ANOTHER = frozenset({"own", "more", "few"})
 """Determiners that another one may stand before: "its own", "two more", "a few"."""
-_BETWEEN = frozenset({"other", "such", "very", "same", "separate"})
+_BETWEEN = frozenset({"other", "such", "very", "same", "separate", "open"})
 """Words between a count or a determiner and its noun."""
 _BEFORE_COUNTS = frozenset({"the", "these", "those", "both", "all", "our", "each", "every"})
 """Determiners of a phrase that has a count: "the four bedrooms"."""

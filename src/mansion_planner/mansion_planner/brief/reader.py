@@ -15,7 +15,7 @@ from mansion_planner.brief.accessible_parts import with_accessible_ones
 from mansion_planner.brief.adverts import read_adverts, read_bedrooms_of_building
 from mansion_planner.brief.background_phrases import without_bystanders
 from mansion_planner.brief.bare_areas import with_bare_areas
-from mansion_planner.brief.building import building_phrase, is_compound, own_building_name, unknown_building
+from mansion_planner.brief.building import building_phrase, own_building_name, unknown_building
 from mansion_planner.brief.building_shape import read_copies, read_massing, read_shape, read_sizes
 from mansion_planner.brief.coreference import coreferences
 from mansion_planner.brief.desk_areas import read_desk_areas
@@ -43,10 +43,10 @@ from mansion_planner.brief.reading import Place, Reading, start_reading
 from mansion_planner.brief.relations import Relation, read_relations
 from mansion_planner.brief.retractions import without_retractions
 from mansion_planner.brief.room_facts import RoomStatements, identifier
+from mansion_planner.brief.rooms_by_building import room_for_building
 from mansion_planner.brief.shared_places import read_shares
 from mansion_planner.brief.shared_rooms import as_studio_flat, rooms_of_several_uses
 from mansion_planner.brief.shared_sizes import with_shared_sizes
-from mansion_planner.brief.similarity import HEAD_TYPES, similar_room_type
 from mansion_planner.brief.sizes import sized
 from mansion_planner.brief.stacked_uses import read_stacking
 from mansion_planner.brief.storey_attachment import Attachment
@@ -125,7 +125,7 @@ class _Reader:
         self.building = self._name_building(phrases)
         as_studio_flat(reading, phrases)
         phrases = with_shared_sizes(reading, measures, phrases)
-        self.phrases = [self._plain_rooms(phrase) for phrase in give_measures(reading, measures, phrases)]
+        self.phrases = [room_for_building(reading, phrase) for phrase in give_measures(reading, measures, phrases)]
         self.phrases = sized(reading, with_bare_areas(reading, self.phrases), self.building)
         reading.go_on()
         read_late_counts(reading, self.phrases)
@@ -230,32 +230,6 @@ class _Reader:
             return None  # "two flats side by side" are a building and its rooms
         return number
 
-    def _plain_rooms(self, phrase: Phrase) -> Phrase:
-        """Read "40 rooms" in a hotel, hospital or dormitory as the rooms that it is for; elsewhere they stay unread."""
-        if phrase.name == "cabin" and phrase.plural and phrase.counted and phrase.building:
-            return replace(phrase, head="room", building="", room_type=HEAD_TYPES["cabin"], known=False)
-        if phrase.head == "building" and not phrase.room_type:
-            return replace(phrase, room_type=similar_room_type(phrase.name, self.reading.knowledge), known=False)
-        if phrase.head == "building" and phrase.counted and phrase.plural and is_compound(self.reading, phrase):
-            return replace(phrase, known=False)
-        if phrase.name.split("_")[0] == "hall" and phrase.room_type == "hallway" and sum(phrase.areas[:1]) >= 40.0:
-            return replace(phrase, room_type="assembly_hall")
-        kind = self.facts.building[0][0] if self.facts.building else ""
-        record = self.reading.knowledge.buildings.get(kind)
-        works = record is not None and record.family in _WORKING
-        if works and phrase.room_type == "studio_apartment" and phrase.name.rpartition("_")[2] == "studio":
-            # nobody lives in a dance school
-            return replace(phrase, head="room", building="", room_type=HEAD_TYPES["studio"], known=False)
-        if phrase.head != "room" or phrase.name not in ("room", "guest_room") or not phrase.counted:
-            return phrase
-        room = _PLAIN.get(kind) or _PLAIN.get(record.like if record is not None else "")
-        if room is not None:
-            return replace(phrase, room_type=room, known=True)
-        if phrase.name != "room":
-            return phrase
-        self.reading.taken.difference_update(range(phrase.first, phrase.last))
-        return replace(phrase, head="unknown")
-
     def _containers(self) -> None:
         """Leave out what only holds rooms that are counted themselves: "wards with twelve patient rooms"."""
         for number, phrase in enumerate(self.phrases[:-1]):
@@ -295,7 +269,9 @@ class _Reader:
         between = self.reading.words(room.last, phrase.begin)
         if room.head != "room" or between not in (("with",), ("with", "a"), ("with", "the")):
             return False
-        return phrase.name in ("locker", "workplace") or (room.room_type in _BATHROOMS and phrase.name in _FIXTURES)
+        return phrase.name.rpartition("_")[2] in ("locker", "workplace") or (
+            room.room_type in _BATHROOMS and phrase.name in _FIXTURES
+        )
 
     def _is_locker(self, before: Phrase, phrase: Phrase) -> bool:
         """Whether "eight lockers" and "a bed and a locker" are furniture: those counted, or named with furniture."""
@@ -587,16 +563,5 @@ _HOMES = frozenset({"house", "home", "building", "villa", "cottage", "cabin", "b
 _FIXTURES = frozenset({"shower", "bath", "walk_in_shower"})
 _BATHROOMS = frozenset({"bathroom", "ensuite_bathroom", "accessible_toilet"})
 
-_WORKING = frozenset({"office", "industry", "education", "culture", "sport", "retail"})
-"""Families of buildings whose studios are to work in."""
-
 _BARE = frozenset({"building", "complex"})
 """Names of a building that say nothing of its use: its rooms do."""
-
-_PLAIN = {
-    "hotel": "hotel_room",
-    "hospital": "patient_room",
-    "hostel": "hostel_dorm",
-    "student_dormitory": "dorm_room",
-    "nursing_home": "resident_room",
-}

@@ -50,6 +50,9 @@ _BESIDE = [
     ("accessed", "from"),
     ("accessible", "from"),
     ("entered", "from"),
+    ("entered", "through"),
+    ("entered", "via"),
+    ("reached", "via"),
     ("visible", "from"),
     *[
         (word, to)
@@ -261,7 +264,11 @@ def _relation_at(reading: Reading, phrases: list[Phrase], rooms: list[int], inde
         key=len,
         default=(),
     )
-    directed = mutual is not None and len(longer) > len(mutual) and _right(reading, phrases, rooms, index + len(longer))
+    directed = (
+        mutual is not None
+        and len(longer) > len(mutual)
+        and (reading.word(index + len(longer)) in _PRONOUNS or _right(reading, phrases, rooms, index + len(longer)))
+    )
     if mutual is not None and not directed and _closes(reading, index + len(mutual), phrases, rooms):
         found = _mutual(reading, phrases, rooms, index, index + len(mutual)) or _postposed(
             reading, phrases, rooms, index, index + len(mutual)

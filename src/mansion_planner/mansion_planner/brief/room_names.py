@@ -8,6 +8,7 @@ from mansion_language import singular
 from mansion_planner.brief.lexicon import Mention
 from mansion_planner.brief.phrase import FUNCTION_WORDS, PEOPLE, PLAIN, Phrase, finished_phrase, name_of
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
+from mansion_planner.brief.room_users import PEOPLE_APART, one_of
 from mansion_planner.brief.similarity import HEAD_TYPES, elliptic_room_type, similar_room_type
 
 __all__ = [
@@ -15,17 +16,10 @@ __all__ = [
     "coordinated",
     "designated_nouns",
     "listed_unknowns",
-    "one_of",
     "with_designators",
-    "with_users",
     "with_purpose",
     "with_sizes",
 ]
-
-
-def one_of(phrase: Phrase, first: int, last: int) -> Phrase:
-    """Return one of the rooms that a phrase names together: the one that tokens `first` to `last` (exclusive) name."""
-    return replace(phrase, count=1, counted=True, plural=False, first=first, begin=first, noun_end=last, last=last)
 
 
 def coordinated(reading: Reading, chunks: list[tuple[int, int]], phrase: Phrase) -> list[Phrase]:
@@ -351,6 +345,8 @@ class _Entry:
         word = self.reading.word(self.end - 1)
         if word in PLAIN or word.endswith(("ly", "ed")) or word in _NO_ROOMS:
             return True
+        if word in _STRENGTHS and self.end - self.begin == 1:
+            return True  # "on the second floor right next to the archive"
         return any(m.style and (m.first, m.last) == (self.begin, self.end) for m in self.reading.mentions)
 
 
@@ -378,15 +374,14 @@ _NO_ROOMS = frozenset(
     """.split()
 )
 
+_STRENGTHS = frozenset({"right", "immediately", "close", "close-by", "hard"})
+"""Adverbs that only strengthen where something is."""
+
 _PURPOSEFUL = frozenset(
     """
     room store storage workshop hall area space shop studio office lab cellar storeroom corner atelier zone
+    post reserve depot
     """.split()
-)
-
-
-_PEOPLE_APART = frozenset(
-    "man woman boy girl staff guest visitor student teacher male female lady gentleman patient".split()
 )
 
 
@@ -413,67 +408,7 @@ def with_sizes(reading: Reading, phrases: list[Phrase]) -> list[Phrase]:
     ]
 
 
-def with_users(reading: Reading, phrase: Phrase, names: Mapping[str, int]) -> list[Phrase]:
-    """Read "changing rooms for men and for women", "an ablution room for men and another for women" as two rooms.
-
-    Parameters
-    ----------
-    names : mapping of str to int
-        How many phrases have each name: "toilet of boys and toilet of girls" are told apart by their users.
-    """
-    one_of_several = names[phrase.name] > 1 and not phrase.plural
-    last = phrase.last
-    if phrase.head == "room" and reading.word(last) in _SEXES and one_of_several:
-        return [_of_users(reading, phrase, last)]  # "vestiary feminine"
-    apart = phrase.plural and "separate" in reading.words(phrase.first - 1, phrase.noun_end)
-
-    def uses(index: int) -> bool:
-        return reading.word(index) in _PEOPLE_APART or (apart and reading.plural(index))
-
-    if phrase.head != "room" or reading.word(last) not in ("for", "of") or not uses(last + 1):
-        return [phrase]
-    users, index = [last + 1], last + 2
-    while reading.word(index) in ("and", ",", "&"):
-        index += 1 + (reading.word(index + 1) == "and")
-        index += reading.words(index, index + 1) in (("another",), ("one",), ("others",))
-        index += reading.word(index) == "for"
-        if not uses(index):
-            break
-        users.append(index)
-        index += 1
-    if len(users) == 1 and reading.word(last + 1) in _SEXES and one_of_several:
-        return [_of_users(reading, phrase, last + 1)]
-    if len(users) < 2 or (phrase.counted and phrase.count not in (1, len(users))):
-        return [phrase]
-    reading.take(last, users[-1] + 1)
-    noun = singular(phrase.label.lower())
-    rooms = [
-        replace(
-            one_of(phrase, user, user + 1),
-            name=f"{reading.word(user)}_{phrase.name}"[:60],
-            label=f"{reading.word(user)}'s {noun}",
-        )
-        for user in users
-    ]
-    rooms[0] = replace(rooms[0], first=phrase.first, begin=phrase.begin, noun_end=phrase.noun_end)
-    return rooms
-
-
 _NOTHING = Mention(0, 0)
-
-
-def _of_users(reading: Reading, phrase: Phrase, user: int) -> Phrase:
-    """Return a room under the name of those who use it: "changing room for women", "toilet of boys"."""
-    who = _SEXES[reading.word(user)]
-    reading.take(phrase.last, user + 1)
-    label = f"{who}'s {singular(phrase.label.lower())}"
-    return replace(phrase, name=f"{who}_{phrase.name}"[:60], label=label, last=user + 1)
-
-
-_SEXES = {
-    "man": "man", "woman": "woman", "boy": "boy", "girl": "girl", "male": "man", "female": "woman", "lady": "lady",
-    "gentleman": "gentleman", "masculine": "man", "feminine": "woman", "gent": "gentleman",
-}  # fmt: skip
 
 
 def _is_name(reading: Reading, index: int) -> bool:
@@ -501,9 +436,9 @@ def with_purpose(reading: Reading, phrase: Phrase) -> Phrase:
     ):
         return phrase
     after = reading.word(last + 1 + (reading.word(last + 1) in ("the", "our")))
-    if reading.word(last) == "of" and phrase.noun_end - phrase.begin > 1 and after not in _PEOPLE_APART:
+    if reading.word(last) == "of" and phrase.noun_end - phrase.begin > 1 and after not in PEOPLE_APART:
         return phrase
-    if reading.word(last) == "for" and reading.word(last + 1) in _PEOPLE_APART:
+    if reading.word(last) == "for" and reading.word(last + 1) in PEOPLE_APART:
         return phrase
     two = reading.word(last + 2) == "and" and reading.plural(last + 1) and reading.plural(last + 3)
     if two and phrase.plural and "separate" in reading.words(phrase.first - 1, phrase.noun_end):
@@ -524,7 +459,7 @@ def with_purpose(reading: Reading, phrase: Phrase) -> Phrase:
     generic = phrase.name in _PURPOSEFUL
     room = (
         similar_room_type(name, reading.knowledge)
-        if generic and phrase.name in ("room", "space", "area", "corner")
+        if generic and phrase.name in ("room", "space", "area", "corner", "zone", "post", "section")
         else phrase.room_type
     )
     label = reading.span(phrase.begin, end).words

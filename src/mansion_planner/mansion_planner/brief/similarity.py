@@ -50,7 +50,7 @@ HEAD_TYPES = {
     "garage": "garage", "bathroom": "bathroom", "bedroom": "bedroom", "archive": "archive", "cafe": "cafe",
     "gym": "gym", "school": "classroom", "wash": "laundry_room", "helpdesk": "open_office",
     "cellar": "storage", "depot": "storage", "post": "security_room",
-    "atelier": "art_room", "arena": "sports_hall", "wing": "common_room",
+    "atelier": "art_room", "reserve": "storage", "arena": "sports_hall", "wing": "common_room",
     "vault": "vault", "nook": "lounge", "garden": "greenhouse", "pool": "indoor_pool",
 }  # fmt: skip
 

@@ -23,21 +23,35 @@ def counts_from_ground(reading: Reading) -> bool:
     ground = ground or any(token.text == ABOVE_GROUND for token in reading.tokens)
     if ground and _counts_ground_apart(reading):
         return True
-    elliptic = _elliptic_ordinals(reading)
-    if not ground or not ({("first", "floor"), ("first", "storey")} & set(pairs) or 1 in elliptic):
+    named = [*_named_by_ordinals(reading), *_elliptic_ordinals(reading)]
+    first = 1 in named or _lists_first(reading)
+    if not ground or not first or ("second", "storey") in pairs:
         return False
-    if ("second", "storey") in pairs:
-        return False
-    highest = max(
-        (
-            int(token.value)
-            for token, after in itertools.pairwise(reading.tokens)
-            if token.kind == "ordinal" and after.text in FLOOR_WORDS
-        ),
-        default=1,
-    )
     stated = _stated_numbers(reading)
-    return not (stated and max(stated) == max(highest, *elliptic, 1))
+    return not (stated and max(stated) == max(named))
+
+
+def _named_by_ordinals(reading: Reading) -> list[int]:
+    """Return the storeys that ordinals number: 1 and 2 of "the first and the second floor", "1st to 2nd level"."""
+    found = []
+    for index, token in enumerate(reading.tokens):
+        if token.kind != "ordinal" or token.value != int(token.value):
+            continue
+        at = index + 1
+        while reading.word(at) in _LINKS:
+            link, at = at, at + 1
+            while reading.word(at) in _LINKS | {"the"} and at - link < 3:
+                at += 1
+            if reading.kind(at) != "ordinal":
+                break
+            at += 1
+        if reading.word(at) in FLOOR_WORDS and not reading.breaks(at):
+            found.append(int(token.value))
+    return found
+
+
+_LINKS = frozenset({"and", ",", "&", "to", "through", "–", "-"})
+"""What joins the ordinals of storeys that one noun follows."""
 
 
 def _elliptic_ordinals(reading: Reading) -> list[int]:
@@ -50,6 +64,19 @@ def _elliptic_ordinals(reading: Reading) -> list[int]:
         if placed or (reading.starts(index) and reading.word(index + 1) == ":"):
             found.append(int(token.value))
     return found
+
+
+def _lists_first(reading: Reading) -> bool:
+    """Whether the first storey leads others with one noun for all: "the first and second floors"."""
+    for index, token in enumerate(reading.tokens):
+        if token.kind != "ordinal" or token.value != 1 or reading.word(index - 1) != "the":
+            continue
+        last = index + 1
+        while reading.word(last) in (",", "and", "&") or reading.kind(last) == "ordinal":
+            last += 1
+        if last > index + 2 and reading.word(last) in FLOOR_WORDS:
+            return True
+    return False
 
 
 def counts_above_ground(reading: Reading) -> bool:
@@ -88,9 +115,10 @@ def _counts_ground_apart(reading: Reading) -> bool:
     """Whether the highest of eight storeys is the seventh floor: "1st to 7th floor" beside a ground floor."""
     ordinals = [
         int(token.value)
-        for token, after, then in zip(reading.tokens, reading.tokens[1:], [*reading.tokens[2:], None], strict=False)
-        if token.kind == "ordinal" and (after.text in FLOOR_WORDS or (after.text in ("to", "–", "-") and then))
+        for token, after in itertools.pairwise(reading.tokens)
+        if token.kind == "ordinal" and after.text in ("to", "–", "-")
     ]
+    ordinals += _named_by_ordinals(reading)
     stated = _stated_numbers(reading)
     return bool(stated and ordinals) and min(ordinals) == 1 and max(ordinals) == max(stated) - 1
 

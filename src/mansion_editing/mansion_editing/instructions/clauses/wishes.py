@@ -368,7 +368,7 @@ class Wishes(Subjects, Negations):
         found_by = self._found_by_somebody(at, place)
         if found_by is not None:
             return found_by
-        way = self._reaching(at, place)
+        way = self._way_stays_free(at, place) or self._reaching(at, place)
         if way is not None:
             return way
         existential = self._existential(place, asked=True)

@@ -1,0 +1,142 @@
+"""Read who rooms of a kind are for, each with one of their own: "changing rooms for men and for women"."""
+
+from collections import Counter
+from collections.abc import Mapping
+from dataclasses import replace
+
+from mansion_language import singular
+from mansion_planner.brief.phrase import FUNCTION_WORDS, Phrase
+from mansion_planner.brief.reading import Reading
+
+__all__ = ["PEOPLE_APART", "one_of", "with_users"]
+
+PEOPLE_APART = frozenset(
+    "man woman boy girl staff guest visitor student teacher male female lady gentleman gent patient".split()
+)
+"""Those who have rooms of their own beside others of the kind."""
+_SEXES = {
+    "man": "man", "woman": "woman", "boy": "boy", "girl": "girl", "male": "man", "female": "woman", "lady": "lady",
+    "gentleman": "gentleman", "masculine": "man", "feminine": "woman", "gent": "gentleman",
+}  # fmt: skip
+_DISABLED = frozenset("disabled handicapped invalid wheelchair".split())
+_TOILETS = frozenset({"toilet", "restroom", "bathroom"})
+_JOINTS = frozenset({"and", ",", "&", "/", "+", "plus"})
+_LEADS = frozenset({",", ":", "(", "-", "–"})
+_PERSONS = frozenset("people person user visitor guest one".split())
+
+
+def one_of(phrase: Phrase, first: int, last: int) -> Phrase:
+    """Return one of the rooms that a phrase names together: the one that tokens `first` to `last` (exclusive) name."""
+    return replace(phrase, count=1, counted=True, plural=False, first=first, begin=first, noun_end=last, last=last)
+
+
+def with_users(reading: Reading, phrases: list[Phrase]) -> list[Phrase]:
+    """Read "an ablution room for men and another for women" and "toilets (men, women, disabled)" as a room for each.
+
+    Phrases that were read of the users' names themselves are left out.
+    """
+    names = Counter(phrase.name for phrase in phrases)
+    found: list[Phrase] = []
+    end = -1
+    for phrase in sorted(phrases, key=lambda phrase: phrase.first):
+        if phrase.first < end:
+            continue
+        parts = _by_users(reading, phrase, names)
+        if parts != [phrase]:
+            end = max(part.last for part in parts)
+        found += parts
+    return found
+
+
+def _by_users(reading: Reading, phrase: Phrase, names: Mapping[str, int]) -> list[Phrase]:
+    """Return a room for each of its users, where a phrase tells some.
+
+    Parameters
+    ----------
+    names : mapping of str to int
+        How many phrases have each name: "toilet of boys and toilet of girls" are told apart by their users.
+    """
+    if phrase.head != "room":
+        return [phrase]
+    last = phrase.last
+    one_of_several = names[phrase.name] > 1 and not phrase.plural
+    if reading.word(last) in _SEXES and one_of_several and not phrase.plural:
+        return [_of_users(reading, phrase, last)]  # "vestiary feminine"
+    led = reading.word(last) in ("for", "of")
+    users, end = _users(reading, phrase)
+    if led and len(users) == 1 and reading.word(users[0]) in _SEXES and one_of_several:
+        return [_of_users(reading, phrase, users[0])]
+    if led and len(users) == 1 and _is_accessible(reading, phrase, users[0]) and not phrase.plural:
+        reading.take(last, end)
+        return [replace(_of_user(reading, phrase, users[0]), first=phrase.first, begin=phrase.begin, last=end)]
+    if len(users) < 2 or (phrase.counted and phrase.count not in (1, len(users))):
+        return [phrase]
+    reading.take(last, end)
+    rooms = [_of_user(reading, phrase, user) for user in users]
+    rooms[0] = replace(rooms[0], first=phrase.first, begin=phrase.begin, noun_end=phrase.noun_end)
+    rooms[-1] = replace(rooms[-1], last=end)
+    return rooms
+
+
+def _users(reading: Reading, phrase: Phrase) -> tuple[list[int], int]:
+    """Return the tokens of those whom a phrase's rooms are for, and the token after the list; none where it has none.
+
+    What follows "for" may be people of many kinds; a list without it ("toilets (men, women)") tells the sexes apart.
+    """
+    apart = phrase.plural and "separate" in reading.words(phrase.first - 1, phrase.noun_end)
+    led = reading.word(phrase.last) in ("for", "of")
+
+    def uses(at: int) -> bool:
+        word = reading.word(at)
+        if word in _DISABLED:
+            return True
+        return (word in PEOPLE_APART or (apart and reading.plural(at))) if led else word in _SEXES
+
+    index = phrase.last + (led or reading.word(phrase.last) in _LEADS)
+    users: list[int] = []
+    end = index
+    closed = False  # behind the last "and" a comma ends the list
+    while len(users) < 6:
+        index += reading.word(index) in ("one", "another", "others", "a")
+        index += reading.word(index) in ("for", "of") and (bool(users) or not led)
+        index += reading.word(index) == "the"
+        if not uses(index):
+            break
+        users.append(index)
+        index += 1 + (reading.word(index) in _DISABLED and reading.word(index + 1) in _PERSONS)
+        end = index
+        if reading.word(index) not in _JOINTS or (closed and reading.word(index) == ","):
+            break
+        closed = closed or "and" in reading.words(index, index + 2)
+        index += 1 + (reading.word(index + 1) in _JOINTS)
+    bracketed = reading.word(phrase.last) == "("
+    if not led and not (phrase.plural and (reading.word(end) == ")" if bracketed else _closes(reading, end))):
+        return [], end
+    return users, end + (bracketed and bool(users))
+
+
+def _closes(reading: Reading, index: int) -> bool:
+    """Whether no noun goes on at a token: "male and female toilets" are other rooms."""
+    return reading.breaks(index) or reading.kind(index) == "mark" or reading.word(index) in FUNCTION_WORDS
+
+
+def _is_accessible(reading: Reading, phrase: Phrase, user: int) -> bool:
+    return reading.word(user) in _DISABLED and phrase.room_type in _TOILETS
+
+
+def _of_user(reading: Reading, phrase: Phrase, user: int) -> Phrase:
+    """Return the room that one of several users has."""
+    room, who = one_of(phrase, user, user + 1), reading.word(user)
+    noun = singular(phrase.label.lower())
+    if _is_accessible(reading, phrase, user):
+        return replace(room, room_type="accessible_toilet", name="accessible_toilet", label=f"accessible {noun}")
+    who = _SEXES.get(who, who)
+    return replace(room, name=f"{who}_{phrase.name}"[:60], label=f"{who}'s {noun}")
+
+
+def _of_users(reading: Reading, phrase: Phrase, user: int) -> Phrase:
+    """Return a room under the name of those who use it: "changing room for women", "toilet of boys"."""
+    who = _SEXES[reading.word(user)]
+    reading.take(phrase.last, user + 1)
+    label = f"{who}'s {singular(phrase.label.lower())}"
+    return replace(phrase, name=f"{who}_{phrase.name}"[:60], label=label, last=user + 1)
