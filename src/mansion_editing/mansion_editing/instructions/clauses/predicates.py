@@ -3,7 +3,7 @@
 import msgspec
 
 from mansion_editing.instructions.clauses.colours import Colours
-from mansion_editing.instructions.clauses.items import Item, joined_places
+from mansion_editing.instructions.clauses.items import Item, NotUnderstood, joined_places
 from mansion_editing.instructions.clauses.outcomes import at_receiver
 from mansion_editing.instructions.clauses.states import States
 from mansion_editing.instructions.clauses.ways import Ways
@@ -172,6 +172,7 @@ class Predicates(States, Colours, Ways):
         if word in ("has", "have") and self.text(place + 1) == "no" and self.text(place + 2) in ("business", "place"):
             places, end = self.places(place + 3 + (self.text(place + 3) == "being"))
             gone = Item(item.phrase, (*item.places, *places), end).things()
+            gone = self._as_certain(item, gone)
             return [Remove(things=self._all_if_plural(gone), quote=self.quote(at, end))], end
         if item.is_room and word in ("has", "have") and self._lacks_use(place + 1):
             return [Mention(rooms=item.rooms(), quote=self.quote(at, self._lacks_use(place + 1)))], self._lacks_use(
@@ -229,6 +230,11 @@ class Predicates(States, Colours, Ways):
                 out.append(Ensure(things=thing.phrase.things(), place=where, each=each, quote=quote))
         return out, end
 
+    def _as_certain(self, item: Item, things: Things) -> Things:
+        """Return a thing that is named without an article, as in notes, as the certain one that is there."""
+        one = self._is_bare(item.phrase) and not item.phrase.noun.plural
+        return msgspec.structs.replace(things, amount=Amount(number=0), definite=True) if one else things
+
     def _lacks_use(self, at: int) -> int:
         """Return the end of ``nowhere to hang clothes``, ``nothing to sit on``; 0 for other words."""
         if self.text(at) not in ("nowhere", "nothing") or self.text(at + 1) != "to":
@@ -261,6 +267,8 @@ class Predicates(States, Colours, Ways):
             end = place + 1
             if self.text(end) in STATE_WORDS and word in ("stay", "remain") and self.phrase(end + 1) is None:
                 return self._said_state(item, end, at, negated)
+            if negated:
+                raise NotUnderstood(at, self.boundary(at))  # where it shall go is not told
             if self._is_bare(item.phrase) and word in ("stay", "remain") and not negated:
                 return self._bare_stays(item, end, at)
             if item.phrase.amount.number and not item.phrase.definite and not negated:
@@ -297,7 +305,8 @@ class Predicates(States, Colours, Ways):
             places, end = self.places(place + 1)
             if not places or all(p.source and not p.goal for p in places):
                 end += self.text(end) in ("away",)
-                gone = self._within_frame(Item(item.phrase, (*item.places, *places), end).things())
+                whole = Item(item.phrase, (*item.places, *places), end)
+                gone = self._as_certain(item, self._within_frame(whole.things()))
                 return [Remove(things=self._all_if_plural(gone), quote=self.quote(at, end))], end
             return [self._brought(item, places, self.quote(at, end))], end
         if word in BEING_SOMEWHERE and not negated:

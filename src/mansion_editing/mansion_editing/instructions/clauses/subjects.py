@@ -1,5 +1,7 @@
 """Clauses with a subject and a predicate: "the lamp should be on"."""
 
+from collections.abc import Sequence
+
 import msgspec
 
 from mansion_editing.instructions.clauses.items import Item, joined_places
@@ -55,7 +57,8 @@ class Subjects(Lacks):
                 break
             place = after
         shared = all(s.phrase.definite or s.phrase.noun.plural or s.is_room for s in subjects)
-        shared = shared or self.text(subjects[-1].end) in ("stay", "remain") or self._go_there(subjects)
+        shared = shared or self.text(subjects[-1].end) in ("stay", "remain")
+        shared = shared or self._go_there(subjects) or self._are_noted(subjects)
         last = subjects[-1].end
         follows = self.predicate_follows(last) or (asked and self.text(last) == "to")
         follows = follows or self._verb_of_lack(last, denied=False) is not None
@@ -85,6 +88,16 @@ class Subjects(Lacks):
         )
         known = any(item.phrase.definite or item.phrase.refers or item.is_room or item.places for item in subjects)
         return self.text(end) == "go" and bool(places) and not any(p.source for p in places) and new and not known
+
+    def _are_noted(self, subjects: Sequence[Item]) -> bool:
+        """Whether a list is written without articles, as in notes, and it is said what stays, goes or is misplaced."""
+        end = subjects[-1].end
+        said = self.text(end) in MODALS or self.text(end) in ("go", "leave", "disappear", "vanish")
+        misplaced = (
+            self.text(end) in ("has", "have") and self.text(end + 1) == "no" and self.text(end + 2) == "business"
+        )
+        named = [s for s in subjects if not (s.phrase.definite or s.phrase.noun.plural or s.is_room)]
+        return (said or misplaced) and all(self._is_bare(item.phrase) and not item.places for item in named)
 
     def _coming(self, at: int) -> tuple[list[Statement], int] | None:
         """Read ``a desk with a lamp on it and an office chair come in``: new things."""

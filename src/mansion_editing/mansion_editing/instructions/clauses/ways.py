@@ -25,6 +25,8 @@ __all__ = ["Ways"]
 _FREE: Final = frozenset("free clear open unobstructed unblocked passable walkable".split())
 _BLOCKED: Final = frozenset("blocked obstructed barred narrowed".split())
 _BEING: Final = MODALS | BE | frozenset("to has have kept left keep always still completely".split())
+_ON_WHEELS: Final = frozenset("rolled wheeled pushed driven".split())
+"""What is done with carts: where that can be done, there is a way."""
 
 
 class Ways(Sentence):
@@ -67,6 +69,7 @@ class Ways(Sentence):
         if self.text(place) in ("the", "a", "delivery") and "robot" in (w.text for w in self.words[place : place + 4]):
             joint = next((k for k in range(place, len(self.words)) if self.text(k) == "from"), None)
             if joint is not None and joint < place + 9:
+                self._refuse_denied(at, place, joint)
                 return self._way(at, joint)
         while place < len(self.words) and place < start + 12:
             word = self.text(place)
@@ -79,12 +82,22 @@ class Ways(Sentence):
             place += 1
         else:
             return None
-        moving = any(w.text in ABILITIES for w in self.words[start:place])
-        if not moving:
+        if not any(w.text in ABILITIES for w in self.words[start:place]):
             return None
+        self._refuse_denied(at, start, place)
         if self.text(place) == "find" or self.text(place) == "make":
             place += 2
         return self._way(at, place + 1)
+
+    def _refuse_denied(self, at: int, start: int, end: int) -> None:
+        """Refuse words by which somebody shall not get somewhere: no way is closed.
+
+        Raises
+        ------
+        NotUnderstood
+        """
+        if {word.text for word in self.words[start:end]} & {"not", "never", "nobody", "no", "cannot"}:
+            raise NotUnderstood(at, self.boundary(at))
 
     def _is_going(self, at: int) -> bool:
         """Whether a word is a verb of going, with a direction where it has other meanings."""
@@ -93,6 +106,9 @@ class Ways(Sentence):
             return True
         if word in ("find", "make"):
             return following in ("a", "the", "his", "its", "their", "my") and self.text(at + 2) == "way"
+        if word in _ON_WHEELS:
+            able = {w.text for w in self.words[max(0, at - 4) : at]} & {"can", "could", "able", "possible"}
+            return self.text(at - 1) == "be" and bool(able) and following in DIRECTIONS
         return word in GOING and following in DIRECTIONS
 
     def _way(self, at: int, place: int) -> tuple[list[Statement], int]:
@@ -122,6 +138,8 @@ class Ways(Sentence):
             end = found[1]
         while self.text(end) in FREE_WAYS:
             end += 1
+        if self.text(end - 1) == "without" and self.text(end) == "anything" and self.bothers(end + 1):
+            end += 4
         if start is None and not ends:
             raise NotUnderstood(at, self.boundary(at))
         quote = self.quote(at, end)

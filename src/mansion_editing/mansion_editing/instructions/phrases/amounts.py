@@ -165,6 +165,9 @@ def _counted(words: Sequence[Word], at: int, number: int, *, definite: bool) -> 
         place += 1 if text_at(words, place + 1) == "them" else 2
         whole = number_at(words, place)
         return Amount(number=number, of=whole or 0), False, False, place + (whole is not None)
+    if text_at(words, place) == "or" and text_at(words, place + 1) in ("more", "fewer", "less"):
+        limit: AmountKind = "at_least" if words[place + 1].text == "more" else "at_most"
+        return Amount(kind=limit, number=number), definite, False, place + 2
     if text_at(words, place) in ("more", "additional", "extra", "further"):
         return Amount(kind="more", number=number), definite, False, place + 1
     if text_at(words, place) == "other" and not definite:

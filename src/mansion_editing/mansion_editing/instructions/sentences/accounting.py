@@ -117,7 +117,8 @@ def _is_left_out(said: Sequence[Word], at: int, group: Sequence[Statement], told
             further or told.kinds & _LIMITING or "outside" in told.flags or any(isinstance(s, _DENYING) for s in group)
         )
     if text in _ALTERNATIVES:
-        return not all(isinstance(s, _OF_ANY_OF_THEM) or _is_none(s) for s in group)
+        limit = text_at(said, at + 1) in ("more", "fewer", "less") and told.kinds & {"at_least", "at_most"}
+        return not limit and not all(isinstance(s, _OF_ANY_OF_THEM) or _is_none(s) for s in group)
     if text == "half":
         return "half" not in told.kinds and 0.5 not in told.numbers and 180.0 not in told.numbers
     if text in _WHOLE:

@@ -17,13 +17,18 @@ from mansion_editing.instructions.statements import Mention, Place
 
 __all__ = ["Headings"]
 
-_ASKED_OF_ALL: Final = frozenset("everything all anything nothing none no not out away gone".split()) | set(STATE_WORDS)
+_ASKED_OF_ALL: Final = frozenset(
+    "everything all anything nothing none no not out away gone empty clear bare tidy".split()
+) | set(STATE_WORDS)
 """Words by which a heading asks for something itself: ``All off: ...``."""
 
 _ELSEWHERE: Final = frozenset("building house everywhere anywhere room".split())
 """Words of sentences that go on with something else than the room of a heading."""
 _REFERRING: Final = frozenset("it its them they there here".split())
 """Words that mean what was mentioned last, wherever it is by now."""
+_MOODS: Final = frozenset(
+    "cosy cozy comfortable romantic festive quiet calm peaceful relaxed homely welcoming intimate atmospheric".split()
+)
 _MOST_OF_OCCASION: Final = 4
 """Words of a heading before its room."""
 
@@ -31,18 +36,38 @@ _MOST_OF_OCCASION: Final = 4
 class Headings(Progress):
     """Reads what a sentence, or several, begin with before a colon."""
 
+    def _tells_of_use(self, reader: ClauseReader, at: int) -> bool:
+        """Read ``We want to use the storage as a reading corner.`` before requests: what comes next is about it."""
+        words = reader.words
+        said = [word.text for word in words[at : at + 5] if word.text not in ("would", "d")]
+        if self.is_last or said[:1] not in (["we"], ["i"]) or said[2:4] != ["to", "use"]:
+            return False
+        if said[1] not in ("want", "like", "plan", "wish"):
+            return False
+        room = reader.item(next(k for k in range(at, len(words)) if words[k].text == "use") + 1)
+        if room is None or not room.is_room or reader.text(room.end) != "as":
+            return False
+        use = words[room.end + 1 :]
+        if not use or any(word.kind != "word" or word.text in ("and", "but", "not") for word in use):
+            return False
+        self.heading = Place(rooms=room.rooms())
+        quote = self._quote(words, 0, len(words))
+        self.statements.append(Mention(rooms=room.rooms(), passed_over=True, quote=quote))
+        return True
+
     def _read_label(self, reader: ClauseReader, words: Sequence[Word], at: int) -> int:
         """Read ``Preparing the workshop:``, a heading that names nothing of the building but the room of it all."""
         stop = next((k for k in range(at, len(words)) if words[k].text == ":"), len(words))
         verb = verb_at(words, at, self.lexicon)
         if stop == at or stop + 1 >= len(words) or (verb is not None and not words[at].raw.endswith("ing")):
             return at
-        if _asks(words[at:stop]) or not self._is_label(words, at, stop):
-            start = next((k for k in range(at + 1, stop) if reader.places(k)[1] == stop), stop)
-            place, _ = joined_places(reader.places(start)[0])
-            plain = place.rooms is not None and place == Place(rooms=place.rooms) and not place.rooms.same
-            if not plain or not self._is_occasion(words[at:start]):
-                return at
+        start = next((k for k in range(at + 1, stop) if reader.places(k)[1] == stop), stop)
+        place, _ = joined_places(reader.places(start)[0])
+        plain = place.rooms is not None and place == Place(rooms=place.rooms) and not place.rooms.same
+        label = not _asks(words[at:stop]) and self._is_label(words, at, stop)
+        if not label and not (plain and self._is_occasion(words[at:start])):
+            return at
+        if plain:
             reader.frame = place
         self.statements.append(Mention(quote=self._quote(words, at, stop)))
         return stop + 1
@@ -110,12 +135,26 @@ class Headings(Progress):
 
     def _is_occasion(self, words: Sequence[Word]) -> bool:
         """Whether words before a place and a colon name what happens there: ``Movie night``."""
+        if _is_mood(words):
+            return True
         plain = len(words) <= _MOST_OF_OCCASION and all(word.kind == "word" for word in words) and not _asks(words)
         return (
             plain
             and words[0].text not in DETERMINERS - {"a", "an", "the", "our"}
             and not (self._names_anything(words[-1:]) or words[-1].text in ("more", "less", "fewer"))
         )
+
+
+def _is_mood(words: Sequence[Word]) -> bool:
+    """Whether words only say what a room shall feel like: ``for the evening we want it cosy``."""
+    texts = [word.text for word in words]
+    who = next((k for k, text in enumerate(texts) if text in ("i", "we")), len(texts))
+    before, wish = texts[:who], texts[who + 1 :]
+    told = not before or (before[0] in ("for", "tonight", "today") and len(before) <= _MOST_OF_OCCASION)
+    wish = wish[1:] if wish[:1] == ["would"] else wish
+    liked = wish[:1] in (["want"], ["like"], ["need"]) and wish[1:2] == ["it"]
+    rest = [text for text in wish[2:] if text not in ("and", "really", "very", "a", "bit", "nice", ",", "little")]
+    return told and liked and bool(rest) and all(text in _MOODS for text in rest)
 
 
 def _asks(words: Sequence[Word]) -> bool:

@@ -181,7 +181,7 @@ class _Reader(Asides, Telling, Tails, Headings, Repeating, Referring, Depending,
         told = 0 if marked else self._tells_numbers(reader, at) or self._sets_scene(reader, at)
         if told:
             at = reader.skip(told)
-        elif self._reads_scope(reader, at) or self._tells_of_person(reader, at):
+        elif self._tells_of_use(reader, at) or self._reads_scope(reader, at) or self._tells_of_person(reader, at):
             return
         conditional = begins_condition(words, at) and not marked
         if (

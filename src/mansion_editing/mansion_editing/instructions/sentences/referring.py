@@ -105,8 +105,8 @@ class Referring(Progress):
                 if value.amount.number and value.amount.kind == "some" and topic.amount.kind != "all":
                     several = value.amount.number > 1
                     return msgspec.structs.replace(topic, amount=value.amount, plural=several, definite=False)
-                if value.amount.kind == "all_but":
-                    return _all_but(topic, value.amount)
+                if value.amount.kind in ("all_but", "half"):
+                    return _share_of(topic, value.amount)
                 where = value.place
                 told = topic.place is None and where is not None and where.anchor is None and not where.outside
                 return with_place(topic, where) if told and where is not None else topic
@@ -144,8 +144,8 @@ def _mentioned_by(statement: Statement | None) -> Things | None:
     return things if isinstance(things, Things) else None
 
 
-def _all_but(topic: Things, amount: Amount) -> Things:
-    """Return all of what was told before but so many: ``there are three; remove all but one``."""
+def _share_of(topic: Things, amount: Amount) -> Things:
+    """Return all of what was told before but so many, or half: ``there are three; remove all but one``."""
     whole = topic.amount.number if topic.amount.kind == "some" and topic.amount.number > 1 else 0
-    but = Amount(kind="all_but", number=amount.number, of=whole)
-    return msgspec.structs.replace(topic, amount=but, definite=True, plural=True)
+    share = msgspec.structs.replace(amount, of=amount.of or whole)
+    return msgspec.structs.replace(topic, amount=share, definite=True, plural=True)

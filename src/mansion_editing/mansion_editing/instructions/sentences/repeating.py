@@ -8,7 +8,7 @@ import msgspec
 from mansion_editing.instructions.clauses.items import joined_places
 from mansion_editing.instructions.clauses.reader import ClauseReader
 from mansion_editing.instructions.phrases.places import merged, with_place
-from mansion_editing.instructions.phrases.words import BE, MODALS, Word
+from mansion_editing.instructions.phrases.words import BE, MODALS, Word, next_mark
 from mansion_editing.instructions.sentences.progress import Progress
 from mansion_editing.instructions.statements import (
     Add,
@@ -32,6 +32,12 @@ __all__ = ["Repeating"]
 _BLOCKING: Final = frozenset("block blocks blocking obstruct obstructs obstructing hinder hinders".split())
 _BLOCKED: Final = (("it",), ("that",), ("the", "way"), ("the", "path"), ("the", "route"), ("its", "way"),
                    ("the", "robot"), ("this", "way"), ("that", "way"))  # fmt: skip
+_FILLING: Final = (("fill", "in"), ("fill", "up"), ("fill",), ("add",), ("bring",), ("supply",), ("complete",))
+_MISSING: Final = frozenset(
+    [("the", "missing", "one"), ("the", "missing"), ("the", "gap"), ("any", "gap"), ("missing", "one")]
+    + [(what, *verb, "missing") for what in ("whatever", "what", "anything", "everything") for verb in (("is",), ())]
+)
+_IDLE: Final = frozenset("please just only still there that simply and".split())
 _IN_THE_WAY: Final = (("in", "the", "way"), ("in", "its", "way"), ("stand", "in", "the", "way"))
 
 
@@ -93,6 +99,11 @@ class Repeating(Progress):
             covered = self._surface_too(reader, words, at, last)
             if covered is not None:
                 return covered
+        filled = self._end_of_filling(words, at) if isinstance(last, Ensure) else 0
+        if filled and last is not None:
+            said = Mention(quote=self._quote(words, at, filled))
+            self.statements[-1] = msgspec.structs.replace(last, quote=self._from_to(last, said))
+            return filled
         there_too = self._same_there(reader, words, at) or self._none_there(reader, words, at)
         if there_too is not None:
             return there_too
@@ -127,6 +138,13 @@ class Repeating(Progress):
             things = msgspec.structs.replace(things, amount=Amount(kind="all", number=0))
         self.statements.append(msgspec.structs.replace(last, things=things, quote=self._quote(words, at, end)))
         return end
+
+    def _end_of_filling(self, words: Sequence[Word], at: int) -> int:
+        """Return the end of ``fill in whatever is missing``, as wishes for what shall be there do; 0 for others."""
+        said = [word.text for word in words[at : next_mark(words, at)] if word.text not in _IDLE]
+        verb = next((len(verb) for verb in _FILLING if tuple(said[: len(verb)]) == verb), 0)
+        missing = tuple(said[verb:])
+        return next_mark(words, at) if verb and missing in _MISSING else 0
 
     def _same_there(self, reader: ClauseReader, words: Sequence[Word], at: int) -> int | None:
         """Read ``and in the kitchen`` after a state or a removal in another room: the same there."""
