@@ -40,7 +40,7 @@ def told_by_size(reading: Reading, phrases: list[Phrase]) -> ToldBySize:
             room = found[several]
             found[several] = replace(room, count=left) if left else replace(room, head="unknown", count=1)
             others[phrase.first] = room.first
-        elif not _taken_from_number(reading, kind):
+        elif not _is_of_number(reading, kind):
             continue
         found[number] = replace(phrase, determiner="a", count=1)
     return ToldBySize(found, others)
@@ -58,11 +58,6 @@ def _are_several(phrase: Phrase, kind: str) -> bool:
     return alike and phrase.counted and (phrase.count or 0) > 1
 
 
-def _taken_from_number(reading: Reading, kind: str) -> bool:
-    """Take one from the number of rooms that the building's name tells: "a two-bed flat"; return whether there is."""
-    rooms = reading.facts.rooms
-    for at, fact in enumerate(rooms):
-        if fact.name == kind and (fact.count or 0) > 1:
-            rooms[at] = replace(fact, count=(fact.count or 2) - 1)
-            return True
-    return False
+def _is_of_number(reading: Reading, kind: str) -> bool:
+    """Whether the building's name tells how many such rooms there are, "a two-bed flat": this is one of them."""
+    return any(fact.name == kind and (fact.count or 0) > 1 for fact in reading.facts.rooms)
