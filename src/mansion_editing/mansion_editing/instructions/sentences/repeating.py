@@ -101,8 +101,8 @@ class Repeating(Progress):
                 return covered
         filled = self._end_of_filling(words, at) if isinstance(last, Ensure) else 0
         if filled and last is not None:
-            said = Mention(quote=self._quote(words, at, filled))
-            self.statements[-1] = msgspec.structs.replace(last, quote=self._from_to(last, said))
+            whole = self.text[self.text.find(last.quote) : words[filled - 1].end]
+            self.statements[-1] = msgspec.structs.replace(last, quote=whole)
             return filled
         there_too = self._same_there(reader, words, at) or self._none_there(reader, words, at)
         if there_too is not None:
