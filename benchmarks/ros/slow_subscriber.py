@@ -1,9 +1,9 @@
 """What a subscriber that is slow or stands still does to a publisher, and how soon it hears again.
 
-    python benchmarks/ros/slow_subscriber.py [--seconds 8] [--megabytes 1] [--setting all]
+    python benchmarks/ros/slow_subscriber.py [--seconds 12] [--megabytes 1] [--setting all]
 
 A reliable publisher that keeps its last 10 messages writes at 20 Hz. The subscriber takes a second for each message, or
-is stopped by SIGSTOP, which lasts longer than the 5 s after which Mansion's profile counts a process as gone. rclpy
+is stopped by SIGSTOP, which lasts longer than the 10 s after which Mansion's profile counts a process as gone. rclpy
 holds Python's lock while it publishes, so that a slow ``publish`` stops every thread of the process. Prints the longest
 ``publish`` (the aim is 100 ms), the longest pause of another thread, and the seconds from SIGCONT
 until a new message came.
@@ -125,7 +125,7 @@ def after(subscriber: Worker, resumed: float, patience: float) -> float:
 def main() -> None:
     """Print the table, or be one of its processes."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--seconds", type=float, default=8.0, help="to publish, to stand still (8)")
+    parser.add_argument("--seconds", type=float, default=12.0, help="to publish, to stand still (12)")
     parser.add_argument("--megabytes", type=float, default=1.0, help="size of a message (1)")
     parser.add_argument("--setting", choices=["loopback", "localhost", "all"], default="loopback")
     parser.add_argument("--domain", type=int, help="where to look for free ROS domains")

@@ -18,6 +18,7 @@ from rclpy.node import Node
 from std_msgs.msg import String
 
 from mansion_bringup.discovery import keep_to_this_machine
+from mansion_bringup.graph.peer_processes import PeerProcesses
 from mansion_bringup.graph.rclpy_available import check_rclpy
 from mansion_msgs_py import interfaces
 from mansion_msgs_py.closing import Closing
@@ -89,6 +90,7 @@ class MansionClient(Closing):
             use_global_arguments=False,
         )
         self._clients: dict[tuple[str, str], Client] = {}
+        self._peers = PeerProcesses(self._own_endpoint, os.getpid())
         self._lock = threading.Lock()
         self._executor = SingleThreadedExecutor(context=self._context)
         self._executor.add_node(self.node)
@@ -154,7 +156,7 @@ class MansionClient(Closing):
         took its place, where the table says that it is repeatable.
         """
         client = self._client(name, arguments)
-        if not _becomes_ready(client, wait):
+        if not _becomes(client.service_is_ready, wait):
             raise self._unserved(str(client.service_name))
         request = client.srv_type.Request()
         if client.srv_type is JsonCall:
@@ -166,17 +168,17 @@ class MansionClient(Closing):
                 details = {"service": client.service_name}
                 text = f"{client.service_name}: no answer in {limit:g} s"
                 raise MansionError(ErrorCode.TIMEOUT, text, details=details)
-            if not again or not _becomes_ready(client, min(wait, deadline - time.monotonic())):
+            if not again or not self._becomes_served(client, min(wait, deadline - time.monotonic())):
                 raise _lost(client)
         return decode_reply(reply, response.message, success=response.success)
 
     def is_served(self, name: str) -> bool:
         """Whether a node serves `name` now."""
-        return bool(self._client(name, {}).service_is_ready())
+        return self._has_server(self._client(name, {}))
 
     def wait_served(self, name: str, timeout: float) -> bool:
         """Wait until a node serves `name`; False when none does after `timeout` seconds."""
-        return _becomes_ready(self._client(name, {}), timeout)
+        return self._becomes_served(self._client(name, {}), timeout)
 
     def sees_node(self, name: str) -> bool:
         """Whether a node `name` runs in the namespace of this client."""
@@ -193,7 +195,7 @@ class MansionClient(Closing):
         there = time.monotonic()
         while not answered.wait(timeout=min(LOOK_FOR_SERVER, max(0.0, deadline - time.monotonic()))):
             now = time.monotonic()
-            if client.service_is_ready() and (not asked or asked & self._servers(client)):
+            if client.service_is_ready() and (not asked or asked & self._running_servers(client)):
                 there = now
             if now >= deadline or now - there > GONE:
                 client.remove_pending_request(future)
@@ -203,7 +205,33 @@ class MansionClient(Closing):
     def _servers(self, client: Client) -> set[bytes]:
         """Return the ids of the writers that answer for a service, as the middleware knows them."""
         replies = f"rr{client.service_name}Reply"
-        return {bytes(found.endpoint_gid) for found in self.node.get_publishers_info_by_topic(replies, no_mangle=True)}
+        found = self.node.get_publishers_info_by_topic(replies, no_mangle=True)
+        servers = {bytes(each.endpoint_gid) for each in found}
+        self._peers.note(servers)
+        return servers
+
+    def _running_servers(self, client: Client) -> set[bytes]:
+        return {server for server in self._servers(client) if not self._peers.ended(server)}
+
+    def _has_server(self, client: Client) -> bool:
+        """Whether a service is there, and not only because discovery still knows a process that has ended."""
+        if not client.service_is_ready():
+            return False
+        servers = self._servers(client)
+        return not servers or not all(self._peers.ended(server) for server in servers)
+
+    def _becomes_served(self, client: Client, timeout: float) -> bool:
+        """Wait until a service has a server; False when it has none after `timeout` seconds."""
+        return _becomes(lambda: self._has_server(client), timeout)
+
+    def _own_endpoint(self) -> bytes | None:
+        """Return the id of an endpoint of this client, once it has one."""
+        for client in tuple(self._clients.values()):
+            requests = f"rq{client.service_name}Request"
+            for found in self.node.get_publishers_info_by_topic(requests, no_mangle=True):
+                if found.node_name == self.node.get_name():
+                    return bytes(found.endpoint_gid)
+        return None
 
     def _unserved(self, name: str) -> MansionError:
         """Return the error for a service that no node serves, with the services that are served."""
@@ -308,10 +336,10 @@ def _lost(client: Client) -> MansionError:
     )
 
 
-def _becomes_ready(client: Client, timeout: float) -> bool:
-    """Wait until a service is there; False when it is not after `timeout` seconds."""
+def _becomes(condition: Callable[[], bool], timeout: float) -> bool:
+    """Wait until a condition holds; False when it does not after `timeout` seconds."""
     deadline = time.monotonic() + timeout
-    while not client.service_is_ready():
+    while not condition():
         if time.monotonic() >= deadline:
             return False
         time.sleep(LOOK)

@@ -3,6 +3,7 @@
 import pytest
 
 from mansion_editing.editor import SceneEditor
+from mansion_editing.instructions.instruct import instruct
 from mansion_editing.instructions.run import carry_out
 from mansion_editing.instructions.statements import (
     Add,
@@ -248,3 +249,11 @@ def test_a_vessel_that_is_not_there_is_brought_where_words_have_it(editor: Scene
     report = do(editor, Add(things=Things(noun="apple"), place=bowl))
     apple = next(item for _, item in editor.state.objects() if item.category == "apple")
     assert report.done and apple.parent == "F1/kitchen/bowl_1" and len(report.object_ids) == 2
+
+
+def test_what_is_too_high_for_a_chest_is_refused_with_its_size(editor: SceneEditor) -> None:
+    assert instruct(editor, "Put a storage chest in the hall.").done
+    assert instruct(editor, "Put a teddy bear on the dining table in the kitchen.").done
+    report = instruct(editor, "Put the teddy bear in the storage chest.")
+    assert not report.done
+    assert "teddy bear" in report.message and "does not fit in F1/hall/storage_chest_1" in report.message

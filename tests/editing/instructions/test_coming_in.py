@@ -5,7 +5,7 @@ import pytest
 from mansion_editing.editor import SceneEditor
 from mansion_editing.instructions.instruct import instruct
 from mansion_editing.instructions.sentences.reader import read_instruction
-from mansion_editing.instructions.statements import Add, Ensure, Furnish, Paint, Remove, Rename
+from mansion_editing.instructions.statements import Add, Ensure, Furnish, Mention, Move, Paint, Remove, Rename
 from mansion_editing.state import SceneState
 
 
@@ -91,3 +91,41 @@ def test_a_list_about_other_rooms_turns_none_into_another(state: SceneState) -> 
     text = "Turn the hall into an office. Remove the mug from the kitchen, put a plate on the table in the kitchen."
     statements = read_instruction(f"{text} The sofa in the bedroom stays.", state).statements
     assert [s.kind for s in statements if isinstance(s, Furnish)] == ["office"]
+
+
+def test_several_new_things_go_somewhere(furnished_state: SceneState) -> None:
+    read = read_instruction("A plate and two forks go on the dining table in the kitchen.", furnished_state)
+    assert read.not_understood == []
+    plate, forks = read.statements
+    assert isinstance(plate, Add) and plate.things.noun == "plate" and plate.place.anchor is not None
+    assert isinstance(forks, Add) and forks.things.amount.number == 2 and forks.place == plate.place
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A plate and two forks go.",
+        "A plate and two forks do not go on the dining table in the kitchen.",
+        "Neither a plate nor two forks go on the dining table in the kitchen.",
+        "A plate and the mug go on the dining table in the kitchen.",
+    ],
+)
+def test_what_goes_away_or_nowhere_is_not_brought(furnished_state: SceneState, text: str) -> None:
+    assert read_instruction(text, furnished_state).not_understood
+
+
+def test_a_room_that_is_too_small_is_why_something_goes_elsewhere(furnished_state: SceneState) -> None:
+    text = "There is no desk and the kitchen is too narrow for one, so put a desk in the hall."
+    read = read_instruction(text, furnished_state)
+    (desk,) = [statement for statement in read.statements if not isinstance(statement, Mention)]
+    assert read.not_understood == []
+    assert isinstance(desk, Add) and desk.place.rooms is not None and desk.place.rooms.words == "hall"
+
+
+@pytest.mark.parametrize("number", ["bear", "bears"])
+def test_what_stands_for_that_after_a_thing(furnished_state: SceneState, number: str) -> None:
+    text = f"The teddy {number} what sits on the sofa in the hall must go on the dining table in the kitchen."
+    read = read_instruction(text, furnished_state)
+    (move,) = read.statements
+    assert read.not_understood == []
+    assert isinstance(move, Move) and move.things.place is not None and move.things.place.anchor is not None

@@ -102,3 +102,34 @@ def test_one_for_every_plate_lies_beside_it(furnished_state: SceneState) -> None
 def test_a_letter_left_out_of_a_short_word_is_mended(furnished_state: SceneState, text: str) -> None:
     (move,) = _asked(text, furnished_state)
     assert isinstance(move, Move) and move.things.noun == "plate"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Every dining table should have a mug. Add one only where it's missing.",
+        "Every dining table should have a mug. Some have none yet, add one only where it is missing.",
+        "Put a mug on every dining table, but only add one where there is none.",
+        "Put a mug on every dining table, add one to those that have none.",
+        "Every dining table should have a mug, fill in what is missing.",
+    ],
+)
+def test_filling_in_what_is_missing_counts_those_there(furnished_state: SceneState, text: str) -> None:
+    (one,) = _asked(text, furnished_state)
+    assert isinstance(one, Ensure) and one.each and one.things.noun == "mug" and one.things.amount.number == 1
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Add one only where it's missing.",
+        "Every dining table should have two mugs, add one only where it is missing.",
+        "Every dining table should have a mug, do not add one where it is missing.",
+        "Every dining table should have a mug, add none where it is missing.",
+        "Every dining table should have a mug, add one only where it's not missing.",
+        "Every dining table should have a mug, add a plate only where it's missing.",
+        "Remove the mugs from the dining tables. Add one only where it's missing.",
+    ],
+)
+def test_what_is_to_be_filled_in_must_be_clear(furnished_state: SceneState, text: str) -> None:
+    assert read_instruction(text, furnished_state).not_understood

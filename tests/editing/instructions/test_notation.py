@@ -132,3 +132,16 @@ def test_a_heading_goes_for_the_sentences_after_it(furnished_state: SceneState) 
 
 def test_what_alone_is_kept_needs_a_place(furnished_state: SceneState) -> None:
     assert read_instruction("Open the fridge. Keep only the plate.", furnished_state).not_understood
+
+
+@pytest.mark.parametrize("joint", [" + ", " and "])
+def test_names_that_begin_like_verbs_are_nouns_in_notes(state: SceneState, joint: str) -> None:
+    read = read_instruction(f"glove box{joint}hand sanitizer on the dining table", state)
+    assert read.not_understood == []
+    assert [s.things.noun for s in read.statements if isinstance(s, Ensure)] == ["glove box", "hand sanitizer"]
+
+
+def test_a_filing_cabinet_is_no_verb(state: SceneState) -> None:
+    read = read_instruction("Office: bookshelf and filing cabinet out.", state)
+    assert read.not_understood == []
+    assert [s.things.noun for s in read.statements if isinstance(s, Remove)] == ["bookshelf", "filing cabinet"]

@@ -5,7 +5,7 @@ import pytest
 from mansion_editing.editor import SceneEditor
 from mansion_editing.instructions.instruct import instruct
 from mansion_editing.instructions.sentences.reader import read_instruction
-from mansion_editing.instructions.statements import Mention, Remove, Rooms, Statement
+from mansion_editing.instructions.statements import Mention, Remove, Rooms, Statement, Turn
 from mansion_editing.state import SceneState
 
 
@@ -50,3 +50,43 @@ def test_one_thing_of_a_list_is_not_guessed(furnished_state: SceneState) -> None
 def test_a_reason_does_not_make_one_thing_all_of_its_kind(editor: SceneEditor) -> None:
     report = instruct(editor, "My mother keeps tripping over the chair, remove it.")
     assert not report.done and "say which" in report.message
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Turn the dining table in the kitchen by 180 degrees, the head end is on the wrong side.",
+        "Turn the dining table in the kitchen by 180 degrees, it is the wrong way round.",
+        "The dining table in the kitchen faces the wrong way, turn it by 180 degrees.",
+    ],
+)
+def test_what_stands_wrong_is_why_it_shall_be_turned(furnished_state: SceneState, text: str) -> None:
+    read = read_instruction(text, furnished_state)
+    (turn,) = [statement for statement in read.statements if not isinstance(statement, Mention)]
+    assert read.not_understood == []
+    assert isinstance(turn, Turn) and turn.degrees == 180.0 and turn.things.noun == "dining table"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Turn the dining table in the kitchen by 180 degrees, the fridge is on the wrong side.",
+        "The dining table in the kitchen is not the wrong way round, turn it by 180 degrees.",
+        "If the dining table in the kitchen is the wrong way round, turn it by 180 degrees.",
+        "The dining table in the kitchen is on the wrong side. Put a mug on the fridge.",
+    ],
+)
+def test_other_complaints_of_sides_are_not_passed_over(furnished_state: SceneState, text: str) -> None:
+    assert read_instruction(text, furnished_state).not_understood
+
+
+@pytest.mark.parametrize("room", ["kitchen (ground floor)", "kitchen on the ground floor"])
+def test_a_list_comes_out_of_what_was_told_of(furnished_state: SceneState, room: str) -> None:
+    read = read_instruction(
+        f"The fridge in the {room} is not a bar. Remove the wine and the beer from it.", furnished_state
+    )
+    assert read.not_understood == []
+    gone = [statement.things for statement in read.statements if isinstance(statement, Remove)]
+    assert [things.noun for things in gone] == ["wine", "beer"]
+    for things in gone:
+        assert things.place is not None and things.place.anchor is not None and things.place.anchor.noun == "fridge"

@@ -3,6 +3,9 @@
 import msgspec
 import pytest
 
+from mansion_assets.catalogue import Catalogue
+from mansion_editing.editor import SceneEditor
+from mansion_editing.instructions.instruct import instruct
 from mansion_editing.instructions.meaning.choices import one_room_each, things_meant
 from mansion_editing.instructions.meaning.context import Ambiguous, Context
 from mansion_editing.instructions.meaning.descriptions import rooms_of, things_of
@@ -10,6 +13,8 @@ from mansion_editing.instructions.meaning.targets import places_of
 from mansion_editing.instructions.statements import Amount, Place, Rooms, Things
 from mansion_editing.state import SceneState
 from mansion_msgs_py.errors import MansionError
+from mansion_msgs_py.scene import FloorScene
+from mansion_scene.decor.frames import scene_object
 
 HERE = Context()
 
@@ -160,3 +165,32 @@ def test_an_exception_that_is_not_there_is_refused(furnished_state: SceneState) 
     everything = Things(plural=True, amount=Amount(kind="all", number=0), beside=(the("vase"),))
     with pytest.raises(MansionError, match="no vase to leave out"):
         things_meant(furnished_state, everything, HERE)
+
+
+def test_one_of_several_is_nearest_where_no_room_is_named(editor: SceneEditor) -> None:
+    assert instruct(editor, "Put a vase on the office desk.").done
+    report = instruct(editor, "Move the vase from the office desk to one of the dining tables.")
+    (vase,) = (item for _, item in editor.state.objects() if item.category.endswith("vase"))
+    assert report.done and vase.parent == "F2/private_office_1/dining_table_1"
+    report = instruct(editor, "In private office 1 remove the vase. Put a bowl on one of the dining tables.")
+    assert report.done and any(name.startswith("F2/private_office_1/bowl") for name in report.object_ids)
+
+
+def test_another_room_is_meant_where_it_is_named(editor: SceneEditor) -> None:
+    assert instruct(editor, "Put a vase on the office desk.").done
+    report = instruct(editor, "Move the vase from the office desk to one of the dining tables in the kitchen.")
+    assert report.done and any(name.startswith("F1/kitchen/") for name in report.object_ids)
+
+
+def test_each_of_several_rooms_has_its_own_thing_of_a_name(furnished: list[FloorScene], catalogue: Catalogue) -> None:
+    first, second = furnished
+    stood = [
+        scene_object(
+            catalogue.by_category(kind)[0], f"F1/{room}/{kind}_1", f"F1/{room}", (x, 2.0, 0.4), 0.0, mount="floor"
+        )
+        for kind, room, x in (("toilet", "hall", 2.0), ("toilet_pan", "kitchen", 8.0))
+    ]
+    scenes = [msgspec.structs.replace(first, objects=[*first.objects, *stood]), second]
+    in_both = Place(rooms=Rooms(words="hall / kitchen", every=True, number=2))
+    found = things_of(SceneState(scenes, catalogue), the("toilet", place=in_both), HERE)
+    assert ids(found) == ["F1/hall/toilet_1", "F1/kitchen/toilet_pan_1"]

@@ -5,7 +5,7 @@ import pytest
 from mansion_editing.editor import SceneEditor
 from mansion_editing.instructions.instruct import instruct
 from mansion_editing.instructions.sentences.reader import read_instruction
-from mansion_editing.instructions.statements import Ensure, Keep, Mention, Move, SetState, Statement
+from mansion_editing.instructions.statements import Add, Ensure, Keep, Mention, Move, SetState, Statement
 from mansion_editing.state import SceneState
 
 
@@ -117,3 +117,29 @@ def test_a_new_thing_after_a_state_is_brought(furnished_state: SceneState) -> No
 def test_things_after_a_state_are_there_and_not_in_it(furnished_state: SceneState) -> None:
     there = _asked("Kitchen: ceiling lights on, two candles on the dining table.", furnished_state)[-1]
     assert isinstance(there, Ensure) and there.things.noun == "candle" and there.things.amount.number == 2
+
+
+@pytest.mark.parametrize("lid", [", door shut", " with the door shut"])
+def test_a_door_is_that_of_what_things_are_put_in(furnished_state: SceneState, lid: str) -> None:
+    read = read_instruction(f"Put three apples in the fridge{lid}.", furnished_state)
+    assert read.not_understood == []
+    apples, shut = read.statements
+    assert isinstance(apples, Add)
+    assert isinstance(shut, SetState) and shut.things.noun == "fridge" and not shut.value
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [("Lift the lid of the fridge.", True), ("Raise the fridge lid.", True), ("Lower the lid of the fridge.", False)],
+)
+def test_a_lid_is_lifted_and_lowered(furnished_state: SceneState, text: str, value: bool) -> None:
+    read = read_instruction(text, furnished_state)
+    (statement,) = read.statements
+    assert read.not_understood == []
+    assert isinstance(statement, SetState) and (statement.state, statement.value) == ("open", value)
+
+
+@pytest.mark.parametrize("text", ["Lift the lid off the fridge.", "Do not lift the lid of the fridge."])
+def test_a_lid_that_is_taken_off_or_left_alone_opens_nothing(furnished_state: SceneState, text: str) -> None:
+    statements = read_instruction(text, furnished_state).statements
+    assert not any(isinstance(statement, SetState) for statement in statements)

@@ -5,7 +5,7 @@ import pytest
 from mansion_editing.editor import SceneEditor
 from mansion_editing.instructions.instruct import instruct
 from mansion_editing.instructions.sentences.reader import read_instruction
-from mansion_editing.instructions.statements import Add, Ensure, Furnish, Mention, Swap, Things
+from mansion_editing.instructions.statements import Add, Ensure, Furnish, Mention, Remove, Swap, Things
 from mansion_editing.state import SceneState
 
 
@@ -67,3 +67,32 @@ def test_both_of_a_swap_are_in_the_room_told_first(state: SceneState) -> None:
     for end in (statement.one, statement.other):
         assert isinstance(end, Things) and end.place is not None and end.place.rooms is not None
         assert end.place.rooms.words == "kitchen"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "No mugs in the kitchen and none in the hall either.",
+        "No mugs in the kitchen, none in the hall.",
+        "There should be no mugs in the kitchen and none in the hall.",
+    ],
+)
+def test_none_elsewhere_are_none_of_the_same(furnished_state: SceneState, text: str) -> None:
+    read = read_instruction(text, furnished_state)
+    assert read.not_understood == []
+    gone = [s.things for s in read.statements if isinstance(s, Remove) and s.things.noun == "mug"]
+    rooms = [t.place.rooms.words for t in gone if t.place is not None and t.place.rooms is not None]
+    assert rooms == ["kitchen", "hall"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Remove all mugs in the kitchen and none in the hall.",
+        "Put no mugs in the kitchen and none in the hall.",
+        "No mugs in the kitchen but the red one and none in the hall.",
+        "No mugs in the kitchen and none from the hall.",
+    ],
+)
+def test_none_after_other_requests_is_not_guessed(furnished_state: SceneState, text: str) -> None:
+    assert read_instruction(text, furnished_state).not_understood

@@ -21,3 +21,25 @@ def test_building_after_a_kind_of_building_says_nothing_more(kind: str) -> None:
                                              ("An agency building with a print room.", "office")])  # fmt: skip
 def test_an_unknown_kind_is_like_its_last_noun_but_building(brief: str, like: str) -> None:
     assert read(brief).building_like == like
+
+
+@pytest.mark.parametrize("name", ["Ramen bar", "Tapas bar", "Wine bar"])
+def test_a_bar_that_opens_the_brief_is_the_building(name: str) -> None:
+    facts = read(f"{name}, 85 m2 on one floor, with an open kitchen and two toilets.")
+    assert facts.building[0][0] == "bar_building"
+    assert [fact.room_type for fact in facts.rooms] == ["open_kitchen", "toilet"]
+
+
+def test_a_bar_of_a_hotel_is_a_room() -> None:
+    facts = read("A hotel with a sushi bar on the top floor")
+    assert (facts.building[0][0], [fact.room_type for fact in facts.rooms]) == ("hotel", ["bar"])
+
+
+@pytest.mark.parametrize("words", ["1970s motel", "motel in seventies style", "60s motel"])
+def test_a_decade_is_a_style(words: str) -> None:
+    assert [name for name, _ in read(f"A {words} with ten rooms").styles] == ["mid_century"]
+
+
+@pytest.mark.parametrize("words", ["from the 1960s", "of the fifties"])
+def test_when_something_was_built_is_no_style(words: str) -> None:
+    assert read(f"A school beside an old hall {words}, with a gym").styles == []

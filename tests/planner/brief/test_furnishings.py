@@ -120,6 +120,37 @@ def test_a_double_bed_is_no_number_of_bedrooms(words: str) -> None:
 
 
 @pytest.mark.parametrize(
+    ("text", "category", "room"),
+    [
+        ("A hotel with ten guest rooms, each with a small bathroom, two beds and a TV", "bed", "guest_room"),
+        ("A hotel with ten guest rooms, each with a small bathroom, two beds and a TV", "television", "guest_room"),
+        ("A school: a recital room with a stage and a grand piano, a foyer", "grand_piano", "recital_room"),
+        ("A house: a bedroom with a bathroom and a bathtub, a kitchen", "bathtub", "bathroom"),
+    ],
+)
+def test_furniture_listed_beside_a_room_is_of_the_room_that_has_both(text: str, category: str, room: str) -> None:
+    assert [fact.room for fact in wanted(text) if fact.category == category] == [room]
+
+
+@pytest.mark.parametrize(
+    ("text", "category"),
+    [
+        ("A laboratory: a chemistry lab with an emergency shower", "shower_cabin"),
+        ("A birth centre: four birthing rooms, each with a birthing pool", "jacuzzi"),
+        ("A house: a kitchen with an island and four bar stools", "kitchen_island"),
+        ("A hotel: a lounge with a little table", "cafe_table"),
+    ],
+)
+def test_what_stands_in_a_room_is_no_room(text: str, category: str) -> None:
+    assert category in {fact.category for fact in wanted(text)}
+    assert len(read_brief(text, default_knowledge()).rooms) == 1
+
+
+def test_an_island_in_the_sea_is_no_furniture() -> None:
+    assert wanted("The school of a small island with a lobby") == []
+
+
+@pytest.mark.parametrize(
     ("tables", "seats"),
     [
         ("20 tables for 4 persons each", 80),

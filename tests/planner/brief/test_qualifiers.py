@@ -169,3 +169,15 @@ def test_settings_and_owners_of_a_building_are_not_told(text: str) -> None:
 def test_a_room_called_after_what_its_kind_has_nothing_of_is_taken_for_that_kind(room: str, known: bool) -> None:
     facts = read(f"a school with a {room} and two classrooms")
     assert facts.rooms[0].known is known
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("a house with a double bed in the bedroom", ["double"]),
+        ("a house with a king-size bed in the bedroom", ["king"]),
+        ("a house with a bed in the double bedroom", []),
+    ],
+)
+def test_how_wide_a_bed_is_to_be_is_told(text: str, words: list[str]) -> None:
+    assert [span.words for span in read(text).unheeded] == words

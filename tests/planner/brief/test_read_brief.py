@@ -204,6 +204,12 @@ def test_a_negation_ends_with_its_sentence() -> None:
     assert [name for name, _ in read("No basement. An elevator.").vertical] == ["elevator"]
 
 
+def test_an_area_of_one_floor_is_not_that_of_the_room_before_it() -> None:
+    facts = read("A library under one roof with the post office: one floor of 310 m2, with a book hall of 120 m2")
+    assert [quantity.value for quantity in facts.area + facts.floor_area] == [310.0]
+    assert {fact.name: fact.area for fact in facts.rooms} == {"post_office": None, "book_hall": 120.0}
+
+
 def test_sides_make_an_area() -> None:
     assert [quantity.value for quantity in read("an office of 20 x 15 metres").floor_area] == [300.0]
 

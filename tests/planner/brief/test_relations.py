@@ -24,6 +24,19 @@ def read(brief: str) -> BriefFacts:
         ("The kitchen with a scullery at its side is on the lower floor.", {("kitchen", "scullery")}),
         ("An office: archive and server room, the two should touch.", {("archive", "server_room")}),
         ("The archive and the gym adjoin each other.", {("archive", "gym")}),
+        (
+            "A school: recital room with a stage, the instrument store next door to it, a foyer.",
+            {("instrument_store", "recital_room")},
+        ),
+        (
+            "A house: snug at the front, kitchen at the back, and the dining room between the two.",
+            {("dining_room", "snug"), ("dining_room", "kitchen")},
+        ),
+        (
+            "A laboratory: a microbiology lab of 50 m2 entered through an airlock, a weighing room.",
+            {("microbiology_lab", "airlock")},
+        ),
+        ("A villa. The study is on the second floor right next to the archive.", {("study", "archive")}),
         ("A department with 5 offices. The mayor's office beside its secretariat.", {("mayor_office", "secretariat")}),
         (
             "A clinic with 5 treatment rooms. The store has to be beside of one treatment room.",
@@ -67,6 +80,7 @@ def test_rooms_apart(brief: str, pairs: set[tuple[str, str]]) -> None:
         ("A kindergarten, nothing dangerous like a workshop", ["workshop"]),
         ("A hotel with a spa, nothing in the way of a gym", ["gym"]),
         ("A hotel. Leave the bar out.", ["bar"]),
+        ("A hotel. We don't want any gym or sauna.", ["gym", "sauna"]),
     ],
 )
 def test_what_a_brief_rules_out_is_unwanted(brief: str, unwanted: list[str]) -> None:

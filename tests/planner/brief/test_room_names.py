@@ -120,6 +120,13 @@ def test_what_a_cell_is_fitted_with_is_furniture() -> None:
         ("A spa with vestiary masculine and vestiary feminine", {"man_vestiary", "woman_vestiary"}),
         ("Spa: changing room for women and changing room for men", {"woman_changing_room", "man_changing_room"}),
         ("A house with a large bathroom and a small bathroom", {"large_bathroom", "small_bathroom"}),
+        (
+            "Baths: separate changing rooms for women, men and families, showers, a sauna",
+            {"woman_changing_room", "man_changing_room", "family_changing_room", "shower"},
+        ),
+        ("A house of two floors with a downstairs loo, an airing cupboard upstairs", {"loo", "airing_cupboard"}),
+        ("A brewery: a tasting room, a laboratory and staff lockers", {"staff_locker"}),
+        ("A library: a children's library and a story room", {"story_room"}),
     ],
 )
 def test_rooms_are_called_by_their_purpose_their_users_and_their_size(brief: str, names: set[str]) -> None:
@@ -166,3 +173,65 @@ def test_shared_rooms_belong_to_no_suite() -> None:
 def test_each_before_an_area_gives_nobody_a_room() -> None:
     facts = read("A house with 3 children rooms with each 13 m2, parents bedroom 17 m2, one bathroom")
     assert {fact.name: fact.count for fact in facts.rooms}["parent_bedroom"] == 1
+
+
+@pytest.mark.parametrize(
+    ("brief", "name", "room_type"),
+    [
+        ("An airport with a check-in hall and a hall of the luggage claim.", "luggage_claim_hall", "baggage_claim"),
+        ("A clinic with a lobby and a room for the treatments.", "treatment_room", "treatment_room"),
+        ("A museum with a shop and seven rooms of exhibition.", "exhibition_room", "gallery"),
+        ("A museum with a shop and a workshop of restoration.", "restoration_workshop", "restoration_room"),
+    ],
+)
+def test_a_purpose_that_names_a_known_room_is_that_room(brief: str, name: str, room_type: str) -> None:
+    facts = read_brief(brief, default_knowledge())
+    assert {room.name: (room.room_type, room.known) for room in facts.rooms}[name] == (room_type, True)
+
+
+def test_a_room_is_known_though_its_plural_is_written_otherwise() -> None:
+    rooms = read("A flat with a bath and a childrens room.").rooms
+    assert {room.name: (room.room_type, room.known) for room in rooms}["children_room"] == ("childrens_room", True)
+
+
+def test_only_those_before_the_last_and_are_users() -> None:
+    facts = read("Spa: separate changing rooms for women and men, showers, a sauna")
+    assert [fact.name for fact in facts.rooms] == ["woman_changing_room", "man_changing_room", "shower", "sauna"]
+
+
+def test_those_whom_a_practice_is_for_are_people() -> None:
+    facts = read("Dental practice for three dentists with three treatment rooms")
+    assert [(fact.room_type, fact.count) for fact in facts.rooms] == [("treatment_room", 3)]
+    assert [fact.count for fact in facts.occupants] == [3]
+
+
+def test_a_studio_of_an_agency_is_to_work_in() -> None:
+    facts = read("Advertising agency on two floors. Upper floor: one open studio with 32 desks and a coffee bar")
+    assert [fact.room_type for fact in facts.rooms] == ["open_office", "cafe"]
+
+
+@pytest.mark.parametrize("rooms", ["en-suite bathrooms", "en-suite wet rooms"])
+def test_bedrooms_with_en_suite_rooms_have_one_each(rooms: str) -> None:
+    facts = read(f"A care home with twenty single bedrooms with {rooms}, a lounge and an assisted bathroom")
+    assert [fact.name for fact in facts.rooms] == ["single_bedroom", "lounge", "assisted_bathroom"]
+    assert [(room.label, room.count) for room in facts.rooms[0].suite] == [(rooms, 1)]
+
+
+def test_a_counted_number_of_en_suite_rooms_is_theirs_alone() -> None:
+    facts = read("A house with four bedrooms with two en-suite bathrooms")
+    assert [(fact.room_type, fact.count, fact.suite) for fact in facts.rooms] == [
+        ("bedroom", 4, ()),
+        ("ensuite_bathroom", 2, ()),
+    ]
+
+
+@pytest.mark.parametrize(
+    ("brief", "rooms"),
+    [
+        ("A house with a snug and a kitchen", ["living_room", "kitchen"]),
+        ("A house with a kitchen. The bedrooms should be warm and snug.", ["kitchen", "bedroom"]),
+        ("A house with two bedrooms that are snug", ["bedroom"]),
+    ],
+)
+def test_a_snug_is_a_room_where_it_is_no_adjective(brief: str, rooms: list[str]) -> None:
+    assert [fact.room_type for fact in read(brief).rooms] == rooms

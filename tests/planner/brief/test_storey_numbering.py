@@ -25,6 +25,19 @@ def storeys(brief: str) -> dict[str, int | str]:
             "A three-storey school: ground floor with a gym, floor 1 with a lab and floor 2 with a library.",
             {"gym": 1, "lab": 2, "library": 3},
         ),
+        (
+            "A hotel of three floors. The ground floor has a bar. The first and second floors have a lounge each.",
+            {"bar": 1, "lounge": 2},
+        ),
+        (
+            "A hotel of two floors. The ground floor has a bar. The first and second floors have a lounge each.",
+            {"bar": 1, "lounge": 1},
+        ),
+        (
+            "A ferry terminal, three floors. At quay level a check-in hall. Above that a departure lounge.",
+            {"check_in_hall": 1, "departure_lounge": 2},
+        ),
+        ("A house of five floors. A dentist and a law office share the second floor.", {"dentist": 2, "law_office": 2}),
         ("An office. The ground floor (level 1) has a cafe, level 2 has a library.", {"cafe": 1, "library": 2}),
         ("A two-storey office. Floor 1: cafe on the ground floor. Floor 2: library.", {"cafe": 1, "library": 2}),
         (

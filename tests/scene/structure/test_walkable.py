@@ -61,3 +61,18 @@ def test_no_door_opens_into_a_sliver_that_walls_fill(sample_floors: ModuleType) 
     structure = build_structure(sample_floors.request(rooms, [("flat", "bath")], floor=2))
     (door,) = structure.doors
     assert all(x >= 1.5 for x, _ in door.segment)
+
+
+def test_a_wall_that_ends_at_the_wall_of_a_step_holds_a_door_of_full_width(sample_floors: ModuleType) -> None:
+    # Of the 1.22 m that both rooms share the wall of the step leaves 0.96 m between its faces.
+    rooms = {
+        "hall": ("hallway", [(0, 0), (6, 0), (6, 2.3), (6.2, 2.3), (6.2, 2.4), (0, 2.4)]),
+        "closet": ("storage", [(6, 0), (8, 0), (8, 2.3), (6, 2.3)]),
+        "office": ("office", [(0, 2.4), (4.98, 2.4), (4.98, 6), (0, 6)]),
+        "bath": ("bathroom", [(4.98, 2.4), (6.2, 2.4), (6.2, 2.3), (8, 2.3), (8, 6), (4.98, 6)]),
+    }
+    edges = [("hall", "closet"), ("hall", "office"), ("hall", "bath")]
+    structure = build_structure(sample_floors.request(rooms, edges, floor=2))
+    (door,) = (door for door in structure.doors if "F2/bath" in door.rooms)
+    assert door.width == pytest.approx(0.9)
+    assert not [downgrade for downgrade in structure.downgrades if "F2/bath" in downgrade.wish]

@@ -31,7 +31,6 @@ _PHRASES = (
     ("no", "one", "get"),
     ("no", "one", "need"),
     ("no", "one", "want"),
-    ("not", "want", "any"),
     *[("without", noun, link) for noun in ("need", "necessity") for link in ("of", "for")],
     ("no", "necessity", "of"),
     *[("not", participle, ":") for participle in ("needed", "wanted", "required", "necessary", "included")],

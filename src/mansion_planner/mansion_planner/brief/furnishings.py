@@ -5,8 +5,9 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from mansion_planner.brief.facts import ObjectFact
+from mansion_planner.brief.furniture_words import usually_in
 from mansion_planner.brief.phrase import FUNCTION_WORDS, Phrase
-from mansion_planner.brief.reading import Reading
+from mansion_planner.brief.reading import FLOOR_WORDS, Reading
 from mansion_planner.brief.relations import Relation
 from mansion_planner.brief.storey_attachment import Attachment
 
@@ -254,6 +255,7 @@ _UNSEATED = frozenset(
 
 _VEHICLES = frozenset({"van", "truck", "car", "garage_car", "bus", "motorcycle", "ambulance"})
 _CARRIES = frozenset({"for", "that", "which", "carry", "carries", "carrying", "take", "takes", "taking", "to", "fit"})
+_ROOMY = frozenset("big large wide deep high long strong enough is be hold to".split())
 _POINTS = frozenset({"the", "these", "those", "our", "my", "their", "his", "her", "your"})
 
 
@@ -273,6 +275,9 @@ def _passes_by(reading: Reading, phrases: list[Phrase], number: int) -> bool:
     if before is None or before.head not in ("elevator", "stair"):
         return False
     gap = reading.words(before.last, phrase.first)
+    if "enough" in gap and set(gap) <= _CARRIES | _ROOMY:  # no lift is made larger: these words stay unread
+        reading.taken.difference_update(range(phrase.first, phrase.last))
+        return True
     return bool(gap) and set(gap) <= _CARRIES
 
 
@@ -367,9 +372,13 @@ def _owner(reading: Reading, phrases: list[Phrase], rooms: list[int], number: in
         )
         if before is None or not _continues(reading, phrase):
             return None, False
-    if _is_own_entry(reading, phrases, before, number):
+    holder = next((n for n in reversed(rooms) if n < before), None)
+    if holder is not None and _is_of_holder(reading, phrases, holder, before, number):
+        before = holder
+    elif _is_own_entry(reading, phrases, before, number):
         return None, False
-    before = _listed_with(reading, phrases, rooms, before, number)
+    else:
+        before = _listed_with(reading, phrases, rooms, before, number)
     gap = reading.words(phrases[before].last, phrase.first)
     tail = reading.words(phrase.last, phrase.last + 2)
     ahead = reading.words(max(phrases[before].first - 3, 0), phrases[before].first)
@@ -427,6 +436,42 @@ def _listed_with(reading: Reading, phrases: list[Phrase], rooms: list[int], befo
     within = before - 1 == earlier[-1] and reading.words(phrases[before - 1].last, phrases[before].begin) == ("with",)
     held = within and reading.words(phrases[before].last, phrases[number].begin) == ("and",)
     return earlier[-1] if same and ((joined and listed) or held) else before
+
+
+def _is_of_holder(reading: Reading, phrases: list[Phrase], holder: int, inner: int, number: int) -> bool:
+    """Whether furniture is listed beside a room that another one has: "a hall with a stage and a piano".
+
+    In "each with a bathroom, two beds and a desk" the beds are no more in the bathroom; furniture that is usual in the
+    inner room alone stays there.
+    """
+    outer, room, thing = phrases[holder], phrases[inner], phrases[number]
+    things = phrases[inner + 1 : number + 1]
+    if (
+        not outer.room_type
+        or any(phrase.head != "object" for phrase in things)
+        or reading.knowledge.room(outer.room_type).unit
+    ):
+        return False
+    between = (at for at in range(outer.last, room.begin) if reading.kind(at) not in ("number", "unit"))
+    lead, joint = {reading.word(at) for at in between} - FLOOR_WORDS, reading.words(room.last, things[0].first)
+    if not lead & {"with", "has", "have"} or not lead <= _HAVING or room.determiner == "the" or room.plural:
+        return False
+    listed = joint in (("and",), ("&",))
+    if joint == (",",) and not _EACH.isdisjoint(lead):
+        after = phrases[number + 1] if number + 1 < len(phrases) else None
+        joints = [*itertools.pairwise(things), *([(thing, after)] if after is not None else [])]
+        listed = any("and" in reading.words(one.last, other.first) for one, other in joints)
+    if not listed:
+        return False
+    if room.room_type == "stage":
+        return True  # it is a part of the hall
+    return not (usually_in(thing.category, room.room_type) and outer.known) or usually_in(
+        thing.category, outer.room_type
+    )
+
+
+_HAVING = frozenset("with has have having a an one its own each every of on them ,".split())
+"""Words between a room and one that it has, besides sizes and storeys."""
 
 
 def _leads_into(gap: tuple[str, ...]) -> bool:

@@ -9,7 +9,7 @@ from mansion_msgs_py.late_imports import importing
 if TYPE_CHECKING:
     from mansion_assets.catalogue import Catalogue
 
-__all__ = ["furniture_of", "furniture_vocabulary", "own_furniture_of"]
+__all__ = ["furniture_of", "furniture_vocabulary", "own_furniture_of", "usually_in"]
 
 
 def furniture_of(words: tuple[str, ...]) -> tuple[str, int]:
@@ -96,10 +96,15 @@ _MEANT = {
     "cooker": "stove",
     "oven": "stove",
     "shelf": "bookshelf",
+    "book case": "bookshelf",
+    "shoe box": "shoe_rack",
     "bookcase": "bookshelf",
     "locker": "locker",
     "workstation": "office_desk",
     "workplace": "office_desk",
+    "island": "kitchen_island",
+    "little table": "cafe_table",
+    "tiny table": "cafe_table",
     "bunk": "bunk_bed",
     "berth": "single_bed",
     "cot": "crib",
@@ -127,6 +132,18 @@ def _present_catalogue() -> "Catalogue":
         from mansion_assets.catalogue import load_catalogue
 
     return load_catalogue()
+
+
+@lru_cache(maxsize=512)
+def _held(catalogue: "Catalogue", room_type: str) -> frozenset[str]:
+    program = catalogue.room_program(room_type)
+    named = [*(item.category for item in program.floor), *(item.category for item in program.wall)]
+    return frozenset(category for names in named for category in ([names] if isinstance(names, str) else names))
+
+
+def usually_in(category: str, room_type: str) -> bool:
+    """Whether rooms of a type are usually furnished with pieces of a category."""
+    return category in _held(_present_catalogue(), room_type)
 
 
 def _key(phrase: str) -> tuple[str, ...]:

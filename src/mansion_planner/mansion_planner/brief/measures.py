@@ -449,6 +449,7 @@ def _end_of_what_is_measured(reading: Reading, measure: Measure, phrases: list[P
     while (
         before >= 0
         and before + 1 not in ends
+        and not (reading.word(before) in FLOOR_WORDS and reading.kind(before - 1) == "number")
         and (
             reading.word(before) in _FILLERS
             or (reading.word(before) == "," and not comma)

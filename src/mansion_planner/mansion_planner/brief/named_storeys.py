@@ -9,6 +9,7 @@ __all__ = ["COPULAS", "TOPS", "NamedStoreys"]
 _STREET = frozenset(
     """
     ground gnd street entrance entry garden courtyard water lobby arrival bottom lowest lower public shop pavement
+    quay quayside waterside pier
     """.split()
 )
 TOPS = frozenset({"top", "uppermost", "topmost", "highest", "last", "final"})

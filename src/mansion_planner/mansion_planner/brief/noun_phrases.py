@@ -40,6 +40,10 @@ _STAIRS = frozenset({"stair", "staircase", "stairwell", "stairway", "stairs"})
 _LIFTS = frozenset({"lift", "elevator"})
 _FURNITURE_TOO = frozenset({"locker", "stall"})
 """Nouns that name a room, and furniture after certain words: a bedside locker, a milking stall."""
+_EQUIPMENT = frozenset(
+    {("emergency", "shower"), ("safety", "shower"), ("drench", "shower"), ("birthing", "pool"), ("birth", "pool")}
+)
+"""What stands in a room, though its noun alone names a room."""
 _VERBAL_MODIFIERS = frozenset(
     """
     live touch sleep cook sit meet walk measuring making serving meeting sharing reading facing opening making share
@@ -152,7 +156,7 @@ def _by_its_head(reading: Reading, heads: dict[str, Phrase], begin: int, end: in
     if end - begin != 1 or reading.word(begin - 1) != "the":
         return None
     phrase = heads.get(reading.word(begin))
-    earlier = phrase is not None and reading.sentence[phrase.first] < reading.sentence[begin]
+    earlier = phrase is not None and (reading.sentence[phrase.first] < reading.sentence[begin] or phrase.last <= begin)
     return phrase if earlier else None
 
 
@@ -331,6 +335,13 @@ def _furniture_or_core(reading: Reading, begin: int, end: int, mention: Mention 
     longer = size > 1 and (mention is None or mention.last - mention.first < size)
     counter = last == "counter" and mention is not None
     counter = counter and reading.word(count_before(reading, begin, end)[0] - 1) == "with"
+    lockers = last == "locker" and reading.plural(end - 1) and not count_before(reading, begin, end)[2]
+    if lockers and longer and set(reading.words(begin, end - 1)) <= PEOPLE:
+        room = finished_phrase(reading, "room", begin, end, room="changing_room")
+        return replace(room, count=1, plural=False)  # "staff lockers" are one room
+    if reading.words(end - 2, end) in _EQUIPMENT:
+        category = furniture_of((reading.word(end - 1),))[0] if size < 2 else category
+        return finished_phrase(reading, "object", begin, end, category=category)
     if counter or (longer and last in _FURNITURE_TOO):
         return finished_phrase(reading, "object", begin, end, category=category)
     return None
@@ -340,7 +351,8 @@ def _by_mention(reading: Reading, begin: int, end: int, mention: Mention) -> Phr
     """Return the room or the building that the lexicon has, as more words before its head may tell it further."""
     last = reading.word(end - 1)
     room = mention.room or room_of_building(mention.building, reading.knowledge)
-    if last in PEOPLE and reading.plural(end - 1) and not mention.room:
+    served = reading.word(count_before(reading, begin, end)[0] - 1) == "for"
+    if last in PEOPLE and reading.plural(end - 1) and (served or not (mention.room or last in _PRACTICES)):
         return finished_phrase(reading, "people", begin, end)  # "50 diners" are no eating houses
     if end - begin > 1 and mention.last - mention.first == 1:
         if last == "studio" and _names_use(reading, begin, end):
@@ -349,6 +361,10 @@ def _by_mention(reading: Reading, begin: int, end: int, mention: Mention) -> Phr
             room = _hall_of(reading, begin, end)
     head: Head = "room" if mention.room or not mention.building else "building"
     return finished_phrase(reading, head, begin, end, room=room, building=mention.building, mention=mention)
+
+
+_PRACTICES = frozenset({"dentist"})
+"""Those whose practices are called after them: a mall with two dentists."""
 
 
 def _room_by_head(reading: Reading, begin: int, end: int) -> Phrase | None:
@@ -373,7 +389,12 @@ def _room_by_head(reading: Reading, begin: int, end: int) -> Phrase | None:
     if name == last:
         return None
     kind = similar_room_type(name, reading.knowledge)
-    return finished_phrase(reading, "room", begin, end, room=kind, known=False)
+    same = _without_plurals(name) == _without_plurals(kind)  # "childrens room"
+    return finished_phrase(reading, "room", begin, end, room=kind, known=same)
+
+
+def _without_plurals(name: str) -> list[str]:
+    return [word.rstrip("s") for word in name.split("_")]
 
 
 def _people_or_furniture(reading: Reading, begin: int, end: int, *, whole: bool) -> Phrase | None:
@@ -382,8 +403,11 @@ def _people_or_furniture(reading: Reading, begin: int, end: int, *, whole: bool)
     if last in PEOPLE:
         return finished_phrase(reading, "people", begin, end)
     category, _ = furniture_of(reading.words(begin, end))
+    if last == "island" and reading.word(count_before(reading, begin, end)[0] - 1) in ("of", "on", "at"):
+        return None  # "the school of a small island"
     titles = last == "table" and reading.words(end, end + 2) in (("of", "room"), ("of", "content"))
-    if category and not titles and (whole or not _modifies(reading, end)):
+    held = not whole and reading.word(end) in _HOLDERS and not furniture_of(reading.words(begin, end + 1))[1] > 1
+    if category and not titles and not held and (whole or not _modifies(reading, end)):
         return finished_phrase(reading, "object", begin, end, category=category)
     return None
 
@@ -397,9 +421,21 @@ def _is_figurative(reading: Reading, begin: int, end: int) -> bool:
         return True
     if lead in ("they", "we", "you", "people"):
         return True  # "they slide down a pole": a verb
+    if noun == "snug" and (lead in _COPULAS or (lead in ("and", ",") and reading.word(begin - 2) in PLAIN)):
+        return True  # "the bedrooms should be warm and snug"
+    if noun in _PICTURES and reading.word(end) in ("for", "of") and not reading.plural(begin):
+        first = begin - (lead in ("a", "an", "the", "our", "my"))
+        return first == 0 or reading.word(first - 1) in _MADE  # "a map for a stealth game"
     if noun == "table" and not reading.plural(begin):
         return lead == "see" or (lead == "the" and reading.word(begin - 2) in ("see", "per"))
     return noun == "display" and lead == "on"
+
+
+_COPULAS = frozenset("is are be feel feels look looks very so stay keep".split())
+"""Words after which an adjective stands."""
+_PICTURES = frozenset({"map", "model", "picture", "drawing", "globe"})
+_MADE = frozenset("make create build generate want need design draw plan".split())
+"""What a brief asks to be made, of which the whole building is the picture."""
 
 
 def _are_book_stacks(reading: Reading, begin: int, end: int) -> bool:
@@ -424,6 +460,10 @@ _NO_FURNITURE = frozenset(
     """.split()
 )
 """Nouns that make a piece of furniture before them what they are about."""
+
+
+_HOLDERS = frozenset("box basket bin crate case holder bag container".split())
+"""Nouns that make a thing before them what is kept there: "a shoes box"."""
 
 
 def _are_people(reading: Reading, index: int) -> bool:

@@ -74,7 +74,7 @@ PEOPLE = frozenset(
     analyst programmer designer journalist trader operator researcher scientist professor lecturer cleaner waiter
     detainee prisoner technician judge juror priest cook chef baker brewer
     midwife therapist pilot driver clerk trainee apprentice intern volunteer swimmer climber viewer spectator
-    delegate
+    delegate dentist
     """.split()
 )
 """Nouns for those who live, work or stay in a building."""
@@ -222,7 +222,7 @@ _DETERMINERS = frozenset(
 )
 _BEFORE_THEM_ANOTHER = frozenset({"own", "more", "few"})
 """Determiners that another one may stand before: "its own", "two more", "a few"."""
-_BETWEEN = frozenset({"other", "such", "very", "same", "separate"})
+_BETWEEN = frozenset({"other", "such", "very", "same", "separate", "open"})
 """Words between a count or a determiner and its noun."""
 _BEFORE_COUNTS = frozenset({"the", "these", "those", "both", "all", "our", "each", "every"})
 """Determiners of a phrase that has a count: "the four bedrooms"."""

@@ -84,7 +84,7 @@ def unheeded_words(reading: Reading, phrases: Sequence[Phrase], facts: BriefFact
     for phrase in phrases:
         if phrase.head not in _KINDS:
             continue
-        properties = _properties(reading, phrase)
+        properties = _properties(reading, phrase) + _widths_of_beds(reading, phrase)
         if reading.tokens[phrase.begin].start in starts and not phrase.plural:
             told = {at for first, last in properties for at in range(first, last)}
             properties += [run for run in subject_of_building(reading, phrase) if told.isdisjoint(range(*run))]
@@ -110,6 +110,16 @@ def _properties(reading: Reading, phrase: Phrase) -> list[tuple[int, int]]:
             found.append((index, last))
         index = last
     return found
+
+
+def _widths_of_beds(reading: Reading, phrase: Phrase) -> list[tuple[int, int]]:
+    """Return the token that says for how many a bed is wide: "double", "king-size"; beds are drawn of any width."""
+    if phrase.head != "object" or phrase.category != "bed":
+        return []
+    return [(at, at + 1) for at in range(phrase.first, phrase.noun_end) if reading.word(at) in _WIDTHS_OF_BEDS]
+
+
+_WIDTHS_OF_BEDS = frozenset({"double", "king", "queen"})
 
 
 def subject_of_building(reading: Reading, phrase: Phrase) -> list[tuple[int, int]]:

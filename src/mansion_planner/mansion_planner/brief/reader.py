@@ -38,12 +38,12 @@ from mansion_planner.brief.measures import Measure, find_measures, give_measures
 from mansion_planner.brief.named_rooms import desks_as_places, rooms_by_name
 from mansion_planner.brief.noun_phrases import noun_phrases
 from mansion_planner.brief.phrase import Phrase
-from mansion_planner.brief.plain_rooms import plain_room
 from mansion_planner.brief.qualifiers import unheeded_words
 from mansion_planner.brief.reading import Place, Reading, start_reading
 from mansion_planner.brief.relations import Relation, read_relations
 from mansion_planner.brief.retractions import without_retractions
 from mansion_planner.brief.room_facts import RoomStatements, identifier
+from mansion_planner.brief.rooms_by_building import room_for_building
 from mansion_planner.brief.shared_places import read_shares
 from mansion_planner.brief.shared_rooms import as_studio_flat, rooms_of_several_uses
 from mansion_planner.brief.shared_sizes import with_shared_sizes
@@ -52,6 +52,7 @@ from mansion_planner.brief.stacked_uses import read_stacking
 from mansion_planner.brief.storey_attachment import Attachment
 from mansion_planner.brief.storeys import read_storeys
 from mansion_planner.brief.suites import read_suites
+from mansion_planner.brief.told_by_size import told_by_size
 from mansion_planner.brief.unit_storeys import attach_units
 from mansion_planner.brief.units import are_units, is_type_of_flat
 from mansion_planner.brief.unread_words import leave_unread
@@ -125,8 +126,9 @@ class _Reader:
         self.building = self._name_building(phrases)
         as_studio_flat(reading, phrases)
         phrases = with_shared_sizes(reading, measures, phrases)
-        self.phrases = [plain_room(reading, phrase) for phrase in give_measures(reading, measures, phrases)]
-        self.phrases = sized(reading, with_bare_areas(reading, self.phrases), self.building)
+        self.phrases = [room_for_building(reading, phrase) for phrase in give_measures(reading, measures, phrases)]
+        one_of_several = told_by_size(reading, with_bare_areas(reading, self.phrases))
+        self.phrases = sized(reading, one_of_several.phrases, self.building)
         reading.go_on()
         read_late_counts(reading, self.phrases)
         self.phrases, self.households = read_households(reading, self.phrases, self.places, self.building)
@@ -143,6 +145,7 @@ class _Reader:
             if phrase.first in shared and number in self.attached:
                 self.attached[number] = Attachment(self.attached[number].refs)
         read_halves(reading, self.phrases, self.places, self.attached)
+        self._place_with(one_of_several.others)
         self._other_names_of_building()
         reading.go_on()
         self.same, self.groups = coreferences(reading, self.phrases, self._wanted_rooms(), self.relations)
@@ -263,7 +266,11 @@ class _Reader:
             before = self.phrases[number - 1] if number else None
             listed = fitted.get(reading.sentence[phrase.first], phrase.first) < phrase.first
             locker = phrase.name == "locker" and before is not None and self._is_locker(before, phrase)
-            if category and (listed or locker or (before is not None and self._is_fixture(before, phrase))):
+            counter = before is not None and self._is_counter_of(before, phrase)
+            if counter or (
+                category and (listed or locker or (before is not None and self._is_fixture(before, phrase)))
+            ):
+                category = "bar_counter" if counter else category
                 self.phrases[number] = replace(phrase, head="object", category=category, room_type="")
 
     def _is_fixture(self, room: Phrase, phrase: Phrase) -> bool:
@@ -271,7 +278,14 @@ class _Reader:
         between = self.reading.words(room.last, phrase.begin)
         if room.head != "room" or between not in (("with",), ("with", "a"), ("with", "the")):
             return False
-        return phrase.name in ("locker", "workplace") or (room.room_type in _BATHROOMS and phrase.name in _FIXTURES)
+        return phrase.name.rpartition("_")[2] in ("locker", "workplace") or (
+            room.room_type in _BATHROOMS and phrase.name in _FIXTURES
+        )
+
+    def _is_counter_of(self, room: Phrase, phrase: Phrase) -> bool:
+        """Whether "a taproom with its long bar" speaks of the counter of a room that is a bar itself."""
+        between = self.reading.words(room.last, phrase.begin)
+        return phrase.name == "bar" == room.room_type and between in (("with", "its"), ("and", "its"), ("with", "a"))
 
     def _is_locker(self, before: Phrase, phrase: Phrase) -> bool:
         """Whether "eight lockers" and "a bed and a locker" are furniture: those counted, or named with furniture."""
@@ -281,6 +295,14 @@ class _Reader:
         )
 
     # Phrases that stand for others ----------------------------------------------------------------------------------
+
+    def _place_with(self, others: dict[int, int]) -> None:
+        """Put a room that is told by its size, whose storey is not said, where the others of its kind are."""
+        numbers = {phrase.first: number for number, phrase in enumerate(self.phrases)}
+        for first, other in others.items():
+            held = self.attached.get(numbers[other]) if other in numbers else None
+            if first in numbers and numbers[first] not in self.attached and held is not None:
+                self.attached[numbers[first]] = Attachment(held.refs)
 
     def _find_building(self) -> None:
         """Find the phrase that names the building again, after phrases were added or left out."""
@@ -562,7 +584,7 @@ _ENOUGH = frozenset({"suffice", "sufficient", "enough", "do"})
 _HOMES = frozenset({"house", "home", "building", "villa", "cottage", "cabin", "bungalow"})
 """Nouns that with "the" mean the whole building."""
 
-_FIXTURES = frozenset({"shower", "bath", "walk_in_shower"})
+_FIXTURES = frozenset({"shower", "bath", "walk_in_shower", "loo"})
 _BATHROOMS = frozenset({"bathroom", "ensuite_bathroom", "accessible_toilet"})
 
 _BARE = frozenset({"building", "complex"})

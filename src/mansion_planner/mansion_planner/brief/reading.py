@@ -15,10 +15,12 @@ from mansion_planner.brief.lexicon import Mention, lexicon_of
 from mansion_planner.brief.spelling import corrected
 from mansion_planner.brief.storey_forms import storey_forms
 from mansion_planner.brief.storey_tables import storey_tables
+from mansion_planner.brief.storeys_by_use import storeys_by_use
 from mansion_planner.brief.token_forms import (
     abbreviated_storeys,
     capacities,
     compounds,
+    decades,
     foreign_storeys,
     gross_areas,
     kinds_of_area,
@@ -165,8 +167,8 @@ def start_reading(text: str, knowledge: KnowledgeBase, cancelled: Callable[[], b
     """Tokenise `text`, correct misspelt words and find the phrases of the knowledge base."""
     lexicon = lexicon_of(knowledge)
     tokens, corrections = corrected_numbers(tokenize(text))
-    tokens = storey_tables(abbreviated_storeys(tokens), FLOOR_WORDS)
-    tokens = flat_types(count_forms(storey_forms(text, tokens)))
+    tokens = storey_tables(abbreviated_storeys(decades(tokens)), FLOOR_WORDS)
+    tokens = flat_types(count_forms(storeys_by_use(storey_forms(text, tokens), FLOOR_WORDS)))
     tokens = compounds(corrected(tokens, lexicon.words, furniture_vocabulary()), lexicon.words)
     tokens = capacities(foreign_storeys(open_decks(kinds_of_area(gross_areas(tokens)))), lexicon.heads)
     mentions = lexicon.find(tokens)

@@ -54,6 +54,9 @@ _BESIDE = [
     ("accessed", "from"),
     ("accessible", "from"),
     ("entered", "from"),
+    ("entered", "through"),
+    ("entered", "via"),
+    ("reached", "via"),
     ("visible", "from"),
     *[
         (word, to)
@@ -263,7 +266,11 @@ def _relation_at(reading: Reading, phrases: list[Phrase], rooms: list[int], inde
         key=len,
         default=(),
     )
-    directed = mutual is not None and len(longer) > len(mutual) and _right(reading, phrases, rooms, index + len(longer))
+    directed = (
+        mutual is not None
+        and len(longer) > len(mutual)
+        and (reading.word(index + len(longer)) in _PRONOUNS or _right(reading, phrases, rooms, index + len(longer)))
+    )
     if mutual is not None and not directed and _closes(reading, index + len(mutual), phrases, rooms):
         found = _mutual(reading, phrases, rooms, index, index + len(mutual)) or _postposed(
             reading, phrases, rooms, index, index + len(mutual)
@@ -503,7 +510,8 @@ def _right(reading: Reading, phrases: list[Phrase], rooms: list[int], last: int)
 def _between(reading: Reading, phrases: list[Phrase], rooms: list[int], index: int) -> tuple[Relation, int] | None:
     alone = reading.word(index - 1) == "in" and (reading.breaks(index + 1) or reading.word(index + 1) in (",", ")"))
     if alone or reading.word(index + 1) == "them" or reading.words(index + 1, index + 3) == ("the", "two"):
-        return _between_them(phrases, [n for n in rooms if phrases[n].last <= index], index, index + 2 - alone)
+        last = index + 2 - alone + (reading.word(index + 2) == "two" and not alone)
+        return _between_them(phrases, [n for n in rooms if phrases[n].last <= index], index, last)
     following = _in_sentence(reading, phrases, rooms, index, before=False)[:2]
     before = _in_sentence(reading, phrases, rooms, index, before=True)
     if not following or not before or (reading.kind(index + 1) == "number" and not phrases[following[0]].plural):

@@ -2,8 +2,10 @@
 
 from dataclasses import replace
 
+from mansion_language import singular
 from mansion_planner.brief.phrase import FUNCTION_WORDS, Phrase
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
+from mansion_planner.brief.told_by_size import COMPARATIVES
 
 __all__ = ["further_ones"]
 
@@ -20,10 +22,11 @@ def further_ones(reading: Reading, phrases: list[Phrase]) -> list[Phrase]:
         if not (elided or one) or index in reading.taken:
             continue
         begin = index - one
-        begin -= reading.word(begin - 1) in ("a", "an")
+        told = one and reading.word(index - 1) in COMPARATIVES and reading.word(index - 2) == "the"
+        begin -= told or reading.word(begin - 1) in ("a", "an")
         if reading.word(begin - 1) not in _JOINTS or reading.word(index + 1) in FLOOR_WORDS:
             continue
-        before = _before(reading, phrases, begin)
+        before = _one_of_several(reading, phrases, begin) if told else _before(reading, phrases, begin)
         if before is None:
             continue
         last, user = _user(reading, index + 1)
@@ -31,6 +34,12 @@ def further_ones(reading: Reading, phrases: list[Phrase]) -> list[Phrase]:
         again = replace(
             before, first=begin, begin=begin, noun_end=last, last=last, count=1, counted=True, plural=False, areas=()
         )
+        if told:
+            size = reading.word(index - 1)
+            label = f"{size} {singular(before.label)}"
+            again = replace(again, head="room", building="")
+            found.append(replace(again, name=f"{size}_{before.name}", label=label, counted=False, determiner="the"))
+            continue
         head = before.name.rpartition("_")[2] if not user else _kind(before)
         label = reading.span(before.begin, before.noun_end).words
         named = replace(again, name=f"{user}_{head}"[:60], label=f"{label} for {user}s") if user else again
@@ -47,6 +56,20 @@ def _before(reading: Reading, phrases: list[Phrase], index: int) -> Phrase | Non
     if last is None or reading.word(last.last) == "for":
         return None  # "an ablution room for men and another for women" is read with who uses it
     return last if index - last.last <= 8 and last.head == "room" else None
+
+
+def _one_of_several(reading: Reading, phrases: list[Phrase], index: int) -> Phrase | None:
+    """Return the rooms that "the larger one" is one of: the last ones of its sentence that are counted."""
+    sentence = reading.sentence[index]
+    return next(
+        (
+            phrase
+            for phrase in sorted(phrases, key=lambda phrase: -phrase.first)
+            if phrase.last <= index and reading.sentence[phrase.first] == sentence and phrase.room_type
+            if phrase.head in ("room", "building") and phrase.counted and (phrase.count or 0) > 1
+        ),
+        None,
+    )
 
 
 def _kind(phrase: Phrase) -> str:

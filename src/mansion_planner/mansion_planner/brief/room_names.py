@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 from mansion_language import singular
-from mansion_planner.brief.lexicon import Mention
+from mansion_planner.brief.lexicon import Mention, lexicon_of
 from mansion_planner.brief.phrase import FUNCTION_WORDS, PEOPLE, PLAIN, Phrase, finished_phrase, name_of
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
 from mansion_planner.brief.room_users import PEOPLE_APART, one_of
@@ -24,6 +24,9 @@ __all__ = [
 
 def coordinated(reading: Reading, chunks: list[tuple[int, int]], phrase: Phrase) -> list[Phrase]:
     """Read "chemistry and physics labs" and "men's and women's changing rooms" as a room of each kind."""
+    shared = _with_both_modifiers(reading, chunks, phrase)
+    if shared is not None:
+        return [shared]
     if (
         phrase.head != "room"
         or not phrase.plural
@@ -49,6 +52,21 @@ def coordinated(reading: Reading, chunks: list[tuple[int, int]], phrase: Phrase)
         replace(one_of(phrase, *other), name=first[:60], label=label, room_type=room_type),
         replace(phrase, count=1, counted=True, plural=False),
     ]
+
+
+def _with_both_modifiers(reading: Reading, chunks: list[tuple[int, int]], phrase: Phrase) -> Phrase | None:
+    """Return one room with all that it is called after: "a tools and pots shop"; nothing for other phrases."""
+    if phrase.head != "room" or phrase.plural or phrase.first != phrase.begin or phrase.noun_end - phrase.begin < 2:
+        return None
+    if reading.word(phrase.begin - 1) not in ("and", "&"):
+        return None
+    first = next((a for a, b in chunks if b == phrase.begin - 1 and b - a == 1 and reading.free(a, b)), None)
+    if first is None or not reading.plural(first) or reading.word(first - 1) not in ("a", "an", "one"):
+        return None
+    reading.take(first - 1, phrase.last)
+    name = f"{reading.word(first)}_and_{phrase.name}"[:60]
+    label = reading.span(first, phrase.noun_end).words
+    return replace(phrase, first=first - 1, begin=first, name=name, label=label, determiner="a")
 
 
 def designated_nouns(reading: Reading) -> frozenset[str]:
@@ -218,6 +236,7 @@ def listed_unknowns(reading: Reading, chunks: list[tuple[int, int]], phrases: li
         begins={phrase.begin for phrase in rooms},
         ends={phrase.last for phrase in rooms},
         things={phrase.last for phrase in phrases if phrase.head == "object"},
+        furniture={phrase.begin for phrase in phrases if phrase.head == "object"},
     )
     found: list[Phrase] = []
     for begin, end in chunks:
@@ -245,12 +264,15 @@ class _Named:
         First tokens of rooms, and the tokens after them.
     things : set of int
         The tokens after furniture.
+    furniture : set of int
+        The first tokens of furniture.
     """
 
     sentences: set[int]
     begins: set[int]
     ends: set[int]
     things: set[int]
+    furniture: set[int]
 
 
 @dataclass(frozen=True)
@@ -338,6 +360,10 @@ class _Entry:
         reading, begin, lead = self.reading, self.begin, self.reading.word(self.begin - 2)
         if self._before in ("a", "an") and lead == "and" and begin - 2 in self.named.things:
             return True  # "each with a bed and a chest"
+        if self._before in ("a", "an") and lead == "with" and self._precedes_furniture():
+            return True  # "a kitchen with an island and four bar stools"
+        if self._before == "the" and lead == "," and reading.word(begin - 3) in ("we", "us", "i"):
+            return True  # "we, the owners, live downstairs"
         if not self._plural or reading.kind(begin - 1) != "number":
             return False
         if lead == "for" or lead in _HOLDS:
@@ -345,11 +371,21 @@ class _Entry:
         people = reading.word(self.end - 1).endswith(("er", "or", "ist", "ant", "ian", "eer"))
         return people and self._counted  # "30 consultants"
 
+    def _precedes_furniture(self) -> bool:
+        """Whether furniture goes on right after them: "... and four bar stools"."""
+        joined = self._after in ("and", "&", ",")
+        return joined and any(self.end < first <= self.end + 4 for first in self.named.furniture)
+
     def _is_no_name(self) -> bool:
         """Whether they say how a room is: "a penthouse of 210 m2, art deco"."""
         word = self.reading.word(self.end - 1)
+        place = self._before in ("of", "in", "near") and self.reading.tokens[self.begin].capital
+        if place and any(m.building and m.last == self.begin - 1 for m in self.reading.mentions):
+            return True  # "an apartment of Paris with 62 m2"
         if word in PLAIN or word.endswith(("ly", "ed")) or word in _NO_ROOMS:
             return True
+        if word in _STRENGTHS and self.end - self.begin == 1:
+            return True  # "on the second floor right next to the archive"
         return any(m.style and (m.first, m.last) == (self.begin, self.end) for m in self.reading.mentions)
 
 
@@ -376,6 +412,9 @@ _NO_ROOMS = frozenset(
     opportunity potential
     """.split()
 )
+
+_STRENGTHS = frozenset({"right", "immediately", "close", "close-by", "hard"})
+"""Adverbs that only strengthen where something is."""
 
 _PURPOSEFUL = frozenset(
     """
@@ -463,6 +502,20 @@ def with_purpose(reading: Reading, phrase: Phrase) -> Phrase:
         else phrase.room_type
     )
     label = reading.span(phrase.begin, end).words
-    known = phrase.known or bool(own_rooms and elliptic_room_type(reading.words(begin, end), reading.knowledge))
+    same = _kind_named(reading, begin, end, phrase.name)
+    known = bool(same) or phrase.known
+    known = known or bool(own_rooms and elliptic_room_type(reading.words(begin, end), reading.knowledge))
     reading.take(last, end)
-    return replace(phrase, name=name, label=label, last=end, room_type=room or phrase.room_type, known=known)
+    return replace(phrase, name=name, label=label, last=end, room_type=same or room or phrase.room_type, known=known)
+
+
+def _kind_named(reading: Reading, begin: int, end: int, noun: str) -> str:
+    """Return the room type that the lexicon has for a purpose before its noun; empty for none.
+
+    The "hall of the luggage claim" is a luggage claim, the "room for the treatments" a treatment room.
+    """
+    if noun not in _PURPOSEFUL:
+        return ""
+    phrases, words = lexicon_of(reading.knowledge).phrases, reading.words(begin, end)
+    found = phrases.get((*words, noun)) or (phrases.get(words) if noun == "hall" else None)
+    return found.room if found is not None else ""

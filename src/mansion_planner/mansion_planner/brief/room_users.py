@@ -95,6 +95,7 @@ def _users(reading: Reading, phrase: Phrase) -> tuple[list[int], int]:
     index = phrase.last + (led or reading.word(phrase.last) in _LEADS)
     users: list[int] = []
     end = index
+    closed = False  # behind the last "and" a comma ends the list
     while len(users) < 6:
         index += reading.word(index) in ("one", "another", "others", "a")
         index += reading.word(index) in ("for", "of") and (bool(users) or not led)
@@ -104,8 +105,9 @@ def _users(reading: Reading, phrase: Phrase) -> tuple[list[int], int]:
         users.append(index)
         index += 1 + (reading.word(index) in _DISABLED and reading.word(index + 1) in _PERSONS)
         end = index
-        if reading.word(index) not in _JOINTS:
+        if reading.word(index) not in _JOINTS or (closed and reading.word(index) == ","):
             break
+        closed = closed or "and" in reading.words(index, index + 2)
         index += 1 + (reading.word(index + 1) in _JOINTS)
     bracketed = reading.word(phrase.last) == "("
     if not led and not (phrase.plural and (reading.word(end) == ")" if bracketed else _closes(reading, end))):

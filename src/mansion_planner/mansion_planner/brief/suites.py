@@ -177,7 +177,13 @@ class _Pair:
             return False
         both = self.phrase.determiner in ("both", "all", "each") and self.phrase.room_type == "ensuite_bathroom"
         postposed = not self.words and self.phrase.room_type == "ensuite_bathroom"  # "three bedrooms en suite"
-        return self._is_shared_out() or both or postposed or self._is_own() or self._is_private()
+        return self._is_shared_out() or both or postposed or self._is_own() or self._is_private() or self._are_ensuite()
+
+    def _are_ensuite(self) -> bool:
+        """Whether rooms to sleep in have as many rooms that are called en suite: "bedrooms with en-suite bathrooms"."""
+        ensuite = self.phrase.room_type == "ensuite_bathroom" or self.phrase.name.startswith("ensuite_")
+        several = self.phrase.plural and not self.phrase.counted and self.owner.plural
+        return ensuite and several and self.owner.room_type in _SLEEPING and self.gap <= {"with", "having", "and"}
 
     def _ends_in_each(self) -> bool:
         return self.reading.word(self.phrase.last) == "each"

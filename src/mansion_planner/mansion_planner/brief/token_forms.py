@@ -8,6 +8,7 @@ __all__ = [
     "abbreviated_storeys",
     "capacities",
     "compounds",
+    "decades",
     "foreign_storeys",
     "gross_areas",
     "kinds_of_area",
@@ -181,3 +182,36 @@ def open_decks(tokens: list[Token]) -> list[Token]:
 
 
 _AFTER_STOREYS = frozenset({",", ";", "+", "/", "(", "-", "–", "\n", "plus", "and", "with", "on"})
+
+
+_STYLED = frozenset({"style", "styled", "look", "feel", "flavour", "flavor", "spirit", "manner", "design"})
+
+
+def decades(tokens: list[Token]) -> list[Token]:
+    """Read "1970s", "60s" and "seventies style" as the style of the time: retro, or vintage where it is another.
+
+    "The 1960s" tell when something was built, and after "retro" a decade says nothing more.
+    """
+    result: list[Token] = []
+    for index, token in enumerate(tokens):
+        before = result[-1] if result else None
+        lead = tokens[index - 2].text if index > 1 else ""
+        year = int(before.value) if before is not None and before.kind == "number" else 0
+        told = token.text == "s" and not token.spaced and year % 10 == 0 and (20 <= year <= 90 or 1900 <= year < 2000)
+        after = tokens[index + 1].text if index + 1 < len(tokens) else ""
+        spelt = token.kind == "word" and token.plural and token.text in _SPELT_DECADES and after in _STYLED
+        if before is not None and told and lead not in ("the", "retro", "vintage"):
+            result[-1] = replace(before, kind="word", text=_style_of(year), end=token.end, value=0.0)
+        elif spelt:
+            result.append(replace(token, text=_style_of(_SPELT_DECADES[token.text]), plural=False))
+        else:
+            result.append(token)
+    return result
+
+
+_SPELT_DECADES = {"fifty": 50, "sixty": 60, "seventy": 70, "eighty": 80, "ninety": 90}
+
+
+def _style_of(year: int) -> str:
+    """Return the word for the style of a decade."""
+    return "retro" if year % 100 in (50, 60, 70) else "vintage"

@@ -202,7 +202,10 @@ def usable_boundaries(boundaries: Sequence[BoundarySegment], parts: Mapping[str,
 
 
 def _intervals(boundary: BoundarySegment, offset: Point, part: Polygon) -> list[tuple[float, float]]:
-    """Return where a boundary, moved by an offset, runs inside a part; with the half walls at its ends."""
+    """Return where a boundary, moved by an offset, runs inside a part, with half a wall's thickness at both ends.
+
+    Openings keep at least that from the end of an interval, which elsewhere is the centre line of a wall.
+    """
     (x0, y0), (x1, y1) = boundary.start, boundary.end
     moved = LineString([(x0 + offset[0], y0 + offset[1]), (x1 + offset[0], y1 + offset[1])])
     inside = [piece for piece in shapely.get_parts(moved.intersection(part)) if piece.length > 0]
@@ -211,8 +214,8 @@ def _intervals(boundary: BoundarySegment, offset: Point, part: Polygon) -> list[
     intervals = []
     for piece in inside:
         along = sorted((x - x0 - offset[0]) * dx + (y - y0 - offset[1]) * dy for x, y in piece.coords)
-        low = 0.0 if along[0] < half + 1e-3 else along[0]
-        high = boundary.length if along[-1] > boundary.length - half - 1e-3 else along[-1]
+        low = 0.0 if along[0] < half + 1e-3 else along[0] - half
+        high = boundary.length if along[-1] > boundary.length - half - 1e-3 else along[-1] + half
         intervals.append((low, high))
     return sorted(intervals)
 

@@ -150,7 +150,7 @@ class Keeping(Staying, Wishes, Adding, Removing):
         if item is None:
             raise NotUnderstood(at, self.boundary(at))
         if self._is_way(item.phrase):
-            return self._way(at, item.phrase.end)
+            return self._way_stays_free(at, place, kept=True) or self._way(at, item.phrase.end)
         found = (
             self._predicate(item, item.end, at)
             if self.text(item.end) in STATE_WORDS or self.predicate_follows(item.end)

@@ -8,6 +8,7 @@ from mansion_editing.instructions.clauses.outcomes import at_receiver
 from mansion_editing.instructions.clauses.states import States
 from mansion_editing.instructions.clauses.ways import Ways
 from mansion_editing.instructions.phrases.places import with_place
+from mansion_editing.instructions.phrases.verbs import verb_at
 from mansion_editing.instructions.phrases.word_sets import (
     ANY_LONGER,
     BEFORE_PREDICATES,
@@ -206,10 +207,6 @@ class Predicates(States, Colours, Ways):
         if negated:
             return self._gone_from(item, new, quote), end
         each = item.phrase.each or item.phrase.amount.kind == "all" or (item.phrase.plural and item.phrase.definite)
-        if place == item.end and word in ("has", "have") and [n.phrase.amount.kind for n in new] == ["none"]:
-            lacking = msgspec.structs.replace(new[0].phrase.things(), amount=Amount(kind="more"), place=goal)
-            self.topic = lacking
-            return [Mention(quote=quote)], end
         out: list[Statement] = []
         for thing in new:
             own = thing.goal()[0]
@@ -436,6 +433,9 @@ class Predicates(States, Colours, Ways):
             and stop < item.end + 6
         ):
             stop += 1
+        cramped = self._too_small(item.end + 1)
+        if item.phrase.noun.kind in ("room", "both") and cramped:
+            return [Mention(rooms=item.rooms(), quote=self.quote(at, cramped))], cramped
         told = self.words[item.end + 1 : stop]
         told = told[:-3] or told[:1] if self.bothers(stop - 3) else told
         named = any(self.lexicon.is_object((w.text,)) or self.lexicon.is_own_room((w.text,)) for w in told)
@@ -453,6 +453,17 @@ class Predicates(States, Colours, Ways):
         if item.phrase.refers != "last" or item.phrase.noun.words:
             self.topic = item.things()
         return [Mention(quote=self.quote(at, stop))], stop
+
+    def _too_small(self, at: int) -> int:
+        """Return the end of ``too narrow for one`` where ``so`` and a request follow; 0 for others."""
+        if self.text(at) != "too" or self.text(at + 1) not in ("small", "narrow", "tight", "cramped", "full"):
+            return 0
+        end = at + 2
+        if self.text(end) == "for" and self.text(end + 1) in ("one", "it", "that", "this", "them"):
+            end += 2
+        joint = end + (self.text(end) == ",")
+        asked = self.text(joint) == "so" and verb_at(self.words, joint + 1, self.lexicon) is not None
+        return end if asked else 0
 
     def _said_to_look(self, item: Item, place: int, at: int) -> tuple[list[Statement], int] | None:
         """Read ``must look to the bed``, which its front shall turn to."""

@@ -40,7 +40,12 @@ class ClauseReader(Keeping, Changing, Taking, PastSteps, Fronting):
             Where the words make no clause.
         """
         staying = (
-            self._meant(at) or self._staying(at) or self._stays_so(at) or self._gone_up(at) or self._change_places(at)
+            self._way_stays_free(at, at)
+            or self._meant(at)
+            or self._staying(at)
+            or self._stays_so(at)
+            or self._gone_up(at)
+            or self._change_places(at)
         )
         if staying is not None:
             return staying

@@ -9,7 +9,7 @@ import msgspec
 
 from mansion_editing.instructions.clauses.coordination import first_subject
 from mansion_editing.instructions.clauses.items import Item, NotUnderstood, TwoReadings, joined_places
-from mansion_editing.instructions.phrases.lexicon import Lexicon
+from mansion_editing.instructions.phrases.lexicon import HYPERNYMS, Lexicon
 from mansion_editing.instructions.phrases.noun_phrases import NounPhrase, noun_phrase
 from mansion_editing.instructions.phrases.nouns import Noun
 from mansion_editing.instructions.phrases.places import ReadPlace, merged, read_place, with_place
@@ -296,8 +296,10 @@ class Sentence(ABC):
         anchor = item.places[0].place.anchor
         if anchor is None or anchor.refers != "last" or anchor.noun:
             return item
-        holds = not self.lexicon.lies_beside_others(last.phrase.noun.words)
-        if item.places[0].place.relation in _HOLDING and not holds:
+        words = last.phrase.noun.words
+        general = " ".join(words) in HYPERNYMS and not self.lexicon.stands(words)
+        holds = not (general or self.lexicon.lies_beside_others(words))
+        if (item.places[0].source or item.places[0].place.relation in _HOLDING) and not holds:
             return item  # "the laptop and the pen on it" are on what was named before
         place = msgspec.structs.replace(item.places[0].place, anchor=last.things())
         return Item(item.phrase, (replace(item.places[0], place=place), *item.places[1:]), item.end)

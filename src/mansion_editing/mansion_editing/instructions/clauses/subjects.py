@@ -3,7 +3,7 @@
 import msgspec
 
 from mansion_editing.instructions.clauses.items import Item, joined_places
-from mansion_editing.instructions.clauses.predicates import Predicates
+from mansion_editing.instructions.clauses.wanting import Lacks
 from mansion_editing.instructions.phrases.word_sets import BEFORE_COLOURS
 from mansion_editing.instructions.phrases.words import BE, MODALS
 from mansion_editing.instructions.statements import Add, Amount, Clear, Ensure, Mention, Place, Rooms, Statement, Things
@@ -11,7 +11,7 @@ from mansion_editing.instructions.statements import Add, Amount, Clear, Ensure, 
 __all__ = ["Subjects"]
 
 
-class Subjects(Predicates):
+class Subjects(Lacks):
     """Reads subjects, and what is said of them."""
 
     def _with_predicate(self, at: int) -> tuple[list[Statement], int] | None:
@@ -34,8 +34,14 @@ class Subjects(Predicates):
                 return self._painted(surface[0], colour[0], colour[1], self.quote(at, colour[2])), colour[2]
         return self._of_subjects(at)
 
-    def _of_subjects(self, at: int) -> tuple[list[Statement], int] | None:
-        """Read one subject or several, and what is said of them."""
+    def _of_subjects(self, at: int, *, asked: bool = False) -> tuple[list[Statement], int] | None:
+        """Read one subject or several, and what is said of them.
+
+        Parameters
+        ----------
+        asked : bool
+            It follows "make sure" or "I want", so that it tells what shall be and not what is.
+        """
         subjects: list[Item] = []
         joined = self.text(at) in ("neither", "both", "either") and self.phrase(at + 1) is not None
         place = at + joined
@@ -49,18 +55,36 @@ class Subjects(Predicates):
                 break
             place = after
         shared = all(s.phrase.definite or s.phrase.noun.plural or s.is_room for s in subjects)
-        shared = shared or self.text(subjects[-1].end) in ("stay", "remain")
-        if len(subjects) > 1 and not (self.predicate_follows(subjects[-1].end) and (shared or joined)):
+        shared = shared or self.text(subjects[-1].end) in ("stay", "remain") or self._go_there(subjects)
+        last = subjects[-1].end
+        follows = self.predicate_follows(last) or (asked and self.text(last) == "to")
+        follows = follows or self._verb_of_lack(last, denied=False) is not None
+        if len(subjects) > 1 and not (follows and (shared or joined)):
             return None
+        denied = self.text(at) == "neither"
+        lack = None if asked else self._told_to_lack(subjects, at, denied=denied)
+        if lack is not None:
+            return lack
         out: list[Statement] = []
         end = at
         for subject in subjects:
-            found = self._predicate(subject, subjects[-1].end, at, denied=self.text(at) == "neither")
+            found = self._predicate(subject, subjects[-1].end, at, denied=denied)
             if found is None:
                 return None
             out += found[0]
             end = found[1]
         return out, end
+
+    def _go_there(self, subjects: list[Item]) -> bool:
+        """Whether new things, each with an article or a number, go somewhere: ``a plate and two forks go in it``."""
+        end = subjects[-1].end
+        places, _ = self.places(end + 1)
+        new = all(
+            item.phrase.amount.kind == "some" and item.phrase.amount.number > 0 and not self._is_bare(item.phrase)
+            for item in subjects
+        )
+        known = any(item.phrase.definite or item.phrase.refers or item.is_room or item.places for item in subjects)
+        return self.text(end) == "go" and bool(places) and not any(p.source for p in places) and new and not known
 
     def _coming(self, at: int) -> tuple[list[Statement], int] | None:
         """Read ``a desk with a lamp on it and an office chair come in``: new things."""

@@ -1,5 +1,9 @@
 """Ways from one place to another that shall be free."""
 
+from typing import Final
+
+import msgspec
+
 from mansion_editing.instructions.clauses.items import Item, NotUnderstood
 from mansion_editing.instructions.clauses.sentence import Sentence
 from mansion_editing.instructions.phrases.places import read_place
@@ -13,13 +17,45 @@ from mansion_editing.instructions.phrases.word_sets import (
     GOING_SOMEWHERE,
     WAYS,
 )
+from mansion_editing.instructions.phrases.words import BE, MODALS
 from mansion_editing.instructions.statements import Reach, Rooms, Statement, Things
 
 __all__ = ["Ways"]
 
+_FREE: Final = frozenset("free clear open unobstructed unblocked passable walkable".split())
+_BLOCKED: Final = frozenset("blocked obstructed barred narrowed".split())
+_BEING: Final = MODALS | BE | frozenset("to has have kept left keep always still completely".split())
+
 
 class Ways(Sentence):
     """Reads who must get from where to where."""
+
+    def _way_stays_free(self, at: int, place: int, *, kept: bool = False) -> tuple[list[Statement], int] | None:
+        """Read ``the way from the hall to the desk must stay free``, ``the route to the lab may not be blocked``.
+
+        Parameters
+        ----------
+        kept : bool
+            After ``keep``, so that no other verb need say what shall be.
+        """
+        way = self.phrase(place)
+        own = way is not None and self.lexicon.is_own_room(way.noun.words)
+        if way is None or own or not way.definite or not self.lexicon.is_way("".join(way.noun.words[-1:])):
+            return None
+        told = next((k for k in range(way.end, len(self.words)) if self.text(k) in _FREE | _BLOCKED), 0)
+        start = told
+        while self.text(start - 1) in _BEING | {"not", "never"}:
+            start -= 1
+        said = {word.text for word in self.words[start:told]}
+        blocked = self.text(told) in _BLOCKED
+        if not (kept or said & _BEING) or blocked != bool(said & {"not", "never"}) or self.text(told + 1) == "of":
+            return None
+        try:
+            found, end = self.until(start)._way(place, way.end)
+        except NotUnderstood:
+            return None
+        quote = self.quote(at, told + 1)
+        return ([msgspec.structs.replace(s, quote=quote) for s in found], told + 1) if end == start else None
 
     def _reaching(self, at: int, place: int) -> tuple[list[Statement], int] | None:
         """Read ``I can get from the lobby to the kitchen``, ``nothing blocks the way to the lab``."""
@@ -64,6 +100,9 @@ class Ways(Sentence):
         start: Things | Rooms | None = None
         ends: list[Things | Rooms] = []
         end = place
+        both = self._end_of_way(end + 1) if self.text(end) == "between" else None
+        if both is not None and self.text(both[1]) == "and":
+            start, end = both[0], both[1]
         while end < len(self.words):
             while self.text(end) in ALONG_WAYS and self.text(end) != "the":
                 end += 1

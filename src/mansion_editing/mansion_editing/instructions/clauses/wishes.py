@@ -368,7 +368,7 @@ class Wishes(Subjects, Negations):
         found_by = self._found_by_somebody(at, place)
         if found_by is not None:
             return found_by
-        way = self._reaching(at, place)
+        way = self._way_stays_free(at, place) or self._reaching(at, place)
         if way is not None:
             return way
         existential = self._existential(place, asked=True)
@@ -395,11 +395,23 @@ class Wishes(Subjects, Negations):
 
     def _several_subjects(self, at: int) -> tuple[int, tuple[list[Statement], int]] | None:
         """Read ``the lamp and the fan are off``, where all of the list is the subject; and where its verb is."""
-        subjects = self.subjects(at)
+        subjects = self.subjects(at) or self._listed_before_to(at)
         if len(subjects) < 2 or not is_one_list(self.words, subjects):
             return None
-        found = self._of_subjects(at)
+        found = self._of_subjects(at, asked=True)
         return None if found is None else (subjects[-1].end, found)
+
+    def _listed_before_to(self, at: int) -> list[Item]:
+        """Read ``the hall and the kitchen`` before ``to have no chairs``; empty where no such words follow."""
+        found: list[Item] = []
+        while (item := self.item(at)) is not None:
+            found.append(item)
+            if self.text(item.end) == "to":
+                return found
+            at = self.conjunction(item.end)
+            if not at or self.starts_clause(at):
+                break
+        return []
 
     def _found_by_somebody(self, at: int, place: int) -> tuple[list[Statement], int] | None:
         """Read ``the robot will find a stapler on the desk``."""

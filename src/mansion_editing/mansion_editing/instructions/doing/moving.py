@@ -14,7 +14,7 @@ from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.descriptions import all_at, rooms_of, things_of
 from mansion_editing.instructions.meaning.nouns import is_loose
 from mansion_editing.instructions.meaning.numbers import means_one
-from mansion_editing.instructions.meaning.targets import Target, places_of
+from mansion_editing.instructions.meaning.targets import Target, names_any, places_of
 from mansion_editing.instructions.meaning.wording import place_words, thing_words
 from mansion_editing.instructions.statements import Add, Amount, Move, Place, Rooms, Swap, Things, Turn
 from mansion_editing.provisioning.facts import Scope
@@ -77,9 +77,16 @@ def move(statement: Move, state: SceneState, context: Context) -> Work:
 
 
 def _of_own_room(item: SceneObject, statement: Move, targets: list[Target]) -> list[Target]:
-    """Return the places in the own room of a thing where several rooms each keep their things, else all of them."""
+    """Return the places in the own room of a thing where several rooms each keep their things, else all of them.
+
+    Where words for any of several ("one of the shelves") name no room, the nearest are meant.
+    """
     source = statement.things.place
     rooms = statement.place.rooms
+    if rooms is None and names_any(statement.place):
+        near = [target for target in targets if target.room == item.room]
+        storey = item.room.split("/", 1)[0]
+        return near or [target for target in targets if target.room.split("/", 1)[0] == storey] or targets
     if source is None or rooms is None or not rooms.every or source.rooms != rooms:
         return targets
     own = [target for target in targets if target.room == item.room]
@@ -165,7 +172,9 @@ def _moved_to_any(
         reason = yield from move_after_clearing(info, anchor, reasons[-1], state)
         if not reason:
             fresh = [other.id for _, other in state.objects() if other.id not in known and other.asset == item.asset]
-            return _id_after(item.id, fresh, state)
+            new = _id_after(item.id, fresh, state)
+            if not _only_on_top(new, place, targets[0], state):
+                return new
     raise Unmet("; ".join(dict.fromkeys(reasons)) or f"there is no place for {item.id}")
 
 
@@ -174,6 +183,16 @@ def _only_inside(object_id: str, place: Place, target: Target, state: SceneState
     asset = None if target.anchor is None else state.asset(target.anchor)
     (item,) = live(state, [object_id])
     return place.relation == "on" and asset is not None and bool(asset.surfaces) and item.mount == "inside"
+
+
+def _only_on_top(object_id: str, place: Place, target: Target, state: SceneState) -> bool:
+    """Whether an object went on top of a piece of furniture in which it should lie."""
+    asset = None if target.anchor is None else state.asset(target.anchor)
+    (item,) = live(state, [object_id])
+    shelves = asset is not None and any(surface.kind == "shelf" for surface in asset.surfaces)
+    return (
+        place.relation == "in" and asset is not None and bool(asset.volumes) and not shelves and item.mount != "inside"
+    )
 
 
 def _ways(

@@ -135,19 +135,36 @@ def things_of(state: SceneState, things: Things, context: Context) -> list[Scene
         things, noun = _with_owner(state, pool, things, noun, context)
     many = means_several(things)
     pool = [item for item in pool if _has_traits(item, things)]
+    apart = not many and things.place is not None and _are_several(things.place.rooms)
     if noun or not things.refers:
-        pool = called(state, pool, noun, many=True)
+        pool = _called(state, pool, noun, apart=apart, many=True)
     if things.place is not None:
         at = _Placed(state, things.place, context)
         pool = [item for item in pool if at.holds(item)]
     if things.owned:
         pool = _owned(state, pool, things.owned, context)
     if noun and not many:
-        pool = called(state, pool, noun)
+        pool = _called(state, pool, noun, apart=apart)
     for spared in things.beside:
         out = {item.id for item in things_of(state, spared, context)}
         pool = [item for item in pool if item.id not in out]
     return _picked(sorted(pool, key=id_order), things)
+
+
+def _are_several(rooms: Rooms | None) -> bool:
+    return rooms is not None and (rooms.every or rooms.number > 1)
+
+
+def _called(
+    state: SceneState, pool: list[SceneObject], noun: str, *, apart: bool, many: bool = False
+) -> list[SceneObject]:
+    """Return what a noun names; `apart`, in each room for itself: "the toilet" of every bathroom."""
+    if not apart:
+        return called(state, pool, noun, many=many)
+    groups: dict[str, list[SceneObject]] = {}
+    for item in pool:
+        groups.setdefault(item.room, []).append(item)
+    return [item for group in groups.values() for item in called(state, group, noun, many=many)]
 
 
 def _with_owner(

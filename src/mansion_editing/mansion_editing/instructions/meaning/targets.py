@@ -16,7 +16,7 @@ from mansion_editing.state import SceneState
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import SceneObject
 
-__all__ = ["Target", "places_of"]
+__all__ = ["Target", "names_any", "places_of"]
 
 
 @dataclass(frozen=True)
@@ -78,6 +78,8 @@ def places_of(
     found = _at_one_room(state, place, found)
     if means_one(anchor) and not each and len(found) > 1:
         found = _alike(state, place, anchor, found, context)
+    elif names_any(place) and place.rooms is None and not each:
+        found = [item for item in found if item.room in context.rooms] or found
     elif anchor.definite and anchor.amount.kind == "some" and 1 < anchor.amount.number != len(found):
         if anchor.amount.number > len(found):
             raise too_few(anchor, found)
@@ -85,6 +87,14 @@ def places_of(
     if place.relation == "between":
         return _between(state, place, found, context)
     return [_facing(state, place, Target(item.room, item), context) for item in found]
+
+
+def names_any(place: Place) -> bool:
+    """Whether words mean any one of the things that a place is at: "a shelf", "one of the shelves"."""
+    anchor = place.anchor
+    if anchor is None or anchor.definite or anchor.refers or anchor.owned or anchor.place is not None:
+        return False
+    return anchor.amount.kind == "some" and anchor.amount.number == 1 and not anchor.plural
 
 
 def _at_one_room(state: SceneState, place: Place, found: list[SceneObject]) -> list[SceneObject]:

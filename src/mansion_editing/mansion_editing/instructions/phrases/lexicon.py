@@ -40,6 +40,9 @@ _NO_OBJECTS = frozenset(["room", "floor", "area", "hall", "office", "space", "pl
 
 _STOREY_WORDS = frozenset("upper lower ground floor first second third fourth fifth sixth top".split())
 
+_DWELLINGS = frozenset(["flat", "apartment"])
+"""Words for the same kind of building."""
+
 _CORES = frozenset(["stair", "staircase", "elevator", "entrance", "exit", "stairwell"])
 
 
@@ -71,6 +74,12 @@ class Lexicon:
     def is_own_room(self, words: tuple[str, ...]) -> bool:
         """Whether words name a room that this building has."""
         return words in self._room_names
+
+    def is_building(self, word: str) -> bool:
+        """Whether a word means this building by its kind: ``the flat``, ``the house``, and no room is called so."""
+        kinds = {scene.building_type.split("_")[-1] for scene in self._state.scenes.values()}
+        kinds |= _DWELLINGS if kinds & _DWELLINGS else set()
+        return word in kinds | {"house"} and not self.is_room((word,)) and not self.is_object((word,))
 
     def written_in_full(self, short: str, following: str) -> str:
         """Return the first word of the room's name that a shorter one stands for: ``exam room`` of an examination room.

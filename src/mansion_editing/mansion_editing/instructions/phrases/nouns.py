@@ -25,11 +25,11 @@ MATERIALS: Final = {
 
 _HOLDERS: Final = frozenset(
     "cup mug glass bottle can bowl plate jar box bag basket carton pot jug tin tray vase packet loaf slice bunch stack "
-    "pile pair piece set couple row group".split()
+    "pile pair piece set couple row group roll".split()
 )
 
 
-_COLLECTIONS: Final = frozenset("loaf slice bunch stack pile pair piece set couple row group".split())
+_COLLECTIONS: Final = frozenset("loaf slice bunch stack pile pair piece set couple row group roll".split())
 
 
 _OPENING: Final = frozenset(["door", "lid"])

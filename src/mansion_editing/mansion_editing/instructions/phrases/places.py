@@ -221,9 +221,9 @@ def _after_preposition(
         return ReadPlace(Place(), start, at + 2, goal, source)
     if text_at(words, at) == "the" and text_at(words, at + 1) == "same" and text_at(words, at + 2) == "floor":
         return ReadPlace(Place(rooms=Rooms(floors=(SAME_FLOOR,))), start, at + 3, goal, source)
-    whole = _this_building(words, at)
+    whole = _this_building(words, at, lexicon)
     if whole:
-        return ReadPlace(Place(), start, whole)
+        return ReadPlace(Place(), start, whole) if relation in ("in", "") and not goal else None
     same = _same_room(words, at)
     if same:
         return ReadPlace(Place(rooms=Rooms(same=True)), start, same, goal, source)
@@ -289,8 +289,8 @@ def _no_further(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Sequen
 _BUILDINGS: Final = frozenset("building house office school hotel hospital museum home flat apartment clinic".split())
 
 
-def _this_building(words: Sequence[Word], at: int) -> int:
-    """Return the end of ``this three-storey office``, ``the building``; 0 where the words name a part of it."""
+def _this_building(words: Sequence[Word], at: int, lexicon: Lexicon) -> int:
+    """Return the end of ``this three-storey office``, ``the flat``; 0 where the words name a part of it."""
     place = at + 1
     if text_at(words, at) not in ("this", "our", "the", "my"):
         return 0
@@ -300,10 +300,10 @@ def _this_building(words: Sequence[Word], at: int) -> int:
     ):
         told = True
         place += 1
-    plain = text_at(words, place) == "building" or (
-        (told or text_at(words, at) == "this") and text_at(words, place) in _BUILDINGS
-    )
-    return place + 1 if plain else 0
+    said = text_at(words, place)
+    plain = said == "building" or ((told or text_at(words, at) == "this") and said in _BUILDINGS)
+    alone = not _goes_on(words, place + 1, lexicon) and not (place < len(words) and words[place].plural)
+    return place + 1 if plain or (lexicon.is_building(said) and alone) else 0
 
 
 def _same_room(words: Sequence[Word], at: int) -> int:

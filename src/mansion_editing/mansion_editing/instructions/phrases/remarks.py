@@ -42,6 +42,7 @@ def without_remarks(words: Sequence[Word]) -> list[Word]:
 
     ``no. 2`` after a room is its number, and a storey after a comma is where the room is.
     """
+    words = _without_brackets(words)
     out: list[Word] = []
     at = 0
     while at < len(words):
@@ -117,6 +118,24 @@ def _is_number_word(words: Sequence[Word], at: int) -> bool:
 
 
 _STOREYS: Final = frozenset("ground top upper lower first second third fourth fifth sixth".split())
+
+
+def _without_brackets(words: Sequence[Word]) -> Sequence[Word]:
+    """Return ``the freezer in the laboratory on second floor is`` for ``in the laboratory (second floor) is``."""
+    out: list[Word] = []
+    at = 0
+    while at < len(words):
+        start = at + 1 + (text_at(words, at + 1) == "the")
+        storey = text_at(words, start) in _STOREYS or (start < len(words) and words[start].kind == "ordinal")
+        closed = storey and (text_at(words, start + 1), text_at(words, start + 2)) == ("floor", ")")
+        if words[at].text == "(" and closed and out and out[-1].kind != "mark":
+            floor = replace(words[start + 1], end=words[start + 2].end)
+            out += [replace(words[at], text="on", raw="on", kind="word"), *words[at + 1 : start + 1], floor]
+            at = start + 3
+            continue
+        out.append(words[at])
+        at += 1
+    return out
 
 
 def _is_storey_apart(before: Sequence[Word], words: Sequence[Word], at: int) -> bool:

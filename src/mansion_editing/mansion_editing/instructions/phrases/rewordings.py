@@ -106,6 +106,8 @@ _LATER: Final = frozenset("afterwards afterward".split())
 _LONGEST: Final = max(map(len, _PHRASES))
 _TURNING: Final = frozenset("switch turn power".split())
 _OUT: Final = frozenset("in into on onto".split())
+_RESTING: Final = frozenset("sit stand lie hang".split())
+_ARTICLES: Final = frozenset("the a an my our".split())
 _CARRYING: Final = frozenset("carry bring take move get put".split())
 
 
@@ -196,8 +198,17 @@ def _is_foreign(words: Sequence[Word], at: int) -> bool:
     if words[at].text == "from" and before is not None and before.text in _FEW:
         number = text_at(words, at + 2) in _FEW
         return number and text_at(words, at + 1) in ("the", "these", "those", "our", "my")
+    if words[at].text == "what" and text_at(words, at + 1) in _RESTING:
+        return _ends_subject(words, at)
     relative = words[at].text == "what" and text_at(words, at + 1) in ("is", "are")
     return relative and before is not None and before.kind == "word" and before.plural and before.text not in PRONOUNS
+
+
+def _ends_subject(words: Sequence[Word], at: int) -> bool:
+    """Whether words before a place are a thing with its article and without a preposition: ``the bear what sits``."""
+    start = next((k for k in range(at - 2, max(-1, at - 5), -1) if text_at(words, k) in _ARTICLES), -1)
+    plain = start >= 0 and all(word.kind == "word" and word.text not in PREPOSITIONS for word in words[start:at])
+    return plain and text_at(words, start - 1) not in PREPOSITIONS
 
 
 def _supposed(words: Sequence[Word], at: int) -> int:

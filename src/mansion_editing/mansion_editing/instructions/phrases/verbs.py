@@ -23,6 +23,10 @@ _PARTICLES: Final = frozenset(["on", "off", "up", "down", "out", "over", "away"]
 """They belong to a verb as often as they begin a place."""
 
 
+_BEGIN_NAMES: Final = frozenset("hand power name flip swivel filing".split())
+"""Verbs that are the first words of names and that nobody gives an order with without an article."""
+
+
 def verb_at(words: Sequence[Word], at: int, lexicon: Lexicon) -> tuple[Deed, int] | None:
     """Return what the verb at a place asks for, and the place after it; None where there is no verb.
 
@@ -49,6 +53,8 @@ def _is_noun_here(words: Sequence[Word], at: int, lexicon: Lexicon) -> bool:
     if word.plural or word.genitive:
         return True
     following = words[at + 1] if at + 1 < len(words) else None
+    if following is not None and word.text in _BEGIN_NAMES and lexicon.is_called((word.text, following.text)):
+        return True
     if not (lexicon.is_object((word.text,)) or lexicon.is_own_room((word.text,)) or word.text in ("light", "open")):
         return False
     if following is None:

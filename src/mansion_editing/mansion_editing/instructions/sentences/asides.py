@@ -15,12 +15,14 @@ from mansion_editing.instructions.sentences.bystanding import (
     asks_for_nothing,
     asks_for_one_each,
     begins_with_state,
+    fills_gaps,
     is_exclamation,
     is_habit,
     is_purpose,
     is_regret,
     is_rhetorical,
     needs_the_space,
+    stands_wrong,
 )
 from mansion_editing.instructions.sentences.circumstances import is_circumstance
 from mansion_editing.instructions.sentences.progress import Progress
@@ -75,7 +77,7 @@ class Asides(Progress):
         self._read_sentence(words, marked=marked)
         if len(self.unknown) == len(first["unknown"]) or self.undecided:
             return
-        if asks_for_one_each(words) and self._once_each(words, first):
+        if (asks_for_one_each(words) and self._once_each(words, first)) or self._fills_gaps(words, first):
             return
         whole = self._so_far()
         listed = listed_in(self._reader(words))
@@ -85,13 +87,19 @@ class Asides(Progress):
             part, rest = words[start:end], [*words[:start], *words[end:]]
             before = start == 0
             staying = bool(rest) and not before and end == len(words) and self._reader(_trimmed(part)).says_what_stays()
+            if not before and end == len(words) and fills_gaps(_trimmed(part)):
+                self._go_back(first)
+                self._read_rest(_trimmed(rest), later, marked=marked, depth=depth)
+                if len(self.unknown) == len(first["unknown"]) and self._fills_gaps(_trimmed(part), self._so_far()):
+                    return
             if staying:
                 self._go_back(first)
                 self._read_sentence(_trimmed(rest), marked=marked)
                 self._read_sentence(_trimmed(part), marked=False)
                 if len(self.unknown) == len(first["unknown"]):
                     return
-            if not self._is_aside(part, followed=before and bool(rest or later), marked=marked):
+            wrong = self._stands_wrong(part, (rest or later) if before else [])
+            if not (wrong or self._is_aside(part, followed=before and bool(rest or later), marked=marked)):
                 continue
             self._go_back(first)
             if before and self._is_unclear(part, rest or later):
@@ -107,6 +115,12 @@ class Asides(Progress):
                     self._pass_over(part, later if end == len(words) else [])
                 return
         self._go_back(whole)
+
+    def _stands_wrong(self, words: Sequence[Word], later: Sequence[Word]) -> bool:
+        """Whether words only tell why something shall be turned or moved: ``it is the wrong way round``."""
+        subject = stands_wrong(_trimmed(words))
+        taken_up = any(word.text in ("it", "them") for word in later)
+        return bool(subject) and (taken_up or not (later or self._names_anything(subject[-1:])))
 
     def _with_subject(self, told: Sequence[Word], rest: Sequence[Word]) -> Sequence[Word]:
         """Return ``stays off`` after ``The shredder is broken`` with its subject."""
@@ -202,6 +216,23 @@ class Asides(Progress):
             return False
         ensured = Ensure(things=last.things, place=last.place, each=True, quote=last.quote)
         self.statements[-1:] = [ensured, Mention(quote=self._quote(words, 0, len(words)))]
+        return True
+
+    def _fills_gaps(self, words: Sequence[Word], first: dict[str, Any]) -> bool:
+        """Count what is there already in the request before: ``add one only where it is missing``."""
+        last = next((s for s in reversed(first["statements"]) if not isinstance(s, Mention)), None)
+        if not fills_gaps(words) or not isinstance(last, Add | Ensure):
+            return False
+        together = [s for s in first["statements"] if isinstance(s, Add | Ensure) and s.quote == last.quote]
+        one = "one" in {word.text for word in words}
+        for said in together:
+            counted = said.things.amount.kind == "some" and (said.each or isinstance(said, Ensure))
+            if not counted or (one and (said.things.amount.number != 1 or len(together) > 1)):
+                return False
+        self._go_back(first)
+        ensured = [Ensure(things=s.things, place=s.place, each=s.each, quote=s.quote) for s in together]
+        kept = [s for s in self.statements if s not in together]
+        self.statements[:] = [*kept, *ensured, Mention(quote=self._quote(words, 0, len(words)))]
         return True
 
     def _reader(self, words: Sequence[Word]) -> ClauseReader:

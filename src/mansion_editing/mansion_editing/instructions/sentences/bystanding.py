@@ -24,12 +24,14 @@ __all__ = [
     "asks_for_nothing",
     "asks_for_one_each",
     "begins_with_state",
+    "fills_gaps",
     "is_exclamation",
     "is_habit",
     "is_purpose",
     "is_regret",
     "is_rhetorical",
     "needs_the_space",
+    "stands_wrong",
 ]
 
 _ASKING: Final = MODALS | NEED | frozenset(
@@ -46,6 +48,12 @@ _LACKING: Final = frozenset("no none nothing not never without broken defective 
 _NOT_OURS: Final = frozenset("a an part my mine ours hers his theirs yours concerned affected involved".split())
 _OTHERS: Final = PEOPLE | frozenset("people nobody everyone everybody somebody child kid".split())
 _THOSE: Final = frozenset("it them those these that this".split())
+_FILLING: Final = frozenset("add put place give bring supply provide fill".split())
+_OF_GAPS: Final = _FILLING | frozenset(
+    "in up to one ones it them a new only just where wherever whatever what those that which is are be missing lacking "
+    "none not no yet still there have has do does the gap".split()
+)
+"""All words of a clause by which what is missing shall be filled in."""
 _CONTRACTED: Final = frozenset("isn't aren't wasn't weren't".split())
 _RESTING: Final = frozenset("stand sit lie hang rest live".split())
 _COUNTED: Final = frozenset("a an some any several".split())
@@ -178,6 +186,23 @@ def asks_for_one_each(words: Sequence[Word]) -> bool:
     return owner and has and (enough or (none and bool({"another", "second", "more", "one"} & set(after))))
 
 
+def fills_gaps(words: Sequence[Word]) -> bool:
+    """Whether words only say that what is missing shall be added: ``add one only where it is missing``."""
+    texts = [word.text for word in words if word.text not in COURTESIES | {",", "so", "then", "and", "."}]
+    texts = texts[1:] if texts[:1] in (["only"], ["just"]) else texts
+    if texts[:1] == [] or texts[0] not in _FILLING or not {*texts} <= _OF_GAPS:
+        return False
+    lacking = [at for at, text in enumerate(texts) if text in ("missing", "lacking", "none", "not", "no")]
+    where = next((at for at, text in enumerate(texts) if text.startswith(("wh", "that", "those"))), len(texts))
+    if len(lacking) != 1 or lacking[0] < where:
+        return texts == ["fill", "the", "gap"] or texts == ["fill", "in", "the", "gap"]
+    return texts[lacking[0]] not in ("not", "no") or texts[lacking[0] + 1 :] in (
+        ["have", "one"],
+        ["one"],
+        ["one", "yet"],
+    )
+
+
 def is_exclamation(words: Sequence[Word], lexicon: Lexicon) -> bool:
     """Whether words without a verb call something out that is no thing of the building: ``World cup final``."""
     words = _bare(words)
@@ -214,6 +239,22 @@ def is_regret(words: Sequence[Word]) -> bool:
     past = any(word.raw in _DONE or (word.raw.endswith("ed") and word.kind == "word") for word in done)
     before = set(texts[1:at])
     return past and before in ({"should", "never"}, {"should", "not"}, {"should", "really", "not"})
+
+
+_STANDING: Final = frozenset("is are was were stand look face point sit hang lie be".split())
+_WRONG: Final = frozenset("side way end direction place spot".split())
+
+
+def stands_wrong(words: Sequence[Word]) -> Sequence[Word]:
+    """Return the subject of ``the head end is on the wrong side``, ``it faces the wrong way``; empty for others."""
+    words = [word for word in _bare(words) if word.text not in ("now", "currently", "still", "round", "around")]
+    texts = [word.text for word in words]
+    at = texts.index("wrong") if "wrong" in texts else 0
+    verb = next((k for k in range(at - 1, 0, -1) if texts[k] in _STANDING), 0)
+    ends = texts[at + 1 : at + 2] and texts[at + 1] in _WRONG and len(texts) == at + 2
+    between = texts[verb + 1 : at] in (["the"], ["on", "the"], ["in", "the"], ["at", "the"], ["to", "the"])
+    plain = all(word.kind != "mark" for word in words) and not {*texts} & (MODALS | {"not", "no", "if", "and", "or"})
+    return words[:verb] if verb and ends and between and plain else []
 
 
 def needs_the_space(words: Sequence[Word]) -> bool:

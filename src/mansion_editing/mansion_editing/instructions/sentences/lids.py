@@ -13,6 +13,9 @@ _LIDS: Final = frozenset("door lid".split())
 _OPENING: Final = frozenset("open close shut leave keep".split())
 """Verbs of what a door or a lid shall be."""
 
+_LIFTED: Final = {"lift": "open", "raise": "open", "lower": "close"}
+"""Verbs of what a lid alone is opened and closed by."""
+
 _OF_ROOMS: Final = frozenset("to between from of into for behind in on at".split())
 """Words that tell which of a room's doors is meant."""
 
@@ -30,6 +33,7 @@ def opened_as_whole(words: Sequence[Word], before: Sequence[Word], lexicon: Lexi
     before : sequence of Word
         Those of the sentence before.
     """
+    words = [_opened(words, at) for at in range(len(words))]
     out: list[Word] = []
     at = 0
     while at < len(words):
@@ -47,6 +51,16 @@ def opened_as_whole(words: Sequence[Word], before: Sequence[Word], lexicon: Lexi
         out.append(word)
         at += 1
     return out
+
+
+def _opened(words: Sequence[Word], at: int) -> Word:
+    """Return ``open`` for the verb of ``lift the toilet lid``, any other word as it is."""
+    verb = _LIFTED.get(words[at].raw)
+    lid = next((k for k in range(at + 1, min(at + _LONGEST, len(words))) if words[k].text == "lid"), 0)
+    between = words[at + 1 : lid] if lid else []
+    plain = bool(between) and between[0].text in DETERMINERS and all(word.kind == "word" for word in between)
+    away = text_at(words, lid + 1) in ("off", "from", "onto", "out", "to")
+    return replace(words[at], text=verb) if verb is not None and plain and not away else words[at]
 
 
 def _opens(words: Sequence[Word], at: int, lexicon: Lexicon) -> bool:

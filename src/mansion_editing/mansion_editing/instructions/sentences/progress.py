@@ -12,6 +12,7 @@ from mansion_editing.instructions.phrases.storey_counts import counted_from_grou
 from mansion_editing.instructions.phrases.totals import totals_before
 from mansion_editing.instructions.phrases.verbs import verb_at
 from mansion_editing.instructions.phrases.words import Word, split_words
+from mansion_editing.instructions.sentences.bystanding import fills_gaps
 from mansion_editing.instructions.statements import Place, Statement, Things
 from mansion_editing.state import SceneState
 
@@ -40,6 +41,7 @@ class Progress:
         self.told: list[tuple[str, Place]] = []
         self.clause: list[Statement] = []
         self.scene: tuple[Things, ...] = ()
+        self.counted: tuple[Things, ...] = ()
         self.later: list[Word] = []
         self.whose: list[Word] = []
         self.is_last = False
@@ -58,4 +60,6 @@ class Progress:
         start = self.text.find(quote)
         at = next((k for k, word in enumerate(self.words) if word.start >= start), len(self.words))
         verb = verb_at(self.words, at, self.lexicon)
+        if fills_gaps([word for word in self.words[at:] if word.end <= start + len(quote)]):
+            return False
         return verb is not None and verb[0] not in ("leave", "keep", "make", "want")

@@ -25,6 +25,7 @@ from mansion_editing.instructions.sentences.headings import Headings
 from mansion_editing.instructions.sentences.lids import opened_as_whole
 from mansion_editing.instructions.sentences.owners import owners_named
 from mansion_editing.instructions.sentences.questions import read_question
+from mansion_editing.instructions.sentences.recounting import Recounting
 from mansion_editing.instructions.sentences.referring import Referring
 from mansion_editing.instructions.sentences.refinement import (
     adds_it,
@@ -90,7 +91,7 @@ def read_instruction(text: str, state: SceneState, brief: str = "") -> Instructi
     return _Reader(text, state, brief).read()
 
 
-class _Reader(Asides, Telling, Tails, Headings, Repeating, Referring, Depending, Correcting, SceneSetting):
+class _Reader(Asides, Telling, Tails, Headings, Repeating, Referring, Depending, Correcting, SceneSetting, Recounting):
     """Reads one instruction."""
 
     def read(self) -> Instruction:
@@ -177,7 +178,7 @@ class _Reader(Asides, Telling, Tails, Headings, Repeating, Referring, Depending,
             at = self._end_of_new_name(reader, at) or at
         if at >= len(words):
             return
-        told = 0 if marked else self._sets_scene(reader, at)
+        told = 0 if marked else self._tells_numbers(reader, at) or self._sets_scene(reader, at)
         if told:
             at = reader.skip(told)
         elif self._reads_scope(reader, at) or self._tells_of_person(reader, at):
@@ -271,6 +272,9 @@ class _Reader(Asides, Telling, Tails, Headings, Repeating, Referring, Depending,
         same = self._same_of_others(reader, words, at)
         if same is not None:
             return same
+        recounted = self._recounted(reader, words, at)
+        if recounted:
+            return recounted
         last = self.statements[-1] if self.statements else None
         if isinstance(last, Furnish) and must_contain(reader, at):
             try:

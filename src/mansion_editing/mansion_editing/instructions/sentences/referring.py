@@ -1,6 +1,6 @@
 """What ``it``, ``there`` and ``in there`` stand for, told from what the clauses before were about."""
 
-from typing import Any
+from typing import Any, Final
 
 import msgspec
 
@@ -23,6 +23,9 @@ from mansion_editing.instructions.statements import (
 )
 
 __all__ = ["Referring"]
+
+_PORTIONS: Final = {"roll": frozenset("paper towel foil tape".split()), "bar": frozenset(["soap", "chocolate"])}
+"""Pieces by which things are counted, and the last words of the names of those things."""
 
 
 class Referring(Progress):
@@ -75,6 +78,8 @@ class Referring(Progress):
             return statement
         topic = self.topic
         rooms = topic.place.rooms if topic.place is not None else None
+        if topic.amount.kind == "more" and rooms is not None and isinstance(statement, Add | Ensure | Move):
+            statement = _of_what_lacks(statement, topic, rooms)
         numbered = (
             isinstance(statement, Add | Ensure) and statement.things.refers == "last" and not statement.things.noun
         )
@@ -111,6 +116,18 @@ class Referring(Progress):
 
         changed: Statement = named(statement)
         return changed
+
+
+def _of_what_lacks(statement: Add | Ensure | Move, topic: Things, rooms: Rooms) -> Add | Ensure | Move:
+    """Return ``a roll on the toilet`` as the toilet paper that was told to be missing, in the room that lacks it."""
+    things, place = statement.things, statement.place
+    if things.noun in _PORTIONS and topic.noun.split()[-1] in _PORTIONS[things.noun]:
+        things = msgspec.structs.replace(things, noun=topic.noun, plural=things.plural)
+    bare = things.refers == "last" and not things.noun and not things.definite
+    if not (bare or things.noun == topic.noun) or place.anchor is None or place.anchor.refers:
+        return statement
+    where = place if place.rooms is not None else msgspec.structs.replace(place, rooms=rooms)
+    return msgspec.structs.replace(statement, things=things, place=where)
 
 
 def _is_bare_it(things: Things | None, *, many: bool = False) -> bool:

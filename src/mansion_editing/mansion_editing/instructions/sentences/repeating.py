@@ -93,7 +93,7 @@ class Repeating(Progress):
             covered = self._surface_too(reader, words, at, last)
             if covered is not None:
                 return covered
-        there_too = self._same_there(reader, words, at)
+        there_too = self._same_there(reader, words, at) or self._none_there(reader, words, at)
         if there_too is not None:
             return there_too
         if not isinstance(last, SetState | Remove | Paint | Turn | Replace) or at == 0 or reader.starts_clause(at):
@@ -141,6 +141,29 @@ class Repeating(Progress):
         counted = last.things.amount.number > 0 and not last.things.definite
         plain = place.anchor is None and place.rooms is not None and bool(place.rooms.words) and not place.outside
         if not plain or counted or last.things.beside or (end < len(words) and words[end].kind != "mark"):
+            return None
+        there = msgspec.structs.replace(last.things, place=place)
+        self.statements.append(msgspec.structs.replace(last, things=there, quote=self._quote(words, at, end)))
+        return end
+
+    def _none_there(self, reader: ClauseReader, words: Sequence[Word], at: int) -> int | None:
+        """Read ``and none in the dining room either`` after ``No knives in the kitchen``."""
+        last = self.statements[-1] if self.statements else None
+        denied = isinstance(last, Remove) and "no" in last.quote.lower().split() and last.things.amount.kind == "all"
+        if not isinstance(last, Remove) or not denied or at == 0 or reader.text(at) != "none":
+            return None
+        if last.things.definite or last.things.beside or not last.things.noun or self._begins_with_order(last.quote):
+            return None
+        places, end = reader.places(at + 1)
+        place, each = joined_places(places)
+        end += reader.text(end) in ("either", "too")
+        told = bool(places) and not place.outside and not any(read.source or read.goal for read in places)
+        if (
+            not told
+            or each
+            or words[at - 1].text not in ("and", ",")
+            or (end < len(words) and words[end].kind != "mark")
+        ):
             return None
         there = msgspec.structs.replace(last.things, place=place)
         self.statements.append(msgspec.structs.replace(last, things=there, quote=self._quote(words, at, end)))

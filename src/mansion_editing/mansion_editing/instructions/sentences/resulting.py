@@ -5,9 +5,10 @@ from typing import Final, Literal, TypeAlias
 import msgspec
 
 from mansion_editing.instructions.clauses.reader import ClauseReader
+from mansion_editing.instructions.phrases.places import with_place
 from mansion_editing.instructions.phrases.words import BE, MODALS, STATE_WORDS
 from mansion_editing.instructions.sentences.progress import Progress
-from mansion_editing.instructions.statements import Add, Amount, Ensure, Move, Replace, SetState, Things
+from mansion_editing.instructions.statements import Add, Amount, Ensure, Move, Place, Replace, SetState, Things
 
 __all__ = ["Resulting"]
 
@@ -68,10 +69,22 @@ class Resulting(Progress):
         """Read ``with the lid open`` and ``, its door shut`` after what is put somewhere."""
         start = at + (reader.text(at) == ",")
         own = start + (reader.text(start) == "with")
-        named = own > at and reader.text(own) in _OWN and reader.text(own + 1) in _LIDS
-        states, end = _states_at(reader, own + 2) if named else ([], at)
+        part = own + (reader.text(own) in _OWN)
+        named = own > at and reader.text(part) in _LIDS
+        states, end = _states_at(reader, part + 1) if named else ([], at)
         if len(states) != 1 or states[0][0] != "open":
             return 0
+        last = self.clause[-1] if self.clause else None
+        holder = last.place.anchor if isinstance(last, Add | Ensure | Move) and last.place.relation == "in" else None
+        if reader.text(part) == "door" and holder is not None and not holder.plural and not holder.each:
+            noun = last.things.noun if isinstance(last, Add | Ensure | Move) else ""
+            if holder.refers and self.lexicon.takes_state(tuple(noun.split()), "open"):
+                return 0  # "it" would mean the thing that was put there
+            quote = self._quote(reader.words, start, end)
+            whole = last.place.rooms if isinstance(last, Add | Ensure | Move) else None
+            things = holder if whole is None else with_place(holder, Place(rooms=whole))
+            self.clause = [*self.clause, SetState(things=things, state="open", value=states[0][1], quote=quote)]
+            return end
         return end if self._tell(reader, states, at, end) else 0
 
     def _tell(self, reader: ClauseReader, states: list[_State], at: int, end: int) -> bool:

@@ -1,0 +1,81 @@
+"""Read what a room is by the building that it stands in: "40 rooms" of a hotel, the cabin of a director."""
+
+from dataclasses import replace
+
+from mansion_planner.brief.building import is_compound
+from mansion_planner.brief.phrase import Phrase
+from mansion_planner.brief.reading import Reading
+from mansion_planner.brief.similarity import HEAD_TYPES, elliptic_room_type, similar_room_type
+
+__all__ = ["room_for_building"]
+
+
+def room_for_building(reading: Reading, phrase: Phrase) -> Phrase:
+    """Return a phrase with the room that it names in a building of the kind that the brief is about.
+
+    "40 rooms" in a hotel, hospital or dormitory are the rooms that it is for; elsewhere they stay unread.
+    """
+    if phrase.name == "cabin" and phrase.plural and phrase.counted and phrase.building:
+        return replace(phrase, head="room", building="", room_type=HEAD_TYPES["cabin"], known=False)
+    facts = reading.facts
+    kind = facts.building[0][0] if facts.building else facts.building_like
+    record = reading.knowledge.buildings.get(kind)
+    family, like = (record.family, record.like) if record is not None else ("", "")
+    itself = reading.tokens[phrase.begin].start in {span.start for _, span in facts.building if span.words}
+    own = None if itself else _by_family(reading, phrase, family)
+    if own is not None:
+        return own
+    if phrase.head == "building" and not phrase.room_type:
+        return replace(phrase, room_type=similar_room_type(phrase.name, reading.knowledge), known=False)
+    if phrase.head == "building" and phrase.counted and phrase.plural and is_compound(reading, phrase):
+        return replace(phrase, known=False)
+    if phrase.name.split("_")[0] == "hall" and phrase.room_type == "hallway" and sum(phrase.areas[:1]) >= 40.0:
+        return replace(phrase, room_type="assembly_hall")
+    if phrase.head != "room" or phrase.name not in ("room", "guest_room") or not phrase.counted:
+        return phrase
+    room = _PLAIN.get(kind) or _PLAIN.get(like)
+    if room is not None:
+        return replace(phrase, room_type=room, known=True)
+    if phrase.name != "room":
+        return phrase
+    reading.taken.difference_update(range(phrase.first, phrase.last))
+    return replace(phrase, head="unknown")
+
+
+def _by_family(reading: Reading, phrase: Phrase, family: str) -> Phrase | None:
+    """Return a room as the kind that it is in a family of buildings; nothing where the family makes no difference."""
+    words = phrase.name.split("_")
+    if phrase.building and phrase.head in ("room", "building") and words[0] != words[-1]:
+        if words[-1] == "cabin" and family and family not in _DWELT_IN:
+            kind = elliptic_room_type(tuple(words[:-1]), reading.knowledge) or "private_office"
+            return replace(phrase, head="room", building="", room_type=kind, known=True)
+        if words[-1] == "station" and phrase.building == "train_station" and not phrase.plural:
+            return replace(phrase, head="room", building="", room_type=HEAD_TYPES["station"], known=False)
+    if phrase.room_type == "studio_apartment" and words[-1] == "studio" and family in _WORKING:
+        told = reading.word(phrase.last) == "for" and reading.kind(phrase.last + 1) == "word"
+        desks = family == "office" and len(words) == 1 and not told  # "a studio for podcasts"
+        studio = "open_office" if desks else HEAD_TYPES["studio"]
+        # nobody lives in a dance school
+        return replace(phrase, head="room", building="", room_type=studio, known=False)
+    if family == "home" and phrase.room_type == HEAD_TYPES["chamber"] and phrase.name == "chamber":
+        return replace(phrase, room_type="bedroom", known=True)
+    if family == "industry" and phrase.room_type == "assembly_hall" and words[0] == "assembly":
+        return replace(phrase, room_type="production_hall")
+    if phrase.name == "student_room" and not phrase.counted and not phrase.plural and family in _WORKING:
+        return replace(phrase, room_type="study_room", known=False)
+    return None
+
+
+_DWELT_IN = frozenset({"home", "lodging"})
+"""Families of buildings whose cabins are to sleep in."""
+
+_WORKING = frozenset({"office", "industry", "education", "culture", "sport", "retail"})
+"""Families of buildings whose studios are to work in."""
+
+_PLAIN = {
+    "hotel": "hotel_room",
+    "hospital": "patient_room",
+    "hostel": "hostel_dorm",
+    "student_dormitory": "dorm_room",
+    "nursing_home": "resident_room",
+}
