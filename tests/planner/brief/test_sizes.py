@@ -73,6 +73,9 @@ def test_a_size_without_a_room_is_told() -> None:
     [
         ("office; storeys: 4; gross area: 2,200 m2", 2200, None),
         ("office; GFA: 2,200 m2; 4 storeys", 2200, None),
+        ("An apartment of Paris with 62 m2, on one level", 62, None),
+        ("A house in Berlin of 120 m2", 120, None),
+        ("A faculty with four floors and a basement, 3600 m2 without the basement", 3600, None),
         ("A mall with 3 floors, total construction area is about 6,000 m2", 6000, None),
         ("A house, built area: 180 m2, two floors", 180, None),
         ("Office building. Gross floor area: 2,200 m2. Storeys: 4.", 2200, None),
@@ -87,3 +90,14 @@ def test_gross_area_is_the_buildings_and_no_room(text: str, whole: float | None,
     assert [fact.value for fact in facts.floor_area] == ([each] if each else [])
     assert facts.rooms == []
     assert not any(span.words.lower() in ("gfa", "area", "gross") for span in facts.unread)
+
+
+def test_the_town_of_a_building_is_no_room() -> None:
+    assert not read_brief("A school near Milan with 800 m2, two floors.", default_knowledge()).rooms
+
+
+def test_an_area_without_the_basement_leaves_the_basement_wanted() -> None:
+    text = "A faculty with four floors and a basement, 3600 m2 without the basement."
+    facts = read_brief(text, default_knowledge())
+    assert not facts.excluded
+    assert [quantity.value for quantity in facts.basements] == [1]

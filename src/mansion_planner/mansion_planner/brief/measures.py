@@ -355,7 +355,9 @@ def _of_unread_noun(reading: Reading, measure: Measure, phrases: list[Phrase]) -
     if _is_of_each(reading, measure):
         return True
     sentence = reading.sentence[measure.first]
-    rooms = any(p.head == "room" and reading.sentence[p.first] == sentence and p.last < measure.first for p in phrases)
+    before = [p for p in phrases if reading.sentence[p.first] == sentence and p.last < measure.first]
+    dwelling = [p for p in before if p.building == "flat" and _is_building(reading, p)]  # a flat may be a room too
+    rooms = any(p.head == "room" and p not in dwelling for p in before)
     if sentence == 0 and not rooms and not reading.facts.area:
         return False
     if not _TOTALS.isdisjoint(_after(reading, measure, 3)):

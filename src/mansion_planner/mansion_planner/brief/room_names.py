@@ -291,7 +291,12 @@ class _Entry:
             return False
         if not self._measured and (not self._is_listed() or self._goes_on_furniture()):
             return False
-        return not self._is_content() and not self._is_no_name()
+        return not self._is_content() and not self._is_no_name() and not self._is_where_it_stands()
+
+    def _is_where_it_stands(self) -> bool:
+        """Whether they name the town of the building rather than a room: "a house in Berlin of 120 m2"."""
+        first = self.reading.tokens[self.begin]
+        return first.capital and self._before in ("in", "of", "near", "at", "from") and not self._headed
 
     @property
     def _before(self) -> str:

@@ -508,8 +508,18 @@ class StoreyCounts:
             return 0
         first = before if before > index - 8 else index
         last = last + 2 if after else index + 1
+        if self._is_left_out_of_area(first, index):
+            reading.take(first, last)
+            return last
         reading.facts.excluded.append(("basement", reading.span(first, last)))
         return last
+
+    def _is_left_out_of_area(self, first: int, index: int) -> bool:
+        """Whether an area only does not count a basement that the brief has: "3600 m2 without the basement"."""
+        reading = self.reading
+        area = first - 1 - (reading.word(first - 1) in ("(", ","))
+        others = any(token.text in ("basement", "cellar") for n, token in enumerate(reading.tokens) if n != index)
+        return others and reading.kind(area) == "unit"
 
 
 def settle_counts(reading: Reading) -> None:
