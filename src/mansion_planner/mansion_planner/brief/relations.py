@@ -510,7 +510,9 @@ def _right(reading: Reading, phrases: list[Phrase], rooms: list[int], last: int)
 def _between(reading: Reading, phrases: list[Phrase], rooms: list[int], index: int) -> tuple[Relation, int] | None:
     alone = reading.word(index - 1) == "in" and (reading.breaks(index + 1) or reading.word(index + 1) in (",", ")"))
     if alone or reading.word(index + 1) == "them" or reading.words(index + 1, index + 3) == ("the", "two"):
-        last = index + 2 - alone + (reading.word(index + 2) == "two" and not alone)
+        unread = reading.kind(index + 3) == "word" and index + 3 not in reading.taken
+        elided = reading.word(index + 2) == "two" and not (unread and reading.word(index + 3) not in FUNCTION_WORDS)
+        last = index + 2 - alone + (elided and not alone)
         return _between_them(phrases, [n for n in rooms if phrases[n].last <= index], index, last)
     following = _in_sentence(reading, phrases, rooms, index, before=False)[:2]
     before = _in_sentence(reading, phrases, rooms, index, before=True)
