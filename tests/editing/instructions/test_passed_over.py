@@ -27,6 +27,7 @@ def _statements(text: str, state: SceneState) -> list[Statement]:
         "What is a chair doing in here?!",
         "The dining table isn't hers.",
         "The chairs in the hall have been repaired.",
+        "The air becomes bad.",
     ],
 )
 def test_what_asks_for_nothing_is_passed_over(furnished_state: SceneState, aside: str) -> None:
@@ -43,6 +44,8 @@ def test_what_asks_for_nothing_is_passed_over(furnished_state: SceneState, aside
         "Every table carries exactly one candle.",
         "The plant moves to the study.",
         "The sofa no longer fits.",
+        "The study becomes a library.",
+        "The kitchen becomes a movement room.",
         "Ten chairs!",
         "Lights!",
         "The table fits well and remove the plates",

@@ -31,6 +31,21 @@ def test_collecting_things_from_furniture_takes_them_away(furnished_state: Scene
     assert isinstance(gone, Remove) and gone.things.noun == "mug"
 
 
+def test_what_is_thrown_out_of_furniture_goes(furnished_state: SceneState) -> None:
+    (gone,) = _asked("throw both mugs out of the cabinet in the kitchen", furnished_state)
+    assert isinstance(gone, Remove) and gone.things.noun == "mug"
+    (moved,) = _asked("throw the mug out of the cabinet into the sink", furnished_state)
+    assert isinstance(moved, Move)
+
+
+def test_what_a_list_comes_from_is_nothing_of_the_list(furnished_state: SceneState) -> None:
+    for text in ("remove all tables and all chairs from it", "remove the desk and the chairs from it"):
+        for gone in _asked(text, furnished_state):
+            assert isinstance(gone, Remove) and gone.things.place is not None
+            anchor = gone.things.place.anchor
+            assert anchor is not None and anchor.refers == "last" and not anchor.noun
+
+
 def test_what_is_taken_out_is_put_without_being_named_again(furnished_state: SceneState) -> None:
     (move,) = _asked(
         "take 2 mugs out from the cabinet in the kitchen and put on the desk in the study", furnished_state

@@ -296,6 +296,8 @@ class Sentence(ABC):
         anchor = item.places[0].place.anchor
         if anchor is None or anchor.refers != "last" or anchor.noun:
             return item
+        if self.text(item.places[0].start) == "from" or (last.phrase.noun.plural and not anchor.plural):
+            return item  # "all desks and all chairs from it"
         words = last.phrase.noun.words
         general = " ".join(words) in HYPERNYMS and not self.lexicon.stands(words)
         holds = not (general or self.lexicon.lies_beside_others(words))

@@ -90,9 +90,14 @@ class Taking(Adding, Removing):
         return places[0].place.anchor is not None and all(rooms) and all(inner)
 
     def _throw(self, at: int, place: int) -> tuple[list[Statement], int]:
-        """Read ``throw the newspaper away``, ``throw it in the rubbish``, ``throw a blanket over the armchair``."""
-        end = self.items(place)[-1].end
-        return self._remove(at, place) if self._rubbish(end) or self.text(end) in AWAY else self._add(at, place)
+        """Read ``throw the newspaper away``, ``throw it in the rubbish``, ``throw a blanket over the armchair``.
+
+        What is thrown out of something, without a goal, goes away.
+        """
+        last = self.items(place)[-1]
+        out = any(p.source for p in last.places) and not any(p.goal and not p.source for p in last.places)
+        gone = out or self._rubbish(last.end) or self.text(last.end) in AWAY
+        return self._remove(at, place) if gone else self._add(at, place)
 
     def _taken_and_put(self, at: int, items: list[Item], after: int) -> tuple[list[Statement], int]:
         """Read ``take the cup and the glass out of the cabinet and set them on the table``: each of them moves."""

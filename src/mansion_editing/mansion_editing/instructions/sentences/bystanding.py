@@ -1,5 +1,6 @@
 """Clauses beside a request that ask for nothing themselves: how something is or was, an exclamation, a purpose."""
 
+import itertools
 from collections.abc import Sequence
 from typing import Final
 
@@ -32,6 +33,7 @@ __all__ = [
     "is_rhetorical",
     "needs_the_space",
     "stands_wrong",
+    "tells_what_becomes",
 ]
 
 _ASKING: Final = MODALS | NEED | frozenset(
@@ -81,6 +83,7 @@ def asks_for_nothing(words: Sequence[Word], lexicon: Lexicon, *, followed: bool)
     plenty = texts[verb] in _HAVING and ("enough" in texts or "plenty" in texts)
     asking = bool(set(texts) & (_ASKING - {"enough"} if plenty else _ASKING))
     asking = asking or any(word.raw.endswith("'d") for word in words)
+    asking = asking or tells_what_becomes(words)
     if asking or (set(texts) & _LACKING and not followed and not _denies_kind(texts, verb)):
         return False
     if any(word.kind in ("number", "ordinal", "unit") for word in words[verb:]):
@@ -96,6 +99,12 @@ def _bare(words: Sequence[Word]) -> Sequence[Word]:
     while end > start and words[end - 1].kind == "mark":
         end -= 1
     return words[start:end]
+
+
+def tells_what_becomes(words: Sequence[Word]) -> bool:
+    """Whether words ask for another room or thing: ``the hall becomes an office``, but not ``the air becomes bad``."""
+    texts = [word.text for word in words]
+    return any(first == "become" and second in ("a", "an", "the", "our") for first, second in itertools.pairwise(texts))
 
 
 def _denies_kind(texts: Sequence[str], verb: int) -> bool:

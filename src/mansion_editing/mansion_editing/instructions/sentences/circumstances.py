@@ -24,6 +24,7 @@ from mansion_editing.instructions.phrases.words import (
     STATE_WORDS,
     Word,
 )
+from mansion_editing.instructions.sentences.bystanding import tells_what_becomes
 from mansion_language.colours import COLOUR_WORDS
 
 __all__ = ["is_circumstance"]
@@ -103,7 +104,7 @@ def is_circumstance(words: Sequence[Word], lexicon: Lexicon, *, followed: bool) 
         return False
     if any(word.text in _OBLIGING or word.text in COLOUR_WORDS for word in words):
         return False
-    if any(word.kind == "mark" and word.text != "-" for word in words):
+    if any(word.kind == "mark" and word.text != "-" for word in words) or tells_what_becomes(words):
         return False
     if texts[0] in _DEPARTMENTS and len(words) > 2 and not _names(words[1:], lexicon):
         return _verb_of(words, lexicon) == 1
