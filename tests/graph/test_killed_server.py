@@ -38,13 +38,13 @@ def start():
 
 def outcome(client, service):
     try:
-        return client.call(service, {"description": "a flat"} if service == "plan_program" else None)
+        return client.call(service, {"description": "a flat"} if service == "plan_program" else None, wait=30.0)
     except MansionError as error:
         return error.info.message
 
 server, outcomes = start(), {}
 server.stdout.readline()
-with MansionClient(timeout=100.0) as client:
+with MansionClient(timeout=400.0) as client:
     for service in ("plan_program", "once"):
         client.call(service, {"description": "a flat"} if service == "plan_program" else None, wait=20.0)
         server.kill()
@@ -66,7 +66,7 @@ def test_a_call_to_a_killed_node_does_not_wait_out_its_timeout() -> None:
         "PYTHONPATH": os.pathsep.join(sys.path),
     }
     done = subprocess.run(
-        [sys.executable, "-c", CALLER, SERVER], env=environment, capture_output=True, text=True, timeout=60
+        [sys.executable, "-c", CALLER, SERVER], env=environment, capture_output=True, text=True, timeout=240
     )
     assert done.returncode == 0, done.stderr
     served = {"done": True}

@@ -152,11 +152,12 @@ class MansionClient(Closing):
 
         Notes
         -----
-        Discovery knows a killed node for some seconds more. A call that went to one is made again, of the node that
-        took its place, where the table says that it is repeatable.
+        Discovery knows a killed node for some seconds more. No request is sent where only nodes are known whose
+        processes have ended. A call during which its node ends is made again, of the node that takes its place, where
+        the table says that it is repeatable.
         """
         client = self._client(name, arguments)
-        if not _becomes(client.service_is_ready, wait):
+        if not self._becomes_served(client, wait):
             raise self._unserved(str(client.service_name))
         request = client.srv_type.Request()
         if client.srv_type is JsonCall:
