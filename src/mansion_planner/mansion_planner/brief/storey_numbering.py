@@ -24,8 +24,7 @@ def counts_from_ground(reading: Reading) -> bool:
     if ground and _counts_ground_apart(reading):
         return True
     named = [*_named_by_ordinals(reading), *_elliptic_ordinals(reading)]
-    first = 1 in named or _lists_first(reading)
-    if not ground or not first or ("second", "storey") in pairs:
+    if not ground or 1 not in named or ("second", "storey") in pairs:
         return False
     stated = _stated_numbers(reading)
     return not (stated and max(stated) == max(named))
@@ -64,19 +63,6 @@ def _elliptic_ordinals(reading: Reading) -> list[int]:
         if placed or (reading.starts(index) and reading.word(index + 1) == ":"):
             found.append(int(token.value))
     return found
-
-
-def _lists_first(reading: Reading) -> bool:
-    """Whether the first storey leads others with one noun for all: "the first and second floors"."""
-    for index, token in enumerate(reading.tokens):
-        if token.kind != "ordinal" or token.value != 1 or reading.word(index - 1) != "the":
-            continue
-        last = index + 1
-        while reading.word(last) in (",", "and", "&") or reading.kind(last) == "ordinal":
-            last += 1
-        if last > index + 2 and reading.word(last) in FLOOR_WORDS:
-            return True
-    return False
 
 
 def counts_above_ground(reading: Reading) -> bool:
