@@ -27,8 +27,9 @@ from mansion_planner.program.model import (
     touching,
 )
 from mansion_planner.program.outline import Envelope, Frame, envelope_of
-from mansion_planner.program.plan_quality import comes_out_as_strips
+from mansion_planner.program.plan_quality import comes_out_as_strips, shallow_garages, shrunk_rooms, strips
 from mansion_planner.program.public_toilets import with_public_toilets
+from mansion_planner.program.setbacks import set_back
 from mansion_planner.program.storey_forms import capacity, sketched
 from mansion_planner.program.storey_rooms import Allocation, fill_storey, fit_areas, hub_area, name_rooms
 
@@ -61,23 +62,36 @@ _AREA_MISSED = 3
 def best_arrangement(
     decisions: Decisions, wish: MassingWish, storeys: Sequence[Storey], allocation: Allocation, knowledge: KnowledgeBase
 ) -> Arrangement:
-    """Lay the building out; when rooms lack a door's wall or wished neighbours stay apart, try other proportions."""
-    best: tuple[int, Arrangement] | None = None
+    """Lay the building out; when rooms lack a door's wall, wished neighbours or good proportions, try other depths."""
+    best: tuple[tuple[int, int, int], Arrangement] | None = None
     attempts = 6 if decisions.outline is None and not decisions.free_form else 1
     for attempt in range(attempts):
         growth = 1.0 if decisions.area_stated else 1.0 + 0.03 * attempt
         generator = item_generator(decisions.seed, "massing", attempt)
         varied = replace(wish, area=wish.area * growth, variant=attempt)
         massing = _massing(decisions, varied, generator)
-        layout = _arranged(decisions, massing, storeys, allocation, knowledge, generator)
-        missed = _missed(decisions, wish, layout)
-        if best is None or missed < best[0]:
-            best = (missed, layout)
-        if missed == 0:
+        shaped = set_back(decisions, massing, storeys, allocation, knowledge)
+        layout = _arranged(decisions, massing, shaped, allocation, knowledge, generator)
+        price = (_missed(decisions, wish, layout), *_ill_shaped(layout))
+        if best is None or price < best[0]:
+            best = (price, layout)
+        if not any(price):
             break
     assert best is not None
     layout = _deep_where_it_suits(decisions, wish, best[1], allocation, knowledge)
     return _loosened_where_missed(decisions, layout)
+
+
+def _own_sketches(layout: Arrangement) -> list[Sketch]:
+    """Return the sketches of the storeys that copy no other."""
+    return [layout.sketches[storey.index] for storey in layout.storeys if storey.copy is None]
+
+
+def _ill_shaped(layout: Arrangement) -> tuple[int, int]:
+    """Count the garages that are too shallow for their cars, and the rooms that are long and narrow or too small."""
+    own = _own_sketches(layout)
+    narrow = sum(len(strips(sketch)) + len(shrunk_rooms(sketch)) for sketch in own)
+    return sum(len(shallow_garages(sketch)) for sketch in own), narrow
 
 
 _DEEP_FROM = 450.0
@@ -101,9 +115,10 @@ def _deep_where_it_suits(
 ) -> Arrangement:
     """Return the arrangement along parallel corridors where rooms along one are strips, and fewer are so then."""
     facts, massing = decisions.facts, layout.massing
-    own = [layout.sketches[storey.index] for storey in layout.storeys if storey.copy is None]
+    own = _own_sketches(layout)
     if (
-        decisions.free_form or massing.hall or massing.wings or facts.setback or facts.protruding
+        decisions.free_form or massing.hall or massing.wings
+        or any(storey.setback or storey.extension for storey in layout.storeys)
         or gross_area(massing) < _DEEP_FROM or not any(comes_out_as_strips(sketch) for sketch in own)
     ):  # fmt: skip
         return layout
@@ -123,13 +138,13 @@ def _deep_where_it_suits(
 
 def _price(decisions: Decisions, wish: MassingWish, layout: Arrangement) -> float:
     """Return what an arrangement does not give and what is wrong with its rooms."""
-    own = [layout.sketches[storey.index] for storey in layout.storeys if storey.copy is None]
+    own = _own_sketches(layout)
     return 5.0 * _missed(decisions, wish, layout) + sum(plan_price(sketch, layout.massing) for sketch in own)
 
 
 def _missed(decisions: Decisions, wish: MassingWish, layout: Arrangement) -> int:
     """Count what an arrangement does not give."""
-    own = [layout.sketches[storey.index] for storey in layout.storeys if storey.copy is None]
+    own = _own_sketches(layout)
     missed = sum(len(apart_pairs(decisions, storey, layout.sketches[storey.index])) for storey in layout.storeys)
     missed += sum(len(short_edges(sketch)) + misses_areas(sketch) for sketch in own)
     missed += sum(len(joined_pairs(sketch, unwanted_pairs(decisions))) for sketch in own)

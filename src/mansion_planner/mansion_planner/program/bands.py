@@ -6,6 +6,7 @@ import msgspec
 
 from mansion_knowledge.norms import load_norms
 from mansion_planner.program.model import Box, Massing, PlannedRoom, Wing
+from mansion_planner.program.plan_quality import STRIP
 
 __all__ = [
     "Block",
@@ -104,7 +105,7 @@ def _front_depth(area: float, depth: float) -> float:
 
 def group_blocks(rooms: Sequence[PlannedRoom], depth: float, pairs: Sequence[tuple[str, str]]) -> list[Block]:
     """Give each room that is too small for a band of `depth` to a larger neighbour as its front corner."""
-    narrow = [room for room in rooms if not room.suite and room.area / depth < 1.9]
+    narrow = [room for room in rooms if not room.suite and _is_narrow(room, depth)]
     narrow.sort(key=lambda room: -room.area)
     blocks = [Block(room) for room in rooms if not any(room is other for other in narrow)]
     for room in narrow:
@@ -112,7 +113,9 @@ def group_blocks(rooms: Sequence[PlannedRoom], depth: float, pairs: Sequence[tup
         hosts = [
             number
             for number, block in enumerate(blocks)
-            if not block.host.suite and len(block.smalls) < 3 and _spare_front(block, depth) >= width + 1.9
+            if not block.host.suite
+            and len(block.smalls) < 3
+            and _spare_front(block, depth) + room.area / depth >= width + _HOST_FRONT
         ]
         if hosts:
             best = max(hosts, key=lambda number: _fit(blocks[number], room, depth, pairs))
@@ -120,6 +123,19 @@ def group_blocks(rooms: Sequence[PlannedRoom], depth: float, pairs: Sequence[tup
         else:
             blocks.append(Block(room))
     return blocks
+
+
+_NARROW = 1.9
+"""Width below which a room is too narrow for the whole depth of a band, metres."""
+
+_HOST_FRONT = 1.6
+"""Least front of a room beside the small ones in its corner, metres."""
+
+
+def _is_narrow(room: PlannedRoom, depth: float) -> bool:
+    """Whether a room of a band's whole depth is too narrow; one that wants no window need not reach the outer wall."""
+    width = room.area / depth
+    return width < _NARROW or (not room.kind.daylight and width < depth / STRIP)
 
 
 def _spare_front(block: Block, depth: float) -> float:

@@ -26,6 +26,7 @@ from mansion_planner.program.decisions import Decisions, decide
 from mansion_planner.program.massing import MassingWish, choose_shape, storey_area, typical_room, vertical_method
 from mansion_planner.program.model import CoreWish, Massing, Sketch, Storey, aliases_of
 from mansion_planner.program.outline import Envelope, Frame, bearing_walls
+from mansion_planner.program.setbacks import setback_record
 from mansion_planner.program.stair_sizes import stair_size, storey_height
 from mansion_planner.program.step_record import Record
 from mansion_planner.program.storey_rooms import allocate
@@ -73,7 +74,15 @@ def plan_program(
     )  # fmt: skip
     layout = best_arrangement(decisions, wish, bare, allocation, knowledge)
     unmet = (u for s in layout.storeys for u in unmet_neighbours(decisions, s, layout.sketches[s.index]))
-    record = of_storeys + of_rooms + of_area + of_shape + Record((TraceEntry(words="", effect=why),), tuple(unmet))
+    of_setbacks = setback_record(decisions, layout.storeys)
+    record = (
+        of_storeys
+        + of_rooms
+        + of_area
+        + of_shape
+        + of_setbacks
+        + Record((TraceEntry(words="", effect=why),), tuple(unmet))
+    )
     decisions = replace(
         decisions,
         trace=[*decisions.trace, *record.trace],

@@ -17,7 +17,7 @@ from mansion_planner.program.decisions import AREA_CAP, Decisions, conflict, not
 from mansion_planner.program.exit_stairs import second_stair
 from mansion_planner.program.model import LIFT, CoreBox, CoreWish, Massing, Storey, Wing
 from mansion_planner.program.step_record import Record
-from mansion_planner.program.storey_rooms import Allocation, base_rooms, hub_area
+from mansion_planner.program.storey_rooms import Allocation, base_rooms, hub_area, listed_area
 from mansion_planner.program.storeys import entries_of, is_hall
 
 __all__ = [
@@ -174,14 +174,8 @@ def _typical(
     """What a storey's own list and the rooms asked for take at their usual sizes."""
     most = 0.0
     for storey in storeys:
-        total = sum(room.gross for room in base_rooms(storey, allocation, knowledge))
-        if is_hall(decisions):
-            total += 1.3 * storey.hub.usual
-        for entry in entries_of(storey):
-            if not allocation.adds(entry.room_type, storey.index) or entry.repeat:
-                continue
-            total += entry.count * allocation.added(entry, knowledge).gross
-        most = max(most, total)
+        hub = 1.3 * storey.hub.usual if is_hall(decisions) else 0.0
+        most = max(most, listed_area(storey, allocation, knowledge) + hub)
     return (most + fixed) / (1.0 - share)
 
 
@@ -288,7 +282,7 @@ def _bands(wish: MassingWish) -> list[tuple[float, float, float]]:
         side = math.sqrt(area / 1.35)
         return [(0.0, float(d), 0.0) for d in _around(side, 4 if not cores.stairs else 6)]
     if cores.stairs and cores.domestic:
-        depth = min(max(math.sqrt(area / 1.4), 7.0), 14.0)
+        depth = min(max(math.sqrt(area / 1.4), 7.0), 11.5)
         return [_domestic_bands(d, corridor, stair) for d in _around(depth, 7, 14)]
     if cores.stairs and area >= 150:
         south = min(max(math.sqrt(1.35 * wish.room), 4.0), 8.0)

@@ -2,7 +2,7 @@
 
 from mansion_planner.program.model import Box, Massing, Placement, Sketch
 
-__all__ = ["STRIP", "aspect", "comes_out_as_strips", "dark_rooms", "strips"]
+__all__ = ["STRIP", "aspect", "comes_out_as_strips", "dark_rooms", "shallow_garages", "shrunk_rooms", "strips"]
 
 STRIP = 3.0
 """Long side of a room to its short one from which it is a strip."""
@@ -15,15 +15,39 @@ _LEAST_OUTER_WALL = 1.0
 
 def aspect(boxes: list[Box]) -> float:
     """Return the long side to the short one of the rectangle around a room; infinity where it has no floor."""
+    short, long = _sides(boxes)
+    return long / short if short > 0.01 else float("inf")
+
+
+def _sides(boxes: list[Box]) -> list[float]:
+    """Return the sides of the rectangle around a room, the short one first."""
     wide = max(box[2] for box in boxes) - min(box[0] for box in boxes)
     high = max(box[3] for box in boxes) - min(box[1] for box in boxes)
-    short, long = sorted((wide, high))
-    return long / short if short > 0.01 else float("inf")
+    return sorted((wide, high))
 
 
 def strips(sketch: Sketch) -> list[Placement]:
     """Return the rooms of a sketch that are long and narrow."""
     return [placement for placement in sketch.rooms if placement.boxes and aspect(placement.boxes) > STRIP]
+
+
+_TWO_CARS, _CAR = 30.0, 5.2
+"""From so many square metres on a garage is for cars side by side, and so many metres deep for them."""
+
+
+def shallow_garages(sketch: Sketch) -> list[Placement]:
+    """Return the garages of a sketch that are too shallow for cars side by side."""
+    garages = [placement for placement in sketch.rooms if placement.room.kind.name == "garage" and placement.boxes]
+    return [each for each in garages if each.room.area >= _TWO_CARS and _sides(each.boxes)[0] < _CAR]
+
+
+_SHRUNK = 0.9
+"""Share of its planned area below which a room that the brief asks for counts as too small."""
+
+
+def shrunk_rooms(sketch: Sketch) -> list[Placement]:
+    """Return the rooms that the brief asks for and a sketch gives clearly less than their planned area."""
+    return [p for p in sketch.rooms if p.room.stated and p.boxes and p.area < _SHRUNK * p.room.area]
 
 
 def comes_out_as_strips(sketch: Sketch) -> bool:

@@ -19,7 +19,17 @@ from mansion_planner.program.model import PlannedRoom, Storey
 from mansion_planner.program.step_record import Record
 from mansion_planner.program.storeys import entries_of, floors_of
 
-__all__ = ["Allocation", "allocate", "base_rooms", "fill_storey", "fit_areas", "hub_area", "name_rooms", "planned_room"]
+__all__ = [
+    "Allocation",
+    "allocate",
+    "base_rooms",
+    "fill_storey",
+    "fit_areas",
+    "hub_area",
+    "listed_area",
+    "name_rooms",
+    "planned_room",
+]
 
 
 @dataclass(frozen=True)
@@ -437,6 +447,15 @@ def base_rooms(storey: Storey, allocation: Allocation, knowledge: KnowledgeBase)
     return rooms
 
 
+def listed_area(storey: Storey, allocation: Allocation, knowledge: KnowledgeBase) -> float:
+    """Return what the rooms asked for and the storey's own list take at their usual sizes, square metres."""
+    total = sum(room.gross for room in base_rooms(storey, allocation, knowledge))
+    for entry in entries_of(storey):
+        if allocation.adds(entry.room_type, storey.index) and not entry.repeat:
+            total += entry.count * allocation.added(entry, knowledge).gross
+    return total
+
+
 def hub_area(storey: Storey, allocation: Allocation) -> float:
     """Return the area that the brief states, or its furniture needs, for the room that is a storey's hub, or 0."""
     own = [fact for fact in allocation.wanted[storey.index] if fact.room_type == storey.hub.name]
@@ -524,7 +543,7 @@ def _topped_up(
     filled = list(rooms)
     kinds = [knowledge.room(name) for name in knowledge.groups.filler_of(storey.use.family)]
     kinds = [kind for kind in kinds if allocation.adds(kind.name, storey.index)]
-    for kind in kinds * 3:
+    for kind in kinds * (1 if storey.use.family == "home" else 3):
         used = sum(room.gross for room in filled)
         if used >= 0.82 * budget or len(filled) >= MOST_ROOMS:
             break
