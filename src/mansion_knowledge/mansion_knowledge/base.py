@@ -1,7 +1,8 @@
 """Load, validate and extend the knowledge base.
 
-Five files of one format each: ``room_types.csv``, ``room_words.csv``, ``building_types.toml``, ``building_groups.toml``
-and ``styles.toml``. A user's folder with files of the same names adds records, or replaces those of the same name.
+Six files of one format each: ``room_types.csv``, ``room_words.csv``, ``telling_words.csv``, ``building_types.toml``,
+``building_groups.toml`` and ``styles.toml``. A user's folder with files of the same names adds records, or replaces
+those of the same name.
 """
 
 import csv
@@ -48,10 +49,14 @@ _LEVELS = ("", "goal", "talk", "loose")
 
 @dataclass(frozen=True, eq=False)
 class KnowledgeBase:
-    """Room types, words in names of rooms, building types and styles, each by name; groups of building types."""
+    """Room types, words in names of rooms, building types and styles, each by name; groups of building types.
+
+    `telling` holds the room type that a word before a general noun tells: "weights" of a weights corner is of a gym.
+    """
 
     rooms: dict[str, RoomType]
     words: dict[str, RoomWord]
+    telling: dict[str, str]
     buildings: dict[str, BuildingType]
     styles: dict[str, Style]
     groups: BuildingGroups
@@ -72,7 +77,7 @@ def load_knowledge(folders: Sequence[Path] = ()) -> KnowledgeBase:
     Parameters
     ----------
     folders : sequence of Path
-        Each may hold any of the five files. They follow those that the environment variable ``MANSION_KNOWLEDGE``
+        Each may hold any of the six files. They follow those that the environment variable ``MANSION_KNOWLEDGE``
         names for every stage and export at once; later ones win.
 
     Raises
@@ -92,6 +97,7 @@ def load_knowledge(folders: Sequence[Path] = ()) -> KnowledgeBase:
 def _load(folders: tuple[Path, ...]) -> KnowledgeBase:
     rows: dict[str, tuple[Path, _Row]] = {}
     words: dict[str, RoomWord] = {}
+    telling: dict[str, tuple[Path, _Row]] = {}
     buildings: dict[str, BuildingType] = {}
     styles: dict[str, Style] = {}
     groups: dict[str, dict[str, Any]] = {}
@@ -101,11 +107,13 @@ def _load(folders: tuple[Path, ...]) -> KnowledgeBase:
         added = _read_rows(folder / "room_types.csv", "name")
         rows = _without_names(rows, _names_of(added)) | added
         words |= {name: _word(file, row) for name, (file, row) in _read_rows(folder / "room_words.csv", "word").items()}
+        telling |= _read_rows(folder / "telling_words.csv", "word")
         styles |= _read_styles(folder / "styles.toml")
         buildings |= _read_buildings(folder / "building_types.toml")
         for name, record in _read_toml(folder / "building_groups.toml").items():
             groups[name] = groups.get(name, {}) | record
-    knowledge = KnowledgeBase(_rooms(rows), words, buildings, styles, _groups(groups))
+    known = _rooms(rows)
+    knowledge = KnowledgeBase(known, words, _telling(telling, known), buildings, styles, _groups(groups))
     _check_references(knowledge)
     return knowledge
 
@@ -219,6 +227,13 @@ def _room(row: _Row) -> RoomType:
         counts_as=row.get("counts_as") or row["name"],
         stack=int(row.get("stack") or 0),
     )
+
+
+def _telling(rows: Mapping[str, tuple[Path, _Row]], rooms: Container[str]) -> dict[str, str]:
+    for word, (file, row) in rows.items():
+        if row.get("room_type") not in rooms:
+            raise _fault(file, word, f"{row.get('room_type', '')!r} is no room type")
+    return {word: row["room_type"] for word, (_, row) in rows.items()}
 
 
 def _word(file: Path, row: _Row) -> RoomWord:

@@ -38,7 +38,7 @@ from mansion_planner.brief.measures import Measure, find_measures, give_measures
 from mansion_planner.brief.named_rooms import desks_as_places, rooms_by_name
 from mansion_planner.brief.noun_phrases import noun_phrases
 from mansion_planner.brief.phrase import Phrase
-from mansion_planner.brief.qualifiers import unheeded_words
+from mansion_planner.brief.qualifiers import told_by_its_words, unheeded_words
 from mansion_planner.brief.reading import Place, Reading, start_reading
 from mansion_planner.brief.relations import Relation, read_relations
 from mansion_planner.brief.retractions import without_retractions
@@ -126,7 +126,8 @@ class _Reader:
         self.building = self._name_building(phrases)
         as_studio_flat(reading, phrases)
         phrases = with_shared_sizes(reading, measures, phrases)
-        self.phrases = [room_for_building(reading, phrase) for phrase in give_measures(reading, measures, phrases)]
+        own = [room_for_building(reading, phrase) for phrase in give_measures(reading, measures, phrases)]
+        self.phrases = [told_by_its_words(reading, phrase) for phrase in own]
         one_of_several = told_by_size(reading, with_bare_areas(reading, self.phrases))
         self.phrases = sized(reading, one_of_several.phrases, self.building)
         reading.go_on()

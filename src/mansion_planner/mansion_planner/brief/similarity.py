@@ -4,9 +4,10 @@ import difflib
 from functools import cache
 
 from mansion_knowledge import KnowledgeBase
+from mansion_language import singular
 from mansion_planner.brief.lexicon import lexicon_of
 
-__all__ = ["AS_ROOM", "HEAD_TYPES", "elliptic_room_type", "room_of_building", "similar_room_type"]
+__all__ = ["AS_ROOM", "HEAD_TYPES", "elliptic_room_type", "room_of_building", "similar_room_type", "told_room_type"]
 
 AS_ROOM = {
     "office": "private_office", "flat": "apartment", "apartment_building": "apartment",
@@ -81,10 +82,35 @@ def elliptic_room_type(words: tuple[str, ...], knowledge: KnowledgeBase) -> str:
     return found.room if found is not None else ""
 
 
+_GENERAL_HEADS = frozenset(
+    """
+    room hall area space zone corner section station booth bay point suite house department unit cell chamber studio
+    center centre nook spot wing loft cellar cage deck shed village pit stand cabin salon
+    """.split()
+)
+"""Nouns that say of a room only that it is one; words before them tell what it is for."""
+
+
+def told_room_type(name: str, knowledge: KnowledgeBase) -> str:
+    """Return the room type that the words before a general noun tell; empty where none does.
+
+    Examples
+    --------
+    >>> from mansion_knowledge import default_knowledge
+    >>> told_room_type("free_weights_corner", default_knowledge()), told_room_type("weights_shop", default_knowledge())
+    ('gym', '')
+    """
+    *before, head = name.split("_")
+    if singular(head) not in _GENERAL_HEADS:
+        return ""
+    told = (knowledge.telling.get(word) or knowledge.telling.get(singular(word)) for word in reversed(before))
+    return next((kind for kind in told if kind), "")
+
+
 def similar_room_type(name: str, knowledge: KnowledgeBase) -> str:
     """Return the room type that a room of unknown `name` is planned and furnished as.
 
-    By the nearest spelling among names and synonyms, else by the name's last word.
+    By the nearest spelling among names and synonyms, else by what its words tell, else by the last of them.
 
     Examples
     --------
@@ -98,7 +124,7 @@ def similar_room_type(name: str, knowledge: KnowledgeBase) -> str:
     close = difflib.get_close_matches(name.replace("_", " "), list(names), n=1, cutoff=0.92)
     if close:
         return names[close[0]]
-    return HEAD_TYPES.get(name.rsplit("_", 1)[-1], "study_room")
+    return told_room_type(name, knowledge) or HEAD_TYPES.get(name.rsplit("_", 1)[-1], "study_room")
 
 
 @cache

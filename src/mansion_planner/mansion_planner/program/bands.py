@@ -128,7 +128,7 @@ def group_blocks(rooms: Sequence[PlannedRoom], depth: float, pairs: Sequence[tup
 _NARROW = 1.9
 """Width below which a room is too narrow for the whole depth of a band, metres."""
 
-_HOST_FRONT = 1.6
+_HOST_FRONT = 1.9
 """Least front of a room beside the small ones in its corner, metres."""
 
 
