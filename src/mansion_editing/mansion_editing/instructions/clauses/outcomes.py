@@ -107,8 +107,9 @@ class Outcomes(Sentence):
             more = Things(refers="last", amount=Amount(kind="more", number=phrase.amount.number), plural=phrase.plural)
             return Add(things=more, place=Place(rooms=Rooms(same=True)), quote=quote)
         partitive = self._is_partitive(phrase)
-        if partitive and any(p.relative for p in item.places):
+        if (partitive and any(p.relative for p in item.places)) or (not whence and _goes_on_from_a_room(item.places)):
             source, goal, each = self._source_and_goal(item.places)
+            goal, each = self._framed((goal, each))
         moved = (
             phrase.definite
             or partitive
@@ -223,6 +224,13 @@ class Outcomes(Sentence):
             return place
         self.frame, _ = joined_places(following)
         return end
+
+
+def _goes_on_from_a_room(places: Sequence[ReadPlace]) -> bool:
+    """Whether places begin with where something is, and a goal follows: ``in the storage to the lobby``."""
+    told = next((k for k, place in enumerate(places) if place.goal), 0)
+    rooms = [place.place.rooms for place in places[:told]]
+    return told > 0 and any(room is not None and room.words for room in rooms)
 
 
 def _begins_in_a_room(places: Sequence[ReadPlace]) -> bool:

@@ -13,6 +13,7 @@ from mansion_editing.instructions.phrases.lexicon import HYPERNYMS, Lexicon
 from mansion_editing.instructions.phrases.noun_phrases import NounPhrase, noun_phrase
 from mansion_editing.instructions.phrases.nouns import Noun
 from mansion_editing.instructions.phrases.places import ReadPlace, merged, read_place, with_place
+from mansion_editing.instructions.phrases.storeys import read_storeys
 from mansion_editing.instructions.phrases.verb_words import PARTICIPLES, Deed
 from mansion_editing.instructions.phrases.verbs import verb_at
 from mansion_editing.instructions.phrases.word_sets import (
@@ -173,7 +174,8 @@ class Sentence(ABC):
 
     def _place_after_comma(self, at: int, found: list[ReadPlace]) -> ReadPlace | None:
         """Read ``, ground floor`` and ``, in the kitchen`` where the place before lacks just that."""
-        read = read_place(self.words, at + 1, self.lexicon, self.floors)
+        after = at + 1 + (self.text(at + 1) == "also" and self.text(at + 2) in ("on", "in"))
+        read = read_place(self.words, after, self.lexicon, self.floors)
         place, _ = joined_places(found)
         room = self.phrase(at + 1)
         bare = place.rooms is None or not place.rooms.words
@@ -182,8 +184,8 @@ class Sentence(ABC):
             return ReadPlace(Place(rooms=room.rooms()), at + 1, room.end)
         nearer = read is not None and read.place.anchor is not None and place.anchor is None and place.rooms is not None
         nearer = nearer or (read is not None and self._beside_what_it_carries(found, read) is not None)
-        after = "" if read is None else self.text(read.end)
-        if read is not None and nearer and after in ("", ",", ".", "please", "that", "which"):
+        following = "" if read is None else self.text(read.end)
+        if read is not None and nearer and following in ("", ",", ".", "please", "that", "which"):
             return read
         apart = read is not None and (
             read.place.facing is not None or read.place.within > 0 or (bool(read.place.spot) and not place.spot)
@@ -196,6 +198,7 @@ class Sentence(ABC):
         if place.rooms is not None and not unnamed and (place.rooms.floors or read.place.rooms.words):
             return None
         ends = read.end >= len(self.words) or self.text(read.end) in (",", ".", "and", ")", "please", ";", "there")
+        ends = ends or (self.text(read.end) == "on" and read_storeys(self.words, read.end + 1, self.floors) is not None)
         return read if (ends and verb_at(self.words, read.end + 1, self.lexicon) is None) or ends else None
 
     def item(self, at: int, *, places: bool = True) -> Item | None:

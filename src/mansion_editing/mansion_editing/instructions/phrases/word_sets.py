@@ -49,6 +49,7 @@ __all__ = [
     "DIRECTIONS",
     "DISTURBING",
     "EARLIER_STEPS",
+    "EVENTS",
     "EXISTENCE",
     "FAILING",
     "FREE_WAYS",
@@ -245,6 +246,12 @@ BEFORE_ASKED_STATES: Final = frozenset(
 
 BESIDE_RELATIONS: Final = frozenset("beside near left right behind front".split())
 """Relations of what stands on the same floor or surface as its anchor."""
+
+EVENTS: Final = frozenset(
+    "meeting training workshop interview class course lesson rehearsal party dinner lunch breakfast audit visit "
+    "inspection conference seminar presentation exam drill delivery event birthday".split()
+)
+"""What takes place in rooms, some of which are called after it."""
 
 OPEN_TO_ALL: Final = frozenset("day evening night house week".split())
 """What ``open`` is no state of: ``open day on Saturday``."""

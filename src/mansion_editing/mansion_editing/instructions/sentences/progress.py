@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 
+from mansion_editing.instructions.phrases.clock_times import without_times_of_headings
 from mansion_editing.instructions.phrases.lexicon import Lexicon
 from mansion_editing.instructions.phrases.mending import mended
 from mansion_editing.instructions.phrases.notation import written_out
@@ -26,7 +27,7 @@ class Progress:
         self.text = text
         self.lexicon = Lexicon(state)
         self.floors = state.floors
-        words = split_words(text, self.lexicon.speller, self.lexicon.kept)
+        words = without_times_of_headings(split_words(text, self.lexicon.speller, self.lexicon.kept))
         self.words = without_remarks(totals_before(reworded(mended(written_out(words, text), self.lexicon))))
         if counts_above_ground(text, brief):
             self.words = counted_from_ground(self.words)

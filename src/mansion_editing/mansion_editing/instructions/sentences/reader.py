@@ -103,7 +103,8 @@ class _Reader(Asides, Telling, Tails, Headings, Repeating, Referring, Depending,
             before = sentences[number - 1][0] if number else []
             whole = opened_as_whole(owners_named(own, self.lexicon), before, self.lexicon)
             sentence = self._with_listed(self._at_their_owner(whole))
-            self._read_beside_asides(sentence, later, marked=marked)
+            if not self._spares_those_with_one(sentence, marked=marked):
+                self._read_beside_asides(sentence, later, marked=marked)
         self.statements = [
             Mention(quote=s.quote) if self._introduces(s, self.statements[number + 1 :]) else s
             for number, s in enumerate(self.statements)
