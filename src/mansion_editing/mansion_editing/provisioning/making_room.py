@@ -1,6 +1,6 @@
 """Make room on a full receptacle: one small thing moves elsewhere in its room."""
 
-from collections.abc import Generator
+from collections.abc import Generator, Set
 from typing import Final
 
 from mansion_assets.catalogue.vocabulary import vocabulary_of
@@ -46,10 +46,20 @@ MOST_TARGETS: Final = 6
 
 
 def make_room(
-    thing: ObjectDescription, assets: list[AssetInfo], carrier: ObjectInfo, state: SceneState
+    thing: ObjectDescription,
+    assets: list[AssetInfo],
+    carrier: ObjectInfo,
+    state: SceneState,
+    staying: Set[str] = frozenset(),
 ) -> Generator[Action, Outcome, str]:
-    """Clear a place on a full surface for a new object and return its id, empty when that fails."""
-    serving = yield from _free_up(thing.noun, [asset.size for asset in assets], carrier, state)
+    """Clear a place on a full surface for a new object and return its id, empty when that fails.
+
+    Parameters
+    ----------
+    staying : set of str
+        Ids of what does not make room.
+    """
+    serving = yield from _free_up(thing.noun, [asset.size for asset in assets], carrier, state, staying)
     if serving is None:
         return ""
     fitting = [asset for asset in assets if asset.size == serving]
@@ -58,13 +68,13 @@ def make_room(
 
 
 def _free_up(
-    noun: str, sizes: list[Point3], carrier: ObjectInfo, state: SceneState
+    noun: str, sizes: list[Point3], carrier: ObjectInfo, state: SceneState, staying: Set[str] = frozenset()
 ) -> Generator[Action, Outcome, Point3 | None]:
     """Move one object to another surface of the room, and return the size that fits in its place.
 
     What this instruction has touched stays, and only one thing makes room for an instruction.
     """
-    touched = {change.id for change in state.pending}
+    touched = {change.id for change in state.pending} | staying
     if any(change.before is not None and change.after is not None for change in state.pending):
         return None
     for item in (yield from list_contents(carrier, relation_of("on", carrier, state))):

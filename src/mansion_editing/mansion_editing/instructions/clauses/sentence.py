@@ -138,16 +138,17 @@ class Sentence(ABC):
                 at += 1
             if self.text(at) in _RESTS and self.text(at - 1) in ("that", "which", "who"):
                 at += 1
-                while self.text(at) in PARTICIPLES_OF_REST:
+                while self.text(at) in PARTICIPLES_OF_REST and self.text(at) != "there":
                     at += 1
             read = read_place(self.words, at, self.lexicon, self.floors)
-            if read is None and found and self.text(at) == ",":
-                read = self._place_after_comma(at, found)
+            if read is None and self.text(at) == ",":
+                read = self._place_after_comma(at, found) if found else self._mark_after_comma(at)
             if read is None:
                 return tuple(found), start
             owned = not found and self.text(read.start) == "of" and read.place.rooms is not None
             if relative and found and read.place == Place(rooms=Rooms(same=True)):
                 at = read.end  # "next to the one that is already there"
+                found[-1] = replace(found[-1], place=_those_there(found[-1].place))
                 continue
             beside = self._beside_what_it_carries(found, read)
             if beside is not None:
@@ -171,6 +172,17 @@ class Sentence(ABC):
             return None
         inner = msgspec.structs.replace(near.place, anchor=with_place(mark, surface))
         return replace(there[0], place=inner, end=near.end)
+
+    def _mark_after_comma(self, at: int) -> ReadPlace | None:
+        """Read ``, opposite the two which are there`` right after a thing, where the sentence ends with it."""
+        read = read_place(self.words, at + 1, self.lexicon, self.floors)
+        if read is None or read.source or self.frame == Place():
+            return None
+        near = read.place.relation in BESIDE_RELATIONS | {"between"} and read.place.anchor is not None
+        end = read.end
+        while self.text(end) in ("which", "that", "are", "is", "stand", "already", "there"):
+            end += 1
+        return read if (near or read.place.facing is not None) and end >= len(self.words) else None
 
     def _place_after_comma(self, at: int, found: list[ReadPlace]) -> ReadPlace | None:
         """Read ``, ground floor`` and ``, in the kitchen`` where the place before lacks just that."""
@@ -257,11 +269,23 @@ class Sentence(ABC):
                 return found
             if found and self.is_subject(item):
                 return self._objects(found, item)
+            if found and self._tells_number_of(found[-1], item):
+                found[-1] = Item(replace(found[-1].phrase, amount=item.phrase.amount), found[-1].places, item.end)
+                return found
             found.append(self._beside_it(self._as_before(self._named(item, found), found), found))
             after = self.conjunction(item.end)
             if not after or self.starts_clause(after) or self.text(after) in ("only", "just", "now"):
                 return found
             at = after
+
+    def _tells_number_of(self, before: Item, item: Item) -> bool:
+        """Whether an item is the number of the one before: ``chairs in the hall, at least three of them``."""
+        phrase, open_number = item.phrase, before.phrase.plural and not before.phrase.definite
+        bare = phrase.refers == "last" and not phrase.noun.words and not item.places and phrase.amount.number > 1
+        open_number = open_number and before.phrase.amount.kind == "some" and not before.phrase.amount.number
+        counted = phrase.amount.kind in ("some", "at_least") and not phrase.amount.of
+        ends = item.end >= len(self.words) or self.words[item.end].kind == "mark"
+        return bare and open_number and counted and ends and self.text(phrase.start - 1) == ","
 
     def is_subject(self, item: Item) -> bool:
         """Whether a clause follows of which an item is the subject: ``the others as they are`` is one too."""
@@ -582,12 +606,26 @@ def _with_room_ones(places: tuple[ReadPlace, ...]) -> tuple[ReadPlace, ...]:
     return tuple(out)
 
 
+def _those_there(place: Place) -> Place:
+    """Return ``opposite the two which are there`` as at the two of the kind that is being placed."""
+    anchor = None if place.anchor is None else _ones(place.anchor)
+    return msgspec.structs.replace(place, anchor=anchor, facing=None if place.facing is None else _ones(place.facing))
+
+
+def _ones(mark: Things) -> Things:
+    """Return a bare number of things as so many ``ones``."""
+    if mark.noun or mark.refers != "last" or not mark.amount.number or mark.plural:
+        return mark
+    return msgspec.structs.replace(mark, noun="one", refers="", definite=True, plural=mark.amount.number > 1)
+
+
 def _with_noun(place: Place, noun: Noun) -> Place:
-    anchor = place.anchor
-    if anchor is None or anchor.noun.split()[-1:] != ["one"]:
-        return place
-    words = (*anchor.noun.split()[:-1], *noun.words)
-    return msgspec.structs.replace(place, anchor=msgspec.structs.replace(anchor, noun=" ".join(words)))
+    def named(mark: Things | None) -> Things | None:
+        if mark is None or mark.noun.split()[-1:] != ["one"]:
+            return mark
+        return msgspec.structs.replace(mark, noun=" ".join((*mark.noun.split()[:-1], *noun.words)))
+
+    return msgspec.structs.replace(place, anchor=named(place.anchor), facing=named(place.facing))
 
 
 def _with_holder(place: Place, holder: str) -> Place:

@@ -11,10 +11,11 @@ from mansion_editing.instructions.doing.work import Done, Work, listed, live
 from mansion_editing.instructions.meaning.choices import one_room_each, things_meant
 from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.descriptions import all_at, rooms_of, things_of
-from mansion_editing.instructions.meaning.nouns import has_material
+from mansion_editing.instructions.meaning.nouns import called, has_material
 from mansion_editing.instructions.meaning.numbers import means_any_in_each_room, means_one, means_several, new_number
 from mansion_editing.instructions.meaning.targets import Target, places_of
 from mansion_editing.instructions.meaning.wording import place_in, place_words, there_were, thing_words
+from mansion_editing.instructions.phrases.word_sets import BESIDE_RELATIONS
 from mansion_editing.instructions.statements import Add, Amount, Ensure, Place, Replace, Rooms, Things
 from mansion_editing.provisioning.facts import ObjectDescription, Scope
 from mansion_editing.provisioning.making_room import make_room
@@ -127,7 +128,8 @@ def _groups(
         names = list(dict.fromkeys(target.room for target in targets))
         return [[target for target in targets if target.room == name] for name in names]
     anchor = place.anchor
-    if several or (anchor is not None and anchor.definite and means_several(anchor) and place.relation != "between"):
+    beside = place.relation in BESIDE_RELATIONS | {"between"}  # "a plant next to the chairs" is one
+    if several or (anchor is not None and anchor.definite and means_several(anchor) and not beside):
         return [[target] for target in targets]
     if place.anchor is None and len(targets) > 1 and place.rooms is not None and not place.rooms.words:
         return [targets]
@@ -271,7 +273,9 @@ def _place_one(
             assets, carrier.id, relation, colour=colour, name=things.noun, wishes=wishes
         )
         if not made and alone:
-            made = yield from make_room(ObjectDescription(things.noun, 1, colour), assets, carrier, state)
+            there = [item for _, item in state.objects() if item.parent == carrier.id]
+            alike = {item.id for item in called(state, there, things.noun, many=True)}
+            made = yield from make_room(ObjectDescription(things.noun, 1, colour), assets, carrier, state, alike)
         return made, reason
     stands = _goes_to_room(assets, state)
     if target.anchor is not None and target.anchor.parent is not None and not stands:

@@ -72,7 +72,7 @@ _PREPOSITIONS: Final[tuple[tuple[tuple[str, ...], Relation], ...]] = (
     (("near",), "near"), (("nearby",), "near"), (("alongside",), "beside"), (("under",), "under"),
     (("underneath",), "under"), (("beneath",), "under"), (("below",), "under"), (("above",), "above"),
     (("over",), "above"), (("behind",), "behind"), (("between",), "between"), (("among",), "between"),
-    (("opposite",), "front"), (("against",), "beside"), (("along",), "beside"), (("from",), ""), (("off",), "on"),
+    (("opposite", "to"), "front"), (("opposite", "of"), "front"), (("opposite",), "front"), (("against",), "beside"), (("along",), "beside"), (("from",), ""), (("off",), "on"),
     (("to",), ""), (("towards",), ""), (("toward",), ""), (("of",), ""), (("for",), ""), (("throughout",), "in"),
     (("across",), "in"), (("left",), "left"), (("right",), "right"),
 )  # fmt: skip

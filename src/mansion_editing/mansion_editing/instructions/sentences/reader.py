@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Iterable, Sequence
+from itertools import pairwise
 from typing import Literal
 
 import msgspec
@@ -13,6 +14,7 @@ from mansion_editing.instructions.phrases.lexicon import HYPERNYMS
 from mansion_editing.instructions.phrases.places import merged, read_place
 from mansion_editing.instructions.phrases.storeys import read_storeys
 from mansion_editing.instructions.phrases.verbs import verb_at
+from mansion_editing.instructions.phrases.word_sets import PRINTED, TOPICS
 from mansion_editing.instructions.phrases.words import MODALS, STATE_WORDS, UNRECORDED, Word
 from mansion_editing.instructions.sentences.accounting import unaccounted
 from mansion_editing.instructions.sentences.asides import Asides
@@ -29,6 +31,8 @@ from mansion_editing.instructions.sentences.recounting import Recounting
 from mansion_editing.instructions.sentences.referring import Referring
 from mansion_editing.instructions.sentences.refinement import (
     adds_it,
+    counted_by,
+    counts_those_brought,
     exactly,
     in_place_of,
     is_everything,
@@ -117,7 +121,8 @@ class _Reader(Asides, Telling, Tails, Headings, Repeating, Referring, Depending,
         if not self.unknown and all(isinstance(statement, Mention) for statement in self.statements):
             self.unknown = [self.text.strip()]
         told = msgspec.json.encode(self.statements).decode()
-        plain = [word for word in self.words if word.text in UNRECORDED]
+        topics = [word for word, following in pairwise(self.words) if word.text in TOPICS and following.text in PRINTED]
+        plain = [*(word for word in self.words if word.text in UNRECORDED), *topics]
         ignored = list(dict.fromkeys(w.raw for w in plain if not re.search(rf'"noun":"[^"]*\b{w.text}\b', told)))
         statements = turned_by_list(with_storeys(with_takings_first(self.statements, self.lexicon)))
         return Instruction(statements=statements, not_understood=self.unknown, ignored=ignored)
@@ -146,7 +151,19 @@ class _Reader(Asides, Telling, Tails, Headings, Repeating, Referring, Depending,
         last = next((s for s in reversed(self.statements) if not isinstance(s, Mention)), None)
         after = self.statements if last is None else self.statements[self.statements.index(last) + 1 :]
         verbs = [s.quote for s in after if isinstance(s, Mention) and self._begins_with_order(s.quote)]
-        return verbs[:1]
+        return verbs[:1] or self._takes_in_vain()
+
+    def _takes_in_vain(self) -> list[str]:
+        """Return the first clause that only took something, of which the next one says nothing."""
+        for number, statement in enumerate(self.statements):
+            if not isinstance(statement, Mention) or not self._begins_with_order(statement.quote, ("take", "bring")):
+                continue
+            following = next((s for s in self.statements[number + 1 :] if not isinstance(s, Mention)), statement)
+            said = msgspec.json.encode(following).decode()
+            taken = [w for w in self._words_of(statement.quote) if self.lexicon.is_object((w.text,))]
+            if '"refers":"last"' not in said and not any(word.text in said for word in taken):
+                return [statement.quote]
+        return []
 
     def _told_later(self, statement: Statement) -> Statement:
         """Return a statement with the places of things that a sentence before it told."""
@@ -351,6 +368,9 @@ class _Reader(Asides, Telling, Tails, Headings, Repeating, Referring, Depending,
             if isinstance(last, Reshape) and last.what == "door" and adds_it(statement):
                 continue
             if isinstance(last, Remove) and removes_what_went(statement):
+                continue
+            if isinstance(last, Add | Ensure) and isinstance(statement, Ensure) and counts_those_brought(statement, last):
+                self.statements[-1] = counted_by(last, statement, self._from_to(last, statement))
                 continue
             if isinstance(last, Add | Ensure | Move) and isinstance(statement, Move) and only_brings_it(statement):
                 continue

@@ -26,7 +26,9 @@ from mansion_editing.instructions.statements import (
 
 __all__ = [
     "adds_it",
+    "counted_by",
     "counting_those_there",
+    "counts_those_brought",
     "exactly",
     "held_there",
     "in_place_of",
@@ -140,6 +142,24 @@ def so_many(statement: Add | Ensure, topic: Things) -> Statement:
     if kind == "more":
         return Add(things=things, place=place, quote=statement.quote)
     return Ensure(things=things, place=place, quote=statement.quote)
+
+
+def counts_those_brought(statement: Statement, last: Statement) -> bool:
+    """Whether a statement only says how many there shall be of what the one before brings without a number."""
+    if not isinstance(statement, Ensure) or not isinstance(last, Add | Ensure):
+        return False
+    things, brought = statement.things, last.things
+    bare = things.refers == "last" and not things.noun and things.place is None and things.amount.number > 0
+    open_number = brought.plural and brought.amount.kind == "some" and not brought.amount.number
+    return bare and open_number and statement.place in (Place(), last.place)
+
+
+def counted_by(last: Add | Ensure, statement: Ensure, quote: str) -> Ensure:
+    """Return what is brought with the number that shall be there: ``four at most`` are no more and no fewer."""
+    amount = statement.things.amount
+    amount = Amount(kind="exactly", number=amount.number) if amount.kind == "at_most" else amount
+    things = msgspec.structs.replace(last.things, amount=amount)
+    return Ensure(things=things, place=last.place, each=last.each, quote=quote)
 
 
 def is_open(statement: Statement) -> bool:
