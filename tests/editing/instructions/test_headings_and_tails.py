@@ -104,4 +104,3 @@ def test_a_heading_may_tell_a_time_and_a_storey(furnished_state: SceneState, hea
 
 def test_a_number_of_things_is_no_time(furnished_state: SceneState) -> None:
     assert read_instruction("Kitchen, ten chairs: open the fridge.", furnished_state).not_understood
-

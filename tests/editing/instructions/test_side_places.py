@@ -119,7 +119,9 @@ def test_one_beside_several_is_one(editor: SceneEditor) -> None:
     assert sum(1 for _ in editor.state.objects()) == before + 1
 
 
-@pytest.mark.parametrize("apart", [", same floor (ground floor)", " (same floor)", ", also on the ground floor", ", ground floor"])
+@pytest.mark.parametrize(
+    "apart", [", same floor (ground floor)", " (same floor)", ", also on the ground floor", ", ground floor"]
+)
 def test_a_storey_may_stand_after_the_room(furnished_state: SceneState, apart: str) -> None:
     read = read_instruction(f"Put a mug on the dining table in the kitchen{apart}.", furnished_state)
     (added,) = read.statements

@@ -8,12 +8,7 @@ import msgspec
 from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.descriptions import all_at, anchors_of, rooms_of
 from mansion_editing.instructions.meaning.nouns import is_fixed
-from mansion_editing.instructions.meaning.numbers import (
-    by_holder,
-    counts_each,
-    means_any_in_each_room,
-    means_several,
-)
+from mansion_editing.instructions.meaning.numbers import by_holder, counts_each, means_any_in_each_room, means_several
 from mansion_editing.instructions.statements import Amount, Place, Rooms, Things
 from mansion_editing.state import SceneState
 from mansion_msgs_py.scene import SceneObject

@@ -18,9 +18,7 @@ from mansion_msgs_py.scene import SceneObject
 __all__ = ["check_add", "check_clear", "check_ensure", "check_remove", "check_replace"]
 
 
-def _new_carriers(
-    place: Place, before: SceneState, after: SceneState, context: Context, diff: Differences
-) -> set[str]:
+def _new_carriers(place: Place, before: SceneState, after: SceneState, context: Context, diff: Differences) -> set[str]:
     """Return new furniture that answers to the words for what new things are on or in, where there was none."""
     if place.anchor is None:
         return set()

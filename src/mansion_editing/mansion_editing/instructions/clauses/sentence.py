@@ -272,6 +272,14 @@ class Sentence(ABC):
             if found and self._tells_number_of(found[-1], item):
                 found[-1] = Item(replace(found[-1].phrase, amount=item.phrase.amount), found[-1].places, item.end)
                 return found
+            if found and self._tells_where_holder_is(found[-1], item):
+                last = found[-1].places[-1]
+                whole = replace(last, place=merged(last.place, item.goal()[0]), end=item.end)
+                found[-1] = Item(found[-1].phrase, (*found[-1].places[:-1], whole), item.end)
+                at = self.conjunction(item.end)
+                if not at or self.starts_clause(at):
+                    return found
+                continue
             found.append(self._beside_it(self._as_before(self._named(item, found), found), found))
             after = self.conjunction(item.end)
             if not after or self.starts_clause(after) or self.text(after) in ("only", "just", "now"):
@@ -286,6 +294,14 @@ class Sentence(ABC):
         counted = phrase.amount.kind in ("some", "at_least") and not phrase.amount.of
         ends = item.end >= len(self.words) or self.words[item.end].kind == "mark"
         return bare and open_number and counted and ends and self.text(phrase.start - 1) == ","
+
+    def _tells_where_holder_is(self, before: Item, item: Item) -> bool:
+        """Whether an item is what the one before goes into, with its place: ``keys in a bowl, bowl on the shelf``."""
+        holder = before.places[-1].place.anchor if before.places else None
+        again = self._is_bare(item.phrase) or (item.phrase.definite and not item.phrase.refers)
+        if holder is None or holder.definite or holder.place is not None or not item.places or not again:
+            return False
+        return holder.noun == " ".join(item.phrase.noun.words) and not any(p.source for p in item.places)
 
     def is_subject(self, item: Item) -> bool:
         """Whether a clause follows of which an item is the subject: ``the others as they are`` is one too."""

@@ -160,7 +160,9 @@ def _refuse_rooms_without(place: Place, targets: Sequence[Target], state: SceneS
     having = {target.room for target in targets}
     lacking = [room for room in rooms_of(state, place.rooms, context) if room not in having]
     if lacking and means_one(place.anchor):
-        raise Unmet(f"there is no {thing_words(msgspec.structs.replace(place.anchor, definite=False))} in {listed(lacking)}")
+        raise Unmet(
+            f"there is no {thing_words(msgspec.structs.replace(place.anchor, definite=False))} in {listed(lacking)}"
+        )
 
 
 def _best_first(things: Things, targets: list[Target], state: SceneState) -> Generator[Action, Outcome, list[Target]]:
@@ -191,7 +193,8 @@ def _new_carrier(place: Place, state: SceneState, context: Context) -> Generator
         )
     if anchor.place is not None and anchor.place.anchor is not None:
         bare = msgspec.structs.replace(anchor, place=None)
-        (small,) = yield from place_at(bare, 1, anchor.place, places_of(state, anchor.place, context), state)
+        where = msgspec.structs.replace(anchor.place, rooms=anchor.place.rooms or place.rooms)
+        (small,) = yield from place_at(bare, 1, where, places_of(state, where, context), state)
         holder = live(state, [small])[0]
         return Target(holder.room, holder)
     rooms = () if place.rooms is None else tuple(rooms_of(state, place.rooms, context))
@@ -275,7 +278,8 @@ def _place_one(
         if not made and alone:
             there = [item for _, item in state.objects() if item.parent == carrier.id]
             alike = {item.id for item in called(state, there, things.noun, many=True)}
-            made = yield from make_room(ObjectDescription(things.noun, 1, colour), assets, carrier, state, alike)
+            thing = ObjectDescription(things.noun, 1, colour)
+            made = yield from make_room(thing, assets, carrier, state, alike, relation)
         return made, reason
     stands = _goes_to_room(assets, state)
     if target.anchor is not None and target.anchor.parent is not None and not stands:
@@ -330,6 +334,7 @@ def ensure(statement: Ensure, state: SceneState, context: Context) -> Work:
         groups = []
     else:
         groups = yield from _groups(things, place, state, context, each=several)
+    _refuse_other_number_lacking(statement, things, place, groups, state, context)
     had, made, gone = 0, [], []
     for group in groups:
         there = [(target, at_target(state, things, place, target, context)) for target in group]
@@ -352,6 +357,27 @@ def ensure(statement: Ensure, state: SceneState, context: Context) -> Work:
     reply += _changed(had, made, gone) + _brought_to_carry(groups, before)
     known = made or [i.id for g in groups for t in g for i in at_target(state, things, place, t, context)]
     return Done(reply, context.followed(known, rooms[:1], things.noun))
+
+
+def _refuse_other_number_lacking(
+    statement: Ensure,
+    things: Things,
+    place: Place,
+    groups: Sequence[Sequence[Target]],
+    state: SceneState,
+    context: Context,
+) -> None:
+    """Refuse to give what "two of the desks" have not where another number of them has none.
+
+    Raises
+    ------
+    Unmet
+    """
+    if not statement.lacking:
+        return
+    none = [group for group in groups if not any(at_target(state, things, place, target, context) for target in group)]
+    if len(none) != statement.lacking:
+        raise Unmet(f"{len(none)} have no {things.noun}, not {statement.lacking}")
 
 
 def _changed(had: int, made: Sequence[str], gone: Sequence[str]) -> str:

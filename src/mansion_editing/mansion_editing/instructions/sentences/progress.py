@@ -47,6 +47,7 @@ class Progress:
         self.counted: tuple[Things, ...] = ()
         self.later: list[Word] = []
         self.whose: list[Word] = []
+        self.given_later = False
         self.is_last = False
         self.undecided = False
 

@@ -24,6 +24,7 @@ from mansion_editing.instructions.sentences.conditions import Condition, begins_
 from mansion_editing.instructions.sentences.correcting import Correcting
 from mansion_editing.instructions.sentences.depending import Depending
 from mansion_editing.instructions.sentences.headings import Headings
+from mansion_editing.instructions.sentences.lacking_some import LackingSome
 from mansion_editing.instructions.sentences.lids import opened_as_whole
 from mansion_editing.instructions.sentences.owners import owners_named
 from mansion_editing.instructions.sentences.questions import read_question
@@ -37,6 +38,7 @@ from mansion_editing.instructions.sentences.refinement import (
     in_place_of,
     is_everything,
     is_surplus,
+    moved_on,
     moves_it,
     must_contain,
     only_brings_it,
@@ -95,7 +97,9 @@ def read_instruction(text: str, state: SceneState, brief: str = "") -> Instructi
     return _Reader(text, state, brief).read()
 
 
-class _Reader(Asides, Telling, Tails, Headings, Repeating, Referring, Depending, Correcting, SceneSetting, Recounting):
+class _Reader(
+    Asides, LackingSome, Telling, Tails, Headings, Repeating, Referring, Depending, Correcting, SceneSetting, Recounting
+):
     """Reads one instruction."""
 
     def read(self) -> Instruction:
@@ -107,6 +111,8 @@ class _Reader(Asides, Telling, Tails, Headings, Repeating, Referring, Depending,
             before = sentences[number - 1][0] if number else []
             whole = opened_as_whole(owners_named(own, self.lexicon), before, self.lexicon)
             sentence = self._with_listed(self._at_their_owner(whole))
+            if self._gives_what_some_lack(sentence, later):
+                continue
             if not self._spares_those_with_one(sentence, marked=marked):
                 self._read_beside_asides(sentence, later, marked=marked)
         self.statements = [
@@ -124,7 +130,7 @@ class _Reader(Asides, Telling, Tails, Headings, Repeating, Referring, Depending,
         topics = [word for word, following in pairwise(self.words) if word.text in TOPICS and following.text in PRINTED]
         plain = [*(word for word in self.words if word.text in UNRECORDED), *topics]
         ignored = list(dict.fromkeys(w.raw for w in plain if not re.search(rf'"noun":"[^"]*\b{w.text}\b', told)))
-        statements = turned_by_list(with_storeys(with_takings_first(self.statements, self.lexicon)))
+        statements = turned_by_list(with_storeys(with_takings_first(self.statements, self.lexicon)), self.text)
         return Instruction(statements=statements, not_understood=self.unknown, ignored=ignored)
 
     def _introduces(self, statement: Statement, later: Sequence[Statement]) -> bool:
@@ -160,8 +166,10 @@ class _Reader(Asides, Telling, Tails, Headings, Repeating, Referring, Depending,
                 continue
             following = next((s for s in self.statements[number + 1 :] if not isinstance(s, Mention)), statement)
             said = msgspec.json.encode(following).decode()
-            taken = [w for w in self._words_of(statement.quote) if self.lexicon.is_object((w.text,))]
-            if '"refers":"last"' not in said and not any(word.text in said for word in taken):
+            words = {word.text for word in self._words_of(statement.quote)}
+            taken = [word for word in words if self.lexicon.is_object((word,)) and not self.lexicon.is_room((word,))]
+            referring = words & {"it", "them", "both", "those", "these", "that"} or '"refers":"last"' in said
+            if taken and not referring and not any(word in said for word in taken):
                 return [statement.quote]
         return []
 
@@ -360,71 +368,83 @@ class _Reader(Asides, Telling, Tails, Headings, Repeating, Referring, Depending,
             if self.spared and isinstance(statement, Clear):
                 statement = msgspec.structs.replace(statement, spare=(*statement.spare, *self.spared))
                 self.spared = ()
-            if isinstance(last, Clear) and isinstance(statement, Clear) and _is_of_it(statement, last):
-                self.statements[-1] = msgspec.structs.replace(last, spare=(*last.spare, *statement.spare))
-                continue
-            if isinstance(last, Clear) and removes_all_of_it(statement):
-                continue
-            if isinstance(last, Reshape) and last.what == "door" and adds_it(statement):
-                continue
-            if isinstance(last, Remove) and removes_what_went(statement):
-                continue
-            if isinstance(last, Add | Ensure) and isinstance(statement, Ensure) and counts_those_brought(statement, last):
-                self.statements[-1] = counted_by(last, statement, self._from_to(last, statement))
-                continue
-            if isinstance(last, Add | Ensure | Move) and isinstance(statement, Move) and only_brings_it(statement):
+            if _says_again(statement, last):
                 continue
             if isinstance(statement, Keep):
                 statement = self._of_the_kind(statement)
             if isinstance(statement, Remove) and isinstance(last, Add | Ensure | Move) and last.things.noun:
                 statement = _one_of_its_kind(statement, last.things)
-            if isinstance(statement, Keep) and is_everything(statement.things):
+            readers = (self._extends, self._spares, self._moves_on, self._tells_of_rest)
+            if not any(reads(statement, last) for reads in readers):
                 self.statements.append(statement)
-                continue
-            spared = spared_of(statement) if isinstance(last, Clear) else ()
-            if isinstance(last, Clear) and spared:
-                self.statements[-1] = msgspec.structs.replace(last, spare=(*last.spare, *spared))
-                continue
-            only = re.search(r"\b(only|just|nothing but)\b", statement.quote)
-            alone = isinstance(statement, Keep) and not isinstance(last, Clear | Remove) and not statement.things.place
-            if alone and re.match(r"(keep|leave) (only|just)\b", statement.quote.lower()):
-                self.unknown.append(statement.quote)  # it is not told what all else is
-                continue
-            listed = self._removed_together()
-            if (
-                isinstance(statement, Keep)
-                and isinstance(last, Remove)
-                and last.things.noun
-                and only
-                and not listed[2:]
-            ):
-                self.unknown.append(statement.quote)  # more than what was named would have to go
-                continue
-            if isinstance(statement, Keep) and isinstance(last, Remove) and last.things.amount.kind == "all":
-                but = msgspec.structs.replace(last.things, beside=(*last.things.beside, statement.things))
-                self.statements[-1] = msgspec.structs.replace(last, things=but)
-                continue
-            if len(listed) > 1 and isinstance(statement, Move) and moves_it(statement) and statement.things.plural:
-                quote = self._from_to(listed[0], statement)
-                moved_all = [Move(things=gone.things, place=statement.place, quote=quote) for gone in listed]
-                self.statements[-len(listed) :] = moved_all
-                continue
-            if isinstance(last, Remove) and isinstance(statement, Move) and last.things.noun and moves_it(statement):
-                moved = Move(things=last.things, place=statement.place, quote=self._from_to(last, statement))
-                self.statements[-1] = moved
-                continue
-            if isinstance(last, Ensure) and isinstance(statement, Move | Remove) and is_surplus(statement, last):
-                rest = surplus_of(last, statement.things)
-                self.statements[-1] = msgspec.structs.replace(statement, things=rest)
-                continue
-            if tells_of_surplus(statement):
-                self.undecided = True
-                self.unknown.append(statement.quote)  # it is not told how many shall be there
-                continue
-            if isinstance(last, Ensure) and isinstance(statement, Remove) and statement.things.refers == "others":
-                self.statements[-1] = msgspec.structs.replace(exactly(last), quote=self._from_to(last, statement))
-                continue
-            self.statements.append(statement)
+
+    def _extends(self, statement: Statement, last: Statement | None) -> bool:
+        """Read more of what the last statement clears or brings; return whether that is all."""
+        if isinstance(last, Clear) and isinstance(statement, Clear) and _is_of_it(statement, last):
+            self.statements[-1] = msgspec.structs.replace(last, spare=(*last.spare, *statement.spare))
+            return True
+        if isinstance(last, Add | Ensure) and isinstance(statement, Ensure) and counts_those_brought(statement, last):
+            self.statements[-1] = counted_by(last, statement, self._from_to(last, statement))
+            return True
+        return False
+
+    def _spares(self, statement: Statement, last: Statement | None) -> bool:
+        """Read what stays of what the last statement clears or removes; return whether it does."""
+        if not isinstance(statement, Keep) or is_everything(statement.things):
+            return False
+        spared = spared_of(statement) if isinstance(last, Clear) else ()
+        if isinstance(last, Clear) and spared:
+            self.statements[-1] = msgspec.structs.replace(last, spare=(*last.spare, *spared))
+            return True
+        alone = not isinstance(last, Clear | Remove) and not statement.things.place
+        if alone and re.match(r"(keep|leave) (only|just)\b", statement.quote.lower()):
+            self.unknown.append(statement.quote)  # it is not told what all else is
+            return True
+        only = re.search(r"\b(only|just|nothing but)\b", statement.quote)
+        if isinstance(last, Remove) and last.things.noun and only and not self._removed_together()[2:]:
+            self.unknown.append(statement.quote)  # more than what was named would have to go
+            return True
+        if isinstance(last, Remove) and last.things.amount.kind == "all":
+            but = msgspec.structs.replace(last.things, beside=(*last.things.beside, statement.things))
+            self.statements[-1] = msgspec.structs.replace(last, things=but)
+            return True
+        return False
+
+    def _moves_on(self, statement: Statement, last: Statement | None) -> bool:
+        """Read where what the last statement removes or moves goes; return whether it does."""
+        if not isinstance(statement, Move):
+            return False
+        together = [s for s in self.statements if isinstance(s, Move) and last is not None and s.quote == last.quote]
+        onward = moved_on(together, statement) if isinstance(last, Move) else None
+        listed = self._removed_together()
+        if onward is not None:
+            quote = self._from_to(together[0], statement)
+            self.statements[-len(together) :] = [msgspec.structs.replace(move, quote=quote) for move in onward]
+        elif len(listed) > 1 and moves_it(statement) and statement.things.plural:
+            quote = self._from_to(listed[0], statement)
+            moved_all = [Move(things=gone.things, place=statement.place, quote=quote) for gone in listed]
+            self.statements[-len(listed) :] = moved_all
+        elif isinstance(last, Remove) and last.things.noun and moves_it(statement):
+            moved = Move(things=last.things, place=statement.place, quote=self._from_to(last, statement))
+            self.statements[-1] = moved
+        else:
+            return False
+        return True
+
+    def _tells_of_rest(self, statement: Statement, last: Statement | None) -> bool:
+        """Read what becomes of those beyond the number that shall be; return whether that is said."""
+        if isinstance(last, Ensure) and isinstance(statement, Move | Remove) and is_surplus(statement, last):
+            rest = surplus_of(last, statement.things)
+            self.statements[-1] = msgspec.structs.replace(statement, things=rest)
+            return True
+        if tells_of_surplus(statement):
+            self.undecided = True
+            self.unknown.append(statement.quote)  # it is not told how many shall be there
+            return True
+        if isinstance(last, Ensure) and isinstance(statement, Remove) and statement.things.refers == "others":
+            self.statements[-1] = msgspec.structs.replace(exactly(last), quote=self._from_to(last, statement))
+            return True
+        return False
 
     def _removed_together(self) -> list[Remove]:
         """Return the removals of several things that the last clause asked for."""
@@ -517,6 +537,17 @@ def _one_of_its_kind(statement: Remove, named: Things) -> Remove:
     if not bare or not elsewhere or things.amount.kind != "some" or not things.amount.number:
         return statement
     return msgspec.structs.replace(statement, things=msgspec.structs.replace(things, noun=named.noun, refers=""))
+
+
+def _says_again(statement: Statement, last: Statement | None) -> bool:
+    """Whether a statement only says once more what the last one asks for: ``add a door and put it in``."""
+    if isinstance(last, Clear):
+        return removes_all_of_it(statement)
+    if isinstance(last, Reshape):
+        return last.what == "door" and adds_it(statement)
+    if isinstance(last, Remove):
+        return removes_what_went(statement)
+    return isinstance(last, Add | Ensure | Move) and isinstance(statement, Move) and only_brings_it(statement)
 
 
 def _is_of_it(statement: Clear, last: Clear) -> bool:

@@ -16,12 +16,15 @@ from mansion_editing.instructions.statements import (
     Furnish,
     Mention,
     Move,
+    Paint,
     Place,
     Remove,
     Rename,
     Rooms,
+    SetState,
     Statement,
     Things,
+    Turn,
 )
 
 __all__ = ["Referring"]
@@ -35,6 +38,11 @@ class Referring(Progress):
 
     def _referred(self, statement: Statement) -> Statement:
         """Return a statement about what its pronouns stand for."""
+        missing = self.topic is not None and self.topic.amount.kind == "more"
+        present = isinstance(statement, Remove | SetState | Paint | Turn)
+        if missing and present and _is_bare_it(getattr(statement, "things", None), many=True):
+            self.unknown.append(statement.quote)  # what was told to be missing is not there
+            return statement
         told = self._about_topic(self._about_room(self._about_holder(self._cleared(statement))))
         bare = isinstance(told, Ensure) and _is_bare_it(told.things, many=True)
         counting = bool(self.statements) and counts_those_brought(told, self.statements[-1])
@@ -52,7 +60,9 @@ class Referring(Progress):
         if isinstance(meant, Things) and not noun and meant.place is not None and not meant.refers:
             place = msgspec.structs.replace(meant.place, relation=statement.place.relation)
             return msgspec.structs.replace(statement, place=place)  # a mess, or whatever was left there
-        holds = bool(noun) and self.lexicon.carries(noun) and (self.lexicon.stands(noun) or not statement.place.relation)
+        holds = (
+            bool(noun) and self.lexicon.carries(noun) and (self.lexicon.stands(noun) or not statement.place.relation)
+        )
         if holds or statement.spare or statement.place.anchor is None:
             return statement
         return Remove(things=statement.place.anchor, quote=statement.quote)
