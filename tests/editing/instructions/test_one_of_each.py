@@ -71,3 +71,15 @@ def test_a_side_table_in_a_bedroom_is_its_bedside_table(editor: SceneEditor) -> 
     assert instruct(editor, "Put a mug on the bedside table.").done
     (mug,) = [item for _, item in editor.state.objects() if item.category == "mug" and "side_table" in str(item.parent)]
     assert mug.room == "F2/private_office_1"
+
+
+def test_what_is_shared_out_is_so_many_in_all(editor: SceneEditor) -> None:
+    assert instruct(editor, "Put two bowls on the dining tables, one each.").done
+    assert sum(item.category == "bowl" for _, item in editor.state.objects()) == 2
+
+
+@pytest.mark.parametrize(
+    "text", ["Put three bowls on the dining tables, one each.", "Put two bowls on the sofa, one each."]
+)
+def test_numbers_that_do_not_fit_each_other_are_refused(editor: SceneEditor, text: str) -> None:
+    assert not instruct(editor, text).done

@@ -127,3 +127,14 @@ def test_a_storey_may_stand_after_the_room(furnished_state: SceneState, apart: s
     (added,) = read.statements
     assert read.not_understood == [] and isinstance(added, Add)
     assert added.place.rooms is not None and added.place.rooms.words == "kitchen"
+
+
+@pytest.mark.parametrize(
+    ("where", "relation"), [("on it", "on"), ("in the middle of it", "on"), ("next to it", "beside")]
+)
+def test_one_it_is_not_several_new_things(furnished_state: SceneState, where: str, relation: str) -> None:
+    text = f"Two more chairs at the dining table in the kitchen and a lamp {where}."
+    read = read_instruction(text, furnished_state)
+    lamp = next(s for s in read.statements if isinstance(s, Add | Ensure) and s.things.noun == "lamp")
+    assert read.not_understood == [] and lamp.place.relation == relation
+    assert lamp.place.anchor is not None and lamp.place.anchor.noun == "dining table"

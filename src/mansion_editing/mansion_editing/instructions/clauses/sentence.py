@@ -34,7 +34,7 @@ from mansion_editing.instructions.phrases.words import (
     Word,
     text_at,
 )
-from mansion_editing.instructions.statements import JOINED, Amount, Place, Rooms, Statement, Things
+from mansion_editing.instructions.statements import JOINED, Amount, Place, Relation, Rooms, Statement, Things
 
 __all__ = ["Sentence"]
 
@@ -272,6 +272,10 @@ class Sentence(ABC):
             if found and self._tells_number_of(found[-1], item):
                 found[-1] = Item(replace(found[-1].phrase, amount=item.phrase.amount), found[-1].places, item.end)
                 return found
+            shares = self._shared_out(found[-1], item) if found else None
+            if shares is not None:
+                found[-1] = shares
+                return found
             if found and self._tells_where_holder_is(found[-1], item):
                 last = found[-1].places[-1]
                 whole = replace(last, place=merged(last.place, item.goal()[0]), end=item.end)
@@ -294,6 +298,27 @@ class Sentence(ABC):
         counted = phrase.amount.kind in ("some", "at_least") and not phrase.amount.of
         ends = item.end >= len(self.words) or self.words[item.end].kind == "mark"
         return bare and open_number and counted and ends and self.text(phrase.start - 1) == ","
+
+    def _shared_out(self, before: Item, item: Item) -> Item | None:
+        """Read ``two plants in the offices, one each``: one in each of the two; None for others.
+
+        Raises
+        ------
+        NotUnderstood
+            Where the numbers do not fit each other.
+        """
+        phrase, whole = item.phrase, before.phrase.amount
+        bare = phrase.refers == "last" and not phrase.noun.words and not item.places and phrase.amount.kind == "some"
+        if not bare or self.text(item.end) != "each" or self.text(phrase.start - 1) != "," or not before.places:
+            return None
+        share = phrase.amount.number
+        at = next((k for k, read in enumerate(before.places) if _names_several(read.place)), -1)
+        if at < 0 or not share or whole.kind != "some" or whole.number % share:
+            raise NotUnderstood(before.phrase.start, item.end + 1)
+        there = before.places[at]
+        counted = replace(there, place=_so_many(there.place, whole.number // share), each=True)
+        places = (*before.places[:at], counted, *before.places[at + 1 :])
+        return Item(replace(before.phrase, amount=phrase.amount), places, item.end + 1)
 
     def _tells_where_holder_is(self, before: Item, item: Item) -> bool:
         """Whether an item is what the one before goes into, with its place: ``keys in a bowl, bowl on the shelf``."""
@@ -334,8 +359,10 @@ class Sentence(ABC):
     def _beside_it(self, item: Item, before: Sequence[Item]) -> Item:
         """Put the thing before for ``it``: the table or anything on it."""
         last = before[-1] if before else None
-        if last is None or not last.phrase.definite or not item.places:
+        if last is None or not item.places:
             return item
+        if not last.phrase.definite:
+            return self._at_their_holder(item, last)
         anchor = item.places[0].place.anchor
         if anchor is None or anchor.refers != "last" or anchor.noun:
             return item
@@ -347,6 +374,18 @@ class Sentence(ABC):
         if (item.places[0].source or item.places[0].place.relation in _HOLDING) and not holds:
             return item  # "the laptop and the pen on it" are on what was named before
         place = msgspec.structs.replace(item.places[0].place, anchor=last.things())
+        return Item(item.phrase, (replace(item.places[0], place=place), *item.places[1:]), item.end)
+
+    def _at_their_holder(self, item: Item, before: Item) -> Item:
+        """Put what several new things are at for ``it``: ``two chairs at the table and a candle on it``."""
+        it, (there, _) = item.places[0].place.anchor, before.goal()
+        told = it is not None and it.refers == "last" and not it.noun and not it.plural
+        holder = there.anchor
+        if not told or not before.phrase.plural or holder is None or holder.plural or not holder.definite:
+            return item
+        centre = self.text(item.places[0].start + 2) in ("middle", "centre", "center")
+        relation: Relation = "on" if centre else item.places[0].place.relation
+        place = msgspec.structs.replace(item.places[0].place, relation=relation, anchor=holder, rooms=there.rooms)
         return Item(item.phrase, (replace(item.places[0], place=place), *item.places[1:]), item.end)
 
     def _as_before(self, item: Item, before: Sequence[Item]) -> Item:
@@ -597,6 +636,28 @@ class Sentence(ABC):
         if self.frame != Place():
             place = self.frame if place == Place() else merged(place, self.frame)
         return _with_holder_at(place), each
+
+
+def _names_several(place: Place) -> bool:
+    """Whether a place names several things or rooms without their number: ``on the desks``, ``in the offices``."""
+    if place.anchor is not None:
+        return place.anchor.plural and not place.anchor.amount.number
+    return place.rooms is not None and place.rooms.every and not place.rooms.number
+
+
+def _so_many(place: Place, number: int) -> Place:
+    """Return several things or rooms with their number, where it is told."""
+    if not number:
+        return place
+    if place.anchor is not None:
+        return msgspec.structs.replace(
+            place, anchor=msgspec.structs.replace(place.anchor, amount=Amount(number=number))
+        )
+    return (
+        place
+        if place.rooms is None
+        else msgspec.structs.replace(place, rooms=msgspec.structs.replace(place.rooms, number=number))
+    )
 
 
 def _with_holder_at(place: Place) -> Place:

@@ -220,7 +220,11 @@ def _after_preposition(
     spot = _spot(words, start, at, phrase, relation, lexicon, floors)
     if spot is not None:
         return spot
-    if text_at(words, at) == "the" and text_at(words, at + 1) == "floor" and phrase[0] in (*_ON, *_ALL_OVER, "off", "from"):
+    if (
+        text_at(words, at) == "the"
+        and text_at(words, at + 1) == "floor"
+        and phrase[0] in (*_ON, *_ALL_OVER, "off", "from")
+    ):
         inner = _after_preposition(words, at + 2, at + 3, ("in",), "in", lexicon, floors)
         room = inner is not None and text_at(words, at + 2) in ("of", "in") and inner.place.anchor is None
         if inner is not None and room and inner.place.rooms is not None:

@@ -47,6 +47,8 @@ class Referring(Progress):
         bare = isinstance(told, Ensure) and _is_bare_it(told.things, many=True)
         counting = bool(self.statements) and counts_those_brought(told, self.statements[-1])
         if isinstance(told, Ensure) and bare and told.things.amount.kind == "at_most" and not counting:
+            if self.statements and isinstance(self.statements[-1], Add | Ensure):
+                self.unknown.append(told.quote)  # "a pillow on each, at most two": brought besides, or in all
             return Mention(quote=told.quote)  # "eight is enough" of what nothing tells
         return told
 
