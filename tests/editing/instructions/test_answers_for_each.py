@@ -23,3 +23,8 @@ def test_all_of_them_are_looked_at(editor: SceneEditor, question: str, begins: s
 def test_one_is_of_the_kind_that_was_asked_for(editor: SceneEditor) -> None:
     report = instruct(editor, "How many chairs are there on floor 1, and is there one in the kitchen?")
     assert "No, there is no chair in the kitchen" in report.message
+
+
+def test_a_question_may_follow_a_heading(editor: SceneEditor) -> None:
+    report = instruct(editor, "Inventory check: how many chairs are there in the hall?")
+    assert report.question and report.message.startswith("There are 3 chairs")

@@ -5,7 +5,7 @@ import pytest
 from mansion_editing.editor import SceneEditor
 from mansion_editing.instructions.instruct import instruct
 from mansion_editing.instructions.sentences.reader import read_instruction
-from mansion_editing.instructions.statements import Add, Ensure, Move, Remove, Rename
+from mansion_editing.instructions.statements import Add, Ensure, Move, Remove, Rename, Swap, Things
 from mansion_editing.state import SceneState
 
 
@@ -84,3 +84,58 @@ def test_a_holder_may_come_before_what_is_new(furnished_state: SceneState, text:
     (added,) = [s for s in read.statements if isinstance(s, Add | Ensure)]
     assert read.not_understood == [] and added.things.noun == noun
     assert added.place.relation == relation and added.place.anchor is not None
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The sofa in the hall to the kitchen.",
+        "The plate in the kitchen goes to the office and the sofa in the hall to the kitchen.",
+    ],
+)
+def test_a_thing_in_a_room_goes_to_another_without_a_verb(furnished_state: SceneState, text: str) -> None:
+    moved = read_instruction(text, furnished_state).statements[-1]
+    assert isinstance(moved, Move) and moved.things.noun == "sofa"
+    assert moved.things.place is not None and moved.things.place.rooms is not None and moved.place.rooms is not None
+    assert (moved.things.place.rooms.words, moved.place.rooms.words) == ("hall", "kitchen")
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["Move the two mugs in the hall to the kitchen.", "Two of the four mugs in the hall must go to the kitchen."],
+)
+def test_what_is_not_there_has_not_arrived_either(editor: SceneEditor, text: str) -> None:
+    report = instruct(editor, text)
+    assert not report.done and "there is no mug" in report.message
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Swap the dining tables of the kitchen and private office 1.",
+        "Exchange the dining tables in the kitchen and private office 1.",
+    ],
+)
+def test_the_things_of_two_rooms_change_places(furnished_state: SceneState, text: str) -> None:
+    (swapped,) = read_instruction(text, furnished_state).statements
+    assert isinstance(swapped, Swap) and isinstance(swapped.one, Things) and isinstance(swapped.other, Things)
+    rooms = [end.place.rooms.words for end in (swapped.one, swapped.other) if end.place and end.place.rooms]
+    assert rooms == ["kitchen", "private office 1"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Remove the mug from the dining table in the kitchen and put a bowl there.",
+        "Put a mug on the dining table in the kitchen and a bowl there.",
+    ],
+)
+def test_what_is_loose_goes_where_the_other_was(editor: SceneEditor, text: str) -> None:
+    assert instruct(editor, text).done
+    (bowl,) = [item for _, item in editor.state.objects() if item.category == "bowl"]
+    assert bowl.parent == "F1/kitchen/dining_table_1"
+
+
+def test_what_comes_instead_of_what_was_only_told_is_refused(furnished_state: SceneState) -> None:
+    text = "Open the fridge. She hates the mug on the dining table in the kitchen, give her a glass there instead."
+    assert read_instruction(text, furnished_state).not_understood

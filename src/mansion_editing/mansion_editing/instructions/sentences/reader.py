@@ -146,11 +146,13 @@ class _Reader(
 
     def _instead_of_nothing(self) -> list[str]:
         """Return what shall come ``instead`` of what was only told of: whether that goes is not said."""
-        first = next((s for s in self.statements if not isinstance(s, Mention | Keep)), None)
-        if not isinstance(first, Add | Ensure) or not any(isinstance(s, Mention) for s in self.statements):
-            return []
-        after = self.text.partition(first.quote)[2]
-        return [first.quote] if re.match(r"\W*instead\b(?! of)", after) else []
+        asked = [(at, s) for at, s in enumerate(self.statements) if not isinstance(s, Mention | Keep)]
+        for at, statement in asked:
+            told = at > 0 and isinstance(self.statements[at - 1], Mention)
+            after = self.text.partition(statement.quote)[2]
+            if told and isinstance(statement, Add | Ensure) and re.match(r"\W*instead\b(?! of)", after):
+                return [statement.quote]
+        return []
 
     def _asks_in_vain(self) -> list[str]:
         """Return the last clause with a verb where it was only taken to begin what no other clause goes on with."""
@@ -196,12 +198,7 @@ class _Reader(
         self.last_noun = reader.last_noun
 
     def _read_words(self, reader: ClauseReader, words: Sequence[Word], *, marked: bool) -> None:
-        at = self._corrected(reader, words, 0) or reader.skip(0)
-        if reader.text(at) in ("no", "nope") and (reader.text(at + 1) in (",", "wait", "-") or at + 1 >= len(words)):
-            at = reader.skip(at + 1 + (reader.text(at + 1) == "wait"))
-        if tuple(w.text for w in words[at : at + 3]) == ("from", "now", "on"):
-            at = reader.skip(at + 3)
-            at = self._end_of_new_name(reader, at) or at
+        at = self._begin(reader, words)
         if at >= len(words):
             return
         told = 0 if marked else self._tells_numbers(reader, at) or self._sets_scene(reader, at)
@@ -216,7 +213,9 @@ class _Reader(
             and self._reads_question(reader, words, at, marked=marked)
         ):
             return
-        at = self._read_label(reader, words, at)
+        label, at = at, self._read_label(reader, words, at)
+        if at > label and reader.frame == Place() and self._reads_question(reader, words, at, marked=marked):
+            return
         at = self._read_heading(reader, words, at)
         at = self._read_exception(reader, at)
         at = self._read_frame(reader, at)
@@ -245,6 +244,16 @@ class _Reader(
                 at = end
                 continue
             at = self._goes_to_rest(reader, at) or self._read_clause(reader, words, at)
+
+    def _begin(self, reader: ClauseReader, words: Sequence[Word]) -> int:
+        """Return the place after what a sentence only begins with: ``no, wait``, ``from now on``."""
+        at = self._corrected(reader, words, 0) or reader.skip(0)
+        if reader.text(at) in ("no", "nope") and (reader.text(at + 1) in (",", "wait", "-") or at + 1 >= len(words)):
+            at = reader.skip(at + 1 + (reader.text(at + 1) == "wait"))
+        if tuple(w.text for w in words[at : at + 3]) == ("from", "now", "on"):
+            at = reader.skip(at + 3)
+            at = self._end_of_new_name(reader, at) or at
+        return at
 
     def _end_of_new_name(self, reader: ClauseReader, at: int) -> int:
         """Read ``the room called Office is "Studio"`` after ``from now on``; return its end, 0 for others."""

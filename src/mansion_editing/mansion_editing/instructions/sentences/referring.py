@@ -43,7 +43,7 @@ class Referring(Progress):
         if missing and present and _is_bare_it(getattr(statement, "things", None), many=True):
             self.unknown.append(statement.quote)  # what was told to be missing is not there
             return statement
-        told = self._about_topic(self._about_room(self._about_holder(self._cleared(statement))))
+        told = self._about_topic(self._about_room(self._about_holder(self._put_there(self._cleared(statement)))))
         bare = isinstance(told, Ensure) and _is_bare_it(told.things, many=True)
         counting = bool(self.statements) and counts_those_brought(told, self.statements[-1])
         if isinstance(told, Ensure) and bare and told.things.amount.kind == "at_most" and not counting:
@@ -68,6 +68,21 @@ class Referring(Progress):
         if holds or statement.spare or statement.place.anchor is None:
             return statement
         return Remove(things=statement.place.anchor, quote=statement.quote)
+
+    def _put_there(self, statement: Statement) -> Statement:
+        """Return what is loose as put on or in what things just came off or went to: ``and put a mug there``."""
+        last = self.statements[-1] if self.statements else None
+        there = isinstance(statement, Add | Ensure | Move) and statement.place == Place(rooms=Rooms(same=True))
+        if not there or self.topic is not None or not isinstance(statement, Add | Ensure | Move):
+            return statement
+        at = last.things.place if isinstance(last, Remove) else last.place if isinstance(last, Add | Move) else None
+        holder = None if at is None else at.anchor
+        noun = () if holder is None else tuple(holder.noun.split())
+        loose = bool(statement.things.noun) and not self.lexicon.stands(tuple(statement.things.noun.split()))
+        if at is None or at.relation not in ("on", "in", "") or not (loose and noun and self.lexicon.carries(noun)):
+            return statement
+        place = Place(relation=at.relation or "on", anchor=holder, rooms=at.rooms)
+        return msgspec.structs.replace(statement, place=place)
 
     def _about_holder(self, statement: Statement) -> Statement:
         """Put the furniture that was mentioned last for ``in there``, where it holds things."""
