@@ -44,7 +44,8 @@ def _is_noun(tokens: list[Token], index: int) -> bool:
 _NO_NOUNS = _STOREYS | frozenset(
     """
     of for with and or at in on the a an to from by is are has have be about around approx circa least most exactly
-    only each every per all total minus plus up than over under between x
+    only each every per all total minus plus up than over under between x having including containing comprising
+    featuring holding offering
     """.split()
 )
 

@@ -61,6 +61,8 @@ def find_measures(reading: Reading) -> list[Measure]:
             index += 1
             continue
         reading.take(measure.first, measure.last)
+        if reading.words(measure.last, measure.last + 2) == ("each", "one"):
+            reading.take(measure.last + 1, measure.last + 2)
         found.append(replace(measure, limit=limit_of(reading, measure.first, measure.last)))
         index = measure.last
     return found
@@ -291,6 +293,7 @@ def _of_storey(reading: Reading, measure: Measure) -> bool:
             index -= 1  # "two floors of each 110 m2"
         if reading.word(index) == "," and apiece:
             index -= 1
+        index -= apiece and reading.word(index) in ("above", "over", "up")  # "three floors above, of 600 m2 each"
         if reading.word(index) in FLOOR_WORDS:
             plural = reading.plural(index) or _many_before(reading, index)
             linked = reading.word(index + 1) in _LINKS or apiece

@@ -115,7 +115,7 @@ class _Reader:
         """Read everything that noun phrases are part of; return them."""
         reading = self.reading
         read_adverts(reading, self.places)
-        self.opening = unknown_building(reading)
+        self.opening = unknown_building(reading, self.places)
         named = without_retractions(reading, noun_phrases(reading))
         phrases = rooms_of_several_uses(reading, without_bystanders(reading, named))
         phrases = with_accessible_ones(reading, desks_as_places(reading, rooms_by_name(reading, phrases)))
@@ -537,11 +537,7 @@ class _Reader:
                 first, second = (self.phrases[self.same.get(n, n)] for n in pair)
                 if not first.room_type or not second.room_type or "unknown" in (first.head, second.head):
                     continue
-                span = self.reading.span(min(first.begin, relation.first), relation.last)
-                if relation.last <= second.begin and second.noun_end - first.begin < 14:
-                    span = self.reading.span(min(first.begin, relation.first), second.noun_end)
-                elif relation.first - first.begin > 10:
-                    span = self.reading.span(relation.first, relation.last)
+                span = self._span_of_relation(relation, *(self.phrases[n] for n in pair))
                 held.append(
                     AdjacencyFact(
                         first.room_type,
@@ -554,6 +550,13 @@ class _Reader:
                 )
             if len(held) == many:
                 self._tell(relation)
+
+    def _span_of_relation(self, relation: Relation, first: Phrase, second: Phrase) -> Span:
+        """Return the words of a relation, with those of the rooms that stand close by."""
+        begin = min(first.begin, second.begin, relation.first)
+        begin = begin if relation.first - begin <= _CLOSE else relation.first
+        last = max(first.noun_end, second.noun_end, relation.last)
+        return self.reading.span(begin, last if last - begin <= _WORDS else relation.last)
 
     def _tell(self, relation: Relation) -> None:
         """Give back the words of a relation that no statement was made of."""
@@ -586,6 +589,10 @@ _HOMES = frozenset({"house", "home", "building", "villa", "cottage", "cabin", "b
 
 _FIXTURES = frozenset({"shower", "bath", "walk_in_shower", "loo"})
 _BATHROOMS = frozenset({"bathroom", "ensuite_bathroom", "accessible_toilet"})
+
+_CLOSE = 8
+_WORDS = 12
+"""Tokens between a relation and a room that its statement names, and of a statement, at most."""
 
 _BARE = frozenset({"building", "complex"})
 """Names of a building that say nothing of its use: its rooms do."""

@@ -25,6 +25,7 @@ from mansion_planner.brief.token_forms import (
     gross_areas,
     kinds_of_area,
     open_decks,
+    workplaces,
 )
 
 __all__ = ["FLOOR_WORDS", "Place", "Reading", "start_reading"]
@@ -170,7 +171,8 @@ def start_reading(text: str, knowledge: KnowledgeBase, cancelled: Callable[[], b
     tokens = storey_tables(abbreviated_storeys(decades(tokens)), FLOOR_WORDS)
     tokens = flat_types(count_forms(storeys_by_use(storey_forms(text, tokens), FLOOR_WORDS)))
     tokens = compounds(corrected(tokens, lexicon.words, furniture_vocabulary()), lexicon.words)
-    tokens = capacities(foreign_storeys(open_decks(kinds_of_area(gross_areas(tokens)))), lexicon.heads)
+    tokens = workplaces(foreign_storeys(open_decks(kinds_of_area(gross_areas(tokens)))))
+    tokens = capacities(tokens, lexicon.heads)
     mentions = lexicon.find(tokens)
     reading = Reading(
         text=text,

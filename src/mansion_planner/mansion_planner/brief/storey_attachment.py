@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 from mansion_planner.brief.facts import FloorRef
 from mansion_planner.brief.phrase import PEOPLE, Phrase
 from mansion_planner.brief.reading import Place, Reading
+from mansion_planner.brief.storey_counts import HOLDING
 
 __all__ = ["Attachment", "attach_storeys"]
 
@@ -121,7 +122,7 @@ class _Walk:
             roof = self.reading.word(place.last - 1) == "roof" and place.last - place.first < 5
             if scope is not None and roof and not self.reading.starts(place.first):
                 continue  # "second floor: a bedroom under the roof"
-            if place.refs[0].kind == "basement" and self.reading.word(place.last) == "with" and rest:
+            if place.refs[0].kind == "basement" and self.reading.word(place.last) in HOLDING and rest:
                 for target in self._joined(rest):
                     self._give(target, place, trailing=True)
                 left += rest[:1]

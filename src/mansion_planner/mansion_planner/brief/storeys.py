@@ -12,7 +12,7 @@ from mansion_planner.brief.named_storeys import COPULAS, TOPS, NamedStoreys
 from mansion_planner.brief.numbered_storeys import NumberedStoreys
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
 from mansion_planner.brief.relative_storeys import RelativeStoreys
-from mansion_planner.brief.storey_counts import CLOSERS, DEFINITE, STOREY_ADJECTIVES, StoreyCounts, settle_counts
+from mansion_planner.brief.storey_counts import CLOSERS, DEFINITE, STOREY_ADJECTIVES, UPSTAIRS, StoreyCounts, settle_counts
 from mansion_planner.brief.storey_forms import ABOVE_GROUND
 from mansion_planner.brief.storey_sequences import StoreySequence, resolve_rest
 
@@ -88,10 +88,6 @@ def _with_edges(reading: Reading, place: Place) -> Place:
     reading.take(first, last)
     each = place.refs[0].kind == "every" and reading.kind(place.first - 1) in ("word", "number")
     return replace(place, first=first, last=last, led=led or each, heading=heading or place.heading)
-
-
-_UPSTAIRS = frozenset("upper other guest remaining sleeping bedroom residential".split())
-"""What storeys above the ground floor are called together: "on each sleeping level"."""
 
 
 _SAID_OF_BOTH = frozenset("is are be has have hold contain there each both we should must will need with same".split())
@@ -272,6 +268,9 @@ class _Scanner:
             return [FloorRef("middle")], last
         if reading.word(index - 1) in ("these", "those") and self.places:
             return self._gathered(many, index), last
+        floors = int(reading.facts.floors[0].value) if reading.facts.floors else 0
+        if many > 1 and floors == many + 1:
+            return [FloorRef("range", 2, floors)], last  # "a ground floor and three floors above ... the three floors"
         return [FloorRef("every")], last
 
     def _elliptic_set(self, index: int, at: int, last: int, lead: str) -> bool:
@@ -441,7 +440,7 @@ class _Scanner:
         if counted and reading.value(last) > 1 and not reading.facts.floors:
             reading.facts.floors.append(Quantity(reading.value(last), reading.span(last, last + 2)))
         last += reading.kind(last) == "number"
-        upper = reading.word(last) in _UPSTAIRS
+        upper = reading.word(last) in UPSTAIRS
         last += upper or reading.word(last) in ("residential", "office", "typical")
         if reading.word(last) not in FLOOR_WORDS:
             return None
