@@ -249,7 +249,7 @@ _DORMITORIES = frozenset({"dorm_room", "hostel_dorm", "bunk_room"})
 _UNSEATED = frozenset(
     """
     bedroom storage garage parking bike_storage bathroom toilet cloakroom apparatus_bay dorm_room hostel_dorm
-    bunk_room hotel_room archive warehouse apartment
+    bunk_room hotel_room archive warehouse apartment holding_cell
     """.split()
 )
 

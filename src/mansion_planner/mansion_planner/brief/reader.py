@@ -48,8 +48,10 @@ from mansion_planner.brief.shared_places import read_shares
 from mansion_planner.brief.shared_rooms import as_studio_flat, rooms_of_several_uses
 from mansion_planner.brief.shared_sizes import with_shared_sizes
 from mansion_planner.brief.sizes import sized
+from mansion_planner.brief.some_en_suite import with_some_en_suite
 from mansion_planner.brief.stacked_uses import read_stacking
 from mansion_planner.brief.storey_attachment import Attachment
+from mansion_planner.brief.storey_uses import read_storey_uses
 from mansion_planner.brief.storeys import read_storeys
 from mansion_planner.brief.suites import read_suites
 from mansion_planner.brief.told_by_size import told_by_size
@@ -118,6 +120,7 @@ class _Reader:
         self.opening = unknown_building(reading, self.places)
         named = without_retractions(reading, noun_phrases(reading))
         phrases = rooms_of_several_uses(reading, without_bystanders(reading, named))
+        phrases = with_some_en_suite(reading, phrases)
         phrases = with_accessible_ones(reading, desks_as_places(reading, rooms_by_name(reading, phrases)))
         read_shares(reading, phrases)
         reading.go_on()
@@ -144,6 +147,7 @@ class _Reader:
         for number, phrase in enumerate(self.phrases):
             if phrase.first in shared and number in self.attached:
                 self.attached[number] = Attachment(self.attached[number].refs)
+        read_storey_uses(reading, self.places, self.phrases, self.attached, self.building)
         read_halves(reading, self.phrases, self.places, self.attached)
         self._place_with(one_of_several.others)
         self._other_names_of_building()
@@ -169,6 +173,8 @@ class _Reader:
         self.facts.objects += read_furnishings(
             reading, self.phrases, self.attached, self.negated, self.same, self.relations
         )
+        self._tell_users()
+        self._further_ones()
         adverts = tuple(self.facts.rooms)
         RoomStatements(
             reading,
@@ -500,6 +506,28 @@ class _Reader:
                 self.facts.occupants.append(OccupantFact(2, "family", reading.span(index, index + 1)))
                 reading.take(index, index + 1)
 
+    def _tell_users(self) -> None:
+        """Give back how many a room is for where nothing stands there for each of them: "a cell for four detainees"."""
+        read = [fact.span for fact in (*self.facts.objects, *self.facts.occupants)]
+        for number, phrase in enumerate(self.phrases[1:], 1):
+            room = self.phrases[number - 1]
+            span = self.reading.span(phrase.first, phrase.last)
+            users = phrase.head == "people" and phrase.counted and (phrase.count or 0) > _PAIR
+            if not users or room.head != "room" or self.reading.words(room.last, phrase.first) != ("for",):
+                continue
+            if not any(other.start <= span.start < other.end for other in read):
+                self.reading.taken.difference_update(range(phrase.first, phrase.last))
+
+    def _further_ones(self) -> None:
+        """Take the ordinal of one more room of a kind: "an en-suite bathroom ... a second bathroom"."""
+        for number, phrase in enumerate(self.phrases):
+            ordinal = phrase.begin - 1
+            if phrase.head != "room" or self.reading.kind(ordinal) != "ordinal" or ordinal in self.reading.taken:
+                continue
+            before = [p for p in self.phrases[:number] if p.head == "room" and p.room_type == phrase.room_type]
+            if self.reading.word(ordinal - 1) in ("a", "the", "and") and before and number not in self.same:
+                self.reading.take(ordinal, ordinal + 1)
+
     def _vertical(self) -> None:
         for number, phrase in enumerate(self.phrases):
             if phrase.head not in ("stair", "elevator"):
@@ -589,6 +617,9 @@ _HOMES = frozenset({"house", "home", "building", "villa", "cottage", "cabin", "b
 
 _FIXTURES = frozenset({"shower", "bath", "walk_in_shower", "loo"})
 _BATHROOMS = frozenset({"bathroom", "ensuite_bathroom", "accessible_toilet"})
+
+_PAIR = 2
+"""Users that any room has place for."""
 
 _CLOSE = 8
 _WORDS = 12

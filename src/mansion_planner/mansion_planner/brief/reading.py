@@ -30,6 +30,11 @@ from mansion_planner.brief.token_forms import (
 
 __all__ = ["FLOOR_WORDS", "Place", "Reading", "start_reading"]
 
+_APPOSITIVE = frozenset(
+    "so i e . that is which meaning means lies directly right just immediately one the above over below under".split()
+)
+"""Words that lead from a storey to the one that tells where it lies."""
+
 FLOOR_WORDS = frozenset(
     """
     floor storey story level storied storeyed floored leveled levelled deck storie
@@ -158,6 +163,16 @@ class Reading:
     def take(self, first: int, last: int) -> None:
         """Mark tokens as part of a statement."""
         self.taken.update(range(first, last))
+
+    def appositive(self, index: int) -> int:
+        """Return where words end that say of a storey where it lies: ", so directly above" | "the ground floor"; or 0."""
+        if self.word(index) not in (",", "(", "–", "-"):
+            return 0
+        end = index + 1
+        while end - index < 8 and self.word(end) in _APPOSITIVE:
+            end += 1
+        end -= self.word(end - 1) == "the"
+        return end if end > index + 1 and self.word(end - 1) in ("above", "over", "below", "under") else 0
 
     def free(self, first: int, last: int) -> bool:
         """Whether no token from `first` to `last` (exclusive) is part of a statement yet."""

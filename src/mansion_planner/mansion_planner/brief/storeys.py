@@ -41,6 +41,10 @@ def _narrowed(reading: Reading, places: list[Place]) -> list[Place]:
     found: list[Place] = []
     for place in places:
         before = found[-1] if found else None
+        if before is not None and _is_apposed(reading, before, place):
+            found[-1] = replace(before, last=place.last)
+            reading.take(before.first, place.last)
+            continue
         several = len(place.refs) > 1 or place.refs[0].kind == "range"
         if before is not None and before.refs[0].kind == "every" and several:
             gap = reading.words(before.last, place.first)
@@ -50,6 +54,13 @@ def _narrowed(reading: Reading, places: list[Place]) -> list[Place]:
                 continue
         found.append(place)
     return found
+
+
+def _is_apposed(reading: Reading, before: Place, place: Place) -> bool:
+    """Whether a storey only tells where the one before lies: "on the first floor, so directly above ground floor"."""
+    end = reading.appositive(before.last)
+    closing = reading.word(place.last)
+    return 0 < place.first - end + 1 <= 2 and end > before.last and (closing in CLOSERS or closing in COPULAS)
 
 
 def _below_the_top(reading: Reading, places: list[Place]) -> list[Place]:
@@ -79,6 +90,8 @@ def _with_edges(reading: Reading, place: Place) -> Place:
     if led:
         first -= 1
     last = place.last
+    if reading.words(last, last + 2) == (",", "the") and reading.word(last + 2) in TOPS | {"lowest"}:
+        last += 3 * (reading.word(last + 3) == ",")  # "on the second floor, the highest, ten offices"
     if reading.word(last) == "(" and reading.word(last + 2) == ")" and reading.kind(last + 1) == "word":
         last += 3
     counted = reading.kind(last + 1) == "number" and reading.words(last + 2, last + 4) == ("of", "them")
