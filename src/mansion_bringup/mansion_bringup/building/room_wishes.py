@@ -164,13 +164,23 @@ def _adjacent(wish: Wish, state: JudgedBuilding) -> Verdict:
 
 def _apart(wish: Wish, state: JudgedBuilding) -> Verdict:
     firsts, seconds = (
-        state.called(name, kind)
+        _all_called(name, kind, state)
         for name, kind in ((wish.value.name, wish.value.type), (wish.value.other, wish.value.other_type))
     )
     pairs = [(a, b) for a in firsts for b in seconds if state.near(a, b)]
     ids = [room.full_id for pair in pairs[:1] for room in pair]
     both = f"{spoken(wish.value.name)} and {spoken(wish.value.other)}"
     return met_if(not pairs, f"{both} share a wall", rooms=ids)
+
+
+def _all_called(name: str, kind: str, state: JudgedBuilding) -> list[JudgedRoom]:
+    """Return the rooms that a name means; "the toilets" are those of every type, under whatever name."""
+    if kind not in _TOILETS or "_" in name:
+        return state.called(name, kind)
+    return [room for room in state.rooms if room.type in _TOILETS or name in room.names]
+
+
+_TOILETS = frozenset({"toilet", "restroom", "accessible_toilet"})
 
 
 def _only(wish: Wish, state: JudgedBuilding) -> Verdict:

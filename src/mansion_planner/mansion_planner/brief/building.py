@@ -63,7 +63,7 @@ def own_building_name(reading: Reading, phrase: Phrase) -> str:
         meaning = lexicon.phrases.get(words[-size:])
         if meaning is not None and meaning.building:
             subject = [word for run in subject_of_building(reading, phrase) for word in reading.words(*run)]
-            name = "_".join((*subject, *words[-size:]))
+            name = "_".join((*subject, *words[-size:])).replace("&", "_and_")
             plain = name.endswith("_building") and phrase.building.endswith("_building")
             return "" if plain or name == phrase.building or phrase.plural else name
     return ""

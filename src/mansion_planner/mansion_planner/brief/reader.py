@@ -461,12 +461,15 @@ class _Reader:
     def _placed_again(self) -> None:
         """Read "a brewery with a taproom ... the floor above is the taproom with a bar" as where the taproom is."""
         operands = {n for relation in self.relations for n in (*relation.lefts, *relation.rights)}
+        mentioned = {n for relation in self.relations for n in relation.rights if self.phrases[n].determiner == "the"}
         for number, named in self.same.items():
             phrase, room = self.phrases[number], self.phrases[named]
-            placed = number in self.attached and named not in self.attached and number not in operands
-            again = phrase.name == room.name and room.count == 1 and not phrase.counted and named < number
+            open_yet = named not in self.attached or named in mentioned  # "away from the toilets" puts them nowhere
+            placed = number in self.attached and open_yet and number not in operands
+            again = phrase.name == room.name and room.count in (1, None) and not phrase.counted and named < number
             if placed and again:
-                self.attached[named] = Attachment(self.attached[number].refs)
+                place = self.attached[number]
+                self.attached[named] = place if room.plural else Attachment(place.refs)
 
     def _wanted_rooms(self) -> list[int]:
         """Return the phrases that name rooms of the building."""

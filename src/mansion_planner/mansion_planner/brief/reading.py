@@ -24,6 +24,7 @@ from mansion_planner.brief.token_forms import (
     foreign_storeys,
     gross_areas,
     kinds_of_area,
+    metering,
     open_decks,
     workplaces,
 )
@@ -186,7 +187,7 @@ def start_reading(text: str, knowledge: KnowledgeBase, cancelled: Callable[[], b
     tokens = storey_tables(abbreviated_storeys(decades(tokens)), FLOOR_WORDS)
     tokens = flat_types(count_forms(storeys_by_use(storey_forms(text, tokens), FLOOR_WORDS)))
     tokens = compounds(corrected(tokens, lexicon.words, furniture_vocabulary()), lexicon.words)
-    tokens = workplaces(foreign_storeys(open_decks(kinds_of_area(gross_areas(tokens)))))
+    tokens = workplaces(foreign_storeys(open_decks(kinds_of_area(gross_areas(metering(tokens))))))
     tokens = capacities(tokens, lexicon.heads)
     mentions = lexicon.find(tokens)
     reading = Reading(

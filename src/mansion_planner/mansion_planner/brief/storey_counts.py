@@ -297,7 +297,7 @@ class StoreyCounts:
         if not street and not (lead == "above" and following[0] in ("ground", "grade")):
             return 0
         self._state(count.value, count.first, count.last)
-        return count.last
+        return count.last if street else count.last + 2
 
     def _above_those_named(self, count: _Count) -> int:
         """Read "three floors above it"."""

@@ -12,6 +12,7 @@ __all__ = [
     "foreign_storeys",
     "gross_areas",
     "kinds_of_area",
+    "metering",
     "open_decks",
     "workplaces",
 ]
@@ -145,6 +146,16 @@ def workplaces(tokens: list[Token]) -> list[Token]:
         if (before.text if before is not None else "", token.text) == ("open", "plan") and _has_desks(tokens, index + 1):
             result.append(replace(token, text="office", start=token.end))
     return result
+
+
+def metering(tokens: list[Token]) -> list[Token]:
+    """Read the meter of "an electrical meter room" as a noun: no number stands before it."""
+    return [
+        replace(token, kind="word", text="meter")
+        if token.text == "m" and token.end - token.start > 1 and index and tokens[index - 1].kind != "number"
+        else token
+        for index, token in enumerate(tokens)
+    ]
 
 
 _FEWEST_COVERS = 8
