@@ -184,15 +184,18 @@ _TOILETS = frozenset({"toilet", "restroom", "accessible_toilet"})
 
 
 def _only(wish: Wish, state: JudgedBuilding) -> Verdict:
-    named = {w.value.type for w in state.program.wishes if w.kind == "room"} | {
-        "corridor",
-        "hallway",
-        "lobby",
-        "stair",
-        "elevator",
-    }
-    extra = [room.full_id for room in state.rooms if room.type not in named]
+    """Judge that a storey, or all, has no room but those of the brief, ways and what is reached through them alone."""
+    named = {w.value.type for w in state.program.wishes if w.kind == "room"}
+    here = [room for room in state.rooms if not wish.scope.floors or room.floor in wish.scope.floors]
+    asked = [room for room in here if room.type in named]
+    theirs = {other.full_id for room in asked for other in state.behind(room)}
+    extra = [
+        room.full_id for room in here if room.type not in named | _WAYS and room.full_id not in theirs
+    ]
     return met_if(not extra, f"{listed(extra[:3])} were added", rooms=extra)
+
+
+_WAYS = frozenset({"corridor", "hallway", "lobby", "stair", "elevator"})
 
 
 ROOM_JUDGES: Final[Mapping[str, Judge]] = {

@@ -47,7 +47,7 @@ FUNCTION_WORDS = frozenset(
     measure measuring occupy occupying span spanning
     well however therefore moreover nevertheless obviously yes ok pls hello hi dear thanks thank upstairs downstairs
     upstair downstair throughout everywhere anywhere elsewhere neither
-    either incl avoid omit exclude leaving fleeing escaping standing ditto idem likewise half itself themselves
+    exclusively solely purely either incl avoid omit exclude leaving fleeing escaping standing ditto idem likewise half itself themselves
     """.split()
 )
 """Words that no noun phrase of a room goes across."""

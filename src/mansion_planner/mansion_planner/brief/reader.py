@@ -190,7 +190,7 @@ class _Reader:
         among_adverts(self.facts, adverts)
         read_desk_areas(self.facts)
         self._relations()
-        read_completeness(reading)
+        read_completeness(reading, self.places, self.phrases)
         read_absent_parts(reading)
         self.facts.excluded.sort(key=lambda entry: entry[1].end)
         for index, token in enumerate(reading.tokens):
@@ -545,7 +545,8 @@ class _Reader:
             enough = self.reading.word(phrase.last + (self.reading.word(phrase.last) in _COPULAS)) in _ENOUGH
             if enough:
                 self.reading.take(phrase.last, phrase.last + 1 + (self.reading.word(phrase.last) in _COPULAS))
-            if enough or self.reading.word(phrase.last) == "only" or self.reading.word(phrase.first - 1) == "only":
+            only = "only" in (self.reading.word(phrase.last), self.reading.word(phrase.first - 1))
+            if enough or (only and not phrase.counted):  # "only one lift" is a number
                 self.facts.vertical.append(("no_elevator" if phrase.head == "stair" else "no_stair", span))
             self.facts.vertical.append((phrase.head, span))
             if phrase.counted and phrase.count is not None and phrase.determiner not in ("the", "both"):

@@ -68,6 +68,10 @@ def _is_content(reading: Reading, index: int) -> bool:
         return True  # "the third floor is like the second floor"
     if token.text == "only" and (reading.word(index + 1) in _WAYS or _after_way(reading, index)):
         return True  # "reached only through the kitchen", "from the kitchen only"
+    if token.text in ("private", "public") and reading.word(index - 1) in ("is", "are", "be", "stay", "remain"):
+        return True  # "the third floor is private"
+    if token.text in ("exclusively", "solely", "purely"):
+        return True
     if token.text == "only" and reading.plural(index - 1) and reading.breaks(index + 1):
         return True  # "on the first floor we want bedrooms only"
     return (

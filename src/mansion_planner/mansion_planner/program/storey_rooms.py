@@ -34,8 +34,8 @@ class Allocation:
         Room types whose number the brief settles; no storey adds more.
     unwanted : dict of int to frozenset of str
         Room types that the brief does not want on a storey.
-    complete : bool
-        The brief wants no room but those that it names.
+    complete : frozenset of int
+        Storeys on which the brief wants no room but those that it names.
     furniture : dict of str to float
         Square metres that the furniture wanted in rooms of a name needs.
     households : dict of str to RoomFact
@@ -45,7 +45,7 @@ class Allocation:
     wanted: dict[int, list[RoomFact]] = field(default_factory=dict)
     settled: frozenset[str] = frozenset()
     unwanted: dict[int, frozenset[str]] = field(default_factory=dict)
-    complete: bool = False
+    complete: frozenset[int] = frozenset()
     furniture: dict[str, float] = field(default_factory=dict)
     households: dict[str, RoomFact] = field(default_factory=dict)
 
@@ -59,7 +59,8 @@ class Allocation:
 
     def adds(self, room_type: str, floor: int) -> bool:
         """Whether a storey may have rooms of a type that the brief does not ask for."""
-        return not self.complete and room_type not in self.settled and room_type not in self.unwanted.get(floor, ())
+        refused = room_type in self.settled or room_type in self.unwanted.get(floor, ())
+        return floor not in self.complete and not refused
 
 
 def _people_rooms(decisions: Decisions, knowledge: KnowledgeBase) -> tuple[RoomFact, str] | None:
@@ -162,11 +163,18 @@ def allocate(decisions: Decisions, knowledge: KnowledgeBase, storeys: Sequence[S
         wanted=wanted,
         settled=_settled_types(facts, decisions, knowledge),
         unwanted=_unwanted_types(wanted, decisions, knowledge),
-        complete=bool(decisions.facts.only),
+        complete=_complete_storeys(decisions, storeys),
         furniture=furniture,
         households={knowledge.room(fact.room_type).counts_as: fact for fact in decisions.facts.households},
     )
     return allocation, Record(tuple(trace))
+
+
+def _complete_storeys(decisions: Decisions, storeys: Sequence[Storey]) -> frozenset[int]:
+    """Return the storeys on which the brief names all rooms."""
+    if decisions.facts.only:
+        return frozenset(storey.index for storey in storeys)
+    return frozenset(floor for _, refs in decisions.facts.only_on for floor in floors_of(refs, decisions))
 
 
 def _settled_types(facts: Iterable[RoomFact], decisions: Decisions, knowledge: KnowledgeBase) -> frozenset[str]:
