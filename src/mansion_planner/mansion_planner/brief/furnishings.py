@@ -204,7 +204,7 @@ def _seats(reading: Reading, phrases: list[Phrase], negated: dict[int, tuple[int
         if (
             last == at + 1
             and reading.kind(last) == "word"
-            and reading.word(last) not in ("and", "with", "on", "in", "at", "or")
+            and reading.word(last) not in FUNCTION_WORDS
         ):
             continue  # "for 150 stacking chairs" is about what is kept there
         each = begin > phrase.last or reading.word(last) in ("each", "apiece")

@@ -244,7 +244,8 @@ def _called_total(reading: Reading, quantity: Quantity) -> bool:
 def _after(reading: Reading, measure: Measure, count: int = 5) -> list[str]:
     words = []
     for index in range(measure.last, measure.last + count):
-        if reading.breaks(index) or reading.word(index) in (",", ":", "with"):
+        joined = reading.words(index, index + 2) == ("together", "with")  # what follows is measured apart
+        if reading.breaks(index) or reading.word(index) in (",", ":", "with") or joined:
             break
         words.append(reading.word(index))
     return words

@@ -15,6 +15,7 @@ from mansion_planner.brief.accessible_parts import with_accessible_ones
 from mansion_planner.brief.adverts import among_adverts, read_adverts, read_bedrooms_of_building
 from mansion_planner.brief.background_phrases import without_bystanders
 from mansion_planner.brief.bare_areas import with_bare_areas
+from mansion_planner.brief.blocks import with_blocks
 from mansion_planner.brief.building import building_phrase, own_building_name, unknown_building
 from mansion_planner.brief.building_shape import read_copies, read_massing, read_shape, read_sizes
 from mansion_planner.brief.coreference import coreferences
@@ -120,7 +121,7 @@ class _Reader:
         self.opening = unknown_building(reading, self.places)
         named = without_retractions(reading, noun_phrases(reading))
         phrases = rooms_of_several_uses(reading, without_bystanders(reading, named))
-        phrases = with_some_en_suite(reading, phrases)
+        phrases = with_some_en_suite(reading, with_blocks(reading, phrases))
         phrases = with_accessible_ones(reading, desks_as_places(reading, rooms_by_name(reading, phrases)))
         read_shares(reading, phrases)
         reading.go_on()

@@ -177,7 +177,7 @@ _BESIDE_AT, _APART_AT, _MUTUAL_AT = _by_first(_BESIDE), _by_first(_APART), _by_f
 _LEADS = frozenset({"between", "wall", "each", "to", "of", *(words[0] for words in (*_BESIDE, *_APART, *_MUTUAL))})
 """Words that a relation can begin with."""
 _NEGATIONS = frozenset({"none", "nothing", "not", "no", "never", "neither", "nor", "without", "nowhere", "avoid"})
-_PRONOUNS = frozenset({"it", "them", "this", "that", "which", "these"})
+_PRONOUNS = frozenset({"it", "them", "this", "that", "which", "these", "those"})
 
 
 @dataclass(frozen=True)
@@ -400,7 +400,9 @@ def _directed(
     if not rights and _is_relative(reading, phrases, before, last):
         return Relation((before[-1],), (before[-2],), negated, index, last), last
     if not rights:
-        pronoun = next((i for i in range(last - 1, last + 2) if reading.word(i) in _PRONOUNS), None)
+        of_them = reading.words(last, last + 2) in (("one", "of"), ("each", "of"), ("either", "of"), ("any", "of"))
+        reach = last + 2 + 2 * of_them
+        pronoun = next((i for i in range(last - 1, reach) if reading.word(i) in _PRONOUNS), None)
         if pronoun is None:
             return None
         earlier = [n for n in rooms if phrases[n].last <= index]
@@ -450,6 +452,9 @@ def _referent(reading: Reading, phrases: list[Phrase], others: list[int], lefts:
         if reading.sentence[phrases[number].first] != sentence:
             break
         following = phrases[number + 1].first if number + 1 < len(phrases) else len(reading.tokens)
+        having = reading.words(phrases[number].last, phrases[number].last + 2)
+        if having in (("that", "has"), ("which", "has"), ("that", "have")) or having[0] in ("having", "has"):
+            return number  # "a dining room that has the kitchen right beside it"
         if "with" in reading.words(phrases[number].last, min(following, phrases[number].last + 6)):
             return number
     return others[-1]

@@ -53,8 +53,8 @@ def _singled_out(phrase: Phrase, part: _Part) -> Phrase:
     noun = phrase.name.rpartition("_")[2]
     return replace(
         phrase, first=part.first, begin=part.first, noun_end=part.last, last=part.last, count=part.count, counted=True,
-        plural=part.count > 1, determiner="each" if part.count > 1 else "", name=f"ensuite_{noun}",
-        label=f"en-suite {noun}", areas=(),
+        plural=part.count > 1, determiner="each" if part.count > 1 else "", name=f"{noun}_suite",
+        label=f"{noun} suite", areas=(),
     )  # fmt: skip
 
 

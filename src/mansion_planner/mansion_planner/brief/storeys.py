@@ -103,6 +103,10 @@ def _with_edges(reading: Reading, place: Place) -> Place:
     return replace(place, first=first, last=last, led=led or each, heading=heading or place.heading)
 
 
+_ALIKE = frozenset({"same", "identical", "alike", "equal", "similar"})
+_ALL_ALIKE = _ALIKE | frozenset("is are be all both the , exactly".split())
+"""Words between storeys that are said to be alike and "each" of them."""
+
 _SAID_OF_BOTH = frozenset("is are be has have hold contain there each both we should must will need with same".split())
 """Words after two storeys that are told of together."""
 
@@ -398,7 +402,14 @@ class _Scanner:
     def _each_of_those_counted(self, index: int) -> tuple[list[FloorRef], int] | None:
         """Read "three floors, each with 12 rooms"."""
         reading = self.reading
-        if reading.word(index) != "each" or reading.word(index - 1) != "," or self._names_several(index):
+        if reading.word(index) != "each" or reading.word(index - 1) != ",":
+            return None
+        before = self.places[-1] if self.places else None
+        gap = set(reading.words(before.last, index)) if before is not None else set()
+        alike = gap <= _ALL_ALIKE and not gap.isdisjoint(_ALIKE)
+        if alike and before is not None and reading.sentence[before.first] == reading.sentence[index]:
+            return list(before.refs), index + 1  # "the three upper floors are the same, each having two flats"
+        if self._names_several(index):
             return None
         counted = reading.word(index - 2) in FLOOR_WORDS and index - 2 in reading.taken
         has = reading.word(index + 1) in ("with", "has", "having", "have", "contain", "hold")

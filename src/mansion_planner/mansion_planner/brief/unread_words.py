@@ -41,6 +41,10 @@ _REQUESTS = frozenset(
 
 def _is_content(reading: Reading, index: int) -> bool:
     token = reading.tokens[index]
+    if token.text == "one" and reading.word(index + 1) == "another":
+        return False
+    if token.text in ("around", "round") and reading.word(index + 1) in ("it", "them", "this", "that"):
+        return True  # "a hall with the shops around it"
     if token.kind == "number":
         bed = token.text == "double" and reading.word(index + 1) == "bed" and index + 1 in reading.taken
         return not (bed or _numbers_line(reading, index))

@@ -189,6 +189,8 @@ def _settled_types(facts: Iterable[RoomFact], decisions: Decisions, knowledge: K
         if fact.count is not None and not (kind.common and fact.count == 1):
             settled.update(name for name, other in knowledge.rooms.items() if other.counts_as == kind.counts_as)
             settled.update(next((group for group in _SAME_USE if kind.name in group), ()))
+            if kind.name == "private_office" and decisions.building.family != "office":
+                settled.add("open_office")  # a factory with two offices has no third one
             if fact.count > 1:
                 settled.update(_same_head(fact.name, knowledge))
                 settled.update(_LEAVES_OUT.get(kind.name, ()))
@@ -235,7 +237,12 @@ def _same_head(name: str, knowledge: KnowledgeBase) -> set[str]:
     head = name.rpartition("_")[2]
     if head in _GENERAL_HEADS:
         return set()
-    return {room for room in knowledge.rooms if room.rpartition("_")[2] == head}
+    heads = next((group for group in _HEADS_ALIKE if head in group), {head})
+    return {room for room in knowledge.rooms if room.rpartition("_")[2] in heads}
+
+
+_HEADS_ALIKE = (frozenset({"lab", "laboratory"}),)
+"""Nouns that mean the same at the end of a room's name."""
 
 
 def _number_of(fact: RoomFact) -> int:
