@@ -189,9 +189,7 @@ def _only(wish: Wish, state: JudgedBuilding) -> Verdict:
     here = [room for room in state.rooms if not wish.scope.floors or room.floor in wish.scope.floors]
     asked = [room for room in here if room.type in named]
     theirs = {other.full_id for room in asked for other in state.behind(room)}
-    extra = [
-        room.full_id for room in here if room.type not in named | _WAYS and room.full_id not in theirs
-    ]
+    extra = [room.full_id for room in here if room.type not in named | _WAYS and room.full_id not in theirs]
     return met_if(not extra, f"{listed(extra[:3])} were added", rooms=extra)
 
 

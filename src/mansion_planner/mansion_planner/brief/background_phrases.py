@@ -31,7 +31,7 @@ def without_bystanders(reading: Reading, phrases: list[Phrase]) -> list[Phrase]:
 
 
 def _owns_building(reading: Reading, building: Phrase, owner: Phrase) -> bool:
-    """Whether the second phrase only says whose building opens the brief: "Library of the faculty", "of our school"."""
+    """Whether the second phrase only says whose building opens the brief: "Library of the faculty"."""
     opens = building.begin <= 2 and bool(building.building) and not owner.plural and not owner.counted
     return opens and reading.words(building.last, owner.begin) in (("of", "the"), ("of", "our"), ("of", "a"))
 

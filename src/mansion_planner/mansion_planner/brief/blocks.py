@@ -29,14 +29,13 @@ def with_blocks(reading: Reading, phrases: list[Phrase]) -> list[Phrase]:
             found.append(phrase)
             continue
         reading.take(group, group + 1)
-        following = phrases[number + 1] if number + 1 < len(phrases) else None
-        if following is None or not _counts_rooms_of(following, phrase):
-            sentence = reading.sentence[phrase.first]
-            later = [p for p in phrases[number + 1 :] if reading.sentence[p.first] == sentence]
-            if any(_counts_rooms_of(p, phrase) for p in later):
-                continue  # "one cell block with two levels: 15 cells per level"
-        elif reading.word(group + 1) in _LISTS and following.first == group + 2:
-            blocks = (phrase.count or 1) if phrase.counted else 1
+        later = phrases[number + 1 :]
+        counted = [
+            p for p in later if _counts_rooms_of(p, phrase) and reading.sentence[p.first] == reading.sentence[group]
+        ]
+        if counted:  # also of "one cell block with two levels: 15 cells per level"
+            linked = reading.word(group + 1) in _LISTS and counted[0].first == group + 2 and phrase.counted
+            blocks = (phrase.count or 1) if linked else 1
             continue
         found.append(replace(phrase, last=group + 1, count=None, counted=False, plural=True))
     return found

@@ -282,6 +282,7 @@ def unknown_building(reading: Reading, places: Sequence[Place]) -> tuple[str, st
     found: list[tuple[bool, tuple[str, str, int, int]]] = []
     first = -1
     headed = {place.last + place.heading for place in places}  # "Basement: car park", "Ground floor clinic: ..."
+    headed |= {place.last + 1 for place in places if reading.word(place.last) in ("a", "an", "the")}
     for index in range(len(reading.tokens) + 1):
         if index < len(reading.tokens) and reading.sentence[index] > 1:
             break

@@ -336,7 +336,9 @@ def _goes_on(reading: Reading, phrases: list[Phrase], starts: dict[int, int], in
 
 
 _ALONE = frozenset({"only", "exclusively", "solely", "purely"})
-_HOLDS = frozenset("is are be has have contain contains hold holds with house houses get gets want put there : ,".split())
+_HOLDS = frozenset(
+    "is are be has have contain contains hold holds with house houses get gets want put there : ,".split()
+)
 """Words before "only" where it is said of what a storey holds."""
 
 
@@ -380,7 +382,9 @@ def _only_place(reading: Reading, places: Sequence[Place], index: int) -> Place 
     here = [place for place in places if reading.sentence[place.first] == reading.sentence[index]]
     if len(here) > 1:
         begin, end = index, index
-        while begin and reading.sentence[begin - 1] == reading.sentence[index] and reading.word(begin - 1) not in _CLAUSES:
+        while (
+            begin and reading.sentence[begin - 1] == reading.sentence[index] and reading.word(begin - 1) not in _CLAUSES
+        ):
             begin -= 1
         while not reading.breaks(end) and reading.word(end) not in _CLAUSES:
             end += 1

@@ -201,11 +201,7 @@ def _seats(reading: Reading, phrases: list[Phrase], negated: dict[int, tuple[int
         if not 1 < reading.value(at) <= 500:
             continue
         last = at + 1 + seated + (bracketed and not apiece)
-        if (
-            last == at + 1
-            and reading.kind(last) == "word"
-            and reading.word(last) not in FUNCTION_WORDS
-        ):
+        if last == at + 1 and reading.kind(last) == "word" and reading.word(last) not in FUNCTION_WORDS:
             continue  # "for 150 stacking chairs" is about what is kept there
         each = begin > phrase.last or reading.word(last) in ("each", "apiece")
         last += (reading.word(last) in ("each", "apiece")) + (bracketed and apiece)

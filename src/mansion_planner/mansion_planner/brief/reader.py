@@ -512,7 +512,7 @@ class _Reader:
 
     def _tell_users(self) -> None:
         """Give back how many a room is for where nothing stands there for each of them: "a cell for four detainees"."""
-        read = [fact.span for fact in (*self.facts.objects, *self.facts.occupants)]
+        read = [fact.span for fact in self.facts.objects] + [fact.span for fact in self.facts.occupants]
         for number, phrase in enumerate(self.phrases[1:], 1):
             room = self.phrases[number - 1]
             span = self.reading.span(phrase.first, phrase.last)

@@ -166,7 +166,7 @@ class Reading:
         self.taken.update(range(first, last))
 
     def appositive(self, index: int) -> int:
-        """Return where words end that say of a storey where it lies: ", so directly above" | "the ground floor"; or 0."""
+        """Return where words like ", so directly above" end, which lead to the storey that one lies above; or 0."""
         if self.word(index) not in (",", "(", "–", "-"):
             return 0
         end = index + 1

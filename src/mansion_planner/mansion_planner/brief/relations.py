@@ -562,9 +562,7 @@ def _between(reading: Reading, phrases: list[Phrase], rooms: list[int], index: i
     return Relation(lefts * len(following), tuple(following), False, index, index + 1), phrases[following[-1]].last
 
 
-def _wall_between(
-    reading: Reading, phrases: list[Phrase], rooms: list[int], index: int
-) -> tuple[Relation, int] | None:
+def _wall_between(reading: Reading, phrases: list[Phrase], rooms: list[int], index: int) -> tuple[Relation, int] | None:
     """Read "no common wall between the bedroom and the kitchen"; a wall that is not shared only parts the two."""
     if reading.word(index - 1) not in ("common", "shared", "party"):
         return None

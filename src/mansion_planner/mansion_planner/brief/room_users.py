@@ -73,7 +73,11 @@ def _users_ending_at(reading: Reading, phrase: Phrase, bare: set[int]) -> list[i
         joint -= reading.word(joint) in ("the", "a")
         joint -= reading.word(joint - 1) == "," and reading.word(joint) == "and"
         user = joint - 1
-        if reading.word(joint) not in _JOINTS or reading.word(user) not in _USERS_BEFORE or user in reading.taken - bare:
+        if (
+            reading.word(joint) not in _JOINTS
+            or reading.word(user) not in _USERS_BEFORE
+            or user in reading.taken - bare
+        ):
             break
         users.insert(0, user)
     return users if any(reading.word(user) in _SEXES for user in users) else []
@@ -95,9 +99,8 @@ def _for_one(reading: Reading, phrase: Phrase, user: int, *, last: bool) -> Phra
     if last:
         room = replace(room, noun_end=phrase.noun_end, last=phrase.last)
     who = reading.word(user)
-    if who not in _SEXES and kind in _TOILETS:
-        if who in _DISABLED | {"accessible"}:
-            return replace(room, room_type="accessible_toilet", name="accessible_toilet", label=f"accessible {noun}")
+    if who in _DISABLED | {"accessible"} and kind in _TOILETS:
+        return replace(room, room_type="accessible_toilet", name="accessible_toilet", label=f"accessible {noun}")
     who = _SEXES.get(who, who)
     name = "_".join((who, *words))
     return replace(room, name=name[:60], label=f"{who}'s {noun}", room_type=kind, known=True)

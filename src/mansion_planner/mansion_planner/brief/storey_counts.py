@@ -7,7 +7,16 @@ from mansion_planner.brief.furniture_words import furniture_of
 from mansion_planner.brief.phrase import PLAIN
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
 
-__all__ = ["ANAPHORS", "CLOSERS", "DEFINITE", "HOLDING", "STOREY_ADJECTIVES", "UPSTAIRS", "StoreyCounts", "settle_counts"]
+__all__ = [
+    "ANAPHORS",
+    "CLOSERS",
+    "DEFINITE",
+    "HOLDING",
+    "STOREY_ADJECTIVES",
+    "UPSTAIRS",
+    "StoreyCounts",
+    "settle_counts",
+]
 
 _NEGATIONS = frozenset({"no", "without", "not", "neither", "nor", "never"})
 DEFINITE = frozenset(
@@ -125,7 +134,8 @@ class StoreyCounts:
         last += 2
         storeyed = False
         while (
-            reading.word(last) in ("upper", "more", "further", "additional", "other") or reading.word(last) in FLOOR_WORDS
+            reading.word(last) in ("upper", "more", "further", "additional", "other")
+            or reading.word(last) in FLOOR_WORDS
         ):
             storeyed = storeyed or reading.word(last) in FLOOR_WORDS
             last += 1

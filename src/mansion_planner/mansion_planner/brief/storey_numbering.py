@@ -33,7 +33,9 @@ def counts_from_ground(reading: Reading) -> bool:
 def _tells_first_above_ground(reading: Reading) -> bool:
     """Whether the brief says so itself: "the first floor, so directly above ground floor"."""
     for index in range(len(reading.tokens) - 4):
-        first = reading.kind(index) == "ordinal" and reading.value(index) == 1 and reading.word(index + 1) in FLOOR_WORDS
+        first = (
+            reading.kind(index) == "ordinal" and reading.value(index) == 1 and reading.word(index + 1) in FLOOR_WORDS
+        )
         end = reading.appositive(index + 2) if first else 0
         if end and reading.word(end - 1) in ("above", "over"):
             return reading.word(end + (reading.word(end) == "the")) in ("ground", ABOVE_GROUND)

@@ -12,7 +12,14 @@ from mansion_planner.brief.named_storeys import COPULAS, TOPS, NamedStoreys
 from mansion_planner.brief.numbered_storeys import NumberedStoreys
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
 from mansion_planner.brief.relative_storeys import RelativeStoreys
-from mansion_planner.brief.storey_counts import CLOSERS, DEFINITE, STOREY_ADJECTIVES, UPSTAIRS, StoreyCounts, settle_counts
+from mansion_planner.brief.storey_counts import (
+    CLOSERS,
+    DEFINITE,
+    STOREY_ADJECTIVES,
+    UPSTAIRS,
+    StoreyCounts,
+    settle_counts,
+)
 from mansion_planner.brief.storey_forms import ABOVE_GROUND
 from mansion_planner.brief.storey_sequences import StoreySequence, resolve_rest
 

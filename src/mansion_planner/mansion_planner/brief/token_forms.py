@@ -51,7 +51,8 @@ _APART = frozenset(
 
 _GROSS = (
     *((word, middle, "area") for word in ("gross", "total", "overall") for middle in ("floor", "internal", "external")),
-    ("in", "sum"), ("summing", "up", "to"), ("adding", "up", "to"), ("gross", "area"), ("built", "up", "area"), ("built", "-", "up", "area"), ("gfa",), ("gia",), ("gea",),
+    ("in", "sum"), ("summing", "up", "to"), ("adding", "up", "to"), ("gross", "area"),
+    ("built", "up", "area"), ("built", "-", "up", "area"), ("gfa",), ("gia",), ("gea",),
 )  # fmt: skip
 """What the area of all storeys is called in a schedule."""
 
@@ -127,7 +128,7 @@ def _seating_verbs(tokens: list[Token], nouns: frozenset[str]) -> list[Token]:
     return result
 
 
-_WORKPLACES = frozenset({"desk", "workstation", "workplace", "seat", "position", "employee", "worker", "people", "staff"})
+_WORKPLACES = frozenset("desk workstation workplace seat position employee worker people staff".split())
 _AROUND_PLAN = frozenset({",", "(", ":", "-", "–", "with", "for", "of", "about", "to", "at", "least"})
 
 
@@ -143,7 +144,9 @@ def workplaces(tokens: list[Token]) -> list[Token]:
         if counted and token.text == "cover" and token.plural:
             token = replace(token, text="seat")
         result.append(token)
-        if (before.text if before is not None else "", token.text) == ("open", "plan") and _has_desks(tokens, index + 1):
+        if (before.text if before is not None else "", token.text) == ("open", "plan") and _has_desks(
+            tokens, index + 1
+        ):
             result.append(replace(token, text="office", start=token.end))
     return result
 

@@ -198,7 +198,7 @@ class _Units:
         return several or phrase.plural or phrase.determiner in ALL | {"a", "an", "another"} or phrase.counted
 
     def _heads_list(self, phrase: Phrase) -> bool:
-        """Whether a list of rooms is headed by the dwelling: "first floor is the flat: ...", "upstairs: flat with ..."."""
+        """Whether the dwelling heads a list of rooms: "first floor is the flat: ...", "upstairs: flat with ..."."""
         reading = self.reading
         one = not phrase.plural and phrase.determiner not in ALL
         opened = one and reading.word(phrase.last) in (":", "(")
