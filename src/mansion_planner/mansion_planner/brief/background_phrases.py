@@ -54,7 +54,7 @@ def _is_predicate(reading: Reading, phrase: Phrase) -> bool:
 
 
 _TRIALS = frozenset(
-    "trial test testing experiment research evaluation simulation training development study demonstration project".split()
+    "trial test testing experiment research evaluation simulation training development study project".split()
 )
 _SEPARATE = frozenset("separate separated different distinct independent divided own individual".split())
 
