@@ -48,3 +48,38 @@ def test_what_is_left_in_there_stays(state: SceneState) -> None:
         "Remove the red mug from the cabinet, but leave the blue one in there.", state
     ).statements
     assert isinstance(removed, Remove) and isinstance(kept, Keep)
+
+
+def test_one_in_each_of_several_rooms_stands_in_all_of_them(editor: SceneEditor) -> None:
+    tables = {item.id for _, item in editor.state.objects() if item.category == "dining_table"}
+    report = instruct(editor, "Put a bowl on a dining table in the kitchen and the hall.")
+    assert report.done
+    bowls = [item for _, item in editor.state.objects() if item.category == "bowl"]
+    assert sorted(item.room for item in bowls) == ["F1/hall", "F1/kitchen"]
+    (new,) = {item.id for _, item in editor.state.objects() if item.category == "dining_table"} - tables
+    assert new in report.message
+
+
+def test_the_one_in_each_of_several_rooms_must_be_there(editor: SceneEditor) -> None:
+    report = instruct(editor, "Put a bowl on the dining table in the kitchen and the hall.")
+    assert not report.done and "F1/hall" in report.message
+
+
+def test_a_side_table_in_a_bedroom_is_its_bedside_table(editor: SceneEditor) -> None:
+    assert instruct(editor, "Put a single bed and a side table in private office 1.").done
+    assert instruct(editor, "Put a side table in the hall.").done
+    assert instruct(editor, "Put a mug on the bedside table.").done
+    (mug,) = [item for _, item in editor.state.objects() if item.category == "mug" and "side_table" in str(item.parent)]
+    assert mug.room == "F2/private_office_1"
+
+
+def test_what_is_shared_out_is_so_many_in_all(editor: SceneEditor) -> None:
+    assert instruct(editor, "Put two bowls on the dining tables, one each.").done
+    assert sum(item.category == "bowl" for _, item in editor.state.objects()) == 2
+
+
+@pytest.mark.parametrize(
+    "text", ["Put three bowls on the dining tables, one each.", "Put two bowls on the sofa, one each."]
+)
+def test_numbers_that_do_not_fit_each_other_are_refused(editor: SceneEditor, text: str) -> None:
+    assert not instruct(editor, text).done

@@ -8,7 +8,7 @@ import msgspec
 from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.descriptions import all_at, anchors_of, rooms_of
 from mansion_editing.instructions.meaning.nouns import is_fixed
-from mansion_editing.instructions.meaning.numbers import by_holder, counts_each, means_several
+from mansion_editing.instructions.meaning.numbers import by_holder, counts_each, means_any_in_each_room, means_several
 from mansion_editing.instructions.statements import Amount, Place, Rooms, Things
 from mansion_editing.state import SceneState
 from mansion_msgs_py.scene import SceneObject
@@ -92,6 +92,9 @@ def shares_of(place: Place, before: SceneState, after: SceneState, context: Cont
     """
     if place.relation == "between" or place.outside:
         return [place]
+    if place.rooms is not None and means_any_in_each_room(place):
+        each = rooms_of(before, place.rooms, context)
+        return [msgspec.structs.replace(place, rooms=Rooms(words=room)) for room in each]
     if place.anchor is not None:
         found = anchors_of(before, place, context) or anchors_of(after, place, context)
         return [msgspec.structs.replace(place, anchor=Things(noun=item.id), rooms=None) for item in found]

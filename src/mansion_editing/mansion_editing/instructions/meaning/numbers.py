@@ -3,10 +3,19 @@
 from collections.abc import Sequence
 from typing import Final
 
-from mansion_editing.instructions.statements import Rooms, Things
+from mansion_editing.instructions.statements import Place, Rooms, Things
 from mansion_msgs_py.scene import SceneObject
 
-__all__ = ["LEAST_PLURAL", "by_holder", "counts_each", "is_one", "means_one", "means_several", "new_number"]
+__all__ = [
+    "LEAST_PLURAL",
+    "by_holder",
+    "counts_each",
+    "is_one",
+    "means_any_in_each_room",
+    "means_one",
+    "means_several",
+    "new_number",
+]
 
 LEAST_PLURAL: Final = 2
 """How many things a plural without a number means at least."""
@@ -36,6 +45,15 @@ def new_number(things: Things) -> int:
 def means_one(things: Things) -> bool:
     """Whether words mean one certain thing ("the mug")."""
     return things.definite and not means_several(things)
+
+
+def means_any_in_each_room(place: Place) -> bool:
+    """Whether words mean one thing in each of several rooms, whichever of them: ``a desk in every bedroom``."""
+    anchor, rooms = place.anchor, place.rooms
+    if anchor is None or rooms is None or not rooms.words or not (rooms.every or rooms.number > 1):
+        return False
+    told = anchor.definite or anchor.refers or anchor.owned or anchor.place is not None or means_several(anchor)
+    return not told and place.relation != "between"
 
 
 def counts_each(things: Things) -> bool:

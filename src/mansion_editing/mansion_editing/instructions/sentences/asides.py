@@ -11,6 +11,7 @@ from mansion_editing.instructions.clauses.reader import ClauseReader
 from mansion_editing.instructions.phrases.verbs import verb_at
 from mansion_editing.instructions.phrases.word_sets import PEOPLE, RELATIVES, TELLING_WHERE
 from mansion_editing.instructions.phrases.words import PERSONS, Word
+from mansion_editing.instructions.sentences.already_there import spares_those_with_one
 from mansion_editing.instructions.sentences.bystanding import (
     asks_for_nothing,
     asks_for_one_each,
@@ -208,14 +209,38 @@ class Asides(Progress):
             return self.topic
         return msgspec.structs.replace(last, place=None, amount=Amount(), definite=False, plural=False, refers="")
 
+    def _spares_those_with_one(self, words: Sequence[Word], *, marked: bool) -> bool:
+        """Read ``where there is one already leave it`` after what is brought, which then counts what is there."""
+        first = self._so_far()
+        for at in (0, *(at for at, word in enumerate(words) if word.text in _CUTS | _JOINTS)):
+            part = _trimmed(words[at:])
+            if not any(word.text == "one" for word in part):
+                break
+            if at:
+                self._go_back(first)
+                self._read_sentence(_trimmed(words[:at]), marked=marked)
+            last = self.statements[-1] if self.statements else None
+            if len(self.unknown) > len(first["unknown"]) or not isinstance(last, Add | Ensure):
+                continue
+            single = last.things.amount.kind == "some" and last.things.amount.number <= 1
+            if single and spares_those_with_one(part, _nouns_of(last.place)):
+                self._ensure_last(last, part)
+                return True
+        self._go_back(first)
+        return False
+
+    def _ensure_last(self, last: Add | Ensure, words: Sequence[Word]) -> None:
+        """Count what is there already in the request before, by what is said of it."""
+        ensured = Ensure(things=last.things, place=last.place, each=last.each, quote=last.quote)
+        self.statements[-1:] = [ensured, Mention(quote=self._quote(words, 0, len(words)))]
+
     def _once_each(self, words: Sequence[Word], first: dict[str, Any]) -> bool:
         """Count what is there already in the request before: ``those which have one need no other``."""
         self._go_back(first)
         last = self.statements[-1] if self.statements else None
         if not isinstance(last, Add | Ensure) or not last.each:
             return False
-        ensured = Ensure(things=last.things, place=last.place, each=True, quote=last.quote)
-        self.statements[-1:] = [ensured, Mention(quote=self._quote(words, 0, len(words)))]
+        self._ensure_last(last, words)
         return True
 
     def _fills_gaps(self, words: Sequence[Word], first: dict[str, Any]) -> bool:
@@ -245,6 +270,12 @@ class Asides(Progress):
     def _go_back(self, so_far: dict[str, Any]) -> None:
         for name, value in so_far.items():
             setattr(self, name, list(value) if isinstance(value, list) else value)
+
+
+def _nouns_of(place: Place) -> frozenset[str]:
+    """Return the words for what a place is at, and for its rooms."""
+    told = [place.anchor.noun if place.anchor is not None else "", place.rooms.words if place.rooms is not None else ""]
+    return frozenset(word for said in told for word in (said, *said.split()) if word)
 
 
 def _corrects(words: Sequence[Word]) -> bool:

@@ -131,7 +131,7 @@ class Tails(Resulting, Counting):
                 end = self._contrasted(reader, end + 2)
             elif pair in _PAIRS_AFTER_CLAUSES:
                 end += 2
-            elif text in COURTESIES or text in AFTER_CLAUSES:
+            elif text in COURTESIES or (text in AFTER_CLAUSES and (text != "each" or _is_of_several(self.clause))):
                 end += 1
             else:
                 break
@@ -391,6 +391,18 @@ class Tails(Resulting, Counting):
     def _from_to(self, first: Statement, last: Statement) -> str:
         """Return the words from one statement's to another's."""
         return self.text[self.text.find(first.quote) : self.text.rfind(last.quote) + len(last.quote)]
+
+
+def _is_of_several(clause: Sequence[Statement]) -> bool:
+    """Whether ``each`` after a clause may mean several that it names, and nobody that only a reader knows."""
+    for statement in clause:
+        if not isinstance(statement, Add | Ensure):
+            return True
+        anchor, rooms = statement.place.anchor, statement.place.rooms
+        several = statement.each or (anchor is not None and (anchor.plural or anchor.amount.number > 1))
+        if several or bool(anchor is not None and anchor.refers) or (rooms is not None and rooms.every):
+            return True
+    return False
 
 
 def _holder_of(statement: Statement) -> Things | None:
