@@ -48,3 +48,44 @@ def test_what_is_left_in_there_stays(state: SceneState) -> None:
         "Remove the red mug from the cabinet, but leave the blue one in there.", state
     ).statements
     assert isinstance(removed, Remove) and isinstance(kept, Keep)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Put a bowl on the dining table in every room.",
+        "Each room needs a bowl on the dining table.",
+        "A bowl on the dining table in each of the rooms, please.",
+    ],
+)
+def test_rooms_without_such_a_thing_are_told(editor: SceneEditor, text: str) -> None:
+    report = instruct(editor, text)
+    assert report.done, report.message
+    assert "Hall" in report.message and "have no dining table" in report.message
+    assert sum(item.category == "bowl" for _, item in editor.state.objects()) == 2
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Put a bowl on the dining table in the kitchen and the hall.",
+        "There should be a bowl on the dining table in the private office and the corridor.",
+    ],
+)
+def test_a_room_that_is_named_must_have_it(editor: SceneEditor, text: str) -> None:
+    before = len([*editor.state.objects()])
+    report = instruct(editor, text)
+    assert not report.done and "there is no dining table in" in report.message
+    assert len([*editor.state.objects()]) == before
+
+
+def test_one_of_several_in_a_room_is_given_it(editor: SceneEditor) -> None:
+    assert instruct(editor, "Add a second dining table to the private office.").done
+    report = instruct(editor, "Put a bowl on the dining table in each room.")
+    assert report.done, report.message
+    assert sum(item.category == "bowl" for _, item in editor.state.objects()) == 2
+
+
+def test_a_room_called_by_half_its_name_is_not_switched(state: SceneState) -> None:
+    assert read_instruction("Switch on the private.", state).not_understood
+    assert not read_instruction("Switch on the private office.", state).not_understood

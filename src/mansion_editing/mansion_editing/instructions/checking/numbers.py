@@ -3,7 +3,14 @@
 import msgspec
 
 from mansion_editing.instructions.checking.differences import Differences, carried_below
-from mansion_editing.instructions.checking.finding import Finding, any_number, at_shares, numbers_meant, shares_of
+from mansion_editing.instructions.checking.finding import (
+    Finding,
+    any_number,
+    at_shares,
+    joined_by_room,
+    numbers_meant,
+    shares_of,
+)
 from mansion_editing.instructions.doing.work import listed
 from mansion_editing.instructions.meaning.choices import concerned
 from mansion_editing.instructions.meaning.context import Context
@@ -52,7 +59,7 @@ def check_add(statement: Add, before: SceneState, after: SceneState, context: Co
     things, place = _named(statement.things, context), _whole(statement.things, statement.place)
     alike = [item for item in things_of(after, any_number(things), context) if item.id in diff.added]
     shares = shares_of(place, before, after, context)
-    at = at_shares(after, alike, shares, context)
+    at = joined_by_room(place, shares, at_shares(after, alike, shares, context))
     new = set().union(*at)
     number = new_number(things)
     counts = [len(ids) for ids in at]
@@ -77,8 +84,8 @@ def check_ensure(
     number = new_number(things)
     words = any_number(things)
     shares = shares_of(place, before, after, context)
-    olds = at_shares(before, things_of(before, words, context), shares, context)
-    news = at_shares(after, things_of(after, words, context), shares, context)
+    olds = joined_by_room(place, shares, at_shares(before, things_of(before, words, context), shares, context))
+    news = joined_by_room(place, shares, at_shares(after, things_of(after, words, context), shares, context))
     if place.anchor is None and not _for_each(place, each=statement.each):
         olds, news = [set().union(*olds)], [set().union(*news)]
     good = [_is_number(kind, len(ids), number) for ids in news]

@@ -7,13 +7,14 @@ import msgspec
 
 from mansion_editing.instructions.doing.removing import removed
 from mansion_editing.instructions.doing.work import Done, Work, listed, live
-from mansion_editing.instructions.meaning.choices import things_meant
+from mansion_editing.instructions.meaning.choices import one_room_each, things_meant
 from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.descriptions import all_at, rooms_of, things_of
 from mansion_editing.instructions.meaning.nouns import has_material
-from mansion_editing.instructions.meaning.numbers import means_several, new_number
+from mansion_editing.instructions.meaning.numbers import is_one_of_each_room, means_several, new_number
+from mansion_editing.instructions.meaning.room_words import room_title
 from mansion_editing.instructions.meaning.targets import Target, places_of
-from mansion_editing.instructions.meaning.wording import place_in, place_words, there_were, thing_words
+from mansion_editing.instructions.meaning.wording import bare_words, place_in, place_words, there_were, thing_words
 from mansion_editing.instructions.statements import Add, Amount, Ensure, Place, Replace, Rooms, Things
 from mansion_editing.provisioning.facts import ObjectDescription, Scope
 from mansion_editing.provisioning.making_room import make_room
@@ -77,6 +78,7 @@ def _added_reply(
     where = place_in(state, place, context) or f"in {' and '.join(rooms)}"
     had = f"{there_were(before, things.noun)} {where}"
     reply = f"{had}; {len(made)} added ({listed(made)}), now {before + len(made)}"
+    reply += _passed_over(state, place, context)
     return Done(reply, context.followed(made, rooms, things.noun))
 
 
@@ -104,6 +106,8 @@ def _groups(
         place = msgspec.structs.replace(place, rooms=rooms)
         targets = places_of(state, place, context, each=True)
         return [(yield from _best_first(things, targets, state))]
+    if is_one_of_each_room(place):
+        return _one_of_each_room(state, place, context)
     several = each or _is_each(place)
     plural_rooms = place.rooms is not None and (place.rooms.every or place.rooms.number > 1)
     having = _rooms_having(state, place, context)
@@ -119,6 +123,40 @@ def _groups(
     if place.anchor is None and len(targets) > 1 and place.rooms is not None and not place.rooms.words:
         return [targets]
     return [targets] if place.anchor is not None else [[target] for target in targets]
+
+
+def _one_of_each_room(state: SceneState, place: Place, context: Context) -> list[list[Target]]:
+    """Return the places of each room that has the thing which words mean; rooms of any kind may be without it.
+
+    Raises
+    ------
+    Unmet
+        Where a room that the words name has no such thing.
+    """
+    groups = _by_room(state, place, context)
+    without = [name for name, targets in groups.items() if not targets]
+    if len(without) == len(groups) or (without and place.rooms is not None and place.rooms.words):
+        titles = " and ".join(room_title(state, name) for name in without)
+        raise Unmet(f"there is no {'' if place.anchor is None else bare_words(place.anchor)} in {titles}")
+    return [targets for targets in groups.values() if targets]
+
+
+def _by_room(state: SceneState, place: Place, context: Context) -> dict[str, list[Target]]:
+    """Return the places in each of the rooms that each have one, by the rooms' ids."""
+    if not is_one_of_each_room(place) or place.rooms is None:
+        return {}
+    names = one_room_each(state, place.rooms, context)
+    own = {name: msgspec.structs.replace(place, rooms=Rooms(words=name)) for name in names}
+    return {name: places_of(state, here, context) for name, here in own.items()}
+
+
+def _passed_over(state: SceneState, place: Place, context: Context) -> str:
+    """Return the words that tell in which rooms nothing was done."""
+    without = [room_title(state, name) for name, targets in _by_room(state, place, context).items() if not targets]
+    if not without or place.anchor is None:
+        return ""
+    more = f" and {len(without) - 8} more" if len(without) > 8 else ""
+    return f"; nothing in {', '.join(without[:8])}{more}, which have no {bare_words(place.anchor)}"
 
 
 def _best_first(things: Things, targets: list[Target], state: SceneState) -> Generator[Action, Outcome, list[Target]]:
@@ -309,6 +347,7 @@ def ensure(statement: Ensure, state: SceneState, context: Context) -> Work:
     if gone:
         reply += f"; {len(gone)} removed ({listed(gone)})"
     reply += "" if made or gone else " already; nothing had to change"
+    reply += _passed_over(state, place, context)
     known = made or [i.id for g in groups for t in g for i in at_target(state, things, place, t, context)]
     return Done(reply, context.followed(known, rooms[:1], things.noun))
 

@@ -3,10 +3,19 @@
 from collections.abc import Sequence
 from typing import Final
 
-from mansion_editing.instructions.statements import Rooms, Things
+from mansion_editing.instructions.statements import Place, Rooms, Things
 from mansion_msgs_py.scene import SceneObject
 
-__all__ = ["LEAST_PLURAL", "by_holder", "counts_each", "is_one", "means_one", "means_several", "new_number"]
+__all__ = [
+    "LEAST_PLURAL",
+    "by_holder",
+    "counts_each",
+    "is_one",
+    "is_one_of_each_room",
+    "means_one",
+    "means_several",
+    "new_number",
+]
 
 LEAST_PLURAL: Final = 2
 """How many things a plural without a number means at least."""
@@ -57,3 +66,12 @@ def is_one(rooms: Rooms) -> bool:
         and rooms.number < 2
         and bool(rooms.words or rooms.next_to or rooms.holding or rooms.same or rooms.over)
     )
+
+
+def is_one_of_each_room(place: Place) -> bool:
+    """Whether a place is at one certain thing of each of several rooms: ``on the desk in each guest room``."""
+    anchor, rooms = place.anchor, place.rooms
+    if anchor is None or rooms is None or place.relation == "between" or place.outside:
+        return False
+    one = means_one(anchor) and not (anchor.each or anchor.refers or anchor.place)
+    return one and (rooms.every or rooms.number > 1)

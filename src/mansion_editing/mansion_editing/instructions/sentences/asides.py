@@ -13,7 +13,6 @@ from mansion_editing.instructions.phrases.word_sets import PEOPLE, RELATIVES, TE
 from mansion_editing.instructions.phrases.words import PERSONS, Word
 from mansion_editing.instructions.sentences.bystanding import (
     asks_for_nothing,
-    asks_for_one_each,
     begins_with_state,
     fills_gaps,
     is_exclamation,
@@ -25,6 +24,8 @@ from mansion_editing.instructions.sentences.bystanding import (
     stands_wrong,
 )
 from mansion_editing.instructions.sentences.circumstances import is_circumstance
+from mansion_editing.instructions.sentences.having_already import spares_those_having
+from mansion_editing.instructions.sentences.lacking import given_where_none_is
 from mansion_editing.instructions.sentences.progress import Progress
 from mansion_editing.instructions.sentences.taking_up import listed_in, with_list_for_pronoun
 from mansion_editing.instructions.statements import Add, Amount, Ensure, Mention, Place, Remove, Things
@@ -74,10 +75,12 @@ class Asides(Progress):
             The sentence after it, which may go on with what this one tells of.
         """
         first = self._so_far()
+        if self._once_each(words, later, depth):
+            return
         self._read_sentence(words, marked=marked)
         if len(self.unknown) == len(first["unknown"]) or self.undecided:
             return
-        if (asks_for_one_each(words) and self._once_each(words, first)) or self._fills_gaps(words, first):
+        if self._fills_gaps(words, first):
             return
         whole = self._so_far()
         listed = listed_in(self._reader(words))
@@ -208,15 +211,32 @@ class Asides(Progress):
             return self.topic
         return msgspec.structs.replace(last, place=None, amount=Amount(), definite=False, plural=False, refers="")
 
-    def _once_each(self, words: Sequence[Word], first: dict[str, Any]) -> bool:
+    def _once_each(self, words: Sequence[Word], later: Sequence[Word], depth: int) -> bool:
         """Count what is there already in the request before: ``those which have one need no other``."""
-        self._go_back(first)
-        last = self.statements[-1] if self.statements else None
-        if not isinstance(last, Add | Ensure) or not last.each:
+        asked = self._asked_last()
+        ends = (at for at, end in _parts(words) if end == len(words))
+        start = next((at for at in ends if spares_those_having(words[at:], words[:at] or asked)), -1)
+        if start < 0:
             return False
-        ensured = Ensure(things=last.things, place=last.place, each=True, quote=last.quote)
-        self.statements[-1:] = [ensured, Mention(quote=self._quote(words, 0, len(words)))]
+        first = self._so_far()
+        if start:
+            self._read_rest(_trimmed(words[:start]), later, marked=False, depth=depth)
+        known = [statement for statement in self.statements if not isinstance(statement, Mention)]
+        quote = next((s.quote for s in reversed(known)), "")
+        together = [s for s in known if s.quote == quote]
+        given = given_where_none_is(together)
+        if given is None or len(self.unknown) > len(first["unknown"]):
+            self._go_back(first)
+            return False
+        kept = [s for s in self.statements if s not in together]
+        self.statements[:] = [*kept, *given, Mention(quote=self._quote(words, start, len(words)))]
         return True
+
+    def _asked_last(self) -> Sequence[Word]:
+        """Return the words of the last request."""
+        quote = next((s.quote for s in reversed(self.statements) if not isinstance(s, Mention)), "")
+        start = self.text.find(quote)
+        return [word for word in self.words if start <= word.start < start + len(quote)]
 
     def _fills_gaps(self, words: Sequence[Word], first: dict[str, Any]) -> bool:
         """Count what is there already in the request before: ``add one only where it is missing``."""
