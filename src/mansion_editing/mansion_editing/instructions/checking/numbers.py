@@ -17,6 +17,7 @@ from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.descriptions import all_at, anchors_of, carried_by, things_of
 from mansion_editing.instructions.meaning.nouns import is_loose
 from mansion_editing.instructions.meaning.numbers import means_several, new_number
+from mansion_editing.instructions.meaning.sparing import spared_among
 from mansion_editing.instructions.meaning.wording import place_words, thing_words
 from mansion_editing.instructions.statements import Add, Clear, Ensure, Place, Remove, Replace, Things
 from mansion_editing.state import SceneState
@@ -133,8 +134,8 @@ def check_clear(
     statement: Clear, before: SceneState, after: SceneState, context: Context, diff: Differences
 ) -> Finding:
     """Check that nothing loose is left but what is spared, and that only loose things left."""
-    spared = {item.id for things in statement.spare for item in things_of(before, things, context)} | context.kept
     there = _loose_at(statement.place, before, after, before, context)
+    spared = spared_among(before, statement.spare, there, context) | context.kept
     left = [item for item in _loose_at(statement.place, before, after, after, context) if item.id not in spared]
     bearing = {found[1].parent for name in spared if (found := after.find(name)) is not None}
     left = [item for item in left if item.id not in bearing]

@@ -229,8 +229,8 @@ def _begins_in_a_room(places: Sequence[ReadPlace]) -> bool:
     """Whether places begin with furniture and its room: ``from the bar in the hall on the table in the study``."""
     if len(places) < 3 or not places[0].source or places[0].place.anchor is None:
         return False
-    room, goal = places[1].place, places[2].place
-    return room.anchor is None and room.rooms is not None and not room.spot and goal.anchor is not None
+    goal = next((at for at in range(1, len(places)) if places[at].place.anchor is not None), 0)
+    return goal > 1 and all(p.place.rooms is not None and not p.place.spot for p in places[1:goal])
 
 
 def _counted_otherwise(things: Things) -> Things:

@@ -388,6 +388,8 @@ class Sentence(ABC):
         word = self.text(at)
         if word in (",", "-", ":"):
             return False
+        if word == "turn" and self.text(at + 1) == "into":
+            return True
         if word in MODALS or word in PREDICATE_VERBS or (word == "keep" and self.text(at + 1) in STATE_WORDS):
             return True
         if word in STATE_WORDS:

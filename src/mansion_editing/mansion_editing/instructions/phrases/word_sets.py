@@ -115,10 +115,12 @@ SOMEBODY: Final = frozenset("robot agent i we one guest visitor people everyone 
 
 BEFORE_VERBS: Final = frozenset("please then also just not never do finally".split())
 BEGIN_CLAUSES: Final = frozenset("there i we you nothing make let if because nobody".split())
-PREDICATE_VERBS: Final = frozenset("is are stay remain need has have go get belong come lack want face".split())
+PREDICATE_VERBS: Final = frozenset(
+    "is are stay remain need has have go get belong come lack want face become suffice".split()
+)
 AFTER_THANKS: Final = frozenset("you very so much a lot in advance for your help".split())
 BEFORE_PREDICATES: Final = frozenset(
-    "to not also always never do does now all both still get longer each supposed itself themselves has have no "
+    "to not also always never do does now all both still get longer each supposed going itself themselves has have no "
     "just only".split()
 )
 WANTING: Final = frozenset("need require lack get want deserve miss missing keep".split())

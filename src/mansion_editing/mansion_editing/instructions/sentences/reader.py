@@ -2,7 +2,7 @@
 
 import re
 from collections.abc import Iterable, Sequence
-from typing import Literal
+from typing import Final, Literal
 
 import msgspec
 
@@ -39,8 +39,10 @@ from mansion_editing.instructions.sentences.refinement import (
     removes_all_of_it,
     removes_what_went,
     spared_of,
+    sparing_what_goes,
     surplus_of,
     tells_of_surplus,
+    tells_who_may_stay,
     turned_by_list,
     with_noun_at,
     with_storeys,
@@ -71,6 +73,9 @@ from mansion_editing.instructions.statements import (
 from mansion_editing.state import SceneState
 
 __all__ = ["read_instruction"]
+
+
+_TOO_MANY: Final = re.compile(r"\btoo (many|much)\b", re.IGNORECASE)
 
 
 def read_instruction(text: str, state: SceneState, brief: str = "") -> Instruction:
@@ -110,7 +115,7 @@ class _Reader(Asides, Telling, Tails, Headings, Repeating, Referring, Depending,
         ]
         self.statements = [s for one in self.statements for s in [self._told_later(one)]]
         self.unknown += [s.quote for s in self.statements if '"noun":"one"' in msgspec.json.encode(s).decode()]
-        self.unknown += self._instead_of_nothing()
+        self.unknown += self._instead_of_nothing() + self._complained_in_vain()
         if not self.unknown:
             self.unknown = unaccounted(self.text, self.words, self.statements, self.lexicon) or self._asks_in_vain()
         if not self.unknown and all(isinstance(statement, Mention) for statement in self.statements):
@@ -119,6 +124,7 @@ class _Reader(Asides, Telling, Tails, Headings, Repeating, Referring, Depending,
         plain = [word for word in self.words if word.text in UNRECORDED]
         ignored = list(dict.fromkeys(w.raw for w in plain if not re.search(rf'"noun":"[^"]*\b{w.text}\b', told)))
         statements = turned_by_list(with_storeys(with_takings_first(self.statements, self.lexicon)))
+        statements = sparing_what_goes(statements)
         return Instruction(statements=statements, not_understood=self.unknown, ignored=ignored)
 
     def _introduces(self, statement: Statement, later: Sequence[Statement]) -> bool:
@@ -139,6 +145,11 @@ class _Reader(Asides, Telling, Tails, Headings, Repeating, Referring, Depending,
             return []
         after = self.text.partition(first.quote)[2]
         return [first.quote] if re.match(r"\W*instead\b(?! of)", after) else []
+
+    def _complained_in_vain(self) -> list[str]:
+        """Return what was said to be too many where nothing is asked of such things: which of them go is not told."""
+        asked = msgspec.json.encode([s for s in self.statements if not isinstance(s, Mention)]).decode()
+        return [quote for quote, noun in self.complaints if f'"noun":"{noun}"' not in asked]
 
     def _asks_in_vain(self) -> list[str]:
         """Return the last clause with a verb where it was only taken to begin what no other clause goes on with."""
@@ -319,6 +330,8 @@ class _Reader(Asides, Telling, Tails, Headings, Repeating, Referring, Depending,
         found, end = in_place_of(reader, found, end)
         self._name_ones(reader, found)
         topic, reader.topic = reader.topic, None
+        if topic is not None and isinstance(found[0], Mention) and _TOO_MANY.search(found[0].quote):
+            self.complaints.append((found[0].quote, topic.noun))
         found = [self._referred(one) for statement in found for one in self._of_scene(statement)]
         found = [self._in_scene(statement) for statement in found]
         if topic is not None or any(not isinstance(statement, Mention) for statement in found):
@@ -363,6 +376,9 @@ class _Reader(Asides, Telling, Tails, Headings, Repeating, Referring, Depending,
             spared = spared_of(statement) if isinstance(last, Clear) else ()
             if isinstance(last, Clear) and spared:
                 self.statements[-1] = msgspec.structs.replace(last, spare=(*last.spare, *spared))
+                continue
+            if tells_who_may_stay(statement):
+                self.unknown.append(statement.quote)  # it is not told where
                 continue
             only = re.search(r"\b(only|just|nothing but)\b", statement.quote)
             alone = isinstance(statement, Keep) and not isinstance(last, Clear | Remove) and not statement.things.place

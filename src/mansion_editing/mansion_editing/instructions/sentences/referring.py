@@ -68,6 +68,10 @@ class Referring(Progress):
             return msgspec.structs.replace(statement, place=Place(rooms=told.rooms))
         if not isinstance(last, Rename | Finish | Furnish) or self.topic is not None:
             return statement
+        things = getattr(statement, "things", None)
+        if isinstance(things, Things) and things.place is not None and _is_at_it(things.place):
+            inside = Place(rooms=Rooms(same=True))
+            return msgspec.structs.replace(statement, things=msgspec.structs.replace(things, place=inside))
         if not isinstance(place, Place) or place.relation not in ("in", "on") or not _is_bare_it(place.anchor):
             return statement
         return msgspec.structs.replace(statement, place=Place(rooms=Rooms(same=True), spot=place.spot))
@@ -132,6 +136,11 @@ def _of_what_lacks(statement: Add | Ensure | Move, topic: Things, rooms: Rooms) 
 
 def _is_bare_it(things: Things | None, *, many: bool = False) -> bool:
     return things is not None and things.refers == "last" and not things.noun and (many or not things.plural)
+
+
+def _is_at_it(place: Place) -> bool:
+    """Whether a place is only in or at what was mentioned last: ``the chairs from it``."""
+    return place.relation in ("", "in", "on") and _is_bare_it(place.anchor) and not place.outside and not place.rooms
 
 
 def _mentioned_by(statement: Statement | None) -> Things | None:

@@ -40,9 +40,11 @@ __all__ = [
     "removes_all_of_it",
     "removes_what_went",
     "so_many",
+    "sparing_what_goes",
     "spared_of",
     "surplus_of",
     "tells_of_surplus",
+    "tells_who_may_stay",
     "turned_by_list",
     "with_noun_at",
     "with_storeys",
@@ -74,6 +76,13 @@ def tells_of_surplus(statement: Statement) -> bool:
     return isinstance(statement, Move | Remove) and bool(_SURPLUS.search(statement.quote))
 
 
+def tells_who_may_stay(statement: Statement) -> bool:
+    """Whether a statement only says of a number of things that they may stay, and not where: ``two plates may stay``."""
+    if not isinstance(statement, Ensure) or statement.place != Place() or statement.things.amount.kind != "some":
+        return False
+    return bool(re.search(r"\b(may|can|could) (stay|remain|be left)$", statement.quote))
+
+
 def surplus_of(last: Ensure, things: Things) -> Things:
     """Return the things beyond the number that shall be at a place."""
     most = last.things.amount.number
@@ -93,16 +102,36 @@ def counting_those_there(statement: Statement) -> Statement:
 def turned_by_list(statements: Sequence[Statement]) -> list[Statement]:
     """Return statements in which a room that becomes another one is only called so, where a list furnishes it.
 
-    ``Turn the study into a guest room: the desk goes, a bed comes in, the shelves stay`` tells all that changes in it.
+    ``Turn the study into a guest room: the desk goes, a bed comes in`` tells what changes in it; what would be
+    furnished anew has no desk that goes.
     """
     out = list(statements)
     for at, statement in enumerate(out):
         if not isinstance(statement, Furnish) or not statement.kind or statement.rooms.every:
             continue
         rest = [s for s in out[at + 1 :] if _is_in_it(s, statement.rooms)]
-        if all(any(isinstance(s, kind) for s in rest) for kind in (Remove, Add, Keep)):
+        if all(any(isinstance(s, kind) for s in rest) for kind in (Remove, Add)):
             name = statement.kind.capitalize()
             out[at] = Rename(room=statement.rooms, name=name, quote=statement.quote)
+    return out
+
+
+def sparing_what_goes(statements: Sequence[Statement]) -> list[Statement]:
+    """Return statements in which what stays is not what another one names more closely and moves or removes.
+
+    After ``load the stacks of books on the cart`` the book that stays is none of those.
+    """
+    gone = {s.things.noun for s in statements if isinstance(s, Move | Remove) and s.things.noun}
+    out: list[Statement] = []
+    for statement in statements:
+        noun = statement.things.noun if isinstance(statement, Keep) else ""
+        closer = sorted(other for other in gone if noun and other != noun and noun in other.split())
+        if isinstance(statement, Keep) and closer:
+            whole = Amount(kind="all", number=0)
+            beside = (*statement.things.beside, *(Things(noun=n, amount=whole, plural=True) for n in closer))
+            things = msgspec.structs.replace(statement.things, beside=beside)
+            statement = msgspec.structs.replace(statement, things=things)
+        out.append(statement)
     return out
 
 
@@ -278,6 +307,8 @@ def spared_of(statement: Statement) -> tuple[Things, ...]:
     """Return what stays of what is cleared just before: ``keep the lamp on it``."""
     if isinstance(statement, Keep) and (statement.things.place is None or _is_of_it(statement.things.place)):
         return (msgspec.structs.replace(statement.things, place=None),)
+    if isinstance(statement, Ensure) and tells_who_may_stay(statement):
+        return (statement.things,)
     return ()
 
 

@@ -37,6 +37,7 @@ from mansion_editing.instructions.statements import (
     Place,
     Remove,
     Replace,
+    Rooms,
     SetState,
     Statement,
     Swap,
@@ -131,6 +132,8 @@ class Tails(Resulting, Counting):
                 end = self._contrasted(reader, end + 2)
             elif pair in _PAIRS_AFTER_CLAUSES:
                 end += 2
+            elif text == "in" and self._comes_in(reader, end + 1):
+                end += 1
             elif text in COURTESIES or text in AFTER_CLAUSES:
                 end += 1
             else:
@@ -147,6 +150,15 @@ class Tails(Resulting, Counting):
             return stop, exact
         self.unknown.append(self._quote(words, end, stop))
         return stop, exact
+
+    def _comes_in(self, reader: ClauseReader, after: int) -> bool:
+        """Whether ``in`` ends a clause that brings something: ``take the desks out and put four beds in``."""
+        brought = [s for s in self.clause if isinstance(s, Add | Ensure) and s.place == Place()]
+        if not self._ends_at(reader, after) or not brought or len(brought) < len(self.clause):
+            return False
+        here = Place(rooms=Rooms(same=True))
+        self.clause = [msgspec.structs.replace(s, place=here) for s in brought]
+        return True
 
     def _is_for_some_purpose(self, words: Sequence[Word]) -> bool:
         """Whether words after a state say what it is good for: ``to air``, ``to cool down``."""
