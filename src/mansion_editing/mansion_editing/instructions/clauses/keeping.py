@@ -2,7 +2,7 @@
 
 import msgspec
 
-from mansion_editing.instructions.clauses.adding import Adding
+from mansion_editing.instructions.clauses.arranging import Arranging
 from mansion_editing.instructions.clauses.items import Item, NotUnderstood, joined_places
 from mansion_editing.instructions.clauses.removing import Removing
 from mansion_editing.instructions.clauses.staying import Staying
@@ -34,7 +34,7 @@ from mansion_editing.instructions.statements import (
 __all__ = ["Keeping"]
 
 
-class Keeping(Staying, Wishes, TooMany, Adding, Removing):
+class Keeping(Staying, Wishes, TooMany, Arranging, Removing):
     """Reads ``leave``, ``keep`` and ``let``."""
 
     def _staying(self, at: int) -> tuple[list[Statement], int] | None:

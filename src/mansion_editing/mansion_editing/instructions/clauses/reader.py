@@ -46,6 +46,7 @@ class ClauseReader(Keeping, Changing, Taking, PastSteps, Fronting):
             or self._stays_so(at)
             or self._gone_up(at)
             or self._too_many(at)
+            or self._arranged(at)
             or self._change_places(at)
         )
         if staying is not None:

@@ -121,11 +121,15 @@ class TooMany(Outcomes):
     def _left_over(self, at: int, place: int) -> tuple[list[Statement], int] | None:
         """Read ``leave four of them, and four stools``, ``keep only two of the stools``: all others go."""
         place += self.text(place) in ("only", "just")
-        items = self.items(place)
-        first, end = items[0].phrase, items[-1].end
+        begun = self.item(place)
+        if begun is None:
+            return None
+        first = begun.phrase
         partitive = self._is_partitive(first) or (first.refers == "last" and self.text(first.end - 1) == "them")
         if not partitive or first.amount.kind != "some" or not first.amount.number or first.amount.of:
             return None
+        items = self.items(place)
+        end = items[-1].end
         plain = all(i.phrase.amount.kind == "some" and i.phrase.amount.number and not i.is_room for i in items)
         if not plain or self.text(end) in KEPT_AS_IT_IS or self.text(end) in STATE_WORDS:
             return None

@@ -156,6 +156,11 @@ class Lexicon:
         asset = self._state.catalogue.by_category(kinds[0])[0] if kinds else None
         return asset is not None and (asset.openable if state == "open" else asset.toggleable)
 
+    def is_set(self, words: tuple[str, ...]) -> bool:
+        """Whether words name what is one thing by its plural: crayons, headphones."""
+        kinds = vocabulary_of(self._state.catalogue).exact(words)
+        return bool(kinds) and stems(kinds[0].replace("_", " "))[-1:] != (kinds[0].split("_")[-1],)
+
     def gives_light(self, words: tuple[str, ...]) -> bool:
         """Whether words name lamps."""
         kinds = vocabulary_of(self._state.catalogue).nouns(" ".join(words))

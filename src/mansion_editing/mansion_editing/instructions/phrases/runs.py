@@ -41,7 +41,8 @@ ENDS_RUN: Final = (
         "short away does did come look seem anew afresh want visible go disappear vanish put exceed trade untouched "
         "alone starting next either if unless half closer nearer further farther forward forwards backward backwards "
         "wobble squeak smell leak flicker rattle creak stink drip "
-        "keep become suffice before after when while until today tonight tomorrow yesterday anyway though asap yet".split()
+        "keep become suffice before after when while until today tonight tomorrow yesterday anyway though asap yet"
+        .split()
     )
 )  # fmt: skip
 
@@ -96,7 +97,8 @@ def end_of_run(words: Sequence[Word], at: int, lexicon: Lexicon) -> int:
         if end > at and text.endswith("ly") and _is_named(words, at, end, lexicon):
             break
         following = text_at(words, end + 1)
-        if end > at and (text in ("turn", "switch") and following in ("on", "off") or (text, following) == _BECOMING):
+        particle = text in ("turn", "switch") and following in ("on", "off")
+        if end > at and (particle or (text, following) == _BECOMING):
             break
         if end > at and (text,) in BY_WORDS and end + 1 < len(words) and words[end + 1].text in _ARTICLES_AFTER_VERBS:
             break

@@ -38,6 +38,7 @@ from mansion_editing.instructions.sentences.refinement import (
     only_brings_it,
     removes_all_of_it,
     removes_what_went,
+    sets_as_one,
     spared_of,
     sparing_what_goes,
     surplus_of,
@@ -124,7 +125,7 @@ class _Reader(Asides, Telling, Tails, Headings, Repeating, Referring, Depending,
         plain = [word for word in self.words if word.text in UNRECORDED]
         ignored = list(dict.fromkeys(w.raw for w in plain if not re.search(rf'"noun":"[^"]*\b{w.text}\b', told)))
         statements = turned_by_list(with_storeys(with_takings_first(self.statements, self.lexicon)))
-        statements = sparing_what_goes(statements)
+        statements = sets_as_one(sparing_what_goes(statements), self.lexicon)
         return Instruction(statements=statements, not_understood=self.unknown, ignored=ignored)
 
     def _introduces(self, statement: Statement, later: Sequence[Statement]) -> bool:

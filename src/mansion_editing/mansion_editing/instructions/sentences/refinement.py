@@ -7,6 +7,7 @@ from typing import Any, Final
 import msgspec
 
 from mansion_editing.instructions.clauses.reader import ClauseReader
+from mansion_editing.instructions.phrases.lexicon import Lexicon
 from mansion_editing.instructions.phrases.places import SAME_FLOOR, merged, with_place
 from mansion_editing.instructions.statements import (
     Add,
@@ -39,6 +40,7 @@ __all__ = [
     "only_brings_it",
     "removes_all_of_it",
     "removes_what_went",
+    "sets_as_one",
     "so_many",
     "sparing_what_goes",
     "spared_of",
@@ -77,7 +79,7 @@ def tells_of_surplus(statement: Statement) -> bool:
 
 
 def tells_who_may_stay(statement: Statement) -> bool:
-    """Whether a statement only says of a number of things that they may stay, and not where: ``two plates may stay``."""
+    """Whether a statement only says that so many may stay, and not where: ``two plates may stay``."""
     if not isinstance(statement, Ensure) or statement.place != Place() or statement.things.amount.kind != "some":
         return False
     return bool(re.search(r"\b(may|can|could) (stay|remain|be left)$", statement.quote))
@@ -131,6 +133,19 @@ def sparing_what_goes(statements: Sequence[Statement]) -> list[Statement]:
             beside = (*statement.things.beside, *(Things(noun=n, amount=whole, plural=True) for n in closer))
             things = msgspec.structs.replace(statement.things, beside=beside)
             statement = msgspec.structs.replace(statement, things=things)
+        out.append(statement)
+    return out
+
+
+def sets_as_one(statements: Sequence[Statement], lexicon: Lexicon) -> list[Statement]:
+    """Return statements in which new ``crayons`` without a number are one set of them."""
+    out: list[Statement] = []
+    for statement in statements:
+        things = statement.things if isinstance(statement, Add | Ensure) else Things()
+        bare = things.plural and things.amount.kind == "some" and not things.amount.number and not things.definite
+        if isinstance(statement, Add | Ensure) and bare and lexicon.is_set(tuple(things.noun.split())):
+            one = msgspec.structs.replace(things, amount=Amount(number=1), plural=False)
+            statement = msgspec.structs.replace(statement, things=one)
         out.append(statement)
     return out
 

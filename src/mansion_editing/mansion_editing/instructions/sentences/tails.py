@@ -132,9 +132,7 @@ class Tails(Resulting, Counting):
                 end = self._contrasted(reader, end + 2)
             elif pair in _PAIRS_AFTER_CLAUSES:
                 end += 2
-            elif text == "in" and self._comes_in(reader, end + 1):
-                end += 1
-            elif text in COURTESIES or text in AFTER_CLAUSES:
+            elif text in COURTESIES or text in AFTER_CLAUSES or (text == "in" and self._comes_in(reader, end + 1)):
                 end += 1
             else:
                 break
