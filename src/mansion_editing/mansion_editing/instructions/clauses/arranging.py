@@ -1,4 +1,4 @@
-"""Groups of furniture that are told part by part: ``a reading corner in the hall: an armchair and a lamp beside it``."""
+"""Groups of furniture told part by part: ``a reading corner in the hall: an armchair and a lamp beside it``."""
 
 from collections.abc import Sequence
 from typing import Final

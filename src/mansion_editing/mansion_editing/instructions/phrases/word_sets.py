@@ -77,6 +77,7 @@ __all__ = [
     "PROPERTIES",
     "RELATIVES",
     "RESTING_VERBS",
+    "ROLLING",
     "TELLING_WHERE",
     "SOMEBODY",
     "SO_DOING",
@@ -178,7 +179,9 @@ NO_FRONTED_PLACES: Final = frozenset("next back there here second first third".s
 # Ways
 
 WAYS: Final = frozenset("way path route access door doorway passage".split())
-GOING_SOMEWHERE: Final = frozenset("be get go walk drive reach travel come move enter".split())
+ROLLING: Final = frozenset("wheelchair pram pushchair stroller trolley cart bed".split())
+"""What has to get from room to room on its wheels."""
+GOING_SOMEWHERE: Final = frozenset("be get go walk drive reach travel come move enter roll".split())
 ABILITIES: Final = frozenset("can could able possible must should may has have need will".split())
 DIRECTIONS: Final = frozenset(
     "to from into in inside through around up down over all out there everywhere anywhere across freely back "

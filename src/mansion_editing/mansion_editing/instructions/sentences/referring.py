@@ -16,6 +16,7 @@ from mansion_editing.instructions.statements import (
     Mention,
     Move,
     Place,
+    Remove,
     Rename,
     Rooms,
     Statement,
@@ -41,6 +42,9 @@ class Referring(Progress):
     def _about_holder(self, statement: Statement) -> Statement:
         """Put the furniture that was mentioned last for ``in there``, where it holds things."""
         last = next((s for s in reversed(self.statements) if not isinstance(s, Mention)), None)
+        left = self._where_that_was(statement, last)
+        if left is not None:
+            return left
         holder = self.topic if self.topic is not None else _mentioned_by(last)
         thing = getattr(statement, "things", None)
         if holder is None or not holder.noun or holder.refers or not isinstance(thing, Things):
@@ -56,6 +60,17 @@ class Referring(Progress):
             return statement
         held: Statement = held_there(statement, msgspec.structs.replace(holder, definite=True))
         return held
+
+    def _where_that_was(self, statement: Statement, last: Statement | None) -> Statement | None:
+        """Return ``put a bowl there`` after a small thing was removed as put on what that lay on."""
+        there = isinstance(statement, Add | Ensure) and statement.place == Place(rooms=Rooms(same=True))
+        gone = last.things.noun if isinstance(last, Remove) and "there" in statement.quote.lower().split() else ""
+        if not isinstance(statement, Add | Ensure) or not there or not gone or self.topic is not None:
+            return None
+        if any(self.lexicon.stands(tuple(noun.split())) for noun in (gone, statement.things.noun)):
+            return None
+        on_it = Place(relation="on", anchor=Things(refers="last", definite=True, amount=Amount(number=0)))
+        return msgspec.structs.replace(statement, place=on_it)
 
     def _about_room(self, statement: Statement) -> Statement:
         """Put the room that was renamed, painted or furnished just before for ``it``."""

@@ -142,7 +142,7 @@ def sets_as_one(statements: Sequence[Statement], lexicon: Lexicon) -> list[State
     out: list[Statement] = []
     for statement in statements:
         things = statement.things if isinstance(statement, Add | Ensure) else Things()
-        bare = things.plural and things.amount.kind == "some" and not things.amount.number and not things.definite
+        bare = things.plural and things.amount.kind == "some" and things.amount.number <= 1 and not things.definite
         if isinstance(statement, Add | Ensure) and bare and lexicon.is_set(tuple(things.noun.split())):
             one = msgspec.structs.replace(things, amount=Amount(number=1), plural=False)
             statement = msgspec.structs.replace(statement, things=one)
