@@ -20,6 +20,7 @@ from mansion_msgs_py.nodes.shell import JsonPublisher
 from mansion_msgs_py.request import BuildRequest, Footprint
 from mansion_msgs_py.scene import FloorScene
 from mansion_msgs_py.world import Progress
+from sample_models import write_library
 
 pytestmark = pytest.mark.graph
 
@@ -49,6 +50,14 @@ def test_the_graph_and_one_process_write_the_same_bytes(client: MansionClient, t
     assert digest(Path(reply.path)) == digest(local.path)
     assert {"floors/floor_2/model.xml", "floors/floor_2/map.pgm"} < set(digest(local.path))
     assert "building.glb" not in digest(local.path)
+
+
+def test_own_assets_come_first_in_a_building_of_the_graph(client: MansionClient, tmp_path: Path) -> None:
+    brief, assets = "a small flat with an espresso bar in the living room", [write_library(tmp_path / "shop")]
+    reply = client.build(brief, output=str(tmp_path / "graph"), assets=assets)
+    local = build_building(BuildRequest(description=brief, assets=tuple(assets)), tmp_path / "local")
+    assert digest(Path(reply.path)) == digest(local.path)
+    assert {"assets/shop.espresso_bar.glb", "assets/shop.sofa.glb"} < set(digest(local.path))
 
 
 def test_a_format_that_does_not_exist_is_refused_with_those_that_do(client: MansionClient) -> None:

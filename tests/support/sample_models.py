@@ -4,10 +4,20 @@ import json
 from pathlib import Path
 
 import trimesh
+import trimesh.creation
 from trimesh.visual import TextureVisuals
 from trimesh.visual.material import PBRMaterial
 
-__all__ = ["CABINET", "bar_glb", "box", "chair_obj", "write_annotated_shelf", "write_cabinet", "write_models"]
+__all__ = [
+    "CABINET",
+    "bar_glb",
+    "box",
+    "chair_obj",
+    "write_annotated_shelf",
+    "write_cabinet",
+    "write_library",
+    "write_models",
+]
 
 CABINET = """<robot name="filing_cabinet"><link name="base">
 <visual><origin xyz="0 0 0.02"/><geometry><box size="0.4 0.5 0.04"/></geometry></visual>
@@ -91,3 +101,15 @@ def write_models(folder: Path) -> None:
     (folder / "nowhere.obj").write_text("v 0 0 0\nv nan 0 0\nv 0 1 1\nf 1 2 3\n")
     (folder / "outside.obj").write_text("mtllib ../../secret.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 1\nf 1 2 3\n")
     (folder / "flat.obj").write_text("v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n")
+
+
+def write_library(folder: Path) -> str:
+    """Write a library with a sofa and an espresso bar, as plain boxes, and return its path."""
+    (folder / "assets").mkdir(parents=True)
+    for category, size in (("sofa", (1.7, 0.8, 0.8)), ("espresso_bar", (1.4, 0.6, 1.1))):
+        key = f"{folder.name}.{category}"
+        mesh = trimesh.creation.box((size[0], size[2], size[1]))
+        (folder / "assets" / f"{key}.glb").write_bytes(mesh.export(file_type="glb"))
+        record = {"key": key, "category": category, "size": size, "glb": f"{key}.glb"}
+        (folder / "assets" / f"{key}.json").write_text(json.dumps(record))
+    return str(folder)

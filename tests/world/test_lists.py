@@ -16,6 +16,7 @@ from mansion_world.brief_files import read_briefs
 from mansion_world.lists import BriefList, Result, results
 from mansion_world.making import WorldProgress, make_world
 from mansion_world.world_folder import WorldFolder
+from sample_models import write_library
 
 Build = Callable[[BuildRequest, Path], None]
 Threads = Callable[[int], Callable[[], AbstractContextManager[Executor]]]
@@ -62,6 +63,15 @@ def test_rows_say_what_a_request_may_say_and_defaults_fill_the_rest(tmp_path: Pa
     assert [row.request for row in read_briefs(lines)] == [home.request]
 
 
+def test_rows_name_libraries_by_paths_from_their_file_and_defaults_fill_the_rest(tmp_path: Path) -> None:
+    shop, lab = write_library(tmp_path / "shop"), write_library(tmp_path / "lab")
+    text = f'brief,assets\na flat,"./shop, {lab}"\na clinic,\n'
+    flat, clinic = read_briefs(written(tmp_path, "briefs.csv", text), BuildRequest(description="", assets=(lab,)))
+    assert (flat.request.libraries, clinic.request.libraries) == ((shop, lab), (lab,))
+    lines = written(tmp_path, "briefs.jsonl", '{"brief": "a flat", "assets": ["./shop", "./lab"]}')
+    assert read_briefs(lines)[0].request == flat.request
+
+
 @pytest.mark.parametrize(
     ("name", "text", "message"),
     [
@@ -73,6 +83,7 @@ def test_rows_say_what_a_request_may_say_and_defaults_fill_the_rest(tmp_path: Pa
         ("a.csv", "brief,area,floor_area\na flat,90,90\n", r"a\.csv:2: area and floor_area exclude each other"),
         ("a.csv", "brief,name\na,x\nb,X\n", r"a\.csv:3: the name 'X' is that of line 2 already"),
         ("a.csv", "brief,name\na,../x\n", r"a\.csv:2: the name '\.\./x' names no folder"),
+        ("a.csv", "brief,assets\na,./none\n", r"a\.csv:2: there is no library '.*none' at .*; libraries: "),
         ("a.csv", "brief,footprint\na,none.json\n", r"a\.csv:2: .*none\.json: No such file"),
         ("a.jsonl", '{"brief": "a"}\n{"brief": \n', r"a\.jsonl:2: no JSON"),
         ("a.jsonl", '["a flat"]\n', r"a\.jsonl:1: expected an object such as .*, got list"),

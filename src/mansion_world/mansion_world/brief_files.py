@@ -10,6 +10,7 @@ from typing import Annotated, Any, Final, Literal
 
 import msgspec
 
+from mansion_assets.library.folders import stated_libraries
 from mansion_msgs_py.building_plan import BuildingPlan
 from mansion_msgs_py.codec import prepared
 from mansion_msgs_py.errors import ErrorCode, MansionError
@@ -37,6 +38,7 @@ class _Row(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
     seed: Annotated[int, msgspec.Meta(ge=0, le=2**53)] | None = None
     planner: Literal["rules", "llm"] | None = None
     plan: str | None = None
+    assets: str | list[str] | None = None
 
 
 _COLUMNS: Final = _Row.__struct_fields__
@@ -57,8 +59,9 @@ def read_briefs(
     path : Path
         ``.txt``: a brief a line; empty lines and those that begin with ``#`` are passed over. ``.csv`` with a heading,
         or ``.jsonl``: ``brief``, and any of ``name``, ``floors``, ``area``, ``floor_area``, ``footprint`` (a file,
-        relative to this one), ``seed``, ``planner`` and ``plan`` (a file of a plan to furnish, relative to this one,
-        with which the brief may be empty).
+        relative to this one), ``seed``, ``planner``, ``plan`` (a file of a plan to furnish, relative to this one,
+        with which the brief may be empty) and ``assets`` (libraries of own assets with commas between them, or a list
+        in JSON; paths are relative to this file).
     defaults : BuildRequest, optional
         What holds where a row says nothing; its description is not used.
     read_plan : callable, optional
@@ -67,7 +70,7 @@ def read_briefs(
     Raises
     ------
     MansionError
-        ``NOT_FOUND``, or ``INVALID_PAYLOAD`` naming file and line of what is wrong.
+        ``NOT_FOUND`` for the file itself, or ``INVALID_PAYLOAD`` naming file and line of what is wrong.
     """
     reader = _READERS.get(path.suffix.lower())
     if reader is None:
@@ -191,8 +194,15 @@ def _request(said: _Row, folder: Path, defaults: BuildRequest, read_plan: PlanRe
         seed=said.seed if said.seed is not None else defaults.seed,
         planner=said.planner or defaults.planner,
         plan=read_plan(folder / said.plan) if said.plan and read_plan else defaults.plan,
-        assets=defaults.assets,
+        assets=_libraries(said.assets, folder) or defaults.assets,
     )
+
+
+def _libraries(stated: str | list[str] | None, folder: Path) -> tuple[str, ...]:
+    """Return the libraries that a row names, all there, their paths taken from the file's folder."""
+    names = stated if isinstance(stated, list) else (stated or "").split(",")
+    named = [name.strip() for name in names if name.strip()]
+    return tuple(stated_libraries(str(folder / Path(name).expanduser()) if "/" in name else name for name in named))
 
 
 def _footprint(file: Path) -> Footprint:

@@ -1,12 +1,9 @@
 """Builds of several clients in one process, as the graph's director runs them, each with a library of its own."""
 
-import json
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from threading import Lock
 from typing import Any
-
-from trimesh.creation import box
 
 from mansion_assets.catalogue import load_catalogue
 from mansion_bringup.pipeline.build import BuildResult, build_building
@@ -16,6 +13,7 @@ from mansion_msgs_py.layout import FloorLayout, FloorProblem
 from mansion_msgs_py.request import BuildRequest, building_id_of
 from mansion_msgs_py.scene import FloorScene
 from mansion_msgs_py.stages import BuildJob, FurnishRequest, PlanReply
+from sample_models import write_library
 
 
 def over_the_wire(payload: Any) -> Any:
@@ -41,21 +39,10 @@ class DistantStages(LocalStages):
             return super().furnish(over_the_wire(request))
 
 
-def library(folder: Path) -> str:
-    """Write a library with a sofa and an espresso bar."""
-    (folder / "assets").mkdir(parents=True)
-    for category, size in (("sofa", (1.7, 0.8, 0.8)), ("espresso_bar", (1.4, 0.6, 1.1))):
-        key = f"{folder.name}.{category}"
-        (folder / "assets" / f"{key}.glb").write_bytes(box((size[0], size[2], size[1])).export(file_type="glb"))
-        record = {"key": key, "category": category, "size": size, "glb": f"{key}.glb"}
-        (folder / "assets" / f"{key}.json").write_text(json.dumps(record))
-    return str(folder)
-
-
 def test_two_builds_at_once_have_each_its_own_assets(tmp_path: Path) -> None:
     def build(name: str) -> BuildResult:
         brief = "a small flat with an espresso bar in the living room"
-        job = over_the_wire(BuildJob.of(BuildRequest(description=brief, assets=(library(tmp_path / name),))))
+        job = over_the_wire(BuildJob.of(BuildRequest(description=brief, assets=(write_library(tmp_path / name),))))
         return build_building(job.request(), tmp_path / f"flat_{name}", stages=DistantStages())
 
     with ThreadPoolExecutor(2) as clients:
