@@ -48,6 +48,12 @@ def test_a_list_tells_what_changes_in_it(editor: SceneEditor, text: str) -> None
     assert "office_desk" not in there and "floor_lamp" in there and there & {"yoga_mat", "single_bed", "bed"}
 
 
+def test_what_comes_and_goes_without_a_list_is_no_whole_room(furnished_state: SceneState) -> None:
+    text = "Turn the private office into a music room. Remove the floor lamp and put in a piano."
+    furnished, *_ = _asked(text, furnished_state)
+    assert isinstance(furnished, Furnish)
+
+
 @pytest.mark.parametrize(
     "text", ["The air becomes bad in the kitchen.", "The desk becomes an office.", "The hall is a library."]
 )

@@ -90,3 +90,21 @@ def test_the_room_that_an_occasion_names_is_where_the_next_request_is(furnished_
     read = read_instruction("Two trainees arrive in the study on Monday. Switch the lamp on.", furnished_state)
     told = read.statements[0]
     assert isinstance(told, Mention) and told.rooms is not None and told.rooms.words == "study"
+
+
+@pytest.mark.parametrize(
+    "told",
+    [
+        "A client in a wheelchair comes tomorrow",
+        "A visitor with a walker arrives at noon",
+        "The new doctor with the guide dog is coming on Monday",
+    ],
+)
+def test_what_a_person_comes_with_asks_for_nothing(furnished_state: SceneState, told: str) -> None:
+    read = read_instruction(f"{told}. Open the fridge.", furnished_state)
+    assert read.not_understood == []
+    assert [type(statement) for statement in read.statements] == [Mention, SetState]
+
+
+def test_what_a_person_in_a_wheelchair_needs_is_not_passed_over(furnished_state: SceneState) -> None:
+    assert read_instruction("A client in a wheelchair needs a desk. Open the fridge.", furnished_state).not_understood

@@ -181,3 +181,23 @@ def test_exactly_holds_for_all_of_a_list(state: SceneState) -> None:
     said = read_instruction(text, state).statements
     amounts = [(s.things.amount.kind, s.things.amount.number) for s in said if isinstance(s, Ensure)]
     assert amounts == [("exactly", 2), ("exactly", 2), ("exactly", 1)]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Set the dining table in the kitchen for six people: one plate and one glass each.",
+        "Lay the dining table in the kitchen for six with a plate and a glass per person.",
+        "Set the dining table in the kitchen for six guests: a plate and a glass for each guest.",
+    ],
+)
+def test_each_of_so_many_people_gets_one(furnished_state: SceneState, text: str) -> None:
+    read = read_instruction(text, furnished_state)
+    there = [s for s in read.statements if isinstance(s, Ensure)]
+    assert read.not_understood == []
+    assert [(s.things.noun, s.things.amount.number) for s in there] == [("plate", 6), ("glass", 6)]
+
+
+@pytest.mark.parametrize("text", ["Prepare the kitchen: one chair each.", "Equip the kitchen with a chair each."])
+def test_each_of_nobody_told_is_not_passed_over(furnished_state: SceneState, text: str) -> None:
+    assert read_instruction(text, furnished_state).not_understood

@@ -81,3 +81,26 @@ def test_the_others_are_those_that_were_not_removed(editor: SceneEditor) -> None
 
 def test_at_once_says_when(furnished_state: SceneState) -> None:
     assert [type(s) for s in _statements("Remove the plate at once, please.", furnished_state)] == [Remove]
+
+
+@pytest.mark.parametrize(
+    "heading",
+    [
+        "Client meeting at ten in the kitchen",
+        "Interview in the kitchen at 2 pm",
+        "Kitchen, tomorrow at nine, audit",
+        "Partner meeting tomorrow, 8 am, kitchen",
+        "Kitchen, ground floor",
+        "Training from 9 to 12 in the kitchen downstairs",
+        "Board meeting at 14:30 in the kitchen",
+    ],
+)
+def test_a_heading_may_tell_a_time_and_a_storey(furnished_state: SceneState, heading: str) -> None:
+    (switched,) = _statements(f"{heading}: ceiling lights off.", furnished_state)
+    assert isinstance(switched, SetState) and switched.things.place is not None
+    rooms = switched.things.place.rooms
+    assert rooms is not None and rooms.words == "kitchen"
+
+
+def test_a_number_of_things_is_no_time(furnished_state: SceneState) -> None:
+    assert read_instruction("Kitchen, ten chairs: open the fridge.", furnished_state).not_understood

@@ -50,6 +50,16 @@ def test_what_is_left_in_there_stays(state: SceneState) -> None:
     assert isinstance(removed, Remove) and isinstance(kept, Keep)
 
 
+def test_one_in_each_of_several_rooms_stands_in_all_of_them(editor: SceneEditor) -> None:
+    tables = {item.id for _, item in editor.state.objects() if item.category == "dining_table"}
+    report = instruct(editor, "Put a bowl on a dining table in the kitchen and the hall.")
+    assert report.done
+    bowls = [item for _, item in editor.state.objects() if item.category == "bowl"]
+    assert sorted(item.room for item in bowls) == ["F1/hall", "F1/kitchen"]
+    (new,) = {item.id for _, item in editor.state.objects() if item.category == "dining_table"} - tables
+    assert new in report.message
+
+
 @pytest.mark.parametrize(
     "text",
     [
@@ -61,21 +71,21 @@ def test_what_is_left_in_there_stays(state: SceneState) -> None:
 def test_rooms_without_such_a_thing_are_told(editor: SceneEditor, text: str) -> None:
     report = instruct(editor, text)
     assert report.done, report.message
-    assert "Hall" in report.message and "have no dining table" in report.message
+    assert "F1/hall" in report.message and "have no dining table" in report.message
     assert sum(item.category == "bowl" for _, item in editor.state.objects()) == 2
 
 
 @pytest.mark.parametrize(
-    "text",
+    ("text", "without"),
     [
-        "Put a bowl on the dining table in the kitchen and the hall.",
-        "There should be a bowl on the dining table in the private office and the corridor.",
+        ("Put a bowl on the dining table in the kitchen and the hall.", "F1/hall"),
+        ("There should be a bowl on the dining table in the private office and the corridor.", "corridor"),
     ],
 )
-def test_a_room_that_is_named_must_have_it(editor: SceneEditor, text: str) -> None:
+def test_a_room_that_is_named_must_have_it(editor: SceneEditor, text: str, without: str) -> None:
     before = len([*editor.state.objects()])
     report = instruct(editor, text)
-    assert not report.done and "there is no dining table in" in report.message
+    assert not report.done and "there is no dining table in" in report.message and without in report.message
     assert len([*editor.state.objects()]) == before
 
 
@@ -89,3 +99,23 @@ def test_one_of_several_in_a_room_is_given_it(editor: SceneEditor) -> None:
 def test_a_room_called_by_half_its_name_is_not_switched(state: SceneState) -> None:
     assert read_instruction("Switch on the private.", state).not_understood
     assert not read_instruction("Switch on the private office.", state).not_understood
+
+
+def test_a_side_table_in_a_bedroom_is_its_bedside_table(editor: SceneEditor) -> None:
+    assert instruct(editor, "Put a single bed and a side table in private office 1.").done
+    assert instruct(editor, "Put a side table in the hall.").done
+    assert instruct(editor, "Put a mug on the bedside table.").done
+    (mug,) = [item for _, item in editor.state.objects() if item.category == "mug" and "side_table" in str(item.parent)]
+    assert mug.room == "F2/private_office_1"
+
+
+def test_what_is_shared_out_is_so_many_in_all(editor: SceneEditor) -> None:
+    assert instruct(editor, "Put two bowls on the dining tables, one each.").done
+    assert sum(item.category == "bowl" for _, item in editor.state.objects()) == 2
+
+
+@pytest.mark.parametrize(
+    "text", ["Put three bowls on the dining tables, one each.", "Put two bowls on the sofa, one each."]
+)
+def test_numbers_that_do_not_fit_each_other_are_refused(editor: SceneEditor, text: str) -> None:
+    assert not instruct(editor, text).done

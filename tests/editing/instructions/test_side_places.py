@@ -95,3 +95,46 @@ def test_what_each_shall_have_on_it_is_on_each(state: SceneState) -> None:
     assert isinstance(statement, Ensure) and statement.each
     assert statement.place.relation == "on" and statement.place.anchor is not None
     assert statement.place.anchor.noun == "dining table"
+
+
+@pytest.mark.parametrize(
+    "mark",
+    [
+        "opposite to the two which are there",
+        "behind the ones that stand there",
+        "opposite the existing ones",
+        "next to the ones which are already there",
+    ],
+)
+def test_a_mark_after_a_comma_is_of_the_same_kind(furnished_state: SceneState, mark: str) -> None:
+    read = read_instruction(f"In the hall we want one more chair, {mark}.", furnished_state)
+    (added,) = read.statements
+    assert read.not_understood == [] and isinstance(added, Add)
+    assert added.place.anchor is not None and added.place.anchor.noun == "chair"
+
+
+def test_one_beside_several_is_one(editor: SceneEditor) -> None:
+    before = sum(1 for _ in editor.state.objects())
+    assert instruct(editor, "Put a stool next to the chairs in the hall.").done
+    assert sum(1 for _ in editor.state.objects()) == before + 1
+
+
+@pytest.mark.parametrize(
+    "apart", [", same floor (ground floor)", " (same floor)", ", also on the ground floor", ", ground floor"]
+)
+def test_a_storey_may_stand_after_the_room(furnished_state: SceneState, apart: str) -> None:
+    read = read_instruction(f"Put a mug on the dining table in the kitchen{apart}.", furnished_state)
+    (added,) = read.statements
+    assert read.not_understood == [] and isinstance(added, Add)
+    assert added.place.rooms is not None and added.place.rooms.words == "kitchen"
+
+
+@pytest.mark.parametrize(
+    ("where", "relation"), [("on it", "on"), ("in the middle of it", "on"), ("next to it", "beside")]
+)
+def test_one_it_is_not_several_new_things(furnished_state: SceneState, where: str, relation: str) -> None:
+    text = f"Two more chairs at the dining table in the kitchen and a lamp {where}."
+    read = read_instruction(text, furnished_state)
+    lamp = next(s for s in read.statements if isinstance(s, Add | Ensure) and s.things.noun == "lamp")
+    assert read.not_understood == [] and lamp.place.relation == relation
+    assert lamp.place.anchor is not None and lamp.place.anchor.noun == "dining table"

@@ -8,7 +8,7 @@ from mansion_editing.editor import SceneEditor
 from mansion_editing.instructions.instruct import instruct
 from mansion_editing.instructions.phrases.storey_counts import counts_above_ground
 from mansion_editing.instructions.sentences.reader import read_instruction
-from mansion_editing.instructions.statements import Add
+from mansion_editing.instructions.statements import Add, Move
 from mansion_editing.state import SceneState
 
 
@@ -107,3 +107,28 @@ def test_floors_are_covered(editor: SceneEditor, text: str, material: str) -> No
     assert instruct(editor, text).done
     room = editor.state.room("F1/kitchen")
     assert room is not None and (material in room[1].floor_material or "herringbone" in room[1].floor_material)
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "on the first floor up (level 2)",
+        "on the first floor (level 2)",
+        "on the first floor up",
+        "on the second floor (floor 2)",
+        "on the second floor",
+    ],
+)
+def test_a_storey_is_one_that_the_building_has(state: SceneState, words: str) -> None:
+    read = read_instruction(
+        f"Put an apple on the desk in private office 1 {words}.", state, "Ground floor: hall. First floor: an office."
+    )
+    (added,) = read.statements
+    assert read.not_understood == [] and isinstance(added, Add)
+    assert added.place.rooms is not None and added.place.rooms.floors == (2,)
+
+
+def test_the_way_up_from_a_storey_is_none_of_its_name(state: SceneState) -> None:
+    (moved,) = read_instruction("Carry the sofa from the hall on the first floor up to the office.", state).statements
+    assert isinstance(moved, Move) and moved.things.place is not None and moved.things.place.rooms is not None
+    assert moved.things.place.rooms.floors == (1,)

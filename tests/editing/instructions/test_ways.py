@@ -3,7 +3,7 @@
 import pytest
 
 from mansion_editing.instructions.sentences.reader import read_instruction
-from mansion_editing.instructions.statements import Add, Mention, Reach, Rooms, Things
+from mansion_editing.instructions.statements import Add, Mention, Reach, Remove, Rooms, Things
 from mansion_editing.state import SceneState
 
 
@@ -45,3 +45,33 @@ def test_it_may_follow_what_is_put_there(furnished_state: SceneState) -> None:
 )
 def test_no_other_saying_of_a_way_is_read_so(furnished_state: SceneState, text: str) -> None:
     assert read_instruction(text, furnished_state).not_understood
+
+
+@pytest.mark.parametrize(
+    "freely",
+    [
+        "without anything blocking her",
+        "without anything in the way",
+        "without bumping into anything",
+        "with nothing in the way",
+        "without having to squeeze past anything",
+        "unhindered",
+    ],
+)
+def test_a_way_is_gone_without_hindrance(furnished_state: SceneState, freely: str) -> None:
+    text = f"Check that she can get from the hall to the kitchen {freely}."
+    read = read_instruction(text, furnished_state)
+    (way,) = read.statements
+    assert read.not_understood == [] and isinstance(way, Reach)
+    assert isinstance(way.end, Rooms) and way.end.words == "kitchen"
+
+
+def test_a_way_without_a_certain_thing_is_not_passed_over(furnished_state: SceneState) -> None:
+    text = "Check that she can get from the hall to the kitchen without the sofa."
+    assert read_instruction(text, furnished_state).not_understood
+
+
+@pytest.mark.parametrize("check", ["check that she can get there", "see to it that the chairs stay"])
+def test_a_check_takes_up_nothing(furnished_state: SceneState, check: str) -> None:
+    read = read_instruction(f"Take the sofa out of the hall and {check}.", furnished_state)
+    assert read.not_understood or any(isinstance(s, Remove) and s.things.noun == "sofa" for s in read.statements)

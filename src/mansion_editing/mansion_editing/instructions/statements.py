@@ -220,11 +220,20 @@ class Add(_Said, kw_only=True, frozen=True):
 
 
 class Ensure(_Said, kw_only=True, frozen=True):
-    """Things are at a place, those that are there counted ("there should be four chairs in the break room")."""
+    """Things are at a place, those that are there counted ("there should be four chairs in the break room").
+
+    Attributes
+    ----------
+    each : bool
+        So many at each of several places.
+    lacking : int
+        How many of the places have none, where that is told ("two of the desks have no monitor"); 0 otherwise.
+    """
 
     things: Things
     place: Place
     each: bool = False
+    lacking: int = 0
 
 
 class Remove(_Said, kw_only=True, frozen=True):

@@ -1,6 +1,6 @@
 """Make room on a full receptacle: one small thing moves elsewhere in its room."""
 
-from collections.abc import Generator
+from collections.abc import Generator, Set
 from typing import Final
 
 from mansion_assets.catalogue.vocabulary import vocabulary_of
@@ -9,8 +9,9 @@ from mansion_editing.provisioning.finding import list_contents
 from mansion_editing.provisioning.new_objects import place_any
 from mansion_editing.provisioning.usual_places import find_surfaces, relation_of
 from mansion_editing.runs.policies import Action, Outcome
-from mansion_editing.state import SceneState
+from mansion_editing.state import Change, SceneState
 from mansion_editing.tools.ledges import free_places, ledges_of
+from mansion_msgs_py.editing.changes import ObjectChange
 from mansion_msgs_py.editing.questions import AssetInfo, ObjectInfo
 from mansion_msgs_py.shapes import Point3
 
@@ -46,34 +47,54 @@ MOST_TARGETS: Final = 6
 
 
 def make_room(
-    thing: ObjectDescription, assets: list[AssetInfo], carrier: ObjectInfo, state: SceneState
+    thing: ObjectDescription,
+    assets: list[AssetInfo],
+    carrier: ObjectInfo,
+    state: SceneState,
+    staying: Set[str] = frozenset(),
+    relation: str = "on",
 ) -> Generator[Action, Outcome, str]:
-    """Clear a place on a full surface for a new object and return its id, empty when that fails."""
-    serving = yield from _free_up(thing.noun, [asset.size for asset in assets], carrier, state)
+    """Clear a place on, or in, a full receptacle for a new object and return its id, empty when that fails.
+
+    Parameters
+    ----------
+    staying : set of str
+        Ids of what does not make room.
+    relation : {"on", "in"}
+    """
+    relation = relation_of(relation, carrier, state)
+    serving = yield from _free_up(thing.noun, [asset.size for asset in assets], carrier, state, staying, relation)
     if serving is None:
         return ""
     fitting = [asset for asset in assets if asset.size == serving]
-    made, _ = yield from place_any(fitting, carrier.id, relation_of("on", carrier, state), colour=thing.colour)
+    made, _ = yield from place_any(fitting, carrier.id, relation, colour=thing.colour)
     return made
 
 
 def _free_up(
-    noun: str, sizes: list[Point3], carrier: ObjectInfo, state: SceneState
+    noun: str,
+    sizes: list[Point3],
+    carrier: ObjectInfo,
+    state: SceneState,
+    staying: Set[str] = frozenset(),
+    relation: str = "on",
 ) -> Generator[Action, Outcome, Point3 | None]:
     """Move one object to another surface of the room, and return the size that fits in its place.
 
     What this instruction has touched stays, and only one thing makes room for an instruction.
     """
-    touched = {change.id for change in state.pending}
-    if any(change.before is not None and change.after is not None for change in state.pending):
+    touched = {change.id for change in state.pending} | staying
+    if any(_is_elsewhere(change) for change in state.pending):
         return None
-    for item in (yield from list_contents(carrier, relation_of("on", carrier, state))):
+    relation = relation_of(relation, carrier, state)
+    for item in (yield from list_contents(carrier, relation)):
         found = state.find(item.id)
         if found is None or item.id in touched or not found[1].pickupable:
             continue
         if state.subtree(*found)[1:] or vocabulary_of(state.catalogue).rank(found[1], noun) >= 2:
             continue
-        size = next((size for size in sizes if _fits_without(size, carrier, item, state)), None)
+        inside = relation == "in"
+        size = next((size for size in sizes if _fits_without(size, carrier, item, state, inside=inside)), None)
         if size is None:
             continue
         targets = yield from find_surfaces(Scope("room", "", (item.room,)), state)
@@ -85,10 +106,17 @@ def _free_up(
     return None
 
 
-def _fits_without(size: Point3, carrier: ObjectInfo, item: ObjectInfo, state: SceneState) -> bool:
+def _is_elsewhere(change: Change) -> bool:
+    """Whether a change moved an object that was there before."""
+    if not isinstance(change, ObjectChange) or change.before is None or change.after is None:
+        return False
+    return change.before.position != change.after.position
+
+
+def _fits_without(size: Point3, carrier: ObjectInfo, item: ObjectInfo, state: SceneState, *, inside: bool) -> bool:
     found = state.find(carrier.id)
     kind = state.catalogue.assets.get(carrier.asset_id)
     if found is None or kind is None:
         return False
-    ledges = ledges_of(kind, inside=False)
+    ledges = ledges_of(kind, inside=inside)
     return bool(free_places(state.index(found[0]), found[1], ledges, size, {item.id}))

@@ -8,7 +8,13 @@ import msgspec
 from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.descriptions import all_at, anchors_of, rooms_of
 from mansion_editing.instructions.meaning.nouns import is_fixed
-from mansion_editing.instructions.meaning.numbers import by_holder, counts_each, is_one_of_each_room, means_several
+from mansion_editing.instructions.meaning.numbers import (
+    by_holder,
+    counts_each,
+    is_one_of_each_room,
+    means_any_in_each_room,
+    means_several,
+)
 from mansion_editing.instructions.statements import Amount, Place, Rooms, Things
 from mansion_editing.state import SceneState
 from mansion_msgs_py.scene import SceneObject
@@ -92,6 +98,9 @@ def shares_of(place: Place, before: SceneState, after: SceneState, context: Cont
     """
     if place.relation == "between" or place.outside:
         return [place]
+    if place.rooms is not None and means_any_in_each_room(place):
+        each = rooms_of(before, place.rooms, context)
+        return [msgspec.structs.replace(place, rooms=Rooms(words=room)) for room in each]
     if is_one_of_each_room(place) and place.rooms is not None:
         named = rooms_of(before, place.rooms, context)
         own = [msgspec.structs.replace(place, rooms=Rooms(words=room)) for room in named]

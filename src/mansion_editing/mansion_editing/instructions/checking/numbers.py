@@ -16,7 +16,7 @@ from mansion_editing.instructions.meaning.choices import concerned
 from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.descriptions import all_at, anchors_of, carried_by, things_of
 from mansion_editing.instructions.meaning.nouns import is_loose
-from mansion_editing.instructions.meaning.numbers import means_several, new_number
+from mansion_editing.instructions.meaning.numbers import means_any_in_each_room, means_several, new_number
 from mansion_editing.instructions.meaning.sparing import spared_among
 from mansion_editing.instructions.meaning.wording import place_words, thing_words
 from mansion_editing.instructions.statements import Add, Clear, Ensure, Place, Remove, Replace, Things
@@ -26,11 +26,15 @@ from mansion_msgs_py.scene import SceneObject
 __all__ = ["check_add", "check_clear", "check_ensure", "check_remove", "check_replace"]
 
 
-def _new_carriers(place: Place, after: SceneState, context: Context, diff: Differences) -> set[str]:
-    """Return new furniture that answers to the words for what new things are on or in."""
+def _new_carriers(place: Place, before: SceneState, after: SceneState, context: Context, diff: Differences) -> set[str]:
+    """Return new furniture that answers to the words for what new things are on or in, where there was none."""
     if place.anchor is None:
         return set()
-    return {item.id for item in things_of(after, any_number(place.anchor), context)} & set(diff.added)
+    having = {item.room for item in anchors_of(before, place, context)}
+    if having and not means_any_in_each_room(place):
+        return set()
+    new = [item for item in things_of(after, any_number(place.anchor), context) if item.id in diff.added]
+    return {item.id for item in new if item.room not in having}
 
 
 def _named(things: Things, context: Context) -> Things:
@@ -68,7 +72,7 @@ def check_add(statement: Add, before: SceneState, after: SceneState, context: Co
         holds = bool(counts) and all(count >= number for count in counts) and len(new) == number * len(counts)
     else:
         holds = number in counts and len(new) % number == 0
-    carriers = _new_carriers(place, after, context, diff) if not anchors_of(before, place, context) else set()
+    carriers = _new_carriers(place, before, after, context, diff)
     words = f"{number} new {thing_words(any_number(things))} {place_words(place)}"
     reason = "" if holds else f"there are not {words}, but {len(new)}"
     return Finding(reason, new | (carriers - new), makes_room=True)
@@ -103,7 +107,7 @@ def check_ensure(
         reason = f"{thing_words(things)} {place_words(place)}: there are {counts}"
     elif len(came) > most or (gone and kind not in ("exactly", "at_most", "none")):
         reason = f"{len(came)} came and {len(gone)} left, though {most} were missing"
-    carriers = _new_carriers(place, after, context, diff) if not anchors_of(before, place, context) else set()
+    carriers = _new_carriers(place, before, after, context, diff)
     return Finding(reason, came | gone | carriers | carried_below(before, gone), makes_room=True)
 
 

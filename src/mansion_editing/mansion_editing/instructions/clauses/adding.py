@@ -41,7 +41,7 @@ class Adding(States, Colours):
         door = self._door_between(at, place)
         if door is not None:
             return door
-        place = self._fronted(place)
+        place = self._fronted_holder(at, place) or self._fronted(place)
         for_whom = self.text(place) in ("me", "us") and self.text(place + 1) != "to"
         items = self.items(place + for_whom)
         end = items[-1].end
@@ -86,6 +86,21 @@ class Adding(States, Colours):
             out += [msgspec.structs.replace(statement, place=place_too) for statement in out[: len(items)]]
         out = [msgspec.structs.replace(statement, quote=self.quote(at, end)) for statement in out]
         return self.with_companions(out, at, end)
+
+    def _fronted_holder(self, at: int, place: int) -> int:
+        """Read ``inside`` and ``on it`` before what is new ("put inside two apples") into the frame; 0 for others."""
+        start = place - (place - 1 > at and self.text(place - 1) in ("in", "on"))
+        word, it = self.text(start), self.text(start + 1) in ("it", "them")
+        new = start + 1 + it
+        thing = self.phrase(new)
+        if not (word == "inside" or (it and word in ("in", "into", "on", "onto"))) or thing is None:
+            return 0
+        counted = self.words[new].kind == "number" or self.text(new) in ("a", "an", "another", "some")
+        if not counted or thing.definite or thing.refers or thing.noun.kind != "object":
+            return 0
+        holder = Things(refers="last", definite=True, amount=Amount(number=0), plural=self.text(start + 1) == "them")
+        self.frame = Place(relation="on" if word in ("on", "onto") else "in", anchor=holder)
+        return new
 
     def _more_of_them(self, item: Item, quote: str) -> Add | None:
         """Read ``add one``, ``add two``: so many more of what was mentioned last, where that is."""

@@ -8,7 +8,9 @@ import msgspec
 from mansion_editing.instructions.clauses.items import Item, NotUnderstood
 from mansion_editing.instructions.clauses.outcomes import Outcomes
 from mansion_editing.instructions.phrases.places import ReadPlace, read_place
-from mansion_editing.instructions.statements import Add, Ensure, Statement
+from mansion_editing.instructions.phrases.word_sets import PEOPLE
+from mansion_editing.instructions.phrases.words import PERSONS
+from mansion_editing.instructions.statements import Add, Amount, Ensure, Statement
 
 __all__ = ["Giving"]
 
@@ -27,6 +29,7 @@ class Giving(Outcomes):
             return loaded
         where = self.holder_at(place)
         served = where is not None and self.text(where.end) == "for" and not self._further(where.end)
+        persons = self._persons_served(where)
         where = self._holder_before_list(at, place, where)
         items = self.items(where.end + 1)
         end = items[-1].end
@@ -36,7 +39,25 @@ class Giving(Outcomes):
         each = where.phrase.each or where.phrase.amount.kind == "all" or (where.phrase.plural and where.phrase.definite)
         quote = self.quote(at, end)
         out = [self._given(item, goal, quote, each=each) for item in items]
-        return [_there(s) for s in out] if served else out, end
+        out = [_there(s) for s in out] if served else out
+        stop = self._end_of_each_person(end) if served else end
+        if stop > end and not persons:
+            raise NotUnderstood(at, stop)
+        return [_for_persons(s, persons) for s in out] if stop > end else out, stop
+
+    def _persons_served(self, where: Item | None) -> int:
+        """Return for how many it is: 12 of ``the room for 12 people``; 0 where that is not told."""
+        number = where.end + 1 if where is not None and self.text(where.end) == "for" else len(self.words)
+        counted = number < len(self.words) and self.words[number].kind == "number"
+        return int(self.words[number].value) if counted else 0
+
+    def _end_of_each_person(self, at: int) -> int:
+        """Return the end of ``each``, ``per person`` after what is given; the place itself where there is none."""
+        if self.text(at) in ("each", "apiece"):
+            return at + 1
+        per = self.text(at) == "per" or (self.text(at), self.text(at + 1)) == ("for", "each")
+        after = at + 1 + (self.text(at) == "for")
+        return after + 1 if per and self.text(after) in PEOPLE | PERSONS | {"head", "seat"} else at
 
     def _further(self, at: int) -> bool:
         """Whether words after a holder ask for more than there is: ``set the table for two more people``."""
@@ -100,6 +121,15 @@ class Giving(Outcomes):
         if read is None or read.place.rooms is None or read.place.rooms.words or self.text(read.end) != ",":
             return (), at
         return (read,), read.end + 1
+
+
+def _for_persons(statement: Statement, persons: int) -> Statement:
+    """Return what each of so many persons gets as what all of them get."""
+    if not isinstance(statement, Ensure) or statement.things.amount.kind != "some":
+        return statement
+    amount = Amount(number=max(1, statement.things.amount.number) * persons)
+    things = msgspec.structs.replace(statement.things, amount=amount, plural=amount.number > 1)
+    return msgspec.structs.replace(statement, things=things)
 
 
 def _there(statement: Statement) -> Statement:

@@ -71,6 +71,9 @@ class Keeping(Staying, Wishes, TooMany, Arranging, Removing):
                 there += 1
             if there >= len(self.words) or self.words[there].kind == "mark":
                 return [Mention(quote=self.quote(at, there))], there
+        way = self._way_stays_free(at, place, kept=True)
+        if way is not None:
+            return way
         items = self.items(place)
         end = items[-1].end
         item = items[0]

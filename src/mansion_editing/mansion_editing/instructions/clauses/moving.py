@@ -8,7 +8,18 @@ from mansion_editing.instructions.clauses.items import Item, NotUnderstood, join
 from mansion_editing.instructions.clauses.shifting import Shifting
 from mansion_editing.instructions.phrases.places import ReadPlace, read_place, with_place
 from mansion_editing.instructions.phrases.words import MODALS
-from mansion_editing.instructions.statements import Add, Move, Place, Replace, Rooms, Statement, Swap
+from mansion_editing.instructions.statements import (
+    JOINED,
+    Add,
+    Amount,
+    Move,
+    Place,
+    Replace,
+    Rooms,
+    Statement,
+    Swap,
+    Things,
+)
 
 __all__ = ["Moving"]
 
@@ -63,6 +74,9 @@ class Moving(Shifting):
         quote = self.quote(at, end)
         if len(items) == 1 and _means_two(items[0]):
             return [Swap(one=items[0].things(), other=items[0].things(), quote=quote)], end
+        pair = _of_two_rooms(items[0]) if len(items) == 1 else None
+        if pair is not None:
+            return [Swap(one=pair[0], other=pair[1], quote=quote)], end
         if len(items) == 2 and items[0].is_room and items[1].is_room:
             return [Swap(one=items[0].rooms(), other=items[1].rooms(), quote=quote)], end
         if len(items) == 1 and items[0].is_room and self.text(end) == ":":
@@ -161,6 +175,20 @@ class Moving(Shifting):
         if first is not None and other is not None and other.phrase.definite and not first.phrase.definite:
             return self.until(first.end).items(at)
         return self.items(at)
+
+
+def _of_two_rooms(item: Item) -> tuple[Things, Things] | None:
+    """Return ``the whiteboards of classrooms 1 and 2`` as the one of each room; None for others."""
+    place, _ = joined_places(list(item.places))
+    names = [] if place.rooms is None else place.rooms.words.split(JOINED)
+    counted = item.phrase.amount.kind in ("some", "all") and item.phrase.amount.number in (0, 2)
+    if len(names) < 2 or len(names) > 2 or place.anchor is not None or item.is_room or not counted:
+        return None
+    one = msgspec.structs.replace(
+        item.phrase.things(), amount=Amount(number=0), plural=False, definite=True, each=False
+    )
+    first, second = (Rooms(words=name, floors=place.rooms.floors if place.rooms else ()) for name in names)
+    return with_place(one, Place(rooms=first)), with_place(one, Place(rooms=second))
 
 
 def _means_two(item: Item) -> bool:

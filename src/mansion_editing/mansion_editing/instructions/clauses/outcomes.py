@@ -22,7 +22,7 @@ from mansion_editing.instructions.statements import (
     Things,
 )
 
-__all__ = ["Outcomes", "at_receiver", "begins_in_a_room", "everything_at", "named_as"]
+__all__ = ["Outcomes", "at_receiver", "begins_in_a_room", "everything_at", "goes_on_from_a_room", "named_as"]
 
 _RUBBISH: Final = frozenset("rubbish trash garbage dump skip tip landfill".split())
 """Where things go that leave the building."""
@@ -109,8 +109,9 @@ class Outcomes(Sentence):
             more = Things(refers="last", amount=Amount(kind="more", number=phrase.amount.number), plural=phrase.plural)
             return Add(things=more, place=Place(rooms=Rooms(same=True)), quote=quote)
         partitive = self._is_partitive(phrase)
-        if partitive and any(p.relative for p in item.places):
+        if (partitive and any(p.relative for p in item.places)) or (not whence and goes_on_from_a_room(item.places)):
             source, goal, each = self._source_and_goal(item.places)
+            goal, each = self._framed((goal, each))
         moved = (
             phrase.definite
             or partitive
@@ -235,6 +236,14 @@ class Outcomes(Sentence):
             return place
         self.frame, _ = joined_places(following)
         return end
+
+
+def goes_on_from_a_room(places: Sequence[ReadPlace]) -> bool:
+    """Whether places begin with where something is, and a goal follows: ``in the storage to the lobby``."""
+    named = [read.place.anchor is not None or bool(read.place.rooms and read.place.rooms.words) for read in places]
+    told = next((k for k, read in enumerate(places) if read.goal and named[k]), 0)
+    rooms = [place.place.rooms for place in places[:told]]
+    return told > 0 and any(room is not None and room.words for room in rooms)
 
 
 def begins_in_a_room(places: Sequence[ReadPlace]) -> bool:

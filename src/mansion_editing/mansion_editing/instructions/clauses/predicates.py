@@ -14,6 +14,7 @@ from mansion_editing.instructions.phrases.word_sets import (
     BEFORE_PREDICATES,
     BEING_SOMEWHERE,
     FAILING,
+    JOINING,
     PRAISE,
     STAYING_AS_IT_IS,
     WANTING,
@@ -311,7 +312,7 @@ class Predicates(States, Colours, Ways):
                 return [Remove(things=self._all_if_plural(gone), quote=self.quote(at, left.end))], left.end
             places, end = self.places(place + 1)
             if not places or all(p.source and not p.goal for p in places):
-                end += self.text(end) in ("away",)
+                end += self.text(end) == "away" or self._ends_with_out(end)
                 whole = Item(item.phrase, (*item.places, *places), end)
                 gone = self._as_certain(item, self._within_frame(whole.things()))
                 return [Remove(things=self._all_if_plural(gone), quote=self.quote(at, end))], end
@@ -324,6 +325,11 @@ class Predicates(States, Colours, Ways):
             if places:
                 return [self._brought(item, places, self.quote(at, end))], end
         return None
+
+    def _ends_with_out(self, at: int) -> bool:
+        """Whether a clause ends with ``out``: ``the desk and the chair go out``."""
+        ends = at + 1 >= len(self.words) or self.words[at + 1].kind == "mark" or self.text(at + 1) in JOINING
+        return self.text(at) == "out" and ends
 
     def _bare_stays(self, item: Item, after: int, at: int) -> tuple[list[Statement], int]:
         """Read ``juice stays`` and ``monitor stays on it`` of things that are there, which adds none."""

@@ -9,7 +9,7 @@ from mansion_editing.instructions.clauses.fronting import Fronting
 from mansion_editing.instructions.clauses.history import PastSteps
 from mansion_editing.instructions.clauses.items import Item, NotUnderstood
 from mansion_editing.instructions.clauses.keeping import Keeping
-from mansion_editing.instructions.clauses.outcomes import begins_in_a_room
+from mansion_editing.instructions.clauses.outcomes import begins_in_a_room, goes_on_from_a_room
 from mansion_editing.instructions.clauses.taking import Taking
 from mansion_editing.instructions.phrases.places import with_place
 from mansion_editing.instructions.phrases.verb_words import Deed
@@ -95,7 +95,8 @@ class ClauseReader(Keeping, Changing, Taking, PastSteps, Fronting):
 
     def _carried_over(self, items: Sequence[Item], at: int) -> tuple[list[Statement], int] | None:
         """Read ``the laptop from the study to the hall``, ``two chairs out of the hall and into the study``."""
-        if not items[-1].places or not items[-1].places[0].source or any(item.is_room for item in items):
+        first = items[-1].places
+        if not first or not (first[0].source or goes_on_from_a_room(first)) or any(item.is_room for item in items):
             return None
         places, end = items[-1].places, items[-1].end
         if not any(p.goal for p in places) and self.text(end) in ("and", ","):

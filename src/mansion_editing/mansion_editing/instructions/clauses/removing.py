@@ -57,9 +57,13 @@ class Removing(Moving):
 
     def _clear(self, at: int, place: int) -> tuple[list[Statement], int]:
         place += self.text(place) in ("up", "out", "off", "away")
-        items = self.items(place)
+        top = self._top_of(place)
+        items = self.items(top or place)
         end = items[-1].end
         item = items[0]
+        it = self._cleared_it(at, item, top=bool(top)) if len(items) == 1 else None
+        if it is not None:
+            return it
         comes_from = any(p.source or p.place.relation in ("on", "in") for p in item.places)
         furniture = item.phrase.noun.words == ("furniture",)  # it goes itself: "clear all furniture"
         if item.phrase.noun.kind == "anything" or furniture or (comes_from and not item.is_room and item.phrase.plural):
@@ -76,6 +80,24 @@ class Removing(Moving):
         quote = self.quote(at, end)
         wholly = self.text(at) in ("empty", "vacate")
         return [Clear(place=self._emptied(each, wholly=wholly), spare=spare, quote=quote) for each in items], end
+
+    def _top_of(self, at: int) -> int:
+        """Return where furniture is named after ``the top of``; 0 where no such words stand there."""
+        place = at + (self.text(at) == "the")
+        named = self.text(place) in ("top", "surface", "tops") and self.text(place + 1) == "of"
+        return place + 2 if named and self.phrase(place + 2) is not None else 0
+
+    def _cleared_it(self, at: int, item: Item, *, top: bool) -> tuple[list[Statement], int] | None:
+        """Read ``clear it``, ``clear the top of it``: what was named before is emptied, or goes where it is loose."""
+        plain = item.phrase.refers == "last" and not (item.phrase.noun.words or item.places)
+        if not plain or item.phrase.amount.number or self.text(item.end) in ("of", *AWAY):
+            return None
+        end, spare = self.exceptions(item.end)
+        staying = self._only_stays(end)
+        spare, end = (staying[0], staying[1]) if staying is not None and not spare else (spare, end)
+        wholly = self.text(at) in ("empty", "vacate") and not top
+        place = Place(relation="" if wholly else "on", anchor=item.phrase.things())
+        return [Clear(place=place, spare=spare, quote=self.quote(at, end))], end
 
     def _only_stays(self, at: int) -> tuple[tuple[Things, ...], int] | None:
         """Read ``: only the laptop may remain``, ``, only the candles stay on it``."""

@@ -13,6 +13,7 @@ from mansion_editing.instructions.phrases.lexicon import HYPERNYMS, Lexicon
 from mansion_editing.instructions.phrases.noun_phrases import NounPhrase, noun_phrase
 from mansion_editing.instructions.phrases.nouns import Noun
 from mansion_editing.instructions.phrases.places import ReadPlace, merged, read_place, with_place
+from mansion_editing.instructions.phrases.storeys import read_storeys
 from mansion_editing.instructions.phrases.verb_words import PARTICIPLES, Deed
 from mansion_editing.instructions.phrases.verbs import verb_at
 from mansion_editing.instructions.phrases.word_sets import (
@@ -33,7 +34,7 @@ from mansion_editing.instructions.phrases.words import (
     Word,
     text_at,
 )
-from mansion_editing.instructions.statements import JOINED, Amount, Place, Rooms, Statement, Things
+from mansion_editing.instructions.statements import JOINED, Amount, Place, Relation, Rooms, Statement, Things
 
 __all__ = ["Sentence"]
 
@@ -137,16 +138,17 @@ class Sentence(ABC):
                 at += 1
             if self.text(at) in _RESTS and self.text(at - 1) in ("that", "which", "who"):
                 at += 1
-                while self.text(at) in PARTICIPLES_OF_REST:
+                while self.text(at) in PARTICIPLES_OF_REST and self.text(at) != "there":
                     at += 1
             read = read_place(self.words, at, self.lexicon, self.floors)
-            if read is None and found and self.text(at) == ",":
-                read = self._place_after_comma(at, found)
+            if read is None and self.text(at) == ",":
+                read = self._place_after_comma(at, found) if found else self._mark_after_comma(at)
             if read is None:
                 return tuple(found), start
             owned = not found and self.text(read.start) == "of" and read.place.rooms is not None
             if relative and found and read.place == Place(rooms=Rooms(same=True)):
                 at = read.end  # "next to the one that is already there"
+                found[-1] = replace(found[-1], place=_those_there(found[-1].place))
                 continue
             beside = self._beside_what_it_carries(found, read)
             if beside is not None:
@@ -171,9 +173,21 @@ class Sentence(ABC):
         inner = msgspec.structs.replace(near.place, anchor=with_place(mark, surface))
         return replace(there[0], place=inner, end=near.end)
 
+    def _mark_after_comma(self, at: int) -> ReadPlace | None:
+        """Read ``, opposite the two which are there`` right after a thing, where the sentence ends with it."""
+        read = read_place(self.words, at + 1, self.lexicon, self.floors)
+        if read is None or read.source or self.frame == Place():
+            return None
+        near = read.place.relation in BESIDE_RELATIONS | {"between"} and read.place.anchor is not None
+        end = read.end
+        while self.text(end) in ("which", "that", "are", "is", "stand", "already", "there"):
+            end += 1
+        return read if (near or read.place.facing is not None) and end >= len(self.words) else None
+
     def _place_after_comma(self, at: int, found: list[ReadPlace]) -> ReadPlace | None:
         """Read ``, ground floor`` and ``, in the kitchen`` where the place before lacks just that."""
-        read = read_place(self.words, at + 1, self.lexicon, self.floors)
+        after = at + 1 + (self.text(at + 1) == "also" and self.text(at + 2) in ("on", "in"))
+        read = read_place(self.words, after, self.lexicon, self.floors)
         place, _ = joined_places(found)
         room = self.phrase(at + 1)
         bare = place.rooms is None or not place.rooms.words
@@ -182,8 +196,8 @@ class Sentence(ABC):
             return ReadPlace(Place(rooms=room.rooms()), at + 1, room.end)
         nearer = read is not None and read.place.anchor is not None and place.anchor is None and place.rooms is not None
         nearer = nearer or (read is not None and self._beside_what_it_carries(found, read) is not None)
-        after = "" if read is None else self.text(read.end)
-        if read is not None and nearer and after in ("", ",", ".", "please", "that", "which"):
+        following = "" if read is None else self.text(read.end)
+        if read is not None and nearer and following in ("", ",", ".", "please", "that", "which"):
             return read
         apart = read is not None and (
             read.place.facing is not None or read.place.within > 0 or (bool(read.place.spot) and not place.spot)
@@ -196,6 +210,7 @@ class Sentence(ABC):
         if place.rooms is not None and not unnamed and (place.rooms.floors or read.place.rooms.words):
             return None
         ends = read.end >= len(self.words) or self.text(read.end) in (",", ".", "and", ")", "please", ";", "there")
+        ends = ends or (self.text(read.end) == "on" and read_storeys(self.words, read.end + 1, self.floors) is not None)
         return read if (ends and verb_at(self.words, read.end + 1, self.lexicon) is None) or ends else None
 
     def item(self, at: int, *, places: bool = True) -> Item | None:
@@ -254,11 +269,64 @@ class Sentence(ABC):
                 return found
             if found and self.is_subject(item):
                 return self._objects(found, item)
+            if found and self._tells_number_of(found[-1], item):
+                found[-1] = Item(replace(found[-1].phrase, amount=item.phrase.amount), found[-1].places, item.end)
+                return found
+            shares = self._shared_out(found[-1], item) if found else None
+            if shares is not None:
+                found[-1] = shares
+                return found
+            if found and self._tells_where_holder_is(found[-1], item):
+                last = found[-1].places[-1]
+                whole = replace(last, place=merged(last.place, item.goal()[0]), end=item.end)
+                found[-1] = Item(found[-1].phrase, (*found[-1].places[:-1], whole), item.end)
+                at = self.conjunction(item.end)
+                if not at or self.starts_clause(at):
+                    return found
+                continue
             found.append(self._beside_it(self._as_before(self._named(item, found), found), found))
             after = self.conjunction(item.end)
             if not after or self.starts_clause(after) or self.text(after) in ("only", "just", "now"):
                 return found
             at = after
+
+    def _tells_number_of(self, before: Item, item: Item) -> bool:
+        """Whether an item is the number of the one before: ``chairs in the hall, at least three of them``."""
+        phrase, open_number = item.phrase, before.phrase.plural and not before.phrase.definite
+        bare = phrase.refers == "last" and not phrase.noun.words and not item.places and phrase.amount.number > 1
+        open_number = open_number and before.phrase.amount.kind == "some" and not before.phrase.amount.number
+        counted = phrase.amount.kind in ("some", "at_least") and not phrase.amount.of
+        ends = item.end >= len(self.words) or self.words[item.end].kind == "mark"
+        return bare and open_number and counted and ends and self.text(phrase.start - 1) == ","
+
+    def _shared_out(self, before: Item, item: Item) -> Item | None:
+        """Read ``two plants in the offices, one each``: one in each of the two; None for others.
+
+        Raises
+        ------
+        NotUnderstood
+            Where the numbers do not fit each other.
+        """
+        phrase, whole = item.phrase, before.phrase.amount
+        bare = phrase.refers == "last" and not phrase.noun.words and not item.places and phrase.amount.kind == "some"
+        if not bare or self.text(item.end) != "each" or self.text(phrase.start - 1) != "," or not before.places:
+            return None
+        share = phrase.amount.number
+        at = next((k for k, read in enumerate(before.places) if _names_several(read.place)), -1)
+        if at < 0 or not share or whole.kind != "some" or whole.number % share:
+            raise NotUnderstood(before.phrase.start, item.end + 1)
+        there = before.places[at]
+        counted = replace(there, place=_so_many(there.place, whole.number // share), each=True)
+        places = (*before.places[:at], counted, *before.places[at + 1 :])
+        return Item(replace(before.phrase, amount=phrase.amount), places, item.end + 1)
+
+    def _tells_where_holder_is(self, before: Item, item: Item) -> bool:
+        """Whether an item is what the one before goes into, with its place: ``keys in a bowl, bowl on the shelf``."""
+        holder = before.places[-1].place.anchor if before.places else None
+        again = self._is_bare(item.phrase) or (item.phrase.definite and not item.phrase.refers)
+        if holder is None or holder.definite or holder.place is not None or not item.places or not again:
+            return False
+        return holder.noun == " ".join(item.phrase.noun.words) and not any(p.source for p in item.places)
 
     def is_subject(self, item: Item) -> bool:
         """Whether a clause follows of which an item is the subject: ``the others as they are`` is one too."""
@@ -291,8 +359,10 @@ class Sentence(ABC):
     def _beside_it(self, item: Item, before: Sequence[Item]) -> Item:
         """Put the thing before for ``it``: the table or anything on it."""
         last = before[-1] if before else None
-        if last is None or not last.phrase.definite or not item.places:
+        if last is None or not item.places:
             return item
+        if not last.phrase.definite:
+            return self._at_their_holder(item, last)
         anchor = item.places[0].place.anchor
         if anchor is None or anchor.refers != "last" or anchor.noun:
             return item
@@ -304,6 +374,18 @@ class Sentence(ABC):
         if (item.places[0].source or item.places[0].place.relation in _HOLDING) and not holds:
             return item  # "the laptop and the pen on it" are on what was named before
         place = msgspec.structs.replace(item.places[0].place, anchor=last.things())
+        return Item(item.phrase, (replace(item.places[0], place=place), *item.places[1:]), item.end)
+
+    def _at_their_holder(self, item: Item, before: Item) -> Item:
+        """Put what several new things are at for ``it``: ``two chairs at the table and a candle on it``."""
+        it, (there, _) = item.places[0].place.anchor, before.goal()
+        told = it is not None and it.refers == "last" and not it.noun and not it.plural
+        holder = there.anchor
+        if not told or not before.phrase.plural or holder is None or holder.plural or not holder.definite:
+            return item
+        centre = self.text(item.places[0].start + 2) in ("middle", "centre", "center")
+        relation: Relation = "on" if centre else item.places[0].place.relation
+        place = msgspec.structs.replace(item.places[0].place, relation=relation, anchor=holder, rooms=there.rooms)
         return Item(item.phrase, (replace(item.places[0], place=place), *item.places[1:]), item.end)
 
     def _as_before(self, item: Item, before: Sequence[Item]) -> Item:
@@ -558,6 +640,28 @@ class Sentence(ABC):
         return _with_holder_at(place), each
 
 
+def _names_several(place: Place) -> bool:
+    """Whether a place names several things or rooms without their number: ``on the desks``, ``in the offices``."""
+    if place.anchor is not None:
+        return place.anchor.plural and not place.anchor.amount.number
+    return place.rooms is not None and place.rooms.every and not place.rooms.number
+
+
+def _so_many(place: Place, number: int) -> Place:
+    """Return several things or rooms with their number, where it is told."""
+    if not number:
+        return place
+    if place.anchor is not None:
+        return msgspec.structs.replace(
+            place, anchor=msgspec.structs.replace(place.anchor, amount=Amount(number=number))
+        )
+    return (
+        place
+        if place.rooms is None
+        else msgspec.structs.replace(place, rooms=msgspec.structs.replace(place.rooms, number=number))
+    )
+
+
 def _with_holder_at(place: Place) -> Place:
     """Return ``on the high table by the wall`` as on the table that is by the wall."""
     holder = place.anchor
@@ -581,12 +685,26 @@ def _with_room_ones(places: tuple[ReadPlace, ...]) -> tuple[ReadPlace, ...]:
     return tuple(out)
 
 
+def _those_there(place: Place) -> Place:
+    """Return ``opposite the two which are there`` as at the two of the kind that is being placed."""
+    anchor = None if place.anchor is None else _ones(place.anchor)
+    return msgspec.structs.replace(place, anchor=anchor, facing=None if place.facing is None else _ones(place.facing))
+
+
+def _ones(mark: Things) -> Things:
+    """Return a bare number of things as so many ``ones``."""
+    if mark.noun or mark.refers != "last" or not mark.amount.number or mark.plural:
+        return mark
+    return msgspec.structs.replace(mark, noun="one", refers="", definite=True, plural=mark.amount.number > 1)
+
+
 def _with_noun(place: Place, noun: Noun) -> Place:
-    anchor = place.anchor
-    if anchor is None or anchor.noun.split()[-1:] != ["one"]:
-        return place
-    words = (*anchor.noun.split()[:-1], *noun.words)
-    return msgspec.structs.replace(place, anchor=msgspec.structs.replace(anchor, noun=" ".join(words)))
+    def named(mark: Things | None) -> Things | None:
+        if mark is None or mark.noun.split()[-1:] != ["one"]:
+            return mark
+        return msgspec.structs.replace(mark, noun=" ".join((*mark.noun.split()[:-1], *noun.words)))
+
+    return msgspec.structs.replace(place, anchor=named(place.anchor), facing=named(place.facing))
 
 
 def _with_holder(place: Place, holder: str) -> Place:

@@ -6,6 +6,8 @@ import msgspec
 
 from mansion_editing.instructions.clauses.items import Item, joined_places
 from mansion_editing.instructions.clauses.wanting import Lacks
+from mansion_editing.instructions.phrases.loads import end_of_load
+from mansion_editing.instructions.phrases.places import ReadPlace
 from mansion_editing.instructions.phrases.word_sets import BEFORE_COLOURS
 from mansion_editing.instructions.phrases.words import BE, MODALS
 from mansion_editing.instructions.statements import Add, Amount, Clear, Ensure, Mention, Place, Rooms, Statement, Things
@@ -51,6 +53,7 @@ class Subjects(Lacks):
             item = self.item(place)
             if item is None:
                 return None
+            item = self._with_load(item)
             subjects.append(self._named(item, subjects))
             after = self.conjunction(item.end)
             if self.predicate_follows(item.end) or self.text(item.end) in BE or not after or self.starts_clause(after):
@@ -59,6 +62,7 @@ class Subjects(Lacks):
         shared = all(s.phrase.definite or s.phrase.noun.plural or s.is_room for s in subjects)
         shared = shared or self.text(subjects[-1].end) in ("stay", "remain")
         shared = shared or self._go_there(subjects) or self._are_noted(subjects)
+        subjects = self._at_one_place(subjects)
         last = subjects[-1].end
         follows = self.predicate_follows(last) or (asked and self.text(last) == "to")
         follows = follows or self._verb_of_lack(last, denied=False) is not None
@@ -77,6 +81,23 @@ class Subjects(Lacks):
             out += found[0]
             end = found[1]
         return out, end
+
+    def _with_load(self, item: Item) -> Item:
+        """Return furniture that goes or comes with what is on it: ``the desk with everything on it``."""
+        load = end_of_load(self.words, item.end) if item.phrase.definite and not item.is_room else 0
+        goes = load and (self.text(load) in ("go", "leave", *MODALS) or self.conjunction(load))
+        return Item(item.phrase, item.places, load) if goes else item
+
+    def _at_one_place(self, subjects: list[Item]) -> list[Item]:
+        """Return ``the cup and the glass in the cabinet`` as both in it; furniture is not on what small things are."""
+        last = subjects[-1]
+        alone = any(item.places or not item.phrase.definite or item.is_room for item in subjects[:-1])
+        if alone or not last.places or not last.phrase.definite or last.is_room or any(p.goal for p in last.places):
+            return subjects
+        held = last.places[0].place.anchor is not None and not self.lexicon.stands(last.phrase.noun.words)
+        if held and any(self.lexicon.stands(item.phrase.noun.words) for item in subjects[:-1]):
+            return subjects
+        return [*(Item(item.phrase, last.places, item.end) for item in subjects[:-1]), last]
 
     def _go_there(self, subjects: list[Item]) -> bool:
         """Whether new things, each with an article or a number, go somewhere: ``a plate and two forks go in it``."""
@@ -109,7 +130,7 @@ class Subjects(Lacks):
                 return None
             end, companion = item.end, None
             if self.text(end) == "with":
-                companion = self.item(end + 1)
+                companion = self._on_it(self.item(end + 1))
                 if companion is None or not _is_on_it(companion):
                     return None
                 end = companion.end
@@ -135,6 +156,14 @@ class Subjects(Lacks):
                 on_it = joined_places(companion.places)[0]
                 out.append(Add(things=companion.phrase.things(), place=on_it, quote=quote))
         return out, stop
+
+    def _on_it(self, companion: Item | None) -> Item | None:
+        """Return ``with a lamp`` as a lamp on what it comes with; what stands itself has a place of its own."""
+        if companion is None or companion.places or self.lexicon.stands(companion.phrase.noun.words):
+            return companion
+        it = Things(refers="last", definite=True, amount=Amount(number=0))
+        on_it = ReadPlace(Place(relation="on", anchor=it), companion.end, companion.end)
+        return Item(companion.phrase, (on_it,), companion.end)
 
     def _only_thing(self, at: int) -> tuple[list[Statement], int] | None:
         """Read ``the only thing on the table should be a vase``."""

@@ -9,6 +9,7 @@ from mansion_editing.instructions.clauses.removing import Removing
 from mansion_editing.instructions.phrases.places import ReadPlace, read_place, with_place
 from mansion_editing.instructions.phrases.verbs import verb_at
 from mansion_editing.instructions.phrases.word_sets import AWAY
+from mansion_editing.instructions.phrases.words import CONJUNCTIONS, PREPOSITIONS
 from mansion_editing.instructions.statements import History, Mention, Move, Place, Statement, Things
 
 __all__ = ["Taking"]
@@ -145,11 +146,18 @@ class Taking(Adding, Removing):
         objects = [
             k
             for k in range(after, min(after + 8, len(self.words)))
-            if self.text(k) in ("it", "them", "that")
+            if (self.text(k) in ("it", "them") or self._is_pronoun(k))
             and self.text(k - 1) not in _BEFORE_HOLDERS
             and self.words[k].raw != "door"
+            and (self.text(k - 2), self.text(k - 1)) != ("see", "to")
         ]
         return self.starts_clause(after) and bool(objects)
+
+    def _is_pronoun(self, at: int) -> bool:
+        """Whether ``that`` stands for a thing, and begins no clause: ``check that she gets there``."""
+        following = self.text(at + 1)
+        ends = at + 1 >= len(self.words) or self.words[at + 1].kind == "mark"
+        return self.text(at) == "that" and (ends or following in PREPOSITIONS | CONJUNCTIONS | {"away", "there"})
 
     def _gone_up(self, at: int) -> tuple[list[Statement], int] | None:
         """Read ``go up one floor from the cafe``, which tells where the rest of the sentence is."""

@@ -15,6 +15,8 @@ from mansion_editing.instructions.phrases.word_sets import (
     FREE_WAYS,
     GOING,
     GOING_SOMEWHERE,
+    JOINING,
+    SOMEBODY,
     WAYS,
 )
 from mansion_editing.instructions.phrases.words import BE, MODALS
@@ -28,6 +30,18 @@ _BEING: Final = MODALS | BE | frozenset("to has have kept left keep always still
 _AIDS: Final = frozenset("wheelchair crutch walker rollator pram pushchair stroller buggy trolley cart aid".split())
 """What people who must get somewhere sit in, lean on or push."""
 _BEFORE_AIDS: Final = frozenset("a an the his her their walking loaded full baby child's electric mobility".split())
+_UNHINDERED: Final = frozenset("unhindered unimpeded unobstructed undisturbed".split())
+_HINDERING: Final = frozenset(
+    "in the a her his their our my its him them us it way path blocking obstructing hindering stopping standing lying "
+    "being any thing obstacle obstruction furniture at all there".split()
+)
+"""Words of ``without anything standing in her way``."""
+_COLLIDING: Final = frozenset("bumping running tripping stumbling squeezing crashing knocking having getting".split())
+_OF_COLLIDING: Final = frozenset(
+    "to into over past against through around any anything something anyone anybody thing furniture obstacle stuck "
+    "move squeeze climb push step walk go be get".split()
+)
+"""Words of ``without having to squeeze past anything``, none of which names a thing that is there."""
 _ON_WHEELS: Final = frozenset("rolled wheeled pushed driven".split())
 """What is done with carts: where that can be done, there is a way."""
 
@@ -89,7 +103,9 @@ class Ways(Sentence):
             place += 1
         else:
             return None
-        if not any(w.text in ABILITIES for w in self.words[start:place]):
+        able = any(w.text in ABILITIES for w in self.words[start:place])
+        gets = place > start and self.words[place - 1].text in SOMEBODY | {"she", "he", "they"}
+        if not able and not (gets and self.words[place].raw.endswith("s") and self.text(place + 1) in ("from", "to")):
             return None
         self._refuse_denied(at, start, place)
         if self.text(place) == "find" or self.text(place) == "make":
@@ -151,15 +167,32 @@ class Ways(Sentence):
                 break
             ends.append(found[0])
             end = found[1]
-        while self.text(end) in FREE_WAYS:
+        free = self._end_of_unhindered(end)
+        while not free and self.text(end) in FREE_WAYS:
             end += 1
-        if self.text(end - 1) == "without" and self.text(end) == "anything" and self.bothers(end + 1):
-            end += 4
+        end = free or end
         if start is None and not ends:
             raise NotUnderstood(at, self.boundary(at))
         quote = self.quote(at, end)
         goals: list[Things | Rooms | None] = [*ends] or [None]
         return [Reach(start=start, end=goal, quote=quote) for goal in goals], end
+
+    def _end_of_unhindered(self, at: int) -> int:
+        """Return the end of ``without anything in the way``, ``without bumping into things``; 0 for others."""
+        if self.text(at) in _UNHINDERED:
+            return at + 1
+        said = (self.text(at), self.text(at + 1))
+        raw = self.words[at + 1].raw if at + 1 < len(self.words) else ""
+        nothing = said == ("with", "nothing") or (said[0] == "without" and said[1] in ("anything", "something", "any"))
+        if not nothing and not (said[0] == "without" and raw in _COLLIDING):
+            return 0
+        end = at + 2
+        while end < len(self.words) and (
+            self.words[end].raw in _HINDERING or self.text(end) in (_HINDERING if nothing else _OF_COLLIDING)
+        ):
+            end += 1
+        ends = end >= len(self.words) or self.words[end].kind == "mark" or self.text(end) in JOINING
+        return end if ends and end > at + 2 else 0
 
     def _end_of_way(self, at: int) -> tuple[Things | Rooms, int] | None:
         place = at

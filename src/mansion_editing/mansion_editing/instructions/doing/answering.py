@@ -35,6 +35,8 @@ def answer(question: Ask, state: SceneState, context: Context) -> Done:
         here = question.place or (Place(rooms=Rooms(same=True, every=True)) if context.rooms else None)
         counted_things = Things(noun=context.noun, plural=True, amount=Amount(kind="all", number=0))
         question = msgspec.structs.replace(question, things=counted_things, place=here)
+    if question.about == "exists" and them and context.noun and question.place and not _is_definite(question):
+        question = msgspec.structs.replace(question, things=Things(noun=context.noun))
     if question.about in ("rooms", "area") or (question.about == "where" and question.things is None):
         return _of_rooms(question, state, context)
     if question.about == "reach":
@@ -47,6 +49,11 @@ def answer(question: Ask, state: SceneState, context: Context) -> Done:
     rooms = tuple(dict.fromkeys(item.room for item in found))
     noun = "" if question.things is None else question.things.noun
     return Done(reply, context.followed([item.id for item in found], rooms, noun))
+
+
+def _is_definite(question: Ask) -> bool:
+    """Whether a question is about those that were mentioned, and not about any of the kind."""
+    return question.things is not None and question.things.definite
 
 
 def holds(question: Ask, state: SceneState, context: Context) -> bool:
@@ -138,7 +145,23 @@ def _exists(question: Ask, found: Sequence[SceneObject], said: str, state: Scene
         return f"No, there is no {_noun(question)}{said or ' in the building'}."
     verb = "is" if len(found) == 1 else "are"
     word = "Yes" if _is_so_many(len(found), question.things) else "No"
+    none = _places_without(question, found, state)
+    if none and word == "Yes":
+        told = f"{counted(len(found), _noun(question))}: {listed(found)}"
+        return f"Not everywhere: there {verb} {told}; none {', '.join(none)}."
     return f"{word}, there {verb} {counted(len(found), _noun(question))}{said}: {listed(found)}."
+
+
+def _places_without(question: Ask, found: Sequence[SceneObject], state: SceneState) -> list[str]:
+    """Return words for the rooms or storeys of a question about all of them where nothing of the kind is."""
+    rooms = None if question.place is None else question.place.rooms
+    if rooms is None or not rooms.every or rooms.same:
+        return []
+    having = {item.room for item in found}
+    if rooms.words or len(rooms.floors) < 2:
+        return [f"in {room_title(state, room)}" for room in rooms_of(state, rooms, Context()) if room not in having]
+    storeys = {_floor_of(state, room) for room in having}
+    return [f"on floor {floor}" for floor in rooms.floors if floor not in storeys]
 
 
 def _where(question: Ask, found: Sequence[SceneObject], said: str, state: SceneState) -> str:

@@ -1,6 +1,7 @@
 """Add, Ensure and Replace: new things where words want them, with the fewest of them."""
 
-from collections.abc import Generator, Sequence
+from collections.abc import Generator, Sequence, Set
+from dataclasses import replace
 from typing import Any
 
 import msgspec
@@ -10,11 +11,16 @@ from mansion_editing.instructions.doing.work import Done, Work, listed, live
 from mansion_editing.instructions.meaning.choices import one_room_each, things_meant
 from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.descriptions import all_at, rooms_of, things_of
-from mansion_editing.instructions.meaning.nouns import has_material
-from mansion_editing.instructions.meaning.numbers import is_one_of_each_room, means_several, new_number
-from mansion_editing.instructions.meaning.room_words import room_title
+from mansion_editing.instructions.meaning.nouns import called, has_material
+from mansion_editing.instructions.meaning.numbers import (
+    is_one_of_each_room,
+    means_any_in_each_room,
+    means_several,
+    new_number,
+)
 from mansion_editing.instructions.meaning.targets import Target, places_of
 from mansion_editing.instructions.meaning.wording import bare_words, place_in, place_words, there_were, thing_words
+from mansion_editing.instructions.phrases.word_sets import BESIDE_RELATIONS
 from mansion_editing.instructions.statements import Add, Amount, Ensure, Place, Replace, Rooms, Things
 from mansion_editing.provisioning.facts import ObjectDescription, Scope
 from mansion_editing.provisioning.making_room import make_room
@@ -59,6 +65,7 @@ def add(statement: Add, state: SceneState, context: Context) -> Work:
     number = new_number(things)
     if number > MOST_NEW:
         raise Unmet(f"{number} things are more than one instruction brings; at most {MOST_NEW}")
+    known = {item.id for _, item in state.objects()}
     groups = yield from _groups(things, place, state, context, each=statement.each)
     if place.anchor is not None and place.anchor.amount.of:  # on one of the desks: first on those without such a thing
         groups = [sorted(g, key=lambda target: len(at_target(state, things, place, target, context))) for g in groups]
@@ -67,7 +74,8 @@ def add(statement: Add, state: SceneState, context: Context) -> Work:
     for group in groups:
         before += sum(len(at_target(state, things, place, target, context)) for target in group)
         made += yield from place_at(things, number, place, group, state)
-    return _added_reply(things, place, before, made, state, context)
+    done = _added_reply(things, place, before, made, state, context)
+    return replace(done, reply=done.reply + _brought_to_carry(groups, known))
 
 
 def _added_reply(
@@ -80,6 +88,13 @@ def _added_reply(
     reply = f"{had}; {len(made)} added ({listed(made)}), now {before + len(made)}"
     reply += _passed_over(state, place, context)
     return Done(reply, context.followed(made, rooms, things.noun))
+
+
+def _brought_to_carry(groups: Sequence[Sequence[Target]], known: Set[str]) -> str:
+    """Return words for furniture that was missing and came for things to be on or in."""
+    anchors = [target.anchor.id for group in groups for target in group if target.anchor is not None]
+    came = [name for name in dict.fromkeys(anchors) if name not in known]
+    return f"; {listed(came)} added to carry that" if came else ""
 
 
 def _whole_place(things: Things, place: Place) -> Place:
@@ -108,6 +123,8 @@ def _groups(
         return [(yield from _best_first(things, targets, state))]
     if is_one_of_each_room(place):
         return _one_of_each_room(state, place, context)
+    if means_any_in_each_room(place):
+        return (yield from _groups_by_room(place, state, context))
     several = each or _is_each(place)
     plural_rooms = place.rooms is not None and (place.rooms.every or place.rooms.number > 1)
     having = _rooms_having(state, place, context)
@@ -118,11 +135,24 @@ def _groups(
         names = list(dict.fromkeys(target.room for target in targets))
         return [[target for target in targets if target.room == name] for name in names]
     anchor = place.anchor
-    if several or (anchor is not None and anchor.definite and means_several(anchor) and place.relation != "between"):
+    beside = place.relation in BESIDE_RELATIONS | {"between"}  # "a plant next to the chairs" is one
+    if several or (anchor is not None and anchor.definite and means_several(anchor) and not beside):
         return [[target] for target in targets]
     if place.anchor is None and len(targets) > 1 and place.rooms is not None and not place.rooms.words:
         return [targets]
     return [targets] if place.anchor is not None else [[target] for target in targets]
+
+
+def _groups_by_room(
+    place: Place, state: SceneState, context: Context
+) -> Generator[Action, Outcome, list[list[Target]]]:
+    """Return the places in each of several rooms; a room that has none gets what is missing."""
+    groups: list[list[Target]] = []
+    for room in [] if place.rooms is None else one_room_each(state, place.rooms, context):
+        own = msgspec.structs.replace(place, rooms=Rooms(words=room))
+        targets = places_of(state, own, context, each=True)
+        groups.append(targets or [(yield from _new_carrier(own, state, context))])
+    return groups
 
 
 def _one_of_each_room(state: SceneState, place: Place, context: Context) -> list[list[Target]]:
@@ -135,10 +165,13 @@ def _one_of_each_room(state: SceneState, place: Place, context: Context) -> list
     """
     groups = _by_room(state, place, context)
     without = [name for name, targets in groups.items() if not targets]
-    if len(without) == len(groups) or (without and place.rooms is not None and place.rooms.words):
-        titles = " and ".join(room_title(state, name) for name in without)
-        raise Unmet(f"there is no {'' if place.anchor is None else bare_words(place.anchor)} in {titles}")
+    if place.anchor is not None and (len(without) == len(groups) or (without and _names_rooms(place))):
+        raise Unmet(f"there is no {bare_words(place.anchor)} in {listed(without)}")
     return [targets for targets in groups.values() if targets]
+
+
+def _names_rooms(place: Place) -> bool:
+    return place.rooms is not None and bool(place.rooms.words)
 
 
 def _by_room(state: SceneState, place: Place, context: Context) -> dict[str, list[Target]]:
@@ -152,11 +185,10 @@ def _by_room(state: SceneState, place: Place, context: Context) -> dict[str, lis
 
 def _passed_over(state: SceneState, place: Place, context: Context) -> str:
     """Return the words that tell in which rooms nothing was done."""
-    without = [room_title(state, name) for name, targets in _by_room(state, place, context).items() if not targets]
+    without = [name for name, targets in _by_room(state, place, context).items() if not targets]
     if not without or place.anchor is None:
         return ""
-    more = f" and {len(without) - 8} more" if len(without) > 8 else ""
-    return f"; nothing in {', '.join(without[:8])}{more}, which have no {bare_words(place.anchor)}"
+    return f"; nothing in {listed(without)}, which have no {bare_words(place.anchor)}"
 
 
 def _best_first(things: Things, targets: list[Target], state: SceneState) -> Generator[Action, Outcome, list[Target]]:
@@ -187,7 +219,8 @@ def _new_carrier(place: Place, state: SceneState, context: Context) -> Generator
         )
     if anchor.place is not None and anchor.place.anchor is not None:
         bare = msgspec.structs.replace(anchor, place=None)
-        (small,) = yield from place_at(bare, 1, anchor.place, places_of(state, anchor.place, context), state)
+        where = msgspec.structs.replace(anchor.place, rooms=anchor.place.rooms or place.rooms)
+        (small,) = yield from place_at(bare, 1, where, places_of(state, where, context), state)
         holder = live(state, [small])[0]
         return Target(holder.room, holder)
     rooms = () if place.rooms is None else tuple(rooms_of(state, place.rooms, context))
@@ -269,7 +302,10 @@ def _place_one(
             assets, carrier.id, relation, colour=colour, name=things.noun, wishes=wishes
         )
         if not made and alone:
-            made = yield from make_room(ObjectDescription(things.noun, 1, colour), assets, carrier, state)
+            there = [item for _, item in state.objects() if item.parent == carrier.id]
+            alike = {item.id for item in called(state, there, things.noun, many=True)}
+            thing = ObjectDescription(things.noun, 1, colour)
+            made = yield from make_room(thing, assets, carrier, state, alike, relation)
         return made, reason
     stands = _goes_to_room(assets, state)
     if target.anchor is not None and target.anchor.parent is not None and not stands:
@@ -314,6 +350,7 @@ def ensure(statement: Ensure, state: SceneState, context: Context) -> Work:
     if kind == "more":
         return (yield from add(Add(things=things, place=place, each=statement.each), state, context))
     several = statement.each or _is_each(place)
+    before = {item.id for _, item in state.objects()}
     least = kind not in ("at_most", "none")
     if place.anchor is None and place.rooms is None:
         groups = [places_of(state, Place(rooms=Rooms(every=True), spot=place.spot), context, each=True)]
@@ -323,6 +360,7 @@ def ensure(statement: Ensure, state: SceneState, context: Context) -> Work:
         groups = []
     else:
         groups = yield from _groups(things, place, state, context, each=several)
+    _refuse_other_number_lacking(statement, things, place, groups, state, context)
     had, made, gone = 0, [], []
     for group in groups:
         there = [(target, at_target(state, things, place, target, context)) for target in group]
@@ -337,19 +375,43 @@ def ensure(statement: Ensure, state: SceneState, context: Context) -> Work:
             gone += yield from removed(surplus, state)
         elif len(found) < number and least and best is not None:
             order = [best[0], *(target for target in group if target is not best[0])]
-            made += yield from place_at(things, number - len(found), place, order if whole else order[:1], state)
+            anywhere = whole or (not found and means_any_in_each_room(place))
+            made += yield from place_at(things, number - len(found), place, order if anywhere else order[:1], state)
     items = live(state, made)
     rooms = tuple(dict.fromkeys([*(i.room for i in items), *(t.room for g in groups for t in g[:1])]))
-    where = place_in(state, place, context) or "in the building"
-    reply = f"{there_were(had, things.noun)} {where}"
-    if made:
-        reply += f"; {len(made)} added ({listed(made)}), now {had + len(made)}"
-    if gone:
-        reply += f"; {len(gone)} removed ({listed(gone)})"
-    reply += "" if made or gone else " already; nothing had to change"
-    reply += _passed_over(state, place, context)
+    reply = f"{there_were(had, things.noun)} {place_in(state, place, context) or 'in the building'}"
+    reply += _changed(had, made, gone) + _brought_to_carry(groups, before) + _passed_over(state, place, context)
     known = made or [i.id for g in groups for t in g for i in at_target(state, things, place, t, context)]
     return Done(reply, context.followed(known, rooms[:1], things.noun))
+
+
+def _refuse_other_number_lacking(
+    statement: Ensure,
+    things: Things,
+    place: Place,
+    groups: Sequence[Sequence[Target]],
+    state: SceneState,
+    context: Context,
+) -> None:
+    """Refuse to give what "two of the desks" have not where another number of them has none.
+
+    Raises
+    ------
+    Unmet
+    """
+    if not statement.lacking:
+        return
+    none = [group for group in groups if not any(at_target(state, things, place, target, context) for target in group)]
+    if len(none) != statement.lacking:
+        raise Unmet(f"{len(none)} have no {things.noun}, not {statement.lacking}")
+
+
+def _changed(had: int, made: Sequence[str], gone: Sequence[str]) -> str:
+    """Return words for what came and what left after those that were there."""
+    if not made and not gone:
+        return " already; nothing had to change"
+    came = f"; {len(made)} added ({listed(made)}), now {had + len(made)}" if made else ""
+    return came + (f"; {len(gone)} removed ({listed(gone)})" if gone else "")
 
 
 def replace_things(statement: Replace, state: SceneState, context: Context) -> Work:

@@ -112,6 +112,10 @@ _MANY: Final[dict[str, Callable[[SceneObject], bool]]] = {
 """Words for many kinds, and what answers to them besides the kinds that the catalogue knows them by."""
 
 
+_AT_BEDS: Final = frozenset(["bedside table", "nightstand", "night table", "night stand", "bedside cabinet"])
+"""What people call the side table of a bedroom too."""
+
+
 def names_many(noun: str) -> bool:
     """Whether a noun stands for many kinds (``furniture``, ``seat``); the empty one stands for anything."""
     return not noun or " ".join(stems(noun)) in _MANY
@@ -149,12 +153,19 @@ def called(state: SceneState, items: Iterable[SceneObject], noun: str, *, many: 
         vocabulary = vocabulary_of(state.catalogue)
         synonymous = vocabulary.synonymous(stems(noun)) or vocabulary.ending(stems(noun))
         alike = [item for item in pool if item.category in synonymous]
+    if not alike and words in _AT_BEDS:
+        alike = [item for item in pool if item.category == "side_table" and _sleeps_in(state, item.room)]
     if alike and not many:
         best = max(ranks[item.id] for item in alike)
         return [item for item in alike if best < 3 or ranks[item.id] == 3]
     if alike or vocabulary_of(state.catalogue).nouns(noun):
         return alike
     return [item for item in pool if ranks[item.id] == 1]
+
+
+def _sleeps_in(state: SceneState, room: str) -> bool:
+    """Whether a bed stands in a room."""
+    return any(item.room == room and item.category.endswith("bed") for _, item in state.objects())
 
 
 def _ranks(state: SceneState, pool: Iterable[SceneObject], noun: str) -> dict[str, int]:

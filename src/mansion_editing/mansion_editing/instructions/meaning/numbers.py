@@ -12,6 +12,7 @@ __all__ = [
     "counts_each",
     "is_one",
     "is_one_of_each_room",
+    "means_any_in_each_room",
     "means_one",
     "means_several",
     "new_number",
@@ -47,6 +48,15 @@ def means_one(things: Things) -> bool:
     return things.definite and not means_several(things)
 
 
+def means_any_in_each_room(place: Place) -> bool:
+    """Whether words mean one thing in each of several rooms, whichever of them: ``a desk in every bedroom``."""
+    anchor, rooms = place.anchor, place.rooms
+    if anchor is None or rooms is None or not rooms.words or not (rooms.every or rooms.number > 1):
+        return False
+    told = anchor.definite or anchor.refers or anchor.owned or anchor.place is not None or means_several(anchor)
+    return not told and place.relation != "between"
+
+
 def counts_each(things: Things) -> bool:
     """Whether the number is that of each thing they are at ("one pillow from each bed"), not of all together."""
     return things.place is not None and things.place.anchor is not None and things.place.anchor.each
@@ -73,5 +83,5 @@ def is_one_of_each_room(place: Place) -> bool:
     anchor, rooms = place.anchor, place.rooms
     if anchor is None or rooms is None or place.relation == "between" or place.outside:
         return False
-    one = means_one(anchor) and not (anchor.each or anchor.refers or anchor.place)
+    one = means_one(anchor) and not (anchor.each or anchor.refers)
     return one and (rooms.every or rooms.number > 1)

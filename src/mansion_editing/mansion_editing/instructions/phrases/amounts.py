@@ -44,6 +44,7 @@ _PHRASES: Final[tuple[tuple[tuple[str, ...], AmountKind], ...]] = (
     (("minimum",), "at_least"), (("min",), "at_least"), (("not", "less", "than"), "at_least"),
     (("at", "most"), "at_most"), (("no", "more", "than"), "at_most"), (("not", "more", "than"), "at_most"),
     (("up", "to"), "at_most"), (("maximum",), "at_most"), (("max",), "at_most"), (("a", "maximum", "of"), "at_most"),
+    (("a", "minimum", "of"), "at_least"),
     (("a", "total", "of"), "exactly"), (("exactly",), "exactly"), (("only",), "exactly"), (("just",), "exactly"),
     (("precisely",), "exactly"), (("fewer", "than"), "at_most"), (("less", "than"), "at_most"),
     (("more", "than"), "at_least"),

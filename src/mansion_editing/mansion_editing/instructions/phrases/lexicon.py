@@ -191,7 +191,9 @@ def _names_of_rooms(state: SceneState) -> Iterator[tuple[str, ...]]:
         own = stems(room.id.split("/", 1)[-1].replace("_", " "))
         bare = own[:-1] if own and own[-1].isdecimal() else own
         kind = stems(room.room_type.replace("_", " "))
-        for said in (own, bare, stems(room.name), kind, *(stems(alias) for alias in room.aliases)):
+        called = stems(room.name)
+        plain = called[: called.index("for")] if "for" in called[1:] else called  # "Office for two clerks"
+        for said in (own, bare, called, plain, kind, *(stems(alias) for alias in room.aliases)):
             name = tuple(_LIKE.get(word, word) for word in said if word != "s")  # of a genitive: the children's room
             proper = tuple(
                 word for word in name if word not in _words_of_kinds(state.catalogue) and not word.isdecimal()

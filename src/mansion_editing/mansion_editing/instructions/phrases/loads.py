@@ -22,13 +22,17 @@ def end_of_load(words: Sequence[Word], at: int) -> int:
     place = at + joint
     if text_at(words, place) == "its" and text_at(words, place + 1) in ("content", "load"):
         return place + 2
-    if text_at(words, place) not in _ALL:
+    what = text_at(words, place) == "what"
+    if text_at(words, place) not in _ALL and not what:
+        return 0
+    contracted = what and words[place].raw == "what's"
+    if what and text_at(words, place + 1) not in _RESTS and not contracted:
         return 0
     place += 1 + (text_at(words, place + 1) == "thing")
-    contracted = place < len(words) and words[place].raw in ("that's", "what's", "which's")
+    contracted = contracted or (place < len(words) and words[place].raw in ("that's", "which's"))
     relative = text_at(words, place) in ("that", "which")
     place += relative
-    if text_at(words, place) in _RESTS and (relative or text_at(words, place - 1) == "whatever"):
+    if text_at(words, place) in _RESTS and (relative or text_at(words, place - 1) in ("whatever", "what")):
         place += 1
     elif relative and not contracted:
         return 0

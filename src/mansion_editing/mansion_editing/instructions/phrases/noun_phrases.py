@@ -9,7 +9,7 @@ from mansion_editing.instructions.phrases.lexicon import Lexicon
 from mansion_editing.instructions.phrases.nouns import Noun, read_noun
 from mansion_editing.instructions.phrases.runs import ENDS_RUN, end_of_run
 from mansion_editing.instructions.phrases.storeys import read_storeys
-from mansion_editing.instructions.phrases.word_sets import BARE_PRONOUNS
+from mansion_editing.instructions.phrases.word_sets import BARE_PRONOUNS, PRINTED, TOPICS
 from mansion_editing.instructions.phrases.words import ADVERBS, DETERMINERS, STATE_WORDS, Word, text_at
 from mansion_editing.instructions.statements import JOINED, Amount, AmountKind, Place, Rooms, Things
 from mansion_language.colours import COLOUR_WORDS
@@ -138,7 +138,7 @@ def noun_phrase(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Sequen
         )
     found, end = _coloured(words, found, end)
     found, end = _of_owner(words, found, end, lexicon)
-    count = _number_after(words, end)
+    count = _number_after(words, end, plural=found.plural)
     if count is not None and amount.number in (0, 1) and not definite:
         amount, end = Amount(number=count[0]), count[1]
     whole = _whole_after(words, end)
@@ -149,9 +149,16 @@ def noun_phrase(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Sequen
     if amount.kind == "all":
         amount, definite, end = _all_but(words, end, lexicon, amount, definite=definite)
     end += text_at(words, end) in ("itself", "themselves")
+    if not definite and amount.kind not in ("all", "none", "all_but", "half") and _is_topic(found):
+        found = replace(found, unknown=())
     more, end = _further_numbers(words, found, end, lexicon)
     noun = replace(found, floors=storeys, numbers=more)
     return NounPhrase(noun, amount, definite, start, end, each=each)
+
+
+def _is_topic(noun: Noun) -> bool:
+    """Whether the words before a noun only tell what something printed is about: ``law books``."""
+    return bool(noun.unknown) and noun.words[:1] != () and noun.words[0] in PRINTED and {*noun.unknown} <= TOPICS
 
 
 def _coloured(words: Sequence[Word], noun: Noun, at: int) -> tuple[Noun, int]:
@@ -246,8 +253,8 @@ def _bare_amount(words: Sequence[Word], start: int, place: int, amount: Amount) 
     return NounPhrase(Noun((), "anything"), amount, amount.of > 0, start, place, refers="last")
 
 
-def _number_after(words: Sequence[Word], at: int) -> tuple[int, int] | None:
-    """Read ``x3``, ``(4)``, ``, three of them`` after a noun."""
+def _number_after(words: Sequence[Word], at: int, *, plural: bool) -> tuple[int, int] | None:
+    """Read ``x3``, ``(4)`` after a noun, and ``, three of them`` after one in the plural."""
     if text_at(words, at) == "x" and number_at(words, at + 1) is not None:
         return int(words[at + 1].value), at + 2
     if text_at(words, at) == "(" and number_at(words, at + 1) is not None and text_at(words, at + 2) == ")":
@@ -255,7 +262,8 @@ def _number_after(words: Sequence[Word], at: int) -> tuple[int, int] | None:
     place = at + (text_at(words, at) == ",")
     number = number_at(words, place)
     if (
-        number is not None
+        plural
+        and number is not None
         and text_at(words, place + 1) == "of"
         and text_at(words, place + 2) in ("them", "those", "these")
     ):

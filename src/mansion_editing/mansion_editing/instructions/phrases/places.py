@@ -72,16 +72,19 @@ _PREPOSITIONS: Final[tuple[tuple[tuple[str, ...], Relation], ...]] = (
     (("near",), "near"), (("nearby",), "near"), (("alongside",), "beside"), (("under",), "under"),
     (("underneath",), "under"), (("beneath",), "under"), (("below",), "under"), (("above",), "above"),
     (("over",), "above"), (("behind",), "behind"), (("between",), "between"), (("among",), "between"),
+    (("opposite", "to"), "front"), (("opposite", "of"), "front"),
     (("opposite",), "front"), (("against",), "beside"), (("along",), "beside"), (("from",), ""), (("off",), "on"),
     (("to",), ""), (("towards",), ""), (("toward",), ""), (("of",), ""), (("for",), ""), (("throughout",), "in"),
     (("across",), "in"), (("left",), "left"), (("right",), "right"),
 )  # fmt: skip
+_ALL_OVER: Final = ("over", "across")
 _EXISTENCE: Final = BE | MODALS | frozenset(["need", "has", "have"])
 """After ``there`` they say that something is, not where."""
 
 _ENDS: Final = ("", ",", ".", ";", "and", "then", "please", "!")
 """What may follow a preposition that stands alone: ``put a yogurt inside``."""
 
+_GOAL_JOINTS: Final = ("to", "into", "onto")
 _OWNERS: Final = frozenset("his her their my your our".split())
 _SOURCES: Final = frozenset(["from", "off", "out", "away"])
 _GOALS: Final = frozenset(["to", "into", "onto", "back", "over", "up", "down", "towards", "toward"])
@@ -217,8 +220,16 @@ def _after_preposition(
     spot = _spot(words, start, at, phrase, relation, lexicon, floors)
     if spot is not None:
         return spot
-    if text_at(words, at) == "the" and text_at(words, at + 1) == "floor" and phrase[0] in (*_ON, "off", "from"):
-        return ReadPlace(Place(), start, at + 2, goal, source)
+    if (
+        text_at(words, at) == "the"
+        and text_at(words, at + 1) == "floor"
+        and phrase[0] in (*_ON, *_ALL_OVER, "off", "from")
+    ):
+        inner = _after_preposition(words, at + 2, at + 3, ("in",), "in", lexicon, floors)
+        room = inner is not None and text_at(words, at + 2) in ("of", "in") and inner.place.anchor is None
+        if inner is not None and room and inner.place.rooms is not None:
+            return ReadPlace(Place(rooms=inner.place.rooms), start, inner.end, goal, source, each=inner.each)
+        return None if phrase[0] in _ALL_OVER else ReadPlace(Place(), start, at + 2, goal, source)
     if text_at(words, at) == "the" and text_at(words, at + 1) == "same" and text_at(words, at + 2) == "floor":
         return ReadPlace(Place(rooms=Rooms(floors=(SAME_FLOOR,))), start, at + 3, goal, source)
     whole = _this_building(words, at, lexicon)
@@ -455,7 +466,8 @@ def _and_rooms(
             break
         names.append(more.rooms().words)
         last = more
-    ends = last.end >= len(words) or words[last.end].kind == "mark" or text_at(words, last.end) in ("please", "too")
+    following = text_at(words, last.end)
+    ends = last.end >= len(words) or words[last.end].kind == "mark" or following in ("please", "too", *_GOAL_JOINTS)
     if len(names) < 2 or not ends or not all(names):
         return rooms, target
     return Rooms(words=JOINED.join(names), floors=rooms.floors, every=True, number=len(names)), last

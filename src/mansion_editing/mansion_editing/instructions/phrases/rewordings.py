@@ -96,6 +96,12 @@ _PHRASES: Final[dict[tuple[str, ...], tuple[str, ...]]] = {
     ("can", "do", "with"): ("need",),
 }  # fmt: skip
 """Words, longest first where one begins another, and the words that mean the same."""
+_MADE: Final[dict[str, tuple[str, ...]]] = {
+    "open": ("open",), "close": ("close",), "closed": ("close",), "shut": ("close",), "on": ("switch", "on"),
+    "off": ("switch", "off"), "empty": ("empty",), "clear": ("clear",), "free": ("free",),
+}  # fmt: skip
+"""States before their thing, and the verbs that bring them about: ``make open the window``."""
+
 _AT_EDGES: Final = frozenset(("if", "you", modal) for modal in ("would", "can", "could"))
 """Courtesies at the beginning or the end of a sentence."""
 
@@ -123,6 +129,11 @@ def reworded(words: Sequence[Word]) -> list[Word]:
             phrase = words[at : at + length]
             out += _in_place_of(phrase, _PHRASES[tuple(word.text for word in phrase)])
             at += length
+            continue
+        made = _MADE.get(text_at(words, at + 1)) if words[at].text == "make" else None
+        if made is not None and text_at(words, at + 2) in DETERMINERS | PRONOUNS:
+            out += _in_place_of(words[at : at + 2], made)
+            at += 2
             continue
         supposed = _supposed(words, at)
         if supposed:

@@ -41,6 +41,7 @@ ENDS_RUN: Final = (
         "short away does did come look seem anew afresh want visible go disappear vanish put exceed trade untouched "
         "alone starting next either if unless half closer nearer further farther forward forwards backward backwards "
         "wobble squeak smell leak flicker rattle creak stink drip "
+        "unhindered unimpeded unobstructed undisturbed "
         "keep become suffice before after when while until today tonight tomorrow yesterday anyway though asap yet"
         .split()
     )

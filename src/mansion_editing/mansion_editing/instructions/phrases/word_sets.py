@@ -49,6 +49,7 @@ __all__ = [
     "DIRECTIONS",
     "DISTURBING",
     "EARLIER_STEPS",
+    "EVENTS",
     "EXISTENCE",
     "FAILING",
     "FREE_WAYS",
@@ -74,6 +75,7 @@ __all__ = [
     "PEOPLE",
     "PRAISE",
     "PREDICATE_VERBS",
+    "PRINTED",
     "PROPERTIES",
     "RELATIVES",
     "RESTING_VERBS",
@@ -84,6 +86,7 @@ __all__ = [
     "STAYING",
     "STAYING_AS_IT_IS",
     "THIRD_PERSON_WISHES",
+    "TOPICS",
     "TOLD_EXISTENCE",
     "TOWARDS",
     "WANTING",
@@ -250,6 +253,21 @@ BEFORE_ASKED_STATES: Final = frozenset(
 
 BESIDE_RELATIONS: Final = frozenset("beside near left right behind front".split())
 """Relations of what stands on the same floor or surface as its anchor."""
+
+EVENTS: Final = frozenset(
+    "meeting training workshop interview class course lesson rehearsal party dinner lunch breakfast audit visit "
+    "inspection conference seminar presentation exam drill delivery event birthday".split()
+)
+"""What takes place in rooms, some of which are called after it."""
+
+TOPICS: Final = frozenset(
+    "law legal history art science math maths physic chemistry biology geography language english french german "
+    "spanish music poetry travel cook cooking cookery comic story fairytale tax medical fashion sport sports nature "
+    "gardening business trade reference philosophy religion economic".split()
+)
+"""What printed things are about, which no scene records: ``law books``, ``fashion magazines``."""
+
+PRINTED: Final = frozenset("book magazine newspaper folder notebook journal poster brochure textbook".split())
 
 OPEN_TO_ALL: Final = frozenset("day evening night house week".split())
 """What ``open`` is no state of: ``open day on Saturday``."""

@@ -11,6 +11,7 @@ from mansion_editing.instructions.clauses.reader import ClauseReader
 from mansion_editing.instructions.phrases.verbs import verb_at
 from mansion_editing.instructions.phrases.word_sets import PEOPLE, RELATIVES, TELLING_WHERE
 from mansion_editing.instructions.phrases.words import PERSONS, Word
+from mansion_editing.instructions.sentences.already_there import spares_those_with_one
 from mansion_editing.instructions.sentences.bystanding import (
     asks_for_nothing,
     begins_with_state,
@@ -24,11 +25,10 @@ from mansion_editing.instructions.sentences.bystanding import (
     stands_wrong,
 )
 from mansion_editing.instructions.sentences.circumstances import is_circumstance
-from mansion_editing.instructions.sentences.having_already import spares_those_having
 from mansion_editing.instructions.sentences.lacking import given_where_none_is
 from mansion_editing.instructions.sentences.progress import Progress
 from mansion_editing.instructions.sentences.taking_up import listed_in, with_list_for_pronoun
-from mansion_editing.instructions.statements import Add, Amount, Ensure, Mention, Place, Remove, Things
+from mansion_editing.instructions.statements import Add, Amount, Ensure, Mention, Place, Remove, Statement, Things
 
 __all__ = ["Asides"]
 
@@ -48,6 +48,10 @@ _MOST_ASIDES: Final = 3
 
 _TAKING_UP: Final = frozenset("it its them they one there that this those these another ones both".split())
 """Words by which a sentence goes on with what the one before it told of."""
+
+
+_TELLING_OF_ONE: Final = frozenset("one another second".split())
+"""Words without which nothing is said of what has one already."""
 
 
 class Asides(Progress):
@@ -75,8 +79,6 @@ class Asides(Progress):
             The sentence after it, which may go on with what this one tells of.
         """
         first = self._so_far()
-        if self._once_each(words, later, depth):
-            return
         self._read_sentence(words, marked=marked)
         if len(self.unknown) == len(first["unknown"]) or self.undecided:
             return
@@ -211,32 +213,31 @@ class Asides(Progress):
             return self.topic
         return msgspec.structs.replace(last, place=None, amount=Amount(), definite=False, plural=False, refers="")
 
-    def _once_each(self, words: Sequence[Word], later: Sequence[Word], depth: int) -> bool:
-        """Count what is there already in the request before: ``those which have one need no other``."""
-        asked = self._asked_last()
-        ends = (at for at, end in _parts(words) if end == len(words))
-        start = next((at for at in ends if spares_those_having(words[at:], words[:at] or asked)), -1)
-        if start < 0:
-            return False
+    def _spares_those_with_one(self, words: Sequence[Word], *, marked: bool) -> bool:
+        """Read ``where there is one already leave it`` after what is brought, which then counts what is there."""
         first = self._so_far()
-        if start:
-            self._read_rest(_trimmed(words[:start]), later, marked=False, depth=depth)
-        known = [statement for statement in self.statements if not isinstance(statement, Mention)]
-        quote = next((s.quote for s in reversed(known)), "")
-        together = [s for s in known if s.quote == quote]
-        given = given_where_none_is(together)
-        if given is None or len(self.unknown) > len(first["unknown"]):
-            self._go_back(first)
-            return False
-        kept = [s for s in self.statements if s not in together]
-        self.statements[:] = [*kept, *given, Mention(quote=self._quote(words, start, len(words)))]
-        return True
+        for at in (0, *(at for at, word in enumerate(words) if word.text in _CUTS | _JOINTS)):
+            part = _trimmed(words[at:])
+            if not any(word.text in _TELLING_OF_ONE for word in part):
+                break
+            if at:
+                self._go_back(first)
+                self._read_sentence(_trimmed(words[:at]), marked=marked)
+            together = self._asked_last()
+            given = given_where_none_is(together, alone=True)
+            if given is None or len(self.unknown) > len(first["unknown"]):
+                continue
+            if all(spares_those_with_one(part, _nouns_of(s.place), s.things.noun, several=s.each) for s in given):
+                kept = [s for s in self.statements if s not in together]
+                self.statements[:] = [*kept, *given, Mention(quote=self._quote(part, 0, len(part)))]
+                return True
+        self._go_back(first)
+        return False
 
-    def _asked_last(self) -> Sequence[Word]:
-        """Return the words of the last request."""
-        quote = next((s.quote for s in reversed(self.statements) if not isinstance(s, Mention)), "")
-        start = self.text.find(quote)
-        return [word for word in self.words if start <= word.start < start + len(quote)]
+    def _asked_last(self) -> list[Statement]:
+        """Return the statements of the last request."""
+        asked = [statement for statement in self.statements if not isinstance(statement, Mention)]
+        return [statement for statement in asked if statement.quote == asked[-1].quote]
 
     def _fills_gaps(self, words: Sequence[Word], first: dict[str, Any]) -> bool:
         """Count what is there already in the request before: ``add one only where it is missing``."""
@@ -265,6 +266,12 @@ class Asides(Progress):
     def _go_back(self, so_far: dict[str, Any]) -> None:
         for name, value in so_far.items():
             setattr(self, name, list(value) if isinstance(value, list) else value)
+
+
+def _nouns_of(place: Place) -> frozenset[str]:
+    """Return the words for what a place is at, and for its rooms."""
+    told = [place.anchor.noun if place.anchor is not None else "", place.rooms.words if place.rooms is not None else ""]
+    return frozenset(word for said in told for word in (said, *said.split()) if word)
 
 
 def _corrects(words: Sequence[Word]) -> bool:

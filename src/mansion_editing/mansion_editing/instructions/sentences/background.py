@@ -122,6 +122,8 @@ def is_background(words: Sequence[Word]) -> bool:
         return True
     if words[0].raw in ("it's", "its", "they're", "that's") and len(words) <= 4:
         return True
+    if "short" in texts and any(word.kind == "number" for word in words):
+        return False  # "we are two chairs short"
     people = PERSONS | RELATIVES
     past = any(w.raw.endswith("ed") or w.raw in PAST_VERBS for w in words)
     return texts[0] in people and past and "not" not in texts[:3] and not set(texts) & _WISHING

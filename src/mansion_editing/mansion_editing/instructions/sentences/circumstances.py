@@ -10,7 +10,7 @@ from typing import Final
 from mansion_editing.instructions.phrases.lexicon import HYPERNYMS, Lexicon
 from mansion_editing.instructions.phrases.verb_words import BY_WORDS
 from mansion_editing.instructions.phrases.verbs import verb_at
-from mansion_editing.instructions.phrases.word_sets import OPEN_TO_ALL, PEOPLE
+from mansion_editing.instructions.phrases.word_sets import EVENTS, OPEN_TO_ALL, PEOPLE
 from mansion_editing.instructions.phrases.words import (
     ADVERBS,
     BE,
@@ -25,6 +25,7 @@ from mansion_editing.instructions.phrases.words import (
     Word,
 )
 from mansion_editing.instructions.sentences.bystanding import tells_what_becomes
+from mansion_editing.instructions.sentences.head_counts import counts_people
 from mansion_language.colours import COLOUR_WORDS
 
 __all__ = ["is_circumstance"]
@@ -59,9 +60,8 @@ _NEEDING: Final = frozenset("need want require lack miss like deserve".split())
 _OCCASIONS: Final = frozenset(
     "monday tuesday wednesday thursday friday saturday sunday weekend morning afternoon tonight today tomorrow noon "
     "midnight january february march april may june july august september october november december christmas easter "
-    "birthday party inspection visit training drill rehearsal delivery event season shift emergency holiday exam "
-    "manager caretaker janitor facility".split()
-)
+    "season shift emergency holiday manager caretaker janitor facility".split()
+) | (EVENTS - {"meeting", "conference"})
 """Words of remarks without a verb: ``Rehearsal at five``, ``duty manager here``."""
 
 _HABITS: Final = frozenset("always constantly often forever time".split())
@@ -98,6 +98,8 @@ def is_circumstance(words: Sequence[Word], lexicon: Lexicon, *, followed: bool) 
         return False
     words = _from_subject(words, lexicon)
     texts = [word.text for word in words]
+    if counts_people(words, lexicon):
+        return True
     event = texts[:1] == ["open"] and texts[1:2] and texts[1] in OPEN_TO_ALL
     ordered = verb_at(words, 0, lexicon) is not None and not event
     if len(words) < 2 or ordered or texts[0] in ("there", "not", "no", "if", "unless"):
@@ -229,7 +231,8 @@ def _asks_nothing(words: Sequence[Word], verb: int, lexicon: Lexicon) -> bool:
         return False
     if past or perfect or doing:
         return True
-    person = subject[-1].text in PERSONS | PEOPLE | _SOMEBODY or not _names(subject, lexicon)
+    head = subject[: _end_of_head(subject)]
+    person = head[-1].text in PERSONS | PEOPLE | _SOMEBODY or not _names(head, lexicon)
     asked = (said.text,) in BY_WORDS and said.text not in _DOING | {"sit", "find", "use"}
     return person and not asked
 
@@ -288,9 +291,14 @@ def _names(words: Sequence[Word], lexicon: Lexicon) -> bool:
     )
 
 
+def _end_of_head(subject: Sequence[Word]) -> int:
+    """Return where what belongs to the head of a subject begins: ``in a wheelchair`` of a client."""
+    return next((at for at, word in enumerate(subject) if at and word.text in PREPOSITIONS), len(subject))
+
+
 def _names_here(subject: Sequence[Word], lexicon: Lexicon) -> bool:
     """Whether the head of a subject is a thing or a room that the building has."""
-    stop = next((at for at, word in enumerate(subject) if at and word.text in PREPOSITIONS), len(subject))
+    stop = _end_of_head(subject)
     head = subject[:stop][-1:]
     pair = tuple(word.text for word in subject[:stop][-2:])
     rooms = lexicon.is_own_room(pair) and len(pair) == 2

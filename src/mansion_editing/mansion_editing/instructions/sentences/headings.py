@@ -8,9 +8,10 @@ import msgspec
 from mansion_editing.instructions.clauses.items import joined_places
 from mansion_editing.instructions.clauses.reader import ClauseReader
 from mansion_editing.instructions.phrases.noun_phrases import noun_phrase
+from mansion_editing.instructions.phrases.places import merged
 from mansion_editing.instructions.phrases.storeys import read_storeys
 from mansion_editing.instructions.phrases.verbs import verb_at
-from mansion_editing.instructions.phrases.word_sets import HEADINGS
+from mansion_editing.instructions.phrases.word_sets import EVENTS, HEADINGS
 from mansion_editing.instructions.phrases.words import DETERMINERS, STATE_WORDS, Word
 from mansion_editing.instructions.sentences.progress import Progress
 from mansion_editing.instructions.statements import Mention, Place
@@ -68,14 +69,43 @@ class Headings(Progress):
             return at
         start = next((k for k in range(at + 1, stop) if reader.places(k)[1] == stop), stop)
         place, _ = joined_places(reader.places(start)[0])
-        plain = place.rooms is not None and place == Place(rooms=place.rooms) and not place.rooms.same
         label = not _asks(words[at:stop]) and self._is_label(words, at, stop)
-        if not label and not (plain and self._is_occasion(words[at:start])):
+        told = None if label and _names_rooms(place) else self._place_of_occasion(reader, at, stop)
+        if not label and told is None:
             return at
-        if plain:
-            reader.frame = place
+        if told is not None or _names_rooms(place):
+            reader.frame = place if told is None else told
         self.statements.append(Mention(quote=self._quote(words, at, stop)))
         return stop + 1
+
+    def _place_of_occasion(self, reader: ClauseReader, at: int, stop: int) -> Place | None:
+        """Read ``Client visit tomorrow, conference room``, in any order; None where the words say something else."""
+        place, parts, occasions = Place(), 0, 0
+        start = at
+        while start < stop:
+            end = next((k for k in range(start, stop) if reader.text(k) == ","), stop)
+            told = self._part_of_occasion(reader.until(end), start)
+            if told is None:
+                return None
+            parts, occasions = parts + 1, occasions + told[1]
+            place = told[0] if place == Place() else merged(place, told[0])
+            start = end + 1
+        return place if (occasions or parts > 1) and _names_rooms(place) else None
+
+    def _part_of_occasion(self, part: ClauseReader, at: int) -> tuple[Place, bool] | None:
+        """Read a room or a storey, or an occasion with its room; return the place, and whether an occasion is told."""
+        end = len(part.words)
+        room = part.item(at)
+        bare = room is not None and not any(p.place.rooms is None or p.place.rooms.words for p in room.places)
+        if room is not None and bare and room.is_room and room.end == end and not room.phrase.refers:
+            return Place(rooms=room.rooms()), False
+        start = next((k for k in range(at, end) if part.places(k)[1] == end), end)
+        place, _ = joined_places(part.places(start)[0])
+        if not (start == end or _names_rooms(place)):
+            return None
+        if start == at:
+            return place, False
+        return (place, True) if self._is_occasion(part.words[at:start]) else None
 
     def _is_label(self, words: Sequence[Word], at: int, stop: int) -> bool:
         """Whether words before a colon are a heading: ``Initial state:``."""
@@ -138,16 +168,26 @@ class Headings(Progress):
         room = noun_phrase(words, at, self.lexicon, self.floors)
         return room is not None and room.noun.kind in ("room", "both") and self.lexicon.is_own_room(room.noun.words)
 
+    def _names_room_alone(self, words: Sequence[Word]) -> bool:
+        """Whether words are nothing but a room's name: ``Copy room``."""
+        room = noun_phrase(words, 0, self.lexicon, self.floors)
+        return room is not None and room.end == len(words) and room.noun.kind == "room"
+
     def _is_occasion(self, words: Sequence[Word]) -> bool:
         """Whether words before a place and a colon name what happens there: ``Movie night``."""
         if _is_mood(words):
             return True
         plain = len(words) <= _MOST_OF_OCCASION and all(word.kind == "word" for word in words) and not _asks(words)
-        return (
-            plain
-            and words[0].text not in DETERMINERS - {"a", "an", "the", "our"}
-            and not (self._names_anything(words[-1:]) or words[-1].text in ("more", "less", "fewer"))
-        )
+        plain = plain and words[0].text not in DETERMINERS - {"a", "an", "the", "our"}
+        if plain and words[-1].text in EVENTS:
+            return True
+        named = self._names_anything(words[-1:]) or self._names_room_alone(words)
+        return plain and not (named or words[-1].text in ("more", "less", "fewer"))
+
+
+def _names_rooms(place: Place) -> bool:
+    """Whether a place only says which room or storey."""
+    return place.rooms is not None and place == Place(rooms=place.rooms) and not place.rooms.same
 
 
 def _is_mood(words: Sequence[Word]) -> bool:

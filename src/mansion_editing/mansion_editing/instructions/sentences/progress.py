@@ -2,14 +2,17 @@
 
 from collections.abc import Sequence
 
+from mansion_editing.instructions.phrases.clock_times import without_times_of_headings
 from mansion_editing.instructions.phrases.lexicon import Lexicon
+from mansion_editing.instructions.phrases.limits import limits_before
 from mansion_editing.instructions.phrases.mending import mended
 from mansion_editing.instructions.phrases.notation import written_out
 from mansion_editing.instructions.phrases.nouns import Noun
 from mansion_editing.instructions.phrases.remarks import without_remarks
 from mansion_editing.instructions.phrases.rewordings import reworded
-from mansion_editing.instructions.phrases.storey_counts import counted_from_ground, counts_above_ground
+from mansion_editing.instructions.phrases.storey_counts import counted_from_ground
 from mansion_editing.instructions.phrases.totals import totals_before
+from mansion_editing.instructions.phrases.verb_words import Deed
 from mansion_editing.instructions.phrases.verbs import verb_at
 from mansion_editing.instructions.phrases.words import Word, split_words
 from mansion_editing.instructions.sentences.bystanding import fills_gaps
@@ -26,10 +29,10 @@ class Progress:
         self.text = text
         self.lexicon = Lexicon(state)
         self.floors = state.floors
-        words = split_words(text, self.lexicon.speller, self.lexicon.kept)
-        self.words = without_remarks(totals_before(reworded(mended(written_out(words, text), self.lexicon))))
-        if counts_above_ground(text, brief):
-            self.words = counted_from_ground(self.words)
+        words = without_times_of_headings(split_words(text, self.lexicon.speller, self.lexicon.kept))
+        plain = reworded(mended(written_out(words, text), self.lexicon))
+        self.words = without_remarks(totals_before(limits_before(plain)))
+        self.words = counted_from_ground(self.words, text, brief, self.floors)
         self.statements: list[Statement] = []
         self.unknown: list[str] = []
         self.topic: Things | None = None
@@ -45,6 +48,7 @@ class Progress:
         self.counted: tuple[Things, ...] = ()
         self.later: list[Word] = []
         self.whose: list[Word] = []
+        self.given_later = False
         self.is_last = False
         self.undecided = False
 
@@ -57,10 +61,16 @@ class Progress:
         """Whether words name an object or a room of the building."""
         return any(self.lexicon.is_object((w.text,)) or self.lexicon.is_own_room((w.text,)) for w in words)
 
-    def _begins_with_order(self, quote: str) -> bool:
+    def _words_of(self, quote: str) -> list[Word]:
+        """Return the words that a quote was taken from."""
         start = self.text.find(quote)
-        at = next((k for k, word in enumerate(self.words) if word.start >= start), len(self.words))
+        return [word for word in self.words if start <= word.start and word.end <= start + len(quote)]
+
+    def _begins_with_order(self, quote: str, deeds: Sequence[Deed] = ()) -> bool:
+        """Whether a quote begins with a verb that asks for something, one of some `deeds` where they are given."""
+        words = self._words_of(quote)
+        at = next((k for k, word in enumerate(self.words) if words and word.start >= words[0].start), len(self.words))
         verb = verb_at(self.words, at, self.lexicon)
-        if fills_gaps([word for word in self.words[at:] if word.end <= start + len(quote)]):
+        if verb is None or fills_gaps(words):
             return False
-        return verb is not None and verb[0] not in ("leave", "keep", "make", "want")
+        return verb[0] in deeds if deeds else verb[0] not in ("leave", "keep", "make", "want")

@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Iterable, Sequence
+from itertools import pairwise
 from typing import Final, Literal
 
 import msgspec
@@ -13,6 +14,7 @@ from mansion_editing.instructions.phrases.lexicon import HYPERNYMS
 from mansion_editing.instructions.phrases.places import merged, read_place
 from mansion_editing.instructions.phrases.storeys import read_storeys
 from mansion_editing.instructions.phrases.verbs import verb_at
+from mansion_editing.instructions.phrases.word_sets import PRINTED, TOPICS
 from mansion_editing.instructions.phrases.words import MODALS, STATE_WORDS, UNRECORDED, Word
 from mansion_editing.instructions.sentences.accounting import unaccounted
 from mansion_editing.instructions.sentences.asides import Asides
@@ -22,6 +24,7 @@ from mansion_editing.instructions.sentences.conditions import Condition, begins_
 from mansion_editing.instructions.sentences.correcting import Correcting
 from mansion_editing.instructions.sentences.depending import Depending
 from mansion_editing.instructions.sentences.headings import Headings
+from mansion_editing.instructions.sentences.lacking_some import LackingSome
 from mansion_editing.instructions.sentences.lids import opened_as_whole
 from mansion_editing.instructions.sentences.owners import owners_named
 from mansion_editing.instructions.sentences.questions import read_question
@@ -29,10 +32,13 @@ from mansion_editing.instructions.sentences.recounting import Recounting
 from mansion_editing.instructions.sentences.referring import Referring
 from mansion_editing.instructions.sentences.refinement import (
     adds_it,
+    counted_by,
+    counts_those_brought,
     exactly,
     in_place_of,
     is_everything,
     is_surplus,
+    moved_on,
     moves_it,
     must_contain,
     only_brings_it,
@@ -97,7 +103,9 @@ def read_instruction(text: str, state: SceneState, brief: str = "") -> Instructi
     return _Reader(text, state, brief).read()
 
 
-class _Reader(Asides, Telling, Tails, Headings, Repeating, Referring, Depending, Correcting, SceneSetting, Recounting):
+class _Reader(
+    Asides, LackingSome, Telling, Tails, Headings, Repeating, Referring, Depending, Correcting, SceneSetting, Recounting
+):
     """Reads one instruction."""
 
     def read(self) -> Instruction:
@@ -109,7 +117,10 @@ class _Reader(Asides, Telling, Tails, Headings, Repeating, Referring, Depending,
             before = sentences[number - 1][0] if number else []
             whole = opened_as_whole(owners_named(own, self.lexicon), before, self.lexicon)
             sentence = self._with_listed(self._at_their_owner(whole))
-            self._read_beside_asides(sentence, later, marked=marked)
+            if self._gives_what_some_lack(sentence, later):
+                continue
+            if not self._spares_those_with_one(sentence, marked=marked):
+                self._read_beside_asides(sentence, later, marked=marked)
         self.statements = [
             Mention(quote=s.quote) if self._introduces(s, self.statements[number + 1 :]) else s
             for number, s in enumerate(self.statements)
@@ -122,9 +133,10 @@ class _Reader(Asides, Telling, Tails, Headings, Repeating, Referring, Depending,
         if not self.unknown and all(isinstance(statement, Mention) for statement in self.statements):
             self.unknown = [self.text.strip()]
         told = msgspec.json.encode(self.statements).decode()
-        plain = [word for word in self.words if word.text in UNRECORDED]
+        topics = [word for word, following in pairwise(self.words) if word.text in TOPICS and following.text in PRINTED]
+        plain = [*(word for word in self.words if word.text in UNRECORDED), *topics]
         ignored = list(dict.fromkeys(w.raw for w in plain if not re.search(rf'"noun":"[^"]*\b{w.text}\b', told)))
-        statements = turned_by_list(with_storeys(with_takings_first(self.statements, self.lexicon)))
+        statements = turned_by_list(with_storeys(with_takings_first(self.statements, self.lexicon)), self.text)
         statements = sets_as_one(sparing_what_goes(statements), self.lexicon)
         return Instruction(statements=statements, not_understood=self.unknown, ignored=ignored)
 
@@ -141,11 +153,13 @@ class _Reader(Asides, Telling, Tails, Headings, Repeating, Referring, Depending,
 
     def _instead_of_nothing(self) -> list[str]:
         """Return what shall come ``instead`` of what was only told of: whether that goes is not said."""
-        first = next((s for s in self.statements if not isinstance(s, Mention | Keep)), None)
-        if not isinstance(first, Add | Ensure) or not any(isinstance(s, Mention) for s in self.statements):
-            return []
-        after = self.text.partition(first.quote)[2]
-        return [first.quote] if re.match(r"\W*instead\b(?! of)", after) else []
+        asked = [(at, s) for at, s in enumerate(self.statements) if not isinstance(s, Mention | Keep)]
+        for at, statement in asked:
+            told = at > 0 and isinstance(self.statements[at - 1], Mention)
+            after = self.text.partition(statement.quote)[2]
+            if told and isinstance(statement, Add | Ensure) and re.match(r"\W*instead\b(?! of)", after):
+                return [statement.quote]
+        return []
 
     def _complained_in_vain(self) -> list[str]:
         """Return what was said to be too many where nothing is asked of such things: which of them go is not told."""
@@ -157,7 +171,21 @@ class _Reader(Asides, Telling, Tails, Headings, Repeating, Referring, Depending,
         last = next((s for s in reversed(self.statements) if not isinstance(s, Mention)), None)
         after = self.statements if last is None else self.statements[self.statements.index(last) + 1 :]
         verbs = [s.quote for s in after if isinstance(s, Mention) and self._begins_with_order(s.quote)]
-        return verbs[:1]
+        return verbs[:1] or self._takes_in_vain()
+
+    def _takes_in_vain(self) -> list[str]:
+        """Return the first clause that only took something, of which the next one says nothing."""
+        for number, statement in enumerate(self.statements):
+            if not isinstance(statement, Mention) or not self._begins_with_order(statement.quote, ("take", "bring")):
+                continue
+            following = next((s for s in self.statements[number + 1 :] if not isinstance(s, Mention)), statement)
+            said = msgspec.json.encode(following).decode()
+            words = {word.text for word in self._words_of(statement.quote)}
+            taken = [word for word in words if self.lexicon.is_object((word,)) and not self.lexicon.is_room((word,))]
+            referring = words & {"it", "them", "both", "those", "these", "that"} or '"refers":"last"' in said
+            if taken and not referring and not any(word in said for word in taken):
+                return [statement.quote]
+        return []
 
     def _told_later(self, statement: Statement) -> Statement:
         """Return a statement with the places of things that a sentence before it told."""
@@ -182,12 +210,7 @@ class _Reader(Asides, Telling, Tails, Headings, Repeating, Referring, Depending,
         self.last_noun = reader.last_noun
 
     def _read_words(self, reader: ClauseReader, words: Sequence[Word], *, marked: bool) -> None:
-        at = self._corrected(reader, words, 0) or reader.skip(0)
-        if reader.text(at) in ("no", "nope") and (reader.text(at + 1) in (",", "wait", "-") or at + 1 >= len(words)):
-            at = reader.skip(at + 1 + (reader.text(at + 1) == "wait"))
-        if tuple(w.text for w in words[at : at + 3]) == ("from", "now", "on"):
-            at = reader.skip(at + 3)
-            at = self._end_of_new_name(reader, at) or at
+        at = self._begin(reader, words)
         if at >= len(words):
             return
         told = 0 if marked else self._tells_numbers(reader, at) or self._sets_scene(reader, at)
@@ -202,7 +225,9 @@ class _Reader(Asides, Telling, Tails, Headings, Repeating, Referring, Depending,
             and self._reads_question(reader, words, at, marked=marked)
         ):
             return
-        at = self._read_label(reader, words, at)
+        label, at = at, self._read_label(reader, words, at)
+        if at > label and reader.frame == Place() and self._reads_question(reader, words, at, marked=marked):
+            return
         at = self._read_heading(reader, words, at)
         at = self._read_exception(reader, at)
         at = self._read_frame(reader, at)
@@ -231,6 +256,16 @@ class _Reader(Asides, Telling, Tails, Headings, Repeating, Referring, Depending,
                 at = end
                 continue
             at = self._goes_to_rest(reader, at) or self._read_clause(reader, words, at)
+
+    def _begin(self, reader: ClauseReader, words: Sequence[Word]) -> int:
+        """Return the place after what a sentence only begins with: ``no, wait``, ``from now on``."""
+        at = self._corrected(reader, words, 0) or reader.skip(0)
+        if reader.text(at) in ("no", "nope") and (reader.text(at + 1) in (",", "wait", "-") or at + 1 >= len(words)):
+            at = reader.skip(at + 1 + (reader.text(at + 1) == "wait"))
+        if tuple(w.text for w in words[at : at + 3]) == ("from", "now", "on"):
+            at = reader.skip(at + 3)
+            at = self._end_of_new_name(reader, at) or at
+        return at
 
     def _end_of_new_name(self, reader: ClauseReader, at: int) -> int:
         """Read ``the room called Office is "Studio"`` after ``from now on``; return its end, 0 for others."""
@@ -356,71 +391,88 @@ class _Reader(Asides, Telling, Tails, Headings, Repeating, Referring, Depending,
             if self.spared and isinstance(statement, Clear):
                 statement = msgspec.structs.replace(statement, spare=(*statement.spare, *self.spared))
                 self.spared = ()
-            if isinstance(last, Clear) and isinstance(statement, Clear) and _is_of_it(statement, last):
-                self.statements[-1] = msgspec.structs.replace(last, spare=(*last.spare, *statement.spare))
-                continue
-            if isinstance(last, Clear) and removes_all_of_it(statement):
-                continue
-            if isinstance(last, Reshape) and last.what == "door" and adds_it(statement):
-                continue
-            if isinstance(last, Remove) and removes_what_went(statement):
-                continue
-            if isinstance(last, Add | Ensure | Move) and isinstance(statement, Move) and only_brings_it(statement):
+            if _says_again(statement, last):
                 continue
             if isinstance(statement, Keep):
                 statement = self._of_the_kind(statement)
             if isinstance(statement, Remove) and isinstance(last, Add | Ensure | Move) and last.things.noun:
                 statement = _one_of_its_kind(statement, last.things)
-            if isinstance(statement, Keep) and is_everything(statement.things):
+            readers = (self._extends, self._spares, self._moves_on, self._tells_of_rest)
+            if not any(reads(statement, last) for reads in readers):
                 self.statements.append(statement)
-                continue
-            spared = spared_of(statement) if isinstance(last, Clear) else ()
-            if isinstance(last, Clear) and spared:
-                self.statements[-1] = msgspec.structs.replace(last, spare=(*last.spare, *spared))
-                continue
-            if tells_who_may_stay(statement):
-                self.unknown.append(statement.quote)  # it is not told where
-                continue
-            only = re.search(r"\b(only|just|nothing but)\b", statement.quote)
-            alone = isinstance(statement, Keep) and not isinstance(last, Clear | Remove) and not statement.things.place
-            if alone and re.match(r"(keep|leave) (only|just)\b", statement.quote.lower()):
-                self.unknown.append(statement.quote)  # it is not told what all else is
-                continue
-            listed = self._removed_together()
-            if (
-                isinstance(statement, Keep)
-                and isinstance(last, Remove)
-                and last.things.noun
-                and only
-                and not listed[2:]
-            ):
-                self.unknown.append(statement.quote)  # more than what was named would have to go
-                continue
-            if isinstance(statement, Keep) and isinstance(last, Remove) and last.things.amount.kind == "all":
-                but = msgspec.structs.replace(last.things, beside=(*last.things.beside, statement.things))
-                self.statements[-1] = msgspec.structs.replace(last, things=but)
-                continue
-            if len(listed) > 1 and isinstance(statement, Move) and moves_it(statement) and statement.things.plural:
-                quote = self._from_to(listed[0], statement)
-                moved_all = [Move(things=gone.things, place=statement.place, quote=quote) for gone in listed]
-                self.statements[-len(listed) :] = moved_all
-                continue
-            if isinstance(last, Remove) and isinstance(statement, Move) and last.things.noun and moves_it(statement):
-                moved = Move(things=last.things, place=statement.place, quote=self._from_to(last, statement))
-                self.statements[-1] = moved
-                continue
-            if isinstance(last, Ensure) and isinstance(statement, Move | Remove) and is_surplus(statement, last):
-                rest = surplus_of(last, statement.things)
-                self.statements[-1] = msgspec.structs.replace(statement, things=rest)
-                continue
-            if tells_of_surplus(statement):
-                self.undecided = True
-                self.unknown.append(statement.quote)  # it is not told how many shall be there
-                continue
-            if isinstance(last, Ensure) and isinstance(statement, Remove) and statement.things.refers == "others":
-                self.statements[-1] = msgspec.structs.replace(exactly(last), quote=self._from_to(last, statement))
-                continue
-            self.statements.append(statement)
+
+    def _extends(self, statement: Statement, last: Statement | None) -> bool:
+        """Read more of what the last statement clears or brings; return whether that is all."""
+        if isinstance(last, Clear) and isinstance(statement, Clear) and _is_of_it(statement, last):
+            self.statements[-1] = msgspec.structs.replace(last, spare=(*last.spare, *statement.spare))
+            return True
+        if isinstance(last, Add | Ensure) and isinstance(statement, Ensure) and counts_those_brought(statement, last):
+            self.statements[-1] = counted_by(last, statement, self._from_to(last, statement))
+            return True
+        return False
+
+    def _spares(self, statement: Statement, last: Statement | None) -> bool:
+        """Read what stays of what the last statement clears or removes; return whether it does."""
+        if isinstance(statement, Keep) and is_everything(statement.things):
+            return False
+        spared = spared_of(statement) if isinstance(last, Clear) else ()
+        if isinstance(last, Clear) and spared:
+            self.statements[-1] = msgspec.structs.replace(last, spare=(*last.spare, *spared))
+            return True
+        if tells_who_may_stay(statement):
+            self.unknown.append(statement.quote)  # it is not told where
+            return True
+        if not isinstance(statement, Keep):
+            return False
+        alone = not isinstance(last, Clear | Remove) and not statement.things.place
+        if alone and re.match(r"(keep|leave) (only|just)\b", statement.quote.lower()):
+            self.unknown.append(statement.quote)  # it is not told what all else is
+            return True
+        only = re.search(r"\b(only|just|nothing but)\b", statement.quote)
+        if isinstance(last, Remove) and last.things.noun and only and not self._removed_together()[2:]:
+            self.unknown.append(statement.quote)  # more than what was named would have to go
+            return True
+        if isinstance(last, Remove) and last.things.amount.kind == "all":
+            but = msgspec.structs.replace(last.things, beside=(*last.things.beside, statement.things))
+            self.statements[-1] = msgspec.structs.replace(last, things=but)
+            return True
+        return False
+
+    def _moves_on(self, statement: Statement, last: Statement | None) -> bool:
+        """Read where what the last statement removes or moves goes; return whether it does."""
+        if not isinstance(statement, Move):
+            return False
+        together = [s for s in self.statements if isinstance(s, Move) and last is not None and s.quote == last.quote]
+        onward = moved_on(together, statement) if isinstance(last, Move) else None
+        listed = self._removed_together()
+        if onward is not None:
+            quote = self._from_to(together[0], statement)
+            self.statements[-len(together) :] = [msgspec.structs.replace(move, quote=quote) for move in onward]
+        elif len(listed) > 1 and moves_it(statement) and statement.things.plural:
+            quote = self._from_to(listed[0], statement)
+            moved_all = [Move(things=gone.things, place=statement.place, quote=quote) for gone in listed]
+            self.statements[-len(listed) :] = moved_all
+        elif isinstance(last, Remove) and last.things.noun and moves_it(statement):
+            moved = Move(things=last.things, place=statement.place, quote=self._from_to(last, statement))
+            self.statements[-1] = moved
+        else:
+            return False
+        return True
+
+    def _tells_of_rest(self, statement: Statement, last: Statement | None) -> bool:
+        """Read what becomes of those beyond the number that shall be; return whether that is said."""
+        if isinstance(last, Ensure) and isinstance(statement, Move | Remove) and is_surplus(statement, last):
+            rest = surplus_of(last, statement.things)
+            self.statements[-1] = msgspec.structs.replace(statement, things=rest)
+            return True
+        if tells_of_surplus(statement):
+            self.undecided = True
+            self.unknown.append(statement.quote)  # it is not told how many shall be there
+            return True
+        if isinstance(last, Ensure) and isinstance(statement, Remove) and statement.things.refers == "others":
+            self.statements[-1] = msgspec.structs.replace(exactly(last), quote=self._from_to(last, statement))
+            return True
+        return False
 
     def _removed_together(self) -> list[Remove]:
         """Return the removals of several things that the last clause asked for."""
@@ -513,6 +565,17 @@ def _one_of_its_kind(statement: Remove, named: Things) -> Remove:
     if not bare or not elsewhere or things.amount.kind != "some" or not things.amount.number:
         return statement
     return msgspec.structs.replace(statement, things=msgspec.structs.replace(things, noun=named.noun, refers=""))
+
+
+def _says_again(statement: Statement, last: Statement | None) -> bool:
+    """Whether a statement only says once more what the last one asks for: ``add a door and put it in``."""
+    if isinstance(last, Clear):
+        return removes_all_of_it(statement)
+    if isinstance(last, Reshape):
+        return last.what == "door" and adds_it(statement)
+    if isinstance(last, Remove):
+        return removes_what_went(statement)
+    return isinstance(last, Add | Ensure | Move) and isinstance(statement, Move) and only_brings_it(statement)
 
 
 def _is_of_it(statement: Clear, last: Clear) -> bool:

@@ -6,21 +6,25 @@ import msgspec
 
 from mansion_editing.instructions.phrases.places import with_place
 from mansion_editing.instructions.sentences.progress import Progress
-from mansion_editing.instructions.sentences.refinement import held_there, so_many
+from mansion_editing.instructions.sentences.refinement import counts_those_brought, held_there, so_many
 from mansion_editing.instructions.statements import (
     Add,
     Amount,
+    Clear,
     Ensure,
     Finish,
     Furnish,
     Mention,
     Move,
+    Paint,
     Place,
     Remove,
     Rename,
     Rooms,
+    SetState,
     Statement,
     Things,
+    Turn,
 )
 
 __all__ = ["Referring"]
@@ -34,10 +38,51 @@ class Referring(Progress):
 
     def _referred(self, statement: Statement) -> Statement:
         """Return a statement about what its pronouns stand for."""
-        told = self._about_topic(self._about_room(self._about_holder(statement)))
-        if isinstance(told, Ensure) and told.things.amount.kind == "at_most" and _is_bare_it(told.things, many=True):
+        missing = self.topic is not None and self.topic.amount.kind == "more"
+        present = isinstance(statement, Remove | SetState | Paint | Turn)
+        if missing and present and _is_bare_it(getattr(statement, "things", None), many=True):
+            self.unknown.append(statement.quote)  # what was told to be missing is not there
+            return statement
+        told = self._about_topic(self._about_room(self._about_holder(self._put_there(self._cleared(statement)))))
+        bare = isinstance(told, Ensure) and _is_bare_it(told.things, many=True)
+        counting = bool(self.statements) and counts_those_brought(told, self.statements[-1])
+        if isinstance(told, Ensure) and bare and told.things.amount.kind == "at_most" and not counting:
+            if self.statements and isinstance(self.statements[-1], Add | Ensure):
+                self.unknown.append(told.quote)  # "a pillow on each, at most two": brought besides, or in all
             return Mention(quote=told.quote)  # "eight is enough" of what nothing tells
         return told
+
+    def _cleared(self, statement: Statement) -> Statement:
+        """Return ``clear it`` of furniture as emptying it, and of what is loose as taking it away."""
+        if not isinstance(statement, Clear) or not _is_bare_it(statement.place.anchor, many=True):
+            return statement
+        last = next((s for s in reversed(self.statements) if not isinstance(s, Mention)), None)
+        meant = self.topic if self.topic is not None else getattr(last, "things", None)
+        noun = tuple(meant.noun.split()) if isinstance(meant, Things) else ()
+        if isinstance(meant, Things) and not noun and meant.place is not None and not meant.refers:
+            place = msgspec.structs.replace(meant.place, relation=statement.place.relation)
+            return msgspec.structs.replace(statement, place=place)  # a mess, or whatever was left there
+        holds = (
+            bool(noun) and self.lexicon.carries(noun) and (self.lexicon.stands(noun) or not statement.place.relation)
+        )
+        if holds or statement.spare or statement.place.anchor is None:
+            return statement
+        return Remove(things=statement.place.anchor, quote=statement.quote)
+
+    def _put_there(self, statement: Statement) -> Statement:
+        """Return what is loose as put on or in what things just came off or went to: ``and put a mug there``."""
+        last = self.statements[-1] if self.statements else None
+        there = isinstance(statement, Add | Ensure | Move) and statement.place == Place(rooms=Rooms(same=True))
+        if not there or self.topic is not None or not isinstance(statement, Add | Ensure | Move):
+            return statement
+        at = last.things.place if isinstance(last, Remove) else last.place if isinstance(last, Add | Move) else None
+        holder = None if at is None else at.anchor
+        noun = () if holder is None else tuple(holder.noun.split())
+        loose = bool(statement.things.noun) and not self.lexicon.stands(tuple(statement.things.noun.split()))
+        if at is None or at.relation not in ("on", "in", "") or not (loose and noun and self.lexicon.carries(noun)):
+            return statement
+        place = Place(relation=at.relation or "on", anchor=holder, rooms=at.rooms)
+        return msgspec.structs.replace(statement, place=place)
 
     def _about_holder(self, statement: Statement) -> Statement:
         """Put the furniture that was mentioned last for ``in there``, where it holds things."""

@@ -27,13 +27,16 @@ from mansion_editing.instructions.statements import (
 
 __all__ = [
     "adds_it",
+    "counted_by",
     "counting_those_there",
+    "counts_those_brought",
     "exactly",
     "held_there",
     "in_place_of",
     "is_everything",
     "is_open",
     "is_surplus",
+    "moved_on",
     "moves_it",
     "must_contain",
     "narrowed",
@@ -101,18 +104,21 @@ def counting_those_there(statement: Statement) -> Statement:
     return statement
 
 
-def turned_by_list(statements: Sequence[Statement]) -> list[Statement]:
+def turned_by_list(statements: Sequence[Statement], text: str) -> list[Statement]:
     """Return statements in which a room that becomes another one is only called so, where a list furnishes it.
 
-    ``Turn the study into a guest room: the desk goes, a bed comes in`` tells what changes in it; what would be
-    furnished anew has no desk that goes.
+    ``Turn the study into a guest room: the desk goes, a bed comes in`` tells all that changes in it; without the colon
+    in the `text` it must tell what stays, too, or that what goes is in it: what is furnished anew has no such desk.
     """
     out = list(statements)
     for at, statement in enumerate(out):
         if not isinstance(statement, Furnish) or not statement.kind or statement.rooms.every:
             continue
         rest = [s for s in out[at + 1 :] if _is_in_it(s, statement.rooms)]
-        if all(any(isinstance(s, kind) for s in rest) for kind in (Remove, Add)):
+        listed = text.partition(statement.quote)[2].lstrip().startswith(":")
+        emptied = any(isinstance(s, Remove) and s.things.place is not None for s in rest)
+        told = (Remove, Add) if listed or emptied else (Remove, Add, Keep)
+        if all(any(isinstance(s, kind) for s in rest) for kind in told):
             name = statement.kind.capitalize()
             out[at] = Rename(room=statement.rooms, name=name, quote=statement.quote)
     return out
@@ -184,6 +190,44 @@ def so_many(statement: Add | Ensure, topic: Things) -> Statement:
     if kind == "more":
         return Add(things=things, place=place, quote=statement.quote)
     return Ensure(things=things, place=place, quote=statement.quote)
+
+
+def moved_on(last: Sequence[Move], statement: Move) -> list[Move] | None:
+    """Return what several things, moved together, do that then go on to another place; None where other ones do.
+
+    ``The doll and the two cars belong upstairs. Put all three on the shelf in the study`` moves all three there.
+    """
+    things = statement.things
+    several = things.plural or things.amount.number > 1
+    bare = things.refers == "last" and not things.noun and things.place is None and several
+    whole = sum(max(1, move.things.amount.number) for move in last)
+    counted = all(
+        move.things.amount.kind == "some" and (move.things.amount.number or not move.things.plural) for move in last
+    )
+    if len(last) < 2 or not bare or (things.amount.number and not (counted and things.amount.number == whole)):
+        return None
+    place, rooms = statement.place, last[0].place.rooms
+    if rooms is not None and (place.rooms is None or (place.rooms.same and not place.rooms.words)):
+        place = msgspec.structs.replace(place, rooms=rooms)
+    return [msgspec.structs.replace(move, place=place, or_new=False) for move in last]
+
+
+def counts_those_brought(statement: Statement, last: Statement) -> bool:
+    """Whether a statement only says how many there shall be of what the one before brings without a number."""
+    if not isinstance(statement, Ensure) or not isinstance(last, Add | Ensure):
+        return False
+    things, brought = statement.things, last.things
+    bare = things.refers == "last" and not things.noun and things.place is None and things.amount.number > 0
+    open_number = brought.plural and brought.amount.kind == "some" and not brought.amount.number
+    return bare and open_number and statement.place in (Place(), last.place)
+
+
+def counted_by(last: Add | Ensure, statement: Ensure, quote: str) -> Ensure:
+    """Return what is brought with the number that shall be there: ``four at most`` are no more and no fewer."""
+    amount = statement.things.amount
+    amount = Amount(kind="exactly", number=amount.number) if amount.kind == "at_most" else amount
+    things = msgspec.structs.replace(last.things, amount=amount)
+    return Ensure(things=things, place=last.place, each=last.each, quote=quote)
 
 
 def is_open(statement: Statement) -> bool:

@@ -132,7 +132,7 @@ class Tails(Resulting, Counting):
                 end = self._contrasted(reader, end + 2)
             elif pair in _PAIRS_AFTER_CLAUSES:
                 end += 2
-            elif text in COURTESIES or text in AFTER_CLAUSES or (text == "in" and self._comes_in(reader, end + 1)):
+            elif text in COURTESIES or self._ends_clause(reader, end):
                 end += 1
             else:
                 break
@@ -148,6 +148,13 @@ class Tails(Resulting, Counting):
             return stop, exact
         self.unknown.append(self._quote(words, end, stop))
         return stop, exact
+
+    def _ends_clause(self, reader: ClauseReader, at: int) -> bool:
+        """Whether a word is the last one of a clause: ``only``, ``each`` of several, ``in`` of what is brought."""
+        text = reader.text(at)
+        if text == "in":
+            return self._comes_in(reader, at + 1)
+        return text in AFTER_CLAUSES and (text != "each" or _is_of_several(self.clause))
 
     def _comes_in(self, reader: ClauseReader, after: int) -> bool:
         """Whether ``in`` ends a clause that brings something: ``take the desks out and put four beds in``."""
@@ -287,7 +294,7 @@ class Tails(Resulting, Counting):
         given = given_where_none_is(self.clause) if end else None
         if given is None:
             return 0
-        self.clause = given
+        self.clause = [*given]
         return end
 
     def _end_of_intent(self, words: Sequence[Word], at: int) -> int:
@@ -401,6 +408,18 @@ class Tails(Resulting, Counting):
     def _from_to(self, first: Statement, last: Statement) -> str:
         """Return the words from one statement's to another's."""
         return self.text[self.text.find(first.quote) : self.text.rfind(last.quote) + len(last.quote)]
+
+
+def _is_of_several(clause: Sequence[Statement]) -> bool:
+    """Whether ``each`` after a clause may mean several that it names, and nobody that only a reader knows."""
+    for statement in clause:
+        if not isinstance(statement, Add | Ensure):
+            return True
+        anchor, rooms = statement.place.anchor, statement.place.rooms
+        several = statement.each or (anchor is not None and (anchor.plural or anchor.amount.number > 1))
+        if several or bool(anchor is not None and anchor.refers) or (rooms is not None and rooms.every):
+            return True
+    return False
 
 
 def _holder_of(statement: Statement) -> Things | None:

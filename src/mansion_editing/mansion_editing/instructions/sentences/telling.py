@@ -5,6 +5,8 @@ from typing import Final
 
 import msgspec
 
+from mansion_editing.instructions.clauses.items import Item, joined_places
+from mansion_editing.instructions.clauses.outcomes import everything_at
 from mansion_editing.instructions.clauses.reader import ClauseReader
 from mansion_editing.instructions.phrases.places import merged, read_place, with_place
 from mansion_editing.instructions.phrases.storeys import read_storeys
@@ -25,7 +27,7 @@ from mansion_editing.instructions.phrases.words import (
 from mansion_editing.instructions.sentences.background import end_of_background
 from mansion_editing.instructions.sentences.progress import Progress
 from mansion_editing.instructions.sentences.refinement import is_open, narrowed, with_noun_at
-from mansion_editing.instructions.statements import Amount, Ensure, Mention, Place
+from mansion_editing.instructions.statements import Amount, Ensure, Mention, Place, Things
 
 __all__ = ["Telling"]
 
@@ -40,6 +42,7 @@ _BEFORE_OCCASIONS: Final = frozenset("for after before during given despite unti
 _I: Final = frozenset(["i", "we", "i'd", "we'd"])
 _ABLE: Final = frozenset("i we he she you everyone everybody people anyone".split())
 _COUNTING: Final = frozenset("it there is are a we have has got still about they that".split())
+_TAKING_UP: Final = frozenset("it one ones them that this those these".split())
 _BECOMING: Final = frozenset("go stay remain disappear vanish".split())
 """Verbs that say what shall become of their subject."""
 
@@ -145,7 +148,10 @@ class Telling(Progress):
         end += 2 if tuple(w.text for w in words[end : end + 2]) == ("any", "more") else 0
         if item is None or reader.skip(end) < len(words):
             return False
-        self.topic = item.things()
+        taken_up = {word.text for word in self.later} & (_TAKING_UP | {*item.phrase.noun.words})
+        if words[left].raw == "needs" and not taken_up:
+            return False
+        self.topic = _whatever_it_is(item)
         if words[left].raw in ("has", "have", "uses", "needs"):
             self.topic = msgspec.structs.replace(self.topic, definite=True)
         self.statements.append(Mention(quote=self._quote(words, 0, len(words))))
@@ -288,3 +294,10 @@ class Telling(Progress):
             return False
         self.statements.append(Mention(quote=self._quote(reader.words, at, end + 1)))
         return True
+
+
+def _whatever_it_is(item: Item) -> Things:
+    """Return what was left somewhere; ``half the kitchen`` and ``a mess`` are whatever is there."""
+    thing = item.phrase.noun.kind == "object" and item.phrase.amount.kind != "half"
+    where, _ = joined_places(list(item.places))
+    return item.things() if thing or where.anchor is None else everything_at(where)
