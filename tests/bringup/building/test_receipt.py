@@ -115,3 +115,25 @@ def test_storeys_that_repeat_each_other_are_copies() -> None:
 def test_a_plan_knows_the_ceilings_that_its_storeys_will_have() -> None:
     plan = program([wish("height", WishValue(height=2.75)), wish("height", WishValue(height=3.0))])
     assert [found.status for found in receipt_of_plan(plan, [])] == ["met", "not_met"]
+
+
+@pytest.mark.parametrize(("floors", "status"), [([2], "met"), ([1], "not_met"), ([], "not_met")])
+def test_nothing_else_is_said_of_a_storey_or_of_all(floors: list[int], status: WishStatus) -> None:
+    ledger = [
+        wish("room", WishValue(name="bedroom", type="bedroom", count=2), name="wish_1"),
+        wish("room", WishValue(name="pottery_room", type="study_room", count=1), name="wish_2"),
+        wish("only", scope=Scope(floors=floors), name="wish_3"),
+    ]
+    assert receipt(ledger, program(ledger), scenes())[-1].status == status
+
+
+@pytest.mark.parametrize(("name", "status"), [("toilet", "not_met"), ("man_toilet", "met")])
+def test_away_from_the_toilets_is_away_from_those_of_every_type(name: str, status: WishStatus) -> None:
+    asked = wish("apart", WishValue(name="kitchen", type="kitchen", other=name, other_type="toilet"))
+    floors = scenes()
+    rooms = [
+        msgspec.structs.replace(room, room_type="restroom") if room.id == "F1/dining_room" else room
+        for room in floors[0].rooms
+    ]
+    floors[0] = msgspec.structs.replace(floors[0], rooms=rooms)
+    assert settled(asked, floors).status == status

@@ -19,7 +19,7 @@ from mansion_bringup.verify import verify_building
 from mansion_msgs_py.building import Building, BuildingReport
 from mansion_msgs_py.building_folder import BuildingFolder
 from mansion_msgs_py.request import BuildRequest
-from mansion_msgs_py.wishes import Wish, WishStatus, WishValue
+from mansion_msgs_py.wishes import Scope, Wish, WishStatus, WishValue
 from wish_cases import CASES
 from wish_house import L_OUTLINE, building, layouts, program, scenes, wish
 
@@ -40,6 +40,27 @@ def test_the_check_agrees_with_the_receipt_and_with_no_other_status(asked: Wish)
     assert faults(told, asked) == []
     assert faults(msgspec.structs.replace(told, status=OTHER[told.status]), asked) == ["WISH_STATUS"]
     assert faults(msgspec.structs.replace(told, status=""), asked) == ["WISH_STATUS"]
+
+
+def ledger_faults(ledger: list[Wish], statuses: dict[str, WishStatus]) -> list[str]:
+    """Return the faults of a ledger as it is told, some wishes of it with another status."""
+    floors = scenes()
+    told = [
+        msgspec.structs.replace(entry, status=statuses.get(entry.id, entry.status))
+        for entry in receipt(ledger, program(ledger), floors)
+    ]
+    return [fault.kind for fault in check_wishes(building(program(ledger), told), told, layouts(floors), floors)]
+
+
+@pytest.mark.parametrize(("floors", "other"), [([2], "not_met"), ([1], "met"), ([], "met")])
+def test_the_check_agrees_on_what_a_storey_holds_and_no_more(floors: list[int], other: WishStatus) -> None:
+    ledger = [
+        wish("room", WishValue(name="bedroom", type="bedroom", count=2), name="wish_1"),
+        wish("room", WishValue(name="pottery_room", type="study_room", count=1), name="wish_2"),
+        wish("only", scope=Scope(floors=floors), name="wish_3"),
+    ]
+    assert ledger_faults(ledger, {}) == []
+    assert ledger_faults(ledger, {"wish_3": other}) == ["WISH_STATUS"]
 
 
 @pytest.mark.parametrize(

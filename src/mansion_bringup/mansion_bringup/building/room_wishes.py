@@ -164,7 +164,7 @@ def _adjacent(wish: Wish, state: JudgedBuilding) -> Verdict:
 
 def _apart(wish: Wish, state: JudgedBuilding) -> Verdict:
     firsts, seconds = (
-        state.called(name, kind)
+        _all_called(name, kind, state)
         for name, kind in ((wish.value.name, wish.value.type), (wish.value.other, wish.value.other_type))
     )
     pairs = [(a, b) for a in firsts for b in seconds if state.near(a, b)]
@@ -173,16 +173,27 @@ def _apart(wish: Wish, state: JudgedBuilding) -> Verdict:
     return met_if(not pairs, f"{both} share a wall", rooms=ids)
 
 
+def _all_called(name: str, kind: str, state: JudgedBuilding) -> list[JudgedRoom]:
+    """Return the rooms that a name means; "the toilets" are those of every type, under whatever name."""
+    if kind not in _TOILETS or "_" in name:
+        return state.called(name, kind)
+    return [room for room in state.rooms if room.type in _TOILETS or name in room.names]
+
+
+_TOILETS = frozenset({"toilet", "restroom", "accessible_toilet"})
+
+
 def _only(wish: Wish, state: JudgedBuilding) -> Verdict:
-    named = {w.value.type for w in state.program.wishes if w.kind == "room"} | {
-        "corridor",
-        "hallway",
-        "lobby",
-        "stair",
-        "elevator",
-    }
-    extra = [room.full_id for room in state.rooms if room.type not in named]
+    """Judge that a storey, or all, has no room but those of the brief, ways and what is reached through them alone."""
+    named = {w.value.type for w in state.program.wishes if w.kind == "room"}
+    here = [room for room in state.rooms if not wish.scope.floors or room.floor in wish.scope.floors]
+    asked = [room for room in here if room.type in named]
+    theirs = {other.full_id for room in asked for other in state.behind(room)}
+    extra = [room.full_id for room in here if room.type not in named | _WAYS and room.full_id not in theirs]
     return met_if(not extra, f"{listed(extra[:3])} were added", rooms=extra)
+
+
+_WAYS = frozenset({"corridor", "hallway", "lobby", "stair", "elevator"})
 
 
 ROOM_JUDGES: Final[Mapping[str, Judge]] = {

@@ -132,6 +132,12 @@ def _height(wish: Wish) -> str:
     return f"ceiling height {wish.value.height:.3g} m" if wish.value.height is not None else ""
 
 
+def _occupants(wish: Wish) -> str:
+    if wish.value.name == "family" and (wish.value.count or 0) > 1 and "families" not in wish.text.lower():
+        return f"for a family of {wish.value.count}"
+    return f"for {_number_of(wish, wish.value.name)}"
+
+
 _WORDS: Final[Mapping[WishKind, Callable[[Wish], str]]] = {
     "building_type": _named("building"),
     "floors": _amount("storey"),
@@ -152,7 +158,7 @@ _WORDS: Final[Mapping[WishKind, Callable[[Wish], str]]] = {
     "no_object": _absent,
     "height": _height,
     "material": _named("material"),
-    "occupants": lambda wish: f"for {_number_of(wish, wish.value.name)}",
+    "occupants": _occupants,
     "only": lambda _: "nothing else",
     "unread": lambda _: "",
 }

@@ -60,6 +60,9 @@ SUBSTANCES = (
 )
 """Patterns of the words for one substance each."""
 
+TOILETS = frozenset({"toilet", "restroom", "accessible_toilet"})
+"""Types of rooms that are all toilets."""
+
 PASSAGES = frozenset({"corridor", "hallway", "lobby", "stair", "elevator"})
 """Rooms that a building needs whatever is asked for."""
 
@@ -398,7 +401,20 @@ def _adjacent(wish: Wish, finished: _Finished) -> str:
 
 
 def _apart(wish: Wish, finished: _Finished) -> str:
-    return "two such rooms share a wall" if _sides(wish, finished) else ""
+    value = wish.value
+    near = any(
+        floor == other_floor and _side_by_side(first, second)
+        for floor, first in _of_the_kind(value.name, value.type, finished)
+        for other_floor, second in _of_the_kind(value.other, value.other_type, finished)
+    )
+    return "two such rooms share a wall" if near else ""
+
+
+def _of_the_kind(name: str, kind: str, finished: _Finished) -> list[tuple[int, SceneRoom]]:
+    """Return the rooms of a name; toilets without a name of their own are all toilets of the building."""
+    if kind not in TOILETS or "_" in name:
+        return finished.meant(name, kind)
+    return [(floor, room) for floor, room in finished.rooms() if room.room_type in TOILETS or name in _labels(room)]
 
 
 def _sides(wish: Wish, finished: _Finished) -> list[str]:
@@ -503,7 +519,14 @@ def _occupants(wish: Wish, finished: _Finished) -> str:
 
 def _only(wish: Wish, finished: _Finished) -> str:
     named = {entry.value.type for entry in finished.ledger if entry.kind == "room"} | PASSAGES
-    further = [room.id for _, room in finished.rooms() if room.room_type not in named]
+    there = finished.rooms(wish.scope.floors)
+    behind = {
+        inner.id
+        for floor, room in there
+        if room.room_type in named - PASSAGES
+        for inner in finished.suite(floor, room)[1:]
+    }
+    further = [room.id for _, room in there if room.room_type not in named and room.id not in behind]
     return f"{further[0]} was not asked for" if further else ""
 
 

@@ -21,10 +21,42 @@ def without_bystanders(reading: Reading, phrases: list[Phrase]) -> list[Phrase]:
     the inn", "the top storey houses the archive".
     """
     sites = _site_tokens(reading)
+    owner = phrases[1] if len(phrases) > 1 and _owns_building(reading, *phrases[:2]) else None
     return [
-        replace(phrase, head="unknown", building="", room_type="") if _is_bystander(reading, phrase, sites) else phrase
+        replace(phrase, head="unknown", building="", room_type="")
+        if phrase is owner or _is_bystander(reading, phrase, sites)
+        else phrase
         for phrase in phrases
     ]
+
+
+def _owns_building(reading: Reading, building: Phrase, owner: Phrase) -> bool:
+    """Whether the second phrase only says whose building opens the brief: "Library of the faculty"."""
+    opens = building.begin <= 2 and bool(building.building) and not owner.plural and not owner.counted
+    return opens and reading.words(building.last, owner.begin) in (("of", "the"), ("of", "our"), ("of", "a"))
+
+
+def _is_tried(reading: Reading, phrase: Phrase) -> bool:
+    """Whether a phrase is part of what the building is to be used for: "for trials of lab automation robots"."""
+    at = phrase.begin - 1
+    while reading.word(at) in ("the", "our", "a", "an", "some", "new"):
+        at -= 1
+    if reading.word(at) not in ("of", "with", "on", "about") or reading.word(at - 1) not in _TRIALS:
+        return False
+    return "for" in reading.words(max(at - 4, 0), at - 1)
+
+
+def _is_predicate(reading: Reading, phrase: Phrase) -> bool:
+    """Whether rooms named before are only said to be rooms apart: "toilet and bathroom are separated rooms"."""
+    words = reading.words(phrase.begin, phrase.noun_end)
+    said = reading.word(phrase.first - 1) in ("are", "is", "be", "being") and words[-1] == "room"
+    return said and len(words) > 1 and all(word in _SEPARATE for word in words[:-1])
+
+
+_TRIALS = frozenset(
+    "trial test testing experiment research evaluation simulation training development study project".split()
+)
+_SEPARATE = frozenset("separate separated different distinct independent divided own individual".split())
 
 
 def _is_bystander(reading: Reading, phrase: Phrase, sites: set[int]) -> bool:
@@ -47,9 +79,11 @@ def _is_bystander(reading: Reading, phrase: Phrase, sites: set[int]) -> bool:
         and reading.word(phrase.last) in ("the", "a", "an", "our", "all")
     )
     fled = not {"leaving", "fleeing", "escaping"}.isdisjoint(reading.words(max(phrase.begin - 2, 0), phrase.noun_end))
+    tried = _is_tried(reading, phrase) or _is_predicate(reading, phrase)
     made = reading.word(phrase.last) in MADE_INTO and reading.word(phrase.last + 1) in ("into", "to")
     return (
         made
+        or tried
         or fled
         or writer
         or left

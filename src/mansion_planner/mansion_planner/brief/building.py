@@ -63,7 +63,7 @@ def own_building_name(reading: Reading, phrase: Phrase) -> str:
         meaning = lexicon.phrases.get(words[-size:])
         if meaning is not None and meaning.building:
             subject = [word for run in subject_of_building(reading, phrase) for word in reading.words(*run)]
-            name = "_".join((*subject, *words[-size:]))
+            name = "_".join((*subject, *words[-size:])).replace("&", "_and_")
             plain = name.endswith("_building") and phrase.building.endswith("_building")
             return "" if plain or name == phrase.building or phrase.plural else name
     return ""
@@ -273,7 +273,7 @@ def _about_all(place: Place) -> bool:
     return place.refs[0].kind in ("every",)
 
 
-def unknown_building(reading: Reading) -> tuple[str, str, int, int] | None:
+def unknown_building(reading: Reading, places: Sequence[Place]) -> tuple[str, str, int, int] | None:
     """Return a kind of building that nobody knows: its name, the kind that its head is most like, and its tokens.
 
     A noun phrase of the first two sentences that ends in the head of a kind of building ("advertising agency"), or the
@@ -281,13 +281,15 @@ def unknown_building(reading: Reading) -> tuple[str, str, int, int] | None:
     """
     found: list[tuple[bool, tuple[str, str, int, int]]] = []
     first = -1
+    headed = {place.last + place.heading for place in places}  # "Basement: car park", "Ground floor clinic: ..."
+    headed |= {place.last + 1 for place in places if reading.word(place.last) in ("a", "an", "the")}
     for index in range(len(reading.tokens) + 1):
         if index < len(reading.tokens) and reading.sentence[index] > 1:
             break
         if _is_part_of_name(reading, index):
             first = index if first < 0 else first
             continue
-        if first >= 0 and _stands_as_building(reading, first) and index - first <= 5:
+        if first >= 0 and first not in headed and _stands_as_building(reading, first) and index - first <= 5:
             like = "" if reading.plural(index - 1) else _kind_by_head(reading, first, index)
             sized = reading.kind(first - 1) == "number" and reading.word(first) in _ROOMS_OF_FLATS  # "a two-bed flat"
             if sized or _names_part(reading, first, index, like):

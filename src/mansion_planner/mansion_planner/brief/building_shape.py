@@ -180,7 +180,8 @@ def read_copies(reading: Reading, places: list[Place]) -> None:
             span = reading.span(index, index + 2)
             whole = reading.kind(index - 1) == "number"
             reading.facts.copies.append(CopyFact(FloorRef("every" if whole else "upper", span=span), span))
-        reading.take(index, index + 1)
+        plan = next((at for at in range(index + 1, index + 5) if reading.word(at) in ("plan", "layout")), index)
+        reading.take(index, plan + 1 if sharing else index + 1)
 
 
 def _read_unchanging(reading: Reading, places: list[Place], index: int) -> bool:

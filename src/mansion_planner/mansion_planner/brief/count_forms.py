@@ -44,7 +44,8 @@ def _is_noun(tokens: list[Token], index: int) -> bool:
 _NO_NOUNS = _STOREYS | frozenset(
     """
     of for with and or at in on the a an to from by is are has have be about around approx circa least most exactly
-    only each every per all total minus plus up than over under between x
+    only each every per all total minus plus up than over under between x having including containing comprising
+    featuring holding offering
     """.split()
 )
 
@@ -81,6 +82,8 @@ def _bedroomed(tokens: list[Token], index: int) -> _Form | None:
     """Read "2BHK" as two bedrooms."""
     if tokens[index].kind != "number" or _word(tokens, index + 1) not in _BEDROOMED:
         return None
+    if _word(tokens, index + 2) in ("type", "layout", "plan"):  # "1LDK type" is no noun of a flat
+        return _Form((tokens[index], replace(tokens[index + 1], text="bedroom", spaced=True)), index + 3)
     return _Form((tokens[index], replace(tokens[index + 1], text="bedroom", plural=False, spaced=False)), index + 2)
 
 

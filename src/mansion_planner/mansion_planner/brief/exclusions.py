@@ -1,10 +1,11 @@
 """Read what a brief does not want, and how far a negation reaches: "no gym or sauna", "no bedroom downstairs"."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 from mansion_planner.brief.absences import absence_end, time_end
 from mansion_planner.brief.phrase import FUNCTION_WORDS, Phrase
-from mansion_planner.brief.reading import Reading
+from mansion_planner.brief.reading import Place, Reading
 
 __all__ = ["negated_phrases", "read_completeness"]
 
@@ -334,18 +335,76 @@ def _goes_on(reading: Reading, phrases: list[Phrase], starts: dict[int, int], in
     return phrases[number].first == phrases[number].begin and reading.word(after) in ("or", "nor", ",")
 
 
-def read_completeness(reading: Reading) -> None:
-    """Read "nothing else", "no other rooms", "are the only other spaces"."""
-    for index in range(len(reading.tokens) - 1):
+_ALONE = frozenset({"only", "exclusively", "solely", "purely"})
+_HOLDS = frozenset(
+    "is are be has have contain contains hold holds with house houses get gets want put there : ,".split()
+)
+"""Words before "only" where it is said of what a storey holds."""
+
+
+def read_completeness(reading: Reading, places: Sequence[Place], phrases: Sequence[Phrase]) -> None:
+    """Read "nothing else", "no other rooms" and, of a storey, "nothing but five bedrooms", "only one big office".
+
+    What is said in a sentence that names one storey is of that storey alone.
+    """
+    for index in range(len(reading.tokens)):
         pair = reading.words(index, index + 2)
-        only = pair == ("nothing", "else") or (
-            pair == ("only", "other") and reading.word(index + 2) in ("room", "space")
-        )
-        if (
-            only
-            or (pair == ("no", "other") and reading.word(index + 2) in ("room", "space"))
-            or pair == ("nothing", "besides")
-            or (pair == ("nothing", "but") and reading.word(index - 1) in ("want", "need", "with", "", ".", "have"))
+        place = _only_place(reading, places, index)
+        if _is_complete(reading, index, pair, placed=place is not None):
+            last = index + 2
+            reading.take(last, last + 1)
+            if reading.word(last) in ("except", "but", "than", "apart"):
+                place = None  # "nothing else except a bin room on the ground floor"
+        elif place is not None and _is_all_there_is(reading, place, phrases, index):
+            last = index + 1
+        else:
+            continue
+        reading.take(index, last)
+        if place is None:
+            reading.facts.only.append(reading.span(index, last))
+        elif all(refs != place.refs for _, refs in reading.facts.only_on):
+            end = next((phrase.last for phrase in phrases if phrase.first == last), last)
+            reading.facts.only_on.append((reading.span(index, end), place.refs))
+
+
+def _is_complete(reading: Reading, index: int, pair: tuple[str, ...], *, placed: bool) -> bool:
+    """Whether "nothing else", "the only other rooms", "no other spaces" stand at a token."""
+    if pair in (("nothing", "else"), ("nothing", "besides")):
+        return True
+    if pair in (("only", "other"), ("no", "other")):
+        return reading.word(index + 2) in ("room", "space")
+    lead = reading.word(index - 1)
+    return pair == ("nothing", "but") and (placed or lead in ("want", "need", "with", "", ".", "have"))
+
+
+def _only_place(reading: Reading, places: Sequence[Place], index: int) -> Place | None:
+    """Return the storey that the sentence of a token names, or its clause where the sentence names several."""
+    here = [place for place in places if reading.sentence[place.first] == reading.sentence[index]]
+    if len(here) > 1:
+        begin, end = index, index
+        while (
+            begin and reading.sentence[begin - 1] == reading.sentence[index] and reading.word(begin - 1) not in _CLAUSES
         ):
-            reading.facts.only.append(reading.span(index, index + 2))
-            reading.take(index, index + 3)
+            begin -= 1
+        while not reading.breaks(end) and reading.word(end) not in _CLAUSES:
+            end += 1
+        here = [place for place in here if begin <= place.first < end]
+    one = len(here) == 1 and here[0].refs[0].kind != "every"
+    return here[0] if one else None
+
+
+_CLAUSES = frozenset({",", ";", ":", "("})
+
+
+def _is_all_there_is(reading: Reading, place: Place, phrases: Sequence[Phrase], index: int) -> bool:
+    """Whether "only" says that a storey holds no more than the rooms beside it: "upstairs there are only bedrooms"."""
+    if reading.word(index) not in _ALONE or index in reading.taken:
+        return False
+    before = next((p for p in phrases if p.last == index and p.head == "room"), None)
+    if before is not None and before.plural and (reading.breaks(index + 1) or reading.word(index + 1) in (",", ";")):
+        return reading.sentence[before.first] == reading.sentence[place.first] and place.first < before.first
+    after = next((p for p in phrases if p.first == index + 1 and p.head == "room"), None)
+    listed = any(p.head == "room" and place.last <= p.first < index for p in phrases)
+    led = place.last < index and reading.word(index - 1) in _HOLDS and not listed
+    following = place.last == index or led
+    return after is not None and (following or 0 <= place.first - after.last <= 1)

@@ -250,6 +250,8 @@ class BriefFacts:
         The one that counts first.
     only : list of Span
         Words such as "nothing else": no room is added to those that the brief names.
+    only_on : list of (Span, tuple of FloorRef)
+        The same of some storeys: "nothing but five bedrooms on the second floor".
     building_name : str
         What the user calls the kind of building, in snake case, where that is not the name of the known kind.
     building_like : str
@@ -295,6 +297,7 @@ class BriefFacts:
     stairs: list[Quantity] = field(default_factory=list)
     size: list[tuple[str, Span]] = field(default_factory=list)
     only: list[Span] = field(default_factory=list)
+    only_on: list[tuple[Span, tuple[FloorRef, ...]]] = field(default_factory=list)
     unread: list[Span] = field(default_factory=list)
     unheeded: list[Span] = field(default_factory=list)
     combined: list[str] = field(default_factory=list)

@@ -1,6 +1,7 @@
 """Read what a brief says of style and materials."""
 
 from mansion_planner.brief.facts import MaterialFact
+from mansion_planner.brief.lexicon import Mention
 from mansion_planner.brief.qualifiers import is_property
 from mansion_planner.brief.reading import Reading
 from mansion_planner.brief.similarity import room_of_building
@@ -111,6 +112,8 @@ def read_style(reading: Reading, *, named: bool) -> None:
             continue  # "two bright bedrooms" and "a grand hall" say nothing of the building
         if reading.word(mention.last) in ("rectangle", "rectangular", "box", "outline"):
             continue
+        if not named and _tells_no_style(reading, mention, modifies=modifies):
+            continue
         last = mention.last
         while last < mention.last + 2 and reading.kind(last) == "word" and reading.word(last) not in _STYLE_NOUNS:
             last += 1
@@ -134,6 +137,23 @@ def read_style(reading: Reading, *, named: bool) -> None:
     reading.facts.styles.sort(
         key=lambda style: (is_property(style[1].words.lower()), reading.knowledge.styles[style[0]].like == "")
     )
+
+
+def _tells_no_style(reading: Reading, mention: Mention, *, modifies: bool) -> bool:
+    """Whether a word that can be a style tells what a room is for, or where the building stands.
+
+    "Raw material storage" and "an industrial kitchen" are rooms, "in an industrial park" is a place.
+    """
+    following = reading.mention_at.get(mention.last)
+    if following is None and reading.word(mention.last) in _SITES:
+        return True
+    building = following is not None and bool(following.building)  # "an industrial loft apartment" looks so
+    return modifies and not building and reading.word(mention.first) in _PURPOSES
+
+
+_PURPOSES = frozenset("raw industrial urban natural organic green sterile hygienic sustainable fun country".split())
+"""Styles that are words for a use or a substance before a noun."""
+_SITES = frozenset("park estate zone area district region site town city village quarter street road side".split())
 
 
 def read_materials(reading: Reading) -> None:

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from mansion_planner.brief.facts import ObjectFact
 from mansion_planner.brief.furniture_words import usually_in
-from mansion_planner.brief.phrase import FUNCTION_WORDS, Phrase
+from mansion_planner.brief.phrase import FUNCTION_WORDS, PEOPLE, Phrase
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
 from mansion_planner.brief.relations import Relation
 from mansion_planner.brief.storey_attachment import Attachment
@@ -176,11 +176,7 @@ def _unread_place(reading: Reading, phrase: Phrase) -> int:
     return index + 1 + len(words) if any(word not in FUNCTION_WORDS for word in words) else index
 
 
-_SEATED = frozenset(
-    """
-    people guest person diner student pupil visitor patient customer worshipper seat chair child
-    """.split()
-)
+_SEATED = PEOPLE | {"seat", "chair"}
 
 
 def _seats(reading: Reading, phrases: list[Phrase], negated: dict[int, tuple[int, int]]) -> list[ObjectFact]:
@@ -191,27 +187,28 @@ def _seats(reading: Reading, phrases: list[Phrase], negated: dict[int, tuple[int
         bedded = phrase.room_type in _DORMITORIES
         if not named or not phrase.room_type or number in negated or (phrase.room_type in _UNSEATED and not bedded):
             continue
-        link, at = reading.word(phrase.last), phrase.last + 1
+        begin = phrase.last + (reading.word(phrase.last) == ",")
+        begin = begin + 1 if reading.word(begin) in ("each", "every") else phrase.last
+        link, at = reading.word(begin), begin + 1
         at += reading.word(at) in ("about", "around", "up", "at", "some")
         at += reading.word(at) in ("to", "least")
         seated = reading.word(at + 1) in _SEATED
         bracketed = link == "(" and seated and reading.words(at + 1, at + 3) not in (("seat", ")"), ("chair", ")"))
-        bracketed = bracketed and reading.word(at + 2) == ")"
+        apiece = reading.word(at + 2) in ("each", "apiece")
+        bracketed = bracketed and reading.word(at + 2 + apiece) == ")"
         if not (bracketed or link in ("for", "seating", "seat")) or reading.kind(at) != "number":
             continue
         if not 1 < reading.value(at) <= 500:
             continue
-        last = at + 1 + seated + bracketed
-        if (
-            last == at + 1
-            and reading.kind(last) == "word"
-            and reading.word(last) not in ("and", "with", "on", "in", "at", "or")
-        ):
+        last = at + 1 + seated + (bracketed and not apiece)
+        if last == at + 1 and reading.kind(last) == "word" and reading.word(last) not in FUNCTION_WORDS:
             continue  # "for 150 stacking chairs" is about what is kept there
-        span = reading.span(phrase.last, last)
+        each = begin > phrase.last or reading.word(last) in ("each", "apiece")
+        last += (reading.word(last) in ("each", "apiece")) + (bracketed and apiece)
+        span = reading.span(begin - (begin > phrase.last), last)
         found.append(ObjectFact(
             words=f"for {reading.value(at):.0f}", category="bed" if bedded else "chair", span=span,
-            count=int(reading.value(at)), room=phrase.name, room_type=phrase.room_type,
+            count=int(reading.value(at)), room=phrase.name, room_type=phrase.room_type, each=each,
             noun="beds" if bedded else "seats",
         ))  # fmt: skip
         reading.take(phrase.last, last)
@@ -248,7 +245,7 @@ _DORMITORIES = frozenset({"dorm_room", "hostel_dorm", "bunk_room"})
 _UNSEATED = frozenset(
     """
     bedroom storage garage parking bike_storage bathroom toilet cloakroom apparatus_bay dorm_room hostel_dorm
-    bunk_room hotel_room archive warehouse apartment
+    bunk_room hotel_room archive warehouse apartment holding_cell
     """.split()
 )
 

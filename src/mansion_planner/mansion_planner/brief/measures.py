@@ -61,6 +61,8 @@ def find_measures(reading: Reading) -> list[Measure]:
             index += 1
             continue
         reading.take(measure.first, measure.last)
+        if reading.words(measure.last, measure.last + 2) == ("each", "one"):
+            reading.take(measure.last + 1, measure.last + 2)
         found.append(replace(measure, limit=limit_of(reading, measure.first, measure.last)))
         index = measure.last
     return found
@@ -242,7 +244,8 @@ def _called_total(reading: Reading, quantity: Quantity) -> bool:
 def _after(reading: Reading, measure: Measure, count: int = 5) -> list[str]:
     words = []
     for index in range(measure.last, measure.last + count):
-        if reading.breaks(index) or reading.word(index) in (",", ":", "with"):
+        joined = reading.words(index, index + 2) == ("together", "with")  # what follows is measured apart
+        if reading.breaks(index) or reading.word(index) in (",", ":", "with") or joined:
             break
         words.append(reading.word(index))
     return words
@@ -291,6 +294,7 @@ def _of_storey(reading: Reading, measure: Measure) -> bool:
             index -= 1  # "two floors of each 110 m2"
         if reading.word(index) == "," and apiece:
             index -= 1
+        index -= apiece and reading.word(index) in ("above", "over", "up")  # "three floors above, of 600 m2 each"
         if reading.word(index) in FLOOR_WORDS:
             plural = reading.plural(index) or _many_before(reading, index)
             linked = reading.word(index + 1) in _LINKS or apiece

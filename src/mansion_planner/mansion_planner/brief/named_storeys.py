@@ -2,7 +2,7 @@
 
 from mansion_planner.brief.facts import FloorRef
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
-from mansion_planner.brief.storey_counts import CLOSERS
+from mansion_planner.brief.storey_counts import CLOSERS, UPSTAIRS
 
 __all__ = ["COPULAS", "TOPS", "NamedStoreys"]
 
@@ -251,6 +251,9 @@ class NamedStoreys:
         word, following = reading.word(index), reading.word(index + 1)
         if word in ("upper", "higher", "other") and following in FLOOR_WORDS:
             return self._upper_range(index) or ([FloorRef("upper")], index + 2)
+        called = word in UPSTAIRS and reading.word(index - 1) == "the" and reading.plural(index + 1)
+        if called and following in FLOOR_WORDS:
+            return [FloorRef("upper")], index + 2  # "the bedroom storeys"
         if word == "lower" and following in FLOOR_WORDS and reading.plural(index + 1):
             return [FloorRef("lower")], index + 2
         if self._is_upper(index) or self._is_above(index):

@@ -31,7 +31,7 @@ from mansion_planner.brief.room_names import (
     with_purpose,
     with_sizes,
 )
-from mansion_planner.brief.room_users import with_users
+from mansion_planner.brief.room_users import with_users, with_users_before
 from mansion_planner.brief.similarity import HEAD_TYPES, elliptic_room_type, room_of_building, similar_room_type
 
 __all__ = ["noun_phrases"]
@@ -64,6 +64,7 @@ def noun_phrases(reading: Reading) -> list[Phrase]:
     chunks = _chunks(reading)
     for begin, end in chunks:
         phrases += _phrases_of(reading, begin, end)
+    phrases = with_users_before(reading, phrases)
     phrases = [part for phrase in phrases for part in coordinated(reading, chunks, phrase)]
     numbered = designated_nouns(reading)
     counted = {phrase.name: phrase.first for phrase in phrases[::-1] if phrase.counted and (phrase.count or 0) > 1}

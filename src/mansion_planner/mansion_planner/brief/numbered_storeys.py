@@ -59,7 +59,11 @@ class NumberedStoreys:
         self.codes_above = int(any(reading.value(i) == 0 for i in codes))
         heads = [i for i in range(len(reading.tokens)) if reading.starts(i) and reading.word(i + 1) == ":"]
         ground = any(reading.word(i) in ("g", "ground", "gf", ABOVE_GROUND) for i in heads)
-        self.headings_above = int(ground and any(reading.value(i) == 1 and reading.word(i) != "first" for i in heads))
+        first = any(
+            reading.value(i) == 1 and reading.word(i) != "first" and reading.starts(i) and self._is_heading(i)
+            for i in range(len(reading.tokens))
+        )
+        self.headings_above = int(ground and first)
 
     def level(self, index: int) -> tuple[list[FloorRef], int] | None:
         """Read "L3", "L2 to L6", "1F and 2F"."""
@@ -228,7 +232,7 @@ class NumberedStoreys:
             else:
                 numbers.append(int(reading.value(last + 1)))
             last += 2
-        marked = self.numbered_headings > 1 and reading.word(last) == ":"
+        marked = self.numbered_headings + self.headings_above > 1 and reading.word(last) == ":"
         alike = len(numbers) > 1 and self.has_floors and reading.word(last) in _ALIKE
         if not (marked or alike or coded) or max(numbers) > 200:
             return None

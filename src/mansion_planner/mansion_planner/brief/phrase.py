@@ -43,10 +43,12 @@ FUNCTION_WORDS = frozenset(
     live sleep eat
     cook meet walk carry gather believe afford love find see look say tell ask think know located situated placed
     spread divided split equipped furnished fitted surrounded arranged organised organized reserved dedicated called
-    named known planned needed wanted required preferred desired expected apiece respectively etc ie eg namely such
+    named known planned needed necessary
+    wanted required preferred desired expected apiece respectively etc ie eg namely such
     measure measuring occupy occupying span spanning
     well however therefore moreover nevertheless obviously yes ok pls hello hi dear thanks thank upstairs downstairs
     upstair downstair throughout everywhere anywhere elsewhere neither
+    exclusively solely purely
     either incl avoid omit exclude leaving fleeing escaping standing ditto idem likewise half itself themselves
     """.split()
 )

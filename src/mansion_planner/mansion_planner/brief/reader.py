@@ -15,6 +15,7 @@ from mansion_planner.brief.accessible_parts import with_accessible_ones
 from mansion_planner.brief.adverts import among_adverts, read_adverts, read_bedrooms_of_building
 from mansion_planner.brief.background_phrases import without_bystanders
 from mansion_planner.brief.bare_areas import with_bare_areas
+from mansion_planner.brief.blocks import with_blocks
 from mansion_planner.brief.building import building_phrase, own_building_name, unknown_building
 from mansion_planner.brief.building_shape import read_copies, read_massing, read_shape, read_sizes
 from mansion_planner.brief.coreference import coreferences
@@ -48,8 +49,10 @@ from mansion_planner.brief.shared_places import read_shares
 from mansion_planner.brief.shared_rooms import as_studio_flat, rooms_of_several_uses
 from mansion_planner.brief.shared_sizes import with_shared_sizes
 from mansion_planner.brief.sizes import sized
+from mansion_planner.brief.some_en_suite import with_some_en_suite
 from mansion_planner.brief.stacked_uses import read_stacking
 from mansion_planner.brief.storey_attachment import Attachment
+from mansion_planner.brief.storey_uses import read_storey_uses
 from mansion_planner.brief.storeys import read_storeys
 from mansion_planner.brief.suites import read_suites
 from mansion_planner.brief.told_by_size import told_by_size
@@ -115,9 +118,10 @@ class _Reader:
         """Read everything that noun phrases are part of; return them."""
         reading = self.reading
         read_adverts(reading, self.places)
-        self.opening = unknown_building(reading)
+        self.opening = unknown_building(reading, self.places)
         named = without_retractions(reading, noun_phrases(reading))
         phrases = rooms_of_several_uses(reading, without_bystanders(reading, named))
+        phrases = with_some_en_suite(reading, with_blocks(reading, phrases))
         phrases = with_accessible_ones(reading, desks_as_places(reading, rooms_by_name(reading, phrases)))
         read_shares(reading, phrases)
         reading.go_on()
@@ -144,6 +148,7 @@ class _Reader:
         for number, phrase in enumerate(self.phrases):
             if phrase.first in shared and number in self.attached:
                 self.attached[number] = Attachment(self.attached[number].refs)
+        read_storey_uses(reading, self.places, self.phrases, self.attached, self.building)
         read_halves(reading, self.phrases, self.places, self.attached)
         self._place_with(one_of_several.others)
         self._other_names_of_building()
@@ -169,6 +174,8 @@ class _Reader:
         self.facts.objects += read_furnishings(
             reading, self.phrases, self.attached, self.negated, self.same, self.relations
         )
+        self._tell_users()
+        self._further_ones()
         adverts = tuple(self.facts.rooms)
         RoomStatements(
             reading,
@@ -184,7 +191,7 @@ class _Reader:
         among_adverts(self.facts, adverts)
         read_desk_areas(self.facts)
         self._relations()
-        read_completeness(reading)
+        read_completeness(reading, self.places, self.phrases)
         read_absent_parts(reading)
         self.facts.excluded.sort(key=lambda entry: entry[1].end)
         for index, token in enumerate(reading.tokens):
@@ -455,12 +462,15 @@ class _Reader:
     def _placed_again(self) -> None:
         """Read "a brewery with a taproom ... the floor above is the taproom with a bar" as where the taproom is."""
         operands = {n for relation in self.relations for n in (*relation.lefts, *relation.rights)}
+        mentioned = {n for relation in self.relations for n in relation.rights if self.phrases[n].determiner == "the"}
         for number, named in self.same.items():
             phrase, room = self.phrases[number], self.phrases[named]
-            placed = number in self.attached and named not in self.attached and number not in operands
-            again = phrase.name == room.name and room.count == 1 and not phrase.counted and named < number
+            open_yet = named not in self.attached or named in mentioned  # "away from the toilets" puts them nowhere
+            placed = number in self.attached and open_yet and number not in operands
+            again = phrase.name == room.name and room.count in (1, None) and not phrase.counted and named < number
             if placed and again:
-                self.attached[named] = Attachment(self.attached[number].refs)
+                place = self.attached[number]
+                self.attached[named] = place if room.plural else Attachment(place.refs)
 
     def _wanted_rooms(self) -> list[int]:
         """Return the phrases that name rooms of the building."""
@@ -500,6 +510,28 @@ class _Reader:
                 self.facts.occupants.append(OccupantFact(2, "family", reading.span(index, index + 1)))
                 reading.take(index, index + 1)
 
+    def _tell_users(self) -> None:
+        """Give back how many a room is for where nothing stands there for each of them: "a cell for four detainees"."""
+        read = [fact.span for fact in self.facts.objects] + [fact.span for fact in self.facts.occupants]
+        for number, phrase in enumerate(self.phrases[1:], 1):
+            room = self.phrases[number - 1]
+            span = self.reading.span(phrase.first, phrase.last)
+            users = phrase.head == "people" and phrase.counted and (phrase.count or 0) > _PAIR
+            if not users or room.head != "room" or self.reading.words(room.last, phrase.first) != ("for",):
+                continue
+            if not any(other.start <= span.start < other.end for other in read):
+                self.reading.taken.difference_update(range(phrase.first, phrase.last))
+
+    def _further_ones(self) -> None:
+        """Take the ordinal of one more room of a kind: "an en-suite bathroom ... a second bathroom"."""
+        for number, phrase in enumerate(self.phrases):
+            ordinal = phrase.begin - 1
+            if phrase.head != "room" or self.reading.kind(ordinal) != "ordinal" or ordinal in self.reading.taken:
+                continue
+            before = [p for p in self.phrases[:number] if p.head == "room" and p.room_type == phrase.room_type]
+            if self.reading.word(ordinal - 1) in ("a", "the", "and") and before and number not in self.same:
+                self.reading.take(ordinal, ordinal + 1)
+
     def _vertical(self) -> None:
         for number, phrase in enumerate(self.phrases):
             if phrase.head not in ("stair", "elevator"):
@@ -514,7 +546,8 @@ class _Reader:
             enough = self.reading.word(phrase.last + (self.reading.word(phrase.last) in _COPULAS)) in _ENOUGH
             if enough:
                 self.reading.take(phrase.last, phrase.last + 1 + (self.reading.word(phrase.last) in _COPULAS))
-            if enough or self.reading.word(phrase.last) == "only" or self.reading.word(phrase.first - 1) == "only":
+            only = "only" in (self.reading.word(phrase.last), self.reading.word(phrase.first - 1))
+            if enough or (only and not phrase.counted):  # "only one lift" is a number
                 self.facts.vertical.append(("no_elevator" if phrase.head == "stair" else "no_stair", span))
             self.facts.vertical.append((phrase.head, span))
             if phrase.counted and phrase.count is not None and phrase.determiner not in ("the", "both"):
@@ -537,11 +570,7 @@ class _Reader:
                 first, second = (self.phrases[self.same.get(n, n)] for n in pair)
                 if not first.room_type or not second.room_type or "unknown" in (first.head, second.head):
                     continue
-                span = self.reading.span(min(first.begin, relation.first), relation.last)
-                if relation.last <= second.begin and second.noun_end - first.begin < 14:
-                    span = self.reading.span(min(first.begin, relation.first), second.noun_end)
-                elif relation.first - first.begin > 10:
-                    span = self.reading.span(relation.first, relation.last)
+                span = self._span_of_relation(relation, *(self.phrases[n] for n in pair))
                 held.append(
                     AdjacencyFact(
                         first.room_type,
@@ -554,6 +583,13 @@ class _Reader:
                 )
             if len(held) == many:
                 self._tell(relation)
+
+    def _span_of_relation(self, relation: Relation, first: Phrase, second: Phrase) -> Span:
+        """Return the words of a relation, with those of the rooms that stand close by."""
+        begin = min(first.begin, second.begin, relation.first)
+        begin = begin if relation.first - begin <= _CLOSE else relation.first
+        last = max(first.noun_end, second.noun_end, relation.last)
+        return self.reading.span(begin, last if last - begin <= _WORDS else relation.last)
 
     def _tell(self, relation: Relation) -> None:
         """Give back the words of a relation that no statement was made of."""
@@ -586,6 +622,13 @@ _HOMES = frozenset({"house", "home", "building", "villa", "cottage", "cabin", "b
 
 _FIXTURES = frozenset({"shower", "bath", "walk_in_shower", "loo"})
 _BATHROOMS = frozenset({"bathroom", "ensuite_bathroom", "accessible_toilet"})
+
+_PAIR = 2
+"""Users that any room has place for."""
+
+_CLOSE = 8
+_WORDS = 12
+"""Tokens between a relation and a room that its statement names, and of a statement, at most."""
 
 _BARE = frozenset({"building", "complex"})
 """Names of a building that say nothing of its use: its rooms do."""

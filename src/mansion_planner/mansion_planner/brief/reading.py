@@ -24,10 +24,17 @@ from mansion_planner.brief.token_forms import (
     foreign_storeys,
     gross_areas,
     kinds_of_area,
+    metering,
     open_decks,
+    workplaces,
 )
 
 __all__ = ["FLOOR_WORDS", "Place", "Reading", "start_reading"]
+
+_APPOSITIVE = frozenset(
+    "so i e . that is which meaning means lies directly right just immediately one the above over below under".split()
+)
+"""Words that lead from a storey to the one that tells where it lies."""
 
 FLOOR_WORDS = frozenset(
     """
@@ -158,6 +165,16 @@ class Reading:
         """Mark tokens as part of a statement."""
         self.taken.update(range(first, last))
 
+    def appositive(self, index: int) -> int:
+        """Return where words like ", so directly above" end, which lead to the storey that one lies above; or 0."""
+        if self.word(index) not in (",", "(", "–", "-"):
+            return 0
+        end = index + 1
+        while end - index < 8 and self.word(end) in _APPOSITIVE:
+            end += 1
+        end -= self.word(end - 1) == "the"
+        return end if end > index + 1 and self.word(end - 1) in ("above", "over", "below", "under") else 0
+
     def free(self, first: int, last: int) -> bool:
         """Whether no token from `first` to `last` (exclusive) is part of a statement yet."""
         return self.taken.isdisjoint(range(first, last))
@@ -170,7 +187,8 @@ def start_reading(text: str, knowledge: KnowledgeBase, cancelled: Callable[[], b
     tokens = storey_tables(abbreviated_storeys(decades(tokens)), FLOOR_WORDS)
     tokens = flat_types(count_forms(storeys_by_use(storey_forms(text, tokens), FLOOR_WORDS)))
     tokens = compounds(corrected(tokens, lexicon.words, furniture_vocabulary()), lexicon.words)
-    tokens = capacities(foreign_storeys(open_decks(kinds_of_area(gross_areas(tokens)))), lexicon.heads)
+    tokens = workplaces(foreign_storeys(open_decks(kinds_of_area(gross_areas(metering(tokens))))))
+    tokens = capacities(tokens, lexicon.heads)
     mentions = lexicon.find(tokens)
     reading = Reading(
         text=text,

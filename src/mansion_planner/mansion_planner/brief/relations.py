@@ -68,6 +68,8 @@ _BESIDE = [
     ("touch", "with"),
     ("next", "of"),
     ("common", "wall", "with"),
+    ("wall", "in", "common", "with"),
+    ("wall", "to", "wall", "with"),
     ("opposite",),
     *[
         (verb, to)
@@ -115,11 +117,17 @@ _APART = [
     ("isolated", "from"),
     ("separate", "from"),
     ("distant", "from"),
+    *[
+        (verb, "no", *kind, "wall", "with")
+        for verb in ("share", "sharing", "have", "has", "having")
+        for kind in ((), ("common",), ("party",))
+    ],
     ("as", "far", "as", "you", "can", "from"),
     ("as", "far", "as", "possible", "from"),
     ("far", "as", "possible", "from"),
 ]
 _MUTUAL = [
+    ("wall", "to", "wall"),
     ("next", "to", "each", "other"),
     ("beside", "each", "other"),
     ("side", "by", "side"),
@@ -166,10 +174,10 @@ def _by_first(patterns: list[tuple[str, ...]]) -> dict[str, list[tuple[str, ...]
 
 
 _BESIDE_AT, _APART_AT, _MUTUAL_AT = _by_first(_BESIDE), _by_first(_APART), _by_first(_MUTUAL)
-_LEADS = frozenset({"between", "each", "to", "of", *(words[0] for words in (*_BESIDE, *_APART, *_MUTUAL))})
+_LEADS = frozenset({"between", "wall", "each", "to", "of", *(words[0] for words in (*_BESIDE, *_APART, *_MUTUAL))})
 """Words that a relation can begin with."""
 _NEGATIONS = frozenset({"none", "nothing", "not", "no", "never", "neither", "nor", "without", "nowhere", "avoid"})
-_PRONOUNS = frozenset({"it", "them", "this", "that", "which", "these"})
+_PRONOUNS = frozenset({"it", "them", "this", "that", "which", "these", "those"})
 
 
 @dataclass(frozen=True)
@@ -247,6 +255,8 @@ def _relation_at(reading: Reading, phrases: list[Phrase], rooms: list[int], inde
         return None
     if reading.word(index) == "between" and index not in reading.taken:
         return _between(reading, phrases, rooms, index)
+    if reading.words(index, index + 2) == ("wall", "between"):
+        return _wall_between(reading, phrases, rooms, index)
     if reading.words(index, index + 3) == ("each", "leading", "into") or reading.words(index, index + 3) == (
         "each",
         "opening",
@@ -380,6 +390,8 @@ def _directed(
     )
     before = _in_sentence(reading, phrases, rooms, index, before=True)
     negated = apart or _negated(reading, phrases, rooms, index)
+    if negated:
+        rights = _with_alternatives(reading, phrases, rooms, rights)
     if not before and rights:  # "Next to the kitchen: the pantry", "beside the library a writing room"
         following = [n for n in _in_sentence(reading, phrases, rooms, last, before=False) if n not in rights]
         if following and phrases[following[0]].first - phrases[rights[-1]].last <= 6:
@@ -388,7 +400,9 @@ def _directed(
     if not rights and _is_relative(reading, phrases, before, last):
         return Relation((before[-1],), (before[-2],), negated, index, last), last
     if not rights:
-        pronoun = next((i for i in range(last - 1, last + 2) if reading.word(i) in _PRONOUNS), None)
+        of_them = reading.words(last, last + 2) in (("one", "of"), ("each", "of"), ("either", "of"), ("any", "of"))
+        reach = last + 2 + 2 * of_them
+        pronoun = next((i for i in range(last - 1, reach) if reading.word(i) in _PRONOUNS), None)
         if pronoun is None:
             return None
         earlier = [n for n in rooms if phrases[n].last <= index]
@@ -438,6 +452,9 @@ def _referent(reading: Reading, phrases: list[Phrase], others: list[int], lefts:
         if reading.sentence[phrases[number].first] != sentence:
             break
         following = phrases[number + 1].first if number + 1 < len(phrases) else len(reading.tokens)
+        having = reading.words(phrases[number].last, phrases[number].last + 2)
+        if having in (("that", "has"), ("which", "has"), ("that", "have")) or having[0] in ("having", "has"):
+            return number  # "a dining room that has the kitchen right beside it"
         if "with" in reading.words(phrases[number].last, min(following, phrases[number].last + 6)):
             return number
     return others[-1]
@@ -507,6 +524,22 @@ def _right(reading: Reading, phrases: list[Phrase], rooms: list[int], last: int)
     return rights
 
 
+def _with_alternatives(reading: Reading, phrases: list[Phrase], rooms: list[int], rights: list[int]) -> list[int]:
+    """Return the rooms that another is to be apart from, with those that "or" adds: "not next to A, B or C"."""
+    following = [n for n in rooms if rights and n > rights[-1]]
+    listed = list(rights)
+    for number in following:
+        gap = reading.words(phrases[listed[-1]].last, phrases[number].begin)
+        if reading.sentence[phrases[number].first] != reading.sentence[phrases[listed[0]].first]:
+            break
+        if not gap or not set(gap) <= {",", "or", "nor", "the", "any", "to", "on", "with", "from"}:
+            break
+        listed.append(number)
+        if not {"or", "nor"}.isdisjoint(gap):
+            return listed
+    return rights
+
+
 def _between(reading: Reading, phrases: list[Phrase], rooms: list[int], index: int) -> tuple[Relation, int] | None:
     alone = reading.word(index - 1) == "in" and (reading.breaks(index + 1) or reading.word(index + 1) in (",", ")"))
     if alone or reading.word(index + 1) == "them" or reading.words(index + 1, index + 3) == ("the", "two"):
@@ -527,6 +560,19 @@ def _between(reading: Reading, phrases: list[Phrase], rooms: list[int], index: i
         return None
     # One room between two: both are its neighbours, so each is a pair of its own.
     return Relation(lefts * len(following), tuple(following), False, index, index + 1), phrases[following[-1]].last
+
+
+def _wall_between(reading: Reading, phrases: list[Phrase], rooms: list[int], index: int) -> tuple[Relation, int] | None:
+    """Read "no common wall between the bedroom and the kitchen"; a wall that is not shared only parts the two."""
+    if reading.word(index - 1) not in ("common", "shared", "party"):
+        return None
+    pair = _in_sentence(reading, phrases, rooms, index, before=False)[:2]
+    if len(pair) < 2 or phrases[pair[0]].begin - index > 4:
+        return None
+    if "and" not in reading.words(phrases[pair[0]].last, phrases[pair[1]].first):
+        return None
+    negated = _negated(reading, phrases, rooms, index - 1)
+    return Relation((pair[0],), (pair[1],), negated, index - 1, index + 2), phrases[pair[1]].last
 
 
 def _between_them(phrases: list[Phrase], before: list[int], index: int, last: int) -> tuple[Relation, int] | None:

@@ -5,10 +5,11 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from mansion_language import singular
+from mansion_planner.brief.lexicon import lexicon_of
 from mansion_planner.brief.phrase import FUNCTION_WORDS, Phrase
 from mansion_planner.brief.reading import Reading
 
-__all__ = ["PEOPLE_APART", "one_of", "with_users"]
+__all__ = ["PEOPLE_APART", "one_of", "with_users", "with_users_before"]
 
 PEOPLE_APART = frozenset(
     "man woman boy girl staff guest visitor student teacher male female lady gentleman gent patient".split()
@@ -19,6 +20,8 @@ _SEXES = {
     "gentleman": "gentleman", "masculine": "man", "feminine": "woman", "gent": "gentleman",
 }  # fmt: skip
 _DISABLED = frozenset("disabled handicapped invalid wheelchair".split())
+_USERS_BEFORE = PEOPLE_APART | _DISABLED | {"accessible", "unisex", "referee", "umpire", "member", "public"}
+"""Those whom a noun for rooms may follow: "men's, women's and accessible" toilets."""
 _TOILETS = frozenset({"toilet", "restroom", "bathroom"})
 _JOINTS = frozenset({"and", ",", "&", "/", "+", "plus"})
 _LEADS = frozenset({",", ":", "(", "-", "–"})
@@ -28,6 +31,79 @@ _PERSONS = frozenset("people person user visitor guest one".split())
 def one_of(phrase: Phrase, first: int, last: int) -> Phrase:
     """Return one of the rooms that a phrase names together: the one that tokens `first` to `last` (exclusive) name."""
     return replace(phrase, count=1, counted=True, plural=False, first=first, begin=first, noun_end=last, last=last)
+
+
+def with_users_before(reading: Reading, phrases: list[Phrase]) -> list[Phrase]:
+    """Read "men's, women's and accessible toilets", "boys' and girls' showers" and "ladies / gents" as a room for each.
+
+    "The ladies" and "the gents" are toilets without a noun.
+    """
+    found: list[Phrase] = []
+    bare = {phrase.begin for phrase in phrases if phrase.head == "room" and _is_gents(reading, phrase)}
+    read: set[int] = set()
+    for phrase in reversed(phrases):
+        if phrase.begin in read:
+            continue
+        if phrase.begin in bare and reading.word(phrase.first - 1) in ("for", "of"):
+            found.append(replace(phrase, head="people", room_type=""))  # "a prayer hall for gents"
+            continue
+        users = _users_ending_at(reading, phrase, bare) if phrase.head == "room" else []
+        if not users or (len(users) == 1 and phrase.begin not in bare):
+            found.append(phrase)
+            continue
+        reading.take(users[0], phrase.last)
+        read.update(users)
+        found += [_for_one(reading, phrase, user, last=user == users[-1]) for user in reversed(users)]
+    return found[::-1]
+
+
+def _users_ending_at(reading: Reading, phrase: Phrase, bare: set[int]) -> list[int]:
+    """Return the tokens of those whom a list of users before a noun names, the noun's own first word among them.
+
+    Parameters
+    ----------
+    bare : set of int
+        Tokens that are phrases by themselves ("gents"), and that a list may hold all the same.
+    """
+    users = [phrase.begin]
+    if reading.word(phrase.begin) not in _USERS_BEFORE or phrase.counted:
+        return []
+    while True:
+        joint = users[0] - 1
+        joint -= reading.word(joint) in ("the", "a")
+        joint -= reading.word(joint - 1) == "," and reading.word(joint) == "and"
+        user = joint - 1
+        if (
+            reading.word(joint) not in _JOINTS
+            or reading.word(user) not in _USERS_BEFORE
+            or user in reading.taken - bare
+        ):
+            break
+        users.insert(0, user)
+    return users if any(reading.word(user) in _SEXES for user in users) else []
+
+
+def _is_gents(reading: Reading, phrase: Phrase) -> bool:
+    """Whether a phrase is the word for those who use a toilet, and no noun follows."""
+    return phrase.noun_end - phrase.begin == 1 and reading.word(phrase.begin) in _SEXES
+
+
+def _for_one(reading: Reading, phrase: Phrase, user: int, *, last: bool) -> Phrase:
+    """Return the room of one of the users that stand before a noun, or for a noun."""
+    bare = _is_gents(reading, phrase)
+    noun = "toilet" if bare else singular(reading.span(phrase.begin + 1, phrase.noun_end).words.lower())
+    words = (noun,) if bare else reading.words(phrase.begin + 1, phrase.noun_end)
+    named = lexicon_of(reading.knowledge).phrases.get(words)
+    kind = named.room if named is not None and named.room else phrase.room_type
+    room = one_of(phrase, user, user + 1)
+    if last:
+        room = replace(room, noun_end=phrase.noun_end, last=phrase.last)
+    who = reading.word(user)
+    if who in _DISABLED | {"accessible"} and kind in _TOILETS:
+        return replace(room, room_type="accessible_toilet", name="accessible_toilet", label=f"accessible {noun}")
+    who = _SEXES.get(who, who)
+    name = "_".join((who, *words))
+    return replace(room, name=name[:60], label=f"{who}'s {noun}", room_type=kind, known=True)
 
 
 def with_users(reading: Reading, phrases: list[Phrase]) -> list[Phrase]:

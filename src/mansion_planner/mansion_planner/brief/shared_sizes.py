@@ -46,7 +46,7 @@ def with_shared_sizes(reading: Reading, measures: list[Measure], phrases: list[P
     """
     out = list(phrases)
     for number, phrase in enumerate(phrases):
-        if phrase.head != "room":
+        if phrase.head not in ("room", "building") or not phrase.room_type:
             continue
         areas = _shares(reading, measures, phrase)
         if areas:
@@ -62,6 +62,7 @@ def _shares(reading: Reading, measures: list[Measure], phrase: Phrase) -> tuple[
     listed = _listed_areas(reading, measures, phrase)
     if len(listed) == count:
         reading.named_areas.update(listed)
+        reading.take(phrase.last, listed[-1])
         return tuple(_area(reading, at) for at in listed)
     sentence = reading.sentence[phrase.first]
     starts = [
@@ -124,7 +125,7 @@ def _entries(reading: Reading, measures: list[Measure], index: int) -> tuple[lis
         while reading.word(at) in _LINKS:
             at += 1
         bare = reading.kind(at) == "number" and at not in reading.taken and reading.word(at + 1) in (*_JOINTS, "each")
-        if at not in begins and not (bare and begins and reading.word(at - 1) == "of"):
+        if at not in begins and not (bare and begins and reading.word(at - 1) in ("of", "one")):
             break
         entries.append((many, at))
         end = at + 1 + (reading.kind(at + 1) == "unit")

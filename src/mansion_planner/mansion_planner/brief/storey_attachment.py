@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 from mansion_planner.brief.facts import FloorRef
 from mansion_planner.brief.phrase import PEOPLE, Phrase
 from mansion_planner.brief.reading import Place, Reading
+from mansion_planner.brief.storey_counts import HOLDING
 
 __all__ = ["Attachment", "attach_storeys"]
 
@@ -121,7 +122,7 @@ class _Walk:
             roof = self.reading.word(place.last - 1) == "roof" and place.last - place.first < 5
             if scope is not None and roof and not self.reading.starts(place.first):
                 continue  # "second floor: a bedroom under the roof"
-            if place.refs[0].kind == "basement" and self.reading.word(place.last) == "with" and rest:
+            if place.refs[0].kind == "basement" and self.reading.word(place.last) in HOLDING and rest:
                 for target in self._joined(rest):
                     self._give(target, place, trailing=True)
                 left += rest[:1]
@@ -141,6 +142,8 @@ class _Walk:
                 for target in left[-2:]:  # "the sauna next to the gym, and both in the basement"
                     self._give(target, place, trailing=True)
                 left = []
+            elif left and self._puts_it(place):
+                self._give(left[-1], place, trailing=True)
             elif self._trails(place, left):
                 for target in self._claimed(place, left, opened=opened):
                     self._give(target, place, trailing=True)
@@ -152,6 +155,11 @@ class _Walk:
             else:
                 scope, opened, left = place, True, []
         return scope if opened else None
+
+    def _puts_it(self, place: Place) -> bool:
+        """Whether a room named before is put somewhere: "the laundry makes noise, so put it on the ground floor"."""
+        verb, pronoun = self.reading.words(place.first - 2, place.first) if place.first > 1 else ("", "")
+        return pronoun in ("it", "this", "that") and verb in ("put", "place", "keep", "locate", "leave", "want", "have")
 
     def _is_served(self, place: Place, left: list[int]) -> bool:
         """Whether a place only says where a lift or stair goes: "a lift to all floors"."""

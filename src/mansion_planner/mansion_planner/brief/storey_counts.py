@@ -7,7 +7,16 @@ from mansion_planner.brief.furniture_words import furniture_of
 from mansion_planner.brief.phrase import PLAIN
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
 
-__all__ = ["ANAPHORS", "CLOSERS", "DEFINITE", "STOREY_ADJECTIVES", "StoreyCounts", "settle_counts"]
+__all__ = [
+    "ANAPHORS",
+    "CLOSERS",
+    "DEFINITE",
+    "HOLDING",
+    "STOREY_ADJECTIVES",
+    "UPSTAIRS",
+    "StoreyCounts",
+    "settle_counts",
+]
 
 _NEGATIONS = frozenset({"no", "without", "not", "neither", "nor", "never"})
 DEFINITE = frozenset(
@@ -24,7 +33,12 @@ STOREY_ADJECTIVES = frozenset(
     working usable living successive consecutive more
     """.split()
 )
+UPSTAIRS = frozenset("upper other guest remaining sleeping bedroom residential".split())
+"""What storeys above the ground floor are called together: "on each sleeping level"."""
 ANAPHORS = frozenset({"it", "that", "them", "this", "these", "those"})
+HOLDING = frozenset({"with", "holding", "containing", "housing", "for"})
+"""Words between a basement and the rooms that lie in it."""
+
 _BELOW = frozenset({"underground", "basement", "subterranean", "below"})
 CLOSERS = frozenset({"", ".", ",", ";", ":", "\n", ")", "!", "?", "=", "-"})
 
@@ -125,6 +139,11 @@ class StoreyCounts:
         ):
             storeyed = storeyed or reading.word(last) in FLOOR_WORDS
             last += 1
+        if not storeyed and reading.word(last) in STOREY_ADJECTIVES | UPSTAIRS and reading.plural(last + 1):
+            storeyed = reading.word(last + 1) in FLOOR_WORDS  # "and three bedroom storeys"
+            last += 2 * storeyed
+        if storeyed and reading.word(last) in ("above", "over"):
+            last += 1 + (reading.word(last + 1) in ANAPHORS)
         if joint == "and" and not storeyed:
             return index
         if joint == "plus" and not storeyed and reading.word(last) not in CLOSERS | {"with", "and", "in"}:
@@ -266,7 +285,7 @@ class StoreyCounts:
         """Return the words from a token on, two at most, that tell of storeys: "two full storeys"."""
         reading, last = self.reading, index
         while (
-            reading.word(last) in STOREY_ADJECTIVES | PLAIN | {"upper", "only"}
+            reading.word(last) in STOREY_ADJECTIVES | PLAIN | {"upper", "only", "sleeping"}
             and (reading.word(last) not in FLOOR_WORDS or reading.word(last + 1) in FLOOR_WORDS)
             and last - index < 2
         ):
@@ -288,7 +307,7 @@ class StoreyCounts:
         if not street and not (lead == "above" and following[0] in ("ground", "grade")):
             return 0
         self._state(count.value, count.first, count.last)
-        return count.last
+        return count.last if street else count.last + 2
 
     def _above_those_named(self, count: _Count) -> int:
         """Read "three floors above it"."""
@@ -447,9 +466,7 @@ class StoreyCounts:
             and reading.word(index + 2) not in ("wine", "beer", "root", "coal")
         ):
             self._state(1, index, described + 1, below=True)
-            if reading.word(described + 1) == "with":
-                ref = FloorRef("basement", span=reading.span(described, described + 1))
-                self.places.append(Place(described, described + 1, (ref,), led=False))
+            self._place_in_basement(described, described + 1)
             return described + 1
         if (
             reading.word(index) not in ("over", "above", "on", "with")
@@ -464,9 +481,7 @@ class StoreyCounts:
                 and reading.word(index + 1) == "a"
             ):
                 self._state(1, index, index + 4, below=True)
-                if reading.word(index + 4) == "with":
-                    ref = FloorRef("basement", span=reading.span(index + 3, index + 4))
-                    self.places.append(Place(index + 3, index + 4, (ref,), led=False))
+                self._place_in_basement(index + 3, index + 4)
                 return index + 4
             return index
         last = index + (2 if reading.word(index + 1) in ("basement", "cellar") else 3)
@@ -477,10 +492,15 @@ class StoreyCounts:
         if reading.word(index + 1) in ("the", "each", "no"):
             return index
         self._state(1, index, last, below=True)
-        if reading.word(last) == "with":
-            ref = FloorRef("basement", span=reading.span(last - 1, last))
-            self.places.append(Place(last - 1, last, (ref,), led=False))
+        self._place_in_basement(last - 1, last)
         return last
+
+    def _place_in_basement(self, first: int, last: int) -> None:
+        """Read "with a basement holding the archive" as the place of what follows, besides the storey."""
+        people = self.reading.word(last) == "for" and self.reading.kind(last + 1) == "number"
+        if self.reading.word(last) in HOLDING and not people:
+            ref = FloorRef("basement", span=self.reading.span(first, last))
+            self.places.append(Place(first, last, (ref,), led=False))
 
     def _unwanted_basement(self, index: int) -> int:
         """Read "no garage or basement" and "a cellar is not needed"; return where it ends, or 0."""

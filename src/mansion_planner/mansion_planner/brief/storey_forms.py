@@ -28,6 +28,7 @@ _GROUND = (
     ("parterre",),
 )
 _GROUND_SHORT = frozenset({"eg", "rdc", "pb", "rch", "gf"})
+_LOWER_GROUND_SHORT = frozenset({"lg", "lgf"})
 _BASEMENT = (("sous", "sol"), ("sotano",), ("subsolo",), ("untergeschoss",), ("kellergeschoss",), ("keller",))
 _TOP = (("dachgeschoss",), ("cobertura",))
 _ABOVE = frozenset({"verdiepingen", "og", "obergeschoss", "andar", "andare", "verdieping", "etage", "stock"})
@@ -81,6 +82,7 @@ class _Forms:
         self.readers: tuple[Callable[[int], _Found | None], ...] = (
             self._ground_and_more,
             self._of_hong_kong,
+            self._lower_ground,
             self._basement_number,
             self._ground,
             self._numbered,
@@ -116,10 +118,14 @@ class _Forms:
         return next((len(name) for name in names if tuple(self.texts[index : index + len(name)]) == name), 0)
 
     def _short_ground(self, index: int) -> bool:
+        return self._is_short(index, _GROUND_SHORT)
+
+    def _is_short(self, index: int, names: frozenset[str]) -> bool:
+        """Whether one of some short forms of a storey's name stands at a token, where a name of a storey can."""
         named = (
             self._opens(index) or self._word(index + 1) in _MARKS | {"+", ",", ")"} or self._word(index - 1) in _LEADS
         )
-        return self._word(index) in _GROUND_SHORT and self._capitals(index) and named
+        return self._word(index) in names and self._capitals(index) and named
 
     def _level(self, first: int, last: int, value: int) -> Token:
         start, end = self.tokens[first], self.tokens[last - 1]
@@ -153,6 +159,19 @@ class _Forms:
             return None
         token = self.tokens[index]
         return [replace(token, kind="level", text=f"{token.text}f", end=self.tokens[index + 2].end)], index + 3
+
+    def _lower_ground(self, index: int) -> _Found | None:
+        """Read "lower ground floor", "LG: ..." and "lower ground (LG)" as the storey below the ground floor."""
+        again = self._word(index) == "(" and self._word(index + 1) in _LOWER_GROUND_SHORT
+        if again and self._word(index + 2) == ")" and "ground" in self.texts[max(index - 2, 0) : index]:
+            return [], index + 3  # "lower ground floor (LG)"
+        if self.texts[index : index + 2] == ["lower", "ground"]:
+            last = index + 2
+        elif self._is_short(index, _LOWER_GROUND_SHORT) and self._word(index - 1) != "in":
+            last = index + 1 + 2 * (self.texts[index + 1 : index + 3] == ["/", "f"])
+        else:
+            return None
+        return [replace(self.tokens[index], text="basement", end=self.tokens[last - 1].end)], last
 
     def _basement_number(self, index: int) -> _Found | None:
         """Read "B1", "B1F" and "B2/F" where they are headings."""

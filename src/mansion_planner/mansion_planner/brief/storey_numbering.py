@@ -15,7 +15,7 @@ def counts_from_ground(reading: Reading) -> bool:
     """
     words = [token.text for token in reading.tokens]
     pairs = list(itertools.pairwise(words))
-    if _lists_ground_and_first(reading):
+    if _lists_ground_and_first(reading) or _tells_first_above_ground(reading):
         return True
     ground = any(
         (word, floor) in pairs for word in ("ground", "street", "entrance") for floor in ("floor", "level", "storey")
@@ -28,6 +28,18 @@ def counts_from_ground(reading: Reading) -> bool:
         return False
     stated = _stated_numbers(reading)
     return not (stated and max(stated) == max(named))
+
+
+def _tells_first_above_ground(reading: Reading) -> bool:
+    """Whether the brief says so itself: "the first floor, so directly above ground floor"."""
+    for index in range(len(reading.tokens) - 4):
+        first = (
+            reading.kind(index) == "ordinal" and reading.value(index) == 1 and reading.word(index + 1) in FLOOR_WORDS
+        )
+        end = reading.appositive(index + 2) if first else 0
+        if end and reading.word(end - 1) in ("above", "over"):
+            return reading.word(end + (reading.word(end) == "the")) in ("ground", ABOVE_GROUND)
+    return False
 
 
 def _named_by_ordinals(reading: Reading) -> list[int]:

@@ -12,7 +12,14 @@ from mansion_planner.brief.named_storeys import COPULAS, TOPS, NamedStoreys
 from mansion_planner.brief.numbered_storeys import NumberedStoreys
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
 from mansion_planner.brief.relative_storeys import RelativeStoreys
-from mansion_planner.brief.storey_counts import CLOSERS, DEFINITE, STOREY_ADJECTIVES, StoreyCounts, settle_counts
+from mansion_planner.brief.storey_counts import (
+    CLOSERS,
+    DEFINITE,
+    STOREY_ADJECTIVES,
+    UPSTAIRS,
+    StoreyCounts,
+    settle_counts,
+)
 from mansion_planner.brief.storey_forms import ABOVE_GROUND
 from mansion_planner.brief.storey_sequences import StoreySequence, resolve_rest
 
@@ -41,6 +48,10 @@ def _narrowed(reading: Reading, places: list[Place]) -> list[Place]:
     found: list[Place] = []
     for place in places:
         before = found[-1] if found else None
+        if before is not None and _is_apposed(reading, before, place):
+            found[-1] = replace(before, last=place.last)
+            reading.take(before.first, place.last)
+            continue
         several = len(place.refs) > 1 or place.refs[0].kind == "range"
         if before is not None and before.refs[0].kind == "every" and several:
             gap = reading.words(before.last, place.first)
@@ -50,6 +61,13 @@ def _narrowed(reading: Reading, places: list[Place]) -> list[Place]:
                 continue
         found.append(place)
     return found
+
+
+def _is_apposed(reading: Reading, before: Place, place: Place) -> bool:
+    """Whether a storey only tells where the one before lies: "on the first floor, so directly above ground floor"."""
+    end = reading.appositive(before.last)
+    closing = reading.word(place.last)
+    return 0 < place.first - end + 1 <= 2 and end > before.last and (closing in CLOSERS or closing in COPULAS)
 
 
 def _below_the_top(reading: Reading, places: list[Place]) -> list[Place]:
@@ -79,6 +97,8 @@ def _with_edges(reading: Reading, place: Place) -> Place:
     if led:
         first -= 1
     last = place.last
+    if reading.words(last, last + 2) == (",", "the") and reading.word(last + 2) in TOPS | {"lowest"}:
+        last += 3 * (reading.word(last + 3) == ",")  # "on the second floor, the highest, ten offices"
     if reading.word(last) == "(" and reading.word(last + 2) == ")" and reading.kind(last + 1) == "word":
         last += 3
     counted = reading.kind(last + 1) == "number" and reading.words(last + 2, last + 4) == ("of", "them")
@@ -90,9 +110,9 @@ def _with_edges(reading: Reading, place: Place) -> Place:
     return replace(place, first=first, last=last, led=led or each, heading=heading or place.heading)
 
 
-_UPSTAIRS = frozenset("upper other guest remaining sleeping bedroom residential".split())
-"""What storeys above the ground floor are called together: "on each sleeping level"."""
-
+_ALIKE = frozenset({"same", "identical", "alike", "equal", "similar"})
+_ALL_ALIKE = _ALIKE | frozenset("is are be all both the , exactly".split())
+"""Words between storeys that are said to be alike and "each" of them."""
 
 _SAID_OF_BOTH = frozenset("is are be has have hold contain there each both we should must will need with same".split())
 """Words after two storeys that are told of together."""
@@ -272,6 +292,9 @@ class _Scanner:
             return [FloorRef("middle")], last
         if reading.word(index - 1) in ("these", "those") and self.places:
             return self._gathered(many, index), last
+        floors = int(reading.facts.floors[0].value) if reading.facts.floors else 0
+        if many > 1 and floors == many + 1:
+            return [FloorRef("range", 2, floors)], last  # "a ground floor and three floors above ... the three floors"
         return [FloorRef("every")], last
 
     def _elliptic_set(self, index: int, at: int, last: int, lead: str) -> bool:
@@ -386,7 +409,14 @@ class _Scanner:
     def _each_of_those_counted(self, index: int) -> tuple[list[FloorRef], int] | None:
         """Read "three floors, each with 12 rooms"."""
         reading = self.reading
-        if reading.word(index) != "each" or reading.word(index - 1) != "," or self._names_several(index):
+        if reading.word(index) != "each" or reading.word(index - 1) != ",":
+            return None
+        before = self.places[-1] if self.places else None
+        gap = set(reading.words(before.last, index)) if before is not None else set()
+        alike = gap <= _ALL_ALIKE and not gap.isdisjoint(_ALIKE)
+        if alike and before is not None and reading.sentence[before.first] == reading.sentence[index]:
+            return list(before.refs), index + 1  # "the three upper floors are the same, each having two flats"
+        if self._names_several(index):
             return None
         counted = reading.word(index - 2) in FLOOR_WORDS and index - 2 in reading.taken
         has = reading.word(index + 1) in ("with", "has", "having", "have", "contain", "hold")
@@ -441,7 +471,7 @@ class _Scanner:
         if counted and reading.value(last) > 1 and not reading.facts.floors:
             reading.facts.floors.append(Quantity(reading.value(last), reading.span(last, last + 2)))
         last += reading.kind(last) == "number"
-        upper = reading.word(last) in _UPSTAIRS
+        upper = reading.word(last) in UPSTAIRS
         last += upper or reading.word(last) in ("residential", "office", "typical")
         if reading.word(last) not in FLOOR_WORDS:
             return None

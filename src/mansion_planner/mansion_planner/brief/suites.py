@@ -8,18 +8,20 @@ from functools import cached_property
 from mansion_planner.brief.phrase import Phrase
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
 
-__all__ = ["Suites", "read_suites"]
+__all__ = ["PRIVATE", "SLEEPING", "Suites", "read_suites"]
 
-_SLEEPING = frozenset(
+SLEEPING = frozenset(
     """
     bedroom master_bedroom guest_room childrens_room hotel_room hotel_suite resident_room patient_room dorm_room
     apartment studio_apartment
     """.split()
 )
+"""Types of rooms that people sleep in, which may have rooms for themselves."""
 _SHARED = frozenset({"shared", "common", "communal"})
-_PRIVATE = frozenset(
+PRIVATE = frozenset(
     {"bathroom", "ensuite_bathroom", "toilet", "walk_in_closet", "dressing_room", "shower_area", "restroom", "pantry"}
 )
+"""Types of rooms that others have for themselves as a rule."""
 
 
 @dataclass(frozen=True)
@@ -183,7 +185,7 @@ class _Pair:
         """Whether rooms to sleep in have as many rooms that are called en suite: "bedrooms with en-suite bathrooms"."""
         ensuite = self.phrase.room_type == "ensuite_bathroom" or self.phrase.name.startswith("ensuite_")
         several = self.phrase.plural and not self.phrase.counted and self.owner.plural
-        return ensuite and several and self.owner.room_type in _SLEEPING and self.gap <= {"with", "having", "and"}
+        return ensuite and several and self.owner.room_type in SLEEPING and self.gap <= {"with", "having", "and"}
 
     def _ends_in_each(self) -> bool:
         return self.reading.word(self.phrase.last) == "each"
@@ -213,12 +215,12 @@ class _Pair:
         mine = "own" in self.gap or self.phrase.determiner == "own"
         mine = mine or self.reading.word(self.phrase.begin) in ("own", "private")
         its = "its" in self.gap or self.phrase.determiner == "its"
-        return self.has() and (mine or (its and self.phrase.room_type in _PRIVATE))
+        return self.has() and (mine or (its and self.phrase.room_type in PRIVATE))
 
     def _is_private(self) -> bool:
         """Whether a room to sleep in has a room that is private as a rule: "a bedroom with a bathroom"."""
-        private = self.phrase.room_type in _PRIVATE and self.owner.room_type in _SLEEPING
-        return private and "with" in self.gap and not self.is_several()
+        private = self.phrase.room_type in PRIVATE and self.owner.room_type in SLEEPING
+        return private and not {"with", "having"}.isdisjoint(self.gap) and not self.is_several()
 
 
 def _twins(pair: _Pair, phrases: Sequence[Phrase], before: Sequence[int]) -> list[int]:

@@ -12,7 +12,9 @@ __all__ = [
     "foreign_storeys",
     "gross_areas",
     "kinds_of_area",
+    "metering",
     "open_decks",
+    "workplaces",
 ]
 
 
@@ -49,7 +51,8 @@ _APART = frozenset(
 
 _GROSS = (
     *((word, middle, "area") for word in ("gross", "total", "overall") for middle in ("floor", "internal", "external")),
-    ("gross", "area"), ("built", "up", "area"), ("built", "-", "up", "area"), ("gfa",), ("gia",), ("gea",),
+    ("in", "sum"), ("summing", "up", "to"), ("adding", "up", "to"), ("gross", "area"),
+    ("built", "up", "area"), ("built", "-", "up", "area"), ("gfa",), ("gia",), ("gea",),
 )  # fmt: skip
 """What the area of all storeys is called in a schedule."""
 
@@ -123,6 +126,53 @@ def _seating_verbs(tokens: list[Token], nouns: frozenset[str]) -> list[Token]:
             continue
         result.append(replace(token, text="for", plural=False) if verb and counted else token)
     return result
+
+
+_WORKPLACES = frozenset("desk workstation workplace seat position employee worker people staff".split())
+_AROUND_PLAN = frozenset({",", "(", ":", "-", "–", "with", "for", "of", "about", "to", "at", "least"})
+
+
+def workplaces(tokens: list[Token]) -> list[Token]:
+    """Read "80 covers" as 80 seats, and "open plan, 30 desks" as an open plan office with them.
+
+    "An open plan kitchen" stays what it is, and "bed covers" are not counted by a number before them.
+    """
+    result: list[Token] = []
+    for index, token in enumerate(tokens):
+        before = result[-1] if result else None
+        counted = before is not None and before.kind == "number" and before.value >= _FEWEST_COVERS
+        if counted and token.text == "cover" and token.plural:
+            token = replace(token, text="seat")
+        result.append(token)
+        if (before.text if before is not None else "", token.text) == ("open", "plan") and _has_desks(
+            tokens, index + 1
+        ):
+            result.append(replace(token, text="office", start=token.end))
+    return result
+
+
+def metering(tokens: list[Token]) -> list[Token]:
+    """Read the meter of "an electrical meter room" as a noun: no number stands before it."""
+    return [
+        replace(token, kind="word", text="meter")
+        if token.text == "m" and token.end - token.start > 1 and index and tokens[index - 1].kind != "number"
+        else token
+        for index, token in enumerate(tokens)
+    ]
+
+
+_FEWEST_COVERS = 8
+"""Covers that a house for eating out has at least; fewer may cover something."""
+
+
+def _has_desks(tokens: list[Token], index: int) -> bool:
+    """Whether a number of desks follows right after some marks: ", 30 desks", "(24 desks)", "for 40 people"."""
+    at = index
+    while at < len(tokens) and at < index + 4 and tokens[at].text in _AROUND_PLAN:
+        at += 1
+    if not index < at < len(tokens) - 1 or tokens[at].kind != "number":
+        return False
+    return any(token.text in _WORKPLACES for token in tokens[at + 1 : at + 3])
 
 
 _FOREIGN_STOREYS = {"etage": "floor", "niveau": "level", "niveaux": "level", "planta": "floor", "plant": "floor"}

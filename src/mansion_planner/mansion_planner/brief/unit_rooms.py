@@ -224,6 +224,7 @@ class UnitRooms:
         """Return the rooms listed right before a token."""
         rooms: list[Phrase] = []
         while True:
+            end -= self.reading.word(end - 1) in ("also", "too")
             room = next(
                 (p for p in self.phrases if p.last == end and p.head == "room" and p.first not in self.found.units),
                 None,

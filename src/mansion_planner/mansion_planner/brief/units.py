@@ -35,6 +35,9 @@ _ONE_HOME = frozenset({"flat", "studio_flat", "penthouse", "flat_share"})
 _DWELLINGS = GENERAL | {"maisonette", "studio", "penthouse", "house", "bungalow", "townhouse", "villa", "duplex"}
 """Nouns of dwellings: another one that the knowledge base takes for one ("malt loft") is none by itself."""
 
+_LISTING = frozenset({"with", "of", "having", "containing", "comprising", "including"})
+"""Words between a dwelling and the list of its rooms."""
+
 _ROWS = _ONE_HOME | {"house", "townhouse", "villa", "bungalow", "cottage"}
 
 _BEDS = frozenset({"bed", "bedroom", "br", "bedroomed", "bedded", "bdr"})
@@ -181,6 +184,8 @@ class _Units:
             return own and (phrase.room_type in LODGINGS or phrase.name.rpartition("_")[2] in _NOUNS)
         if not self.reading.knowledge.room(phrase.room_type).unit:
             return False
+        if self._heads_list(phrase) and phrase.name.rpartition("_")[2] in GENERAL - {"unit", "room"}:
+            return True
         if phrase.building and phrase.building not in _HOMES:
             lone = phrase.name.endswith("_residence") and not self.at_home
             return several or lone
@@ -191,6 +196,14 @@ class _Units:
         if phrase.determiner in ("the", "his", "her", "our", "my") and not phrase.plural:
             return "_" in phrase.name  # "the caretaker's flat", and not the flat that is planned
         return several or phrase.plural or phrase.determiner in ALL | {"a", "an", "another"} or phrase.counted
+
+    def _heads_list(self, phrase: Phrase) -> bool:
+        """Whether the dwelling heads a list of rooms: "first floor is the flat: ...", "upstairs: flat with ..."."""
+        reading = self.reading
+        one = not phrase.plural and phrase.determiner not in ALL
+        opened = one and reading.word(phrase.last) in (":", "(")
+        headed = not phrase.determiner and reading.word(phrase.first - 1) in (":", "=")
+        return opened or (headed and reading.word(phrase.last) in _LISTING)
 
     def _plain(self, phrase: Phrase) -> Phrase:
         """Return a unit by its noun alone; the number of bedrooms in it is kept apart."""

@@ -41,6 +41,8 @@ _REQUESTS = frozenset(
 
 def _is_content(reading: Reading, index: int) -> bool:
     token = reading.tokens[index]
+    if token.text == "one" and reading.word(index + 1) == "another":
+        return False
     if token.kind == "number":
         bed = token.text == "double" and reading.word(index + 1) == "bed" and index + 1 in reading.taken
         return not (bed or _numbers_line(reading, index))
@@ -62,12 +64,16 @@ def _is_content(reading: Reading, index: int) -> bool:
     around = reading.word(index + 1) in ("around", "round") and reading.word(index + 2) in ("a", "an", "the", "one")
     if token.text in _LAID and around and _YARDS & set(reading.words(index + 2, index + 6)):
         return False  # "wrapped around a courtyard"
+    if token.text in ("around", "round") and reading.word(index + 1) in ("it", "them", "this", "that"):
+        return True  # "a hall with the shops around it"
     if token.text in ("around", "round") and reading.word(index + 1) in ("a", "an", "the", "one"):
         return not _YARDS & set(reading.words(index + 1, index + 5))
     if token.text == "like" and reading.word(index + 1) == "the" and _names_storey(reading, index + 2):
         return True  # "the third floor is like the second floor"
     if token.text == "only" and (reading.word(index + 1) in _WAYS or _after_way(reading, index)):
         return True  # "reached only through the kitchen", "from the kitchen only"
+    if _keeps_to_itself(reading, index):
+        return True
     if token.text == "only" and reading.plural(index - 1) and reading.breaks(index + 1):
         return True  # "on the first floor we want bedrooms only"
     return (
@@ -77,6 +83,14 @@ def _is_content(reading: Reading, index: int) -> bool:
         and token.text not in FLOOR_WORDS
         and token.text not in _REQUESTS
         and len(token.text) > 1
+    )
+
+
+def _keeps_to_itself(reading: Reading, index: int) -> bool:
+    """Whether a word says that a storey is for nobody or nothing else: "the third floor is private", "exclusively"."""
+    said = reading.word(index - 1) in ("is", "are", "be", "stay", "remain")
+    return reading.word(index) in ("exclusively", "solely", "purely") or (
+        said and reading.word(index) in ("private", "public")
     )
 
 

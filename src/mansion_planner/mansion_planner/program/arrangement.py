@@ -1,5 +1,6 @@
 """Arrange the storeys: the massing in which most wished neighbours are side by side."""
 
+import itertools
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -28,7 +29,7 @@ from mansion_planner.program.model import (
 )
 from mansion_planner.program.outline import Envelope, Frame, envelope_of
 from mansion_planner.program.plan_quality import comes_out_as_strips
-from mansion_planner.program.public_toilets import with_public_toilets
+from mansion_planner.program.public_toilets import TOILETS, with_public_toilets
 from mansion_planner.program.storey_forms import capacity, sketched
 from mansion_planner.program.storey_rooms import Allocation, fill_storey, fit_areas, hub_area, name_rooms
 
@@ -159,8 +160,16 @@ def wanted_pairs(decisions: Decisions) -> list[tuple[str, str]]:
 
 
 def unwanted_pairs(decisions: Decisions) -> list[tuple[str, str]]:
-    """Return the rooms that the brief wants apart."""
-    return [_names(fact) for fact in decisions.facts.apart]
+    """Return the rooms that the brief wants apart; away from "the toilets" is away from those of every type."""
+    pairs: list[tuple[str, str]] = []
+    for fact in decisions.facts.apart:
+        first, second = _names(fact)
+        pairs += itertools.product(_meant(first, fact.first), _meant(second, fact.second))
+    return pairs
+
+
+def _meant(name: str, kind: str) -> tuple[str, ...]:
+    return tuple(dict.fromkeys((name, *TOILETS))) if kind in TOILETS and "_" not in name else (name,)
 
 
 def _names(fact: AdjacencyFact) -> tuple[str, str]:

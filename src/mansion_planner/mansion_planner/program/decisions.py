@@ -134,13 +134,16 @@ def _infer_building(facts: BriefFacts, knowledge: KnowledgeBase) -> str:
     """Return the building type that the uses, rooms and occupants of a brief suggest."""
     if len({use.building_type for use in facts.uses}) > 1:
         return "mixed_use"
-    if facts.uses:
-        return facts.uses[0].building_type
+    homes = sum(room.count or 2 for room in facts.rooms if room.unit)
+    use = facts.uses[0].building_type if facts.uses else ""
+    if use and (homes != 1 or use == "apartment_building"):
+        return use  # a practice below a single flat does not make a clinic of a home
     votes: dict[str, float] = {}
     for room in facts.rooms:
         kinds = [knowledge.room(part.room_type) for part in (room, *room.suite)]
-        hint = next((kind.suggests for kind in kinds if kind.suggests), "")
-        if hint:
+        hints = [kind.suggests for kind in kinds if kind.suggests]
+        alone = room.unit and room.count == 1 and not room.each
+        for hint in hints[: None if alone else 1]:
             votes[hint] = votes.get(hint, 0.0) + min(room.count or 2, 4)
     for occupants in facts.occupants:
         hint = _PEOPLE_HINTS.get(occupants.noun, "")

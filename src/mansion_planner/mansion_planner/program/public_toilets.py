@@ -10,7 +10,7 @@ from mansion_knowledge.norms import load_norms
 from mansion_planner.program.model import PlannedRoom, Storey
 from mansion_planner.program.storey_rooms import Allocation, planned_room
 
-__all__ = ["with_public_toilets"]
+__all__ = ["TOILETS", "with_public_toilets"]
 
 _STALL = 5.0
 """Square metres of a restroom for one water closet or urinal, with its basin and the way to it."""
@@ -21,7 +21,8 @@ _LEAST = 8.0
 _MOST_SHARE = 0.15
 """Of a storey's rooms, what toilets may take beyond those of its own list: a small storey keeps its rooms."""
 
-_TOILETS = ("restroom", "toilet", "accessible_toilet")
+TOILETS = ("restroom", "toilet", "accessible_toilet")
+"""Types of rooms that "the toilets" of a building may be."""
 
 
 def with_public_toilets(
@@ -37,8 +38,8 @@ def with_public_toilets(
         Square metres of the storey's hub, where it is its main room.
     """
     kept = list(rooms)
-    own = [room for room in kept if room.kind.name in _TOILETS]
-    settled = any(room.stated for room in own) or not all(allocation.adds(name, storey.index) for name in _TOILETS)
+    own = [room for room in kept if room.kind.name in TOILETS]
+    settled = any(room.stated for room in own) or not all(allocation.adds(name, storey.index) for name in TOILETS)
     if settled or storey.role not in ("single", "ground"):
         return kept
     before, whole = sum(room.gross for room in own), sum(room.gross for room in kept)

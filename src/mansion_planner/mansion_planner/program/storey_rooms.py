@@ -34,8 +34,8 @@ class Allocation:
         Room types whose number the brief settles; no storey adds more.
     unwanted : dict of int to frozenset of str
         Room types that the brief does not want on a storey.
-    complete : bool
-        The brief wants no room but those that it names.
+    complete : frozenset of int
+        Storeys on which the brief wants no room but those that it names.
     furniture : dict of str to float
         Square metres that the furniture wanted in rooms of a name needs.
     households : dict of str to RoomFact
@@ -45,7 +45,7 @@ class Allocation:
     wanted: dict[int, list[RoomFact]] = field(default_factory=dict)
     settled: frozenset[str] = frozenset()
     unwanted: dict[int, frozenset[str]] = field(default_factory=dict)
-    complete: bool = False
+    complete: frozenset[int] = frozenset()
     furniture: dict[str, float] = field(default_factory=dict)
     households: dict[str, RoomFact] = field(default_factory=dict)
 
@@ -59,7 +59,8 @@ class Allocation:
 
     def adds(self, room_type: str, floor: int) -> bool:
         """Whether a storey may have rooms of a type that the brief does not ask for."""
-        return not self.complete and room_type not in self.settled and room_type not in self.unwanted.get(floor, ())
+        refused = room_type in self.settled or room_type in self.unwanted.get(floor, ())
+        return floor not in self.complete and not refused
 
 
 def _people_rooms(decisions: Decisions, knowledge: KnowledgeBase) -> tuple[RoomFact, str] | None:
@@ -162,11 +163,18 @@ def allocate(decisions: Decisions, knowledge: KnowledgeBase, storeys: Sequence[S
         wanted=wanted,
         settled=_settled_types(facts, decisions, knowledge),
         unwanted=_unwanted_types(wanted, decisions, knowledge),
-        complete=bool(decisions.facts.only),
+        complete=_complete_storeys(decisions, storeys),
         furniture=furniture,
         households={knowledge.room(fact.room_type).counts_as: fact for fact in decisions.facts.households},
     )
     return allocation, Record(tuple(trace))
+
+
+def _complete_storeys(decisions: Decisions, storeys: Sequence[Storey]) -> frozenset[int]:
+    """Return the storeys on which the brief names all rooms."""
+    if decisions.facts.only:
+        return frozenset(storey.index for storey in storeys)
+    return frozenset(floor for _, refs in decisions.facts.only_on for floor in floors_of(refs, decisions))
 
 
 def _settled_types(facts: Iterable[RoomFact], decisions: Decisions, knowledge: KnowledgeBase) -> frozenset[str]:
@@ -181,6 +189,8 @@ def _settled_types(facts: Iterable[RoomFact], decisions: Decisions, knowledge: K
         if fact.count is not None and not (kind.common and fact.count == 1):
             settled.update(name for name, other in knowledge.rooms.items() if other.counts_as == kind.counts_as)
             settled.update(next((group for group in _SAME_USE if kind.name in group), ()))
+            if kind.name == "private_office" and decisions.building.family != "office":
+                settled.add("open_office")  # a factory with two offices has no third one
             if fact.count > 1:
                 settled.update(_same_head(fact.name, knowledge))
                 settled.update(_LEAVES_OUT.get(kind.name, ()))
@@ -227,7 +237,12 @@ def _same_head(name: str, knowledge: KnowledgeBase) -> set[str]:
     head = name.rpartition("_")[2]
     if head in _GENERAL_HEADS:
         return set()
-    return {room for room in knowledge.rooms if room.rpartition("_")[2] == head}
+    heads = next((group for group in _HEADS_ALIKE if head in group), {head})
+    return {room for room in knowledge.rooms if room.rpartition("_")[2] in heads}
+
+
+_HEADS_ALIKE = (frozenset({"lab", "laboratory"}),)
+"""Nouns that mean the same at the end of a room's name."""
 
 
 def _number_of(fact: RoomFact) -> int:

@@ -7,8 +7,12 @@ from mansion_planner.brief.facts import AdjacencyFact, BriefFacts, RoomFact
 
 __all__ = ["as_meant_in"]
 
-_MEANT = {"kitchen": "commercial_kitchen", "open_kitchen": "commercial_kitchen", "dining_room": "restaurant"}
-"""Rooms of homes, by their plain names, and what they are where a building has that for its guests."""
+_MEANT = {
+    "kitchen": ("commercial_kitchen",), "open_kitchen": ("commercial_kitchen",), "dining_room": ("restaurant",),
+    "private_room": ("resident_room", "patient_room"), "single_room": ("resident_room", "patient_room"),
+    "child_room": ("childrens_area",), "kid_room": ("childrens_area",),
+}  # fmt: skip
+"""Plain names of rooms, and what they are where a building has that for its guests, the likeliest first."""
 
 _PRIVATE = frozenset({"bedroom", "master_bedroom", "living_room", "bathroom"})
 
@@ -31,7 +35,8 @@ def as_meant_in(building: BuildingType, facts: BriefFacts) -> BriefFacts:
     """
     own = {entry.room_type for entries in building.storeys.values() for entry in entries} | {building.hub}
     stated = {room.room_type for room in facts.rooms}
-    meant = {plain: kind for plain, kind in _MEANT.items() if kind in own and kind not in stated}
+    kinds = {plain: next((kind for kind in found if kind in own), "") for plain, found in _MEANT.items()}
+    meant = {plain: kind for plain, kind in kinds.items() if kind and kind not in stated}
     at_home = {room.floors for room in facts.rooms if room.room_type in _PRIVATE}
     if not meant or any(room.name in meant and room.floors in at_home for room in facts.rooms):
         return facts

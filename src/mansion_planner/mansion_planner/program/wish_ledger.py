@@ -218,6 +218,8 @@ class _Ledger:
             self.add("occupants", occupant.span, WishValue(name=occupant.noun, count=occupant.count))
         for span in facts.only:
             self.add("only", span, WishValue())
+        for span, refs in facts.only_on:
+            self.add("only", span, WishValue(), Scope(floors=self.floors(refs)))
         self._vertical()
         for room in (*facts.rooms, *facts.households):
             self._room(room)

@@ -1,0 +1,99 @@
+"""Read which of several bedrooms have a bathroom: "four bedrooms, of which one with its own bathroom"."""
+
+from dataclasses import dataclass, replace
+
+from mansion_planner.brief.phrase import Phrase
+from mansion_planner.brief.reading import Reading
+from mansion_planner.brief.suites import PRIVATE, SLEEPING
+
+__all__ = ["with_some_en_suite"]
+
+_OPENERS = frozenset({",", "(", "-", "–", ":", ";"})
+_PARTS = frozenset({"which", "them", "these", "those", "whom"})
+_MAIN = frozenset("main master principal largest biggest larger bigger parental guest first".split())
+_HAVING = frozenset({"with", "has", "have", "having", "get", "getting"})
+_VERBS = frozenset("is are be being shall should must will to need".split()) | _HAVING
+_OF_THE_ROOM = frozenset("the its an a own private attached separate with small en suite their each".split())
+
+
+@dataclass(frozen=True)
+class _Part:
+    """Some of several rooms: tokens `first` to `last` (exclusive) name them, as a phrase of their own or not."""
+
+    first: int
+    last: int
+    count: int
+    named: Phrase | None = None
+
+
+def with_some_en_suite(reading: Reading, phrases: list[Phrase]) -> list[Phrase]:
+    """Return the phrases with those of several rooms to sleep in that have a bathroom as rooms of their own.
+
+    "Three bedrooms, out of which the master bedroom is having attached bathroom" are two bedrooms and a master bedroom
+    with a bathroom; what owns the bathroom is read from the words between the two.
+    """
+    found: list[Phrase] = []
+    for phrase in phrases:
+        if any(other.begin == phrase.begin for other in found):
+            continue  # the room that is singled out
+        several = phrase.head == "room" and phrase.counted and (phrase.count or 0) > 1 and phrase.room_type in SLEEPING
+        part = _part(reading, phrases, phrase) if several else None
+        if part is None or part.count >= (phrase.count or 0):
+            found.append(phrase)
+            continue
+        reading.take(phrase.last, part.last)
+        found += [replace(phrase, count=(phrase.count or 0) - part.count), _singled_out(phrase, part)]
+    return found
+
+
+def _singled_out(phrase: Phrase, part: _Part) -> Phrase:
+    """Return the phrase of the rooms that have a bathroom."""
+    if part.named is not None:
+        return replace(part.named, determiner="")
+    noun = phrase.name.rpartition("_")[2]
+    return replace(
+        phrase, first=part.first, begin=part.first, noun_end=part.last, last=part.last, count=part.count, counted=True,
+        plural=part.count > 1, determiner="each" if part.count > 1 else "", name=f"{noun}_suite",
+        label=f"{noun} suite", areas=(),
+    )  # fmt: skip
+
+
+def _part(reading: Reading, phrases: list[Phrase], phrase: Phrase) -> _Part | None:
+    """Return the rooms that a clause after several says to have a bathroom, if it says so of some."""
+    at = phrase.last
+    while reading.word(at) in _OPENERS:
+        at += 1
+    at += reading.word(at) == "out"
+    of_which = reading.word(at) == "of" and reading.word(at + 1) in _PARTS
+    at += 2 * of_which
+    if at == phrase.last:
+        return None
+    part = _subject(reading, phrases, at, of_which=of_which)
+    if part is None:
+        return None
+    end = part.last
+    while reading.word(end) in _VERBS:
+        end += 1
+    if _HAVING.isdisjoint(reading.words(part.last, end)):
+        return None
+    while reading.word(end) in _OF_THE_ROOM:
+        end += 1
+    owned = any(p.first <= end <= p.begin + 1 and p.room_type in PRIVATE for p in phrases)
+    return part if owned else None
+
+
+def _subject(reading: Reading, phrases: list[Phrase], at: int, *, of_which: bool) -> _Part | None:
+    """Return what "one", "two of them", "the master bedroom" or "the main one" at a token singles out."""
+    value = reading.value(at)
+    if reading.kind(at) == "number" and value == int(value) >= 1:
+        of_them = reading.word(at + 1) == "of" and reading.word(at + 2) in _PARTS
+        return _Part(at, at + 1 + 2 * of_them, int(value))
+    definite = reading.word(at) in ("the", "our", "its")
+    begin = at + definite
+    named = next((p for p in phrases if p.begin == begin and p.head == "room" and p.room_type in SLEEPING), None)
+    if named is not None:
+        single = named.count == 1 and not named.plural
+        return _Part(at, named.last, 1, named) if single and (definite or of_which) else None
+    if definite and reading.word(begin) in _MAIN and reading.word(begin + 1) == "one":
+        return _Part(at, begin + 2, 1)
+    return None

@@ -1,0 +1,51 @@
+"""Those of several bedrooms that have a bathroom are rooms of their own; one more bathroom is one for the others."""
+
+import pytest
+
+from mansion_knowledge import default_knowledge
+from mansion_planner.brief import read_brief
+from mansion_planner.brief.facts import RoomFact
+
+
+def _rooms(text: str) -> list[RoomFact]:
+    return read_brief(text, default_knowledge()).rooms
+
+
+@pytest.mark.parametrize(
+    ("text", "without", "with_bathroom"),
+    [
+        ("Three bedrooms out of which the master bedroom is having attached bathroom, and a hall", 2, 1),
+        ("A house with four bedrooms, out of which two are having attached bathroom", 2, 2),
+        ("A villa with five bedrooms, of which one with the own bathroom, and a kitchen", 4, 1),
+        ("A flat of three bedrooms, of which the main one is with attached toilet", 2, 1),
+        ("House with 3 bedrooms, the master one having ensuite bath, single storey", 2, 1),
+        ("Flat with two bedrooms, the larger one with its own shower room", 1, 1),
+        ("A house with four bedrooms (one with an en-suite bathroom) and a family bathroom", 3, 1),
+    ],
+)
+def test_some_of_the_bedrooms_have_a_bathroom(text: str, without: int, with_bathroom: int) -> None:
+    bedrooms = [room for room in _rooms(text) if room.room_type in ("bedroom", "master_bedroom")]
+    counts = {bool(room.suite): room.count for room in bedrooms}
+    assert counts == {False: without, True: with_bathroom}
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A house with three bedrooms, one bathroom and a garage",
+        "A house with three bedrooms, a master bedroom and a bathroom",
+        "A house with three bedrooms, two of them with a balcony, one bathroom",
+    ],
+)
+def test_other_bedrooms_keep_their_number(text: str) -> None:
+    rooms = _rooms(text)
+    assert [room.count for room in rooms if room.name == "bedroom"] == [3]
+    assert not any(room.suite for room in rooms)
+
+
+def test_a_second_bathroom_is_one_more() -> None:
+    facts = read_brief(
+        "A villa with four bedrooms, of which one with the own bathroom, and a second bathroom", default_knowledge()
+    )
+    assert [room.count for room in facts.rooms if room.room_type == "bathroom"] == [1]
+    assert facts.unread == []
