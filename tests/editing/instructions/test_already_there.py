@@ -33,6 +33,12 @@ def test_those_that_have_one_get_no_second(furnished_state: SceneState, spared: 
     assert statement.things.noun == "mug" and statement.things.amount.number == 1
 
 
+@pytest.mark.parametrize("spared", ["if there is one already leave it", "but not where there is one already"])
+def test_a_single_place_that_has_one_gets_no_second(furnished_state: SceneState, spared: str) -> None:
+    (statement,) = _asked(f"Put a mug on the dining table in the kitchen; {spared}.", furnished_state)
+    assert isinstance(statement, Ensure) and not statement.each
+
+
 @pytest.mark.parametrize(
     "other",
     [

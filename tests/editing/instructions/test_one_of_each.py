@@ -60,9 +60,45 @@ def test_one_in_each_of_several_rooms_stands_in_all_of_them(editor: SceneEditor)
     assert new in report.message
 
 
-def test_the_one_in_each_of_several_rooms_must_be_there(editor: SceneEditor) -> None:
-    report = instruct(editor, "Put a bowl on the dining table in the kitchen and the hall.")
-    assert not report.done and "F1/hall" in report.message
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Put a bowl on the dining table in every room.",
+        "Each room needs a bowl on the dining table.",
+        "A bowl on the dining table in each of the rooms, please.",
+    ],
+)
+def test_rooms_without_such_a_thing_are_told(editor: SceneEditor, text: str) -> None:
+    report = instruct(editor, text)
+    assert report.done, report.message
+    assert "F1/hall" in report.message and "have no dining table" in report.message
+    assert sum(item.category == "bowl" for _, item in editor.state.objects()) == 2
+
+
+@pytest.mark.parametrize(
+    ("text", "without"),
+    [
+        ("Put a bowl on the dining table in the kitchen and the hall.", "F1/hall"),
+        ("There should be a bowl on the dining table in the private office and the corridor.", "corridor"),
+    ],
+)
+def test_a_room_that_is_named_must_have_it(editor: SceneEditor, text: str, without: str) -> None:
+    before = len([*editor.state.objects()])
+    report = instruct(editor, text)
+    assert not report.done and "there is no dining table in" in report.message and without in report.message
+    assert len([*editor.state.objects()]) == before
+
+
+def test_one_of_several_in_a_room_is_given_it(editor: SceneEditor) -> None:
+    assert instruct(editor, "Add a second dining table to the private office.").done
+    report = instruct(editor, "Put a bowl on the dining table in each room.")
+    assert report.done, report.message
+    assert sum(item.category == "bowl" for _, item in editor.state.objects()) == 2
+
+
+def test_a_room_called_by_half_its_name_is_not_switched(state: SceneState) -> None:
+    assert read_instruction("Switch on the private.", state).not_understood
+    assert not read_instruction("Switch on the private office.", state).not_understood
 
 
 def test_a_side_table_in_a_bedroom_is_its_bedside_table(editor: SceneEditor) -> None:

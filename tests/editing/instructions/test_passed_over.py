@@ -110,11 +110,34 @@ def test_what_stays_in_a_state_needs_no_article(furnished_state: SceneState) -> 
 
 
 @pytest.mark.parametrize(
-    "once", ["Those which have one already don't need another.", "Who has one, has one.", "Those with one are fine."]
+    "once",
+    [
+        ". Those which have one already don't need another.",
+        ". Who has one, has one.",
+        ". Those with one are fine.",
+        ", those which already have one don't need another",
+        ", but tables with a mug don't get a second",
+        "; the ones that already have one can do without another one",
+        ", skip those that have one",
+        ", where there is one already that is enough",
+    ],
 )
 def test_what_has_one_gets_no_other(furnished_state: SceneState, once: str) -> None:
-    (request_, _) = _statements(f"Each dining table needs a mug. {once}", furnished_state)
+    (request_, _) = _statements(f"Each dining table needs a mug{once}", furnished_state)
     assert isinstance(request_, Ensure) and request_.each
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Put two mugs on each dining table; those which have one don't need another.",
+        "Put a red mug on each dining table; those which have one don't need another.",
+        "Put a mug on the dining table; those which have one don't need another.",
+        "Each dining table needs a mug, those with a plate don't need another.",
+    ],
+)
+def test_who_has_which_is_not_guessed(furnished_state: SceneState, text: str) -> None:
+    assert read_instruction(text, furnished_state).not_understood
 
 
 def test_what_is_cleared_keeps_what_remains(furnished_state: SceneState) -> None:

@@ -86,8 +86,8 @@ def _instead_of(
             raise refusal(f"there is not room enough on {receptacle.id} for {item.id} where {there.id} is")
         return placed
     reasons: list[str] = []
-    for shift in dict.fromkeys(((item.size[1] - there.size[1]) / 2, 0.0, (there.size[1] - item.size[1]) / 2)):
-        dx, dy = turned(0.0, shift, there.rotation)
+    for aside, shift in _shifts(item, there):
+        dx, dy = turned(aside, shift, there.rotation)
         posed = msgspec.structs.replace(
             item, room=there.room, mount=there.mount, parent=there.parent, position=_at_height(item, there)
         )
@@ -97,6 +97,17 @@ def _instead_of(
         except MansionError as error:
             reasons.append(error.info.message)
     raise refusal(f"{item.id} does not fit into the place of {there.id}: " + "; ".join(dict.fromkeys(reasons)))
+
+
+def _shifts(item: SceneObject, there: SceneObject) -> list[tuple[float, float]]:
+    """Return how far an object may stand beside the middle of another's place: to a side where it is wider."""
+    deeper = (item.size[1] - there.size[1]) / 2
+    wider = max(0.0, (item.size[0] - there.size[0]) / 2)
+    return [
+        (aside, shift)
+        for aside in dict.fromkeys((0.0, wider, -wider))
+        for shift in dict.fromkeys((deeper, 0.0, -deeper))
+    ]
 
 
 def _at_height(item: SceneObject, there: SceneObject) -> tuple[float, float, float]:

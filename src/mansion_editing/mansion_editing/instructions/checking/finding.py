@@ -8,12 +8,18 @@ import msgspec
 from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.descriptions import all_at, anchors_of, rooms_of
 from mansion_editing.instructions.meaning.nouns import is_fixed
-from mansion_editing.instructions.meaning.numbers import by_holder, counts_each, means_any_in_each_room, means_several
+from mansion_editing.instructions.meaning.numbers import (
+    by_holder,
+    counts_each,
+    is_one_of_each_room,
+    means_any_in_each_room,
+    means_several,
+)
 from mansion_editing.instructions.statements import Amount, Place, Rooms, Things
 from mansion_editing.state import SceneState
 from mansion_msgs_py.scene import SceneObject
 
-__all__ = ["Finding", "any_number", "at_shares", "numbers_meant", "shares_of"]
+__all__ = ["Finding", "any_number", "at_shares", "joined_by_room", "numbers_meant", "shares_of"]
 
 
 @dataclass(frozen=True)
@@ -95,6 +101,10 @@ def shares_of(place: Place, before: SceneState, after: SceneState, context: Cont
     if place.rooms is not None and means_any_in_each_room(place):
         each = rooms_of(before, place.rooms, context)
         return [msgspec.structs.replace(place, rooms=Rooms(words=room)) for room in each]
+    if is_one_of_each_room(place) and place.rooms is not None:
+        named = rooms_of(before, place.rooms, context)
+        own = [msgspec.structs.replace(place, rooms=Rooms(words=room)) for room in named]
+        return [share for here in own for share in shares_of(here, before, after, context)]
     if place.anchor is not None:
         found = anchors_of(before, place, context) or anchors_of(after, place, context)
         return [msgspec.structs.replace(place, anchor=Things(noun=item.id), rooms=None) for item in found]
@@ -110,3 +120,14 @@ def at_shares(
 ) -> list[set[str]]:
     """Return the ids of the objects at each share of a place."""
     return [{item.id for item in all_at(state, items, share, context)} for share in shares]
+
+
+def joined_by_room(place: Place, shares: Sequence[Place], at: Sequence[set[str]]) -> list[set[str]]:
+    """Return the ids at the shares of a place, those of one room together where words mean any one of them."""
+    if not is_one_of_each_room(place):
+        return list(at)
+    joined: dict[str, set[str]] = {}
+    for share, ids in zip(shares, at, strict=True):
+        room = "" if share.anchor is None else share.anchor.noun.rpartition("/")[0]
+        joined.setdefault(room, set()).update(ids)
+    return list(joined.values())

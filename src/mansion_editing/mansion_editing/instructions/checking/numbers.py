@@ -3,13 +3,21 @@
 import msgspec
 
 from mansion_editing.instructions.checking.differences import Differences, carried_below
-from mansion_editing.instructions.checking.finding import Finding, any_number, at_shares, numbers_meant, shares_of
+from mansion_editing.instructions.checking.finding import (
+    Finding,
+    any_number,
+    at_shares,
+    joined_by_room,
+    numbers_meant,
+    shares_of,
+)
 from mansion_editing.instructions.doing.work import listed
 from mansion_editing.instructions.meaning.choices import concerned
 from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.descriptions import all_at, anchors_of, carried_by, things_of
 from mansion_editing.instructions.meaning.nouns import is_loose
 from mansion_editing.instructions.meaning.numbers import means_any_in_each_room, means_several, new_number
+from mansion_editing.instructions.meaning.sparing import spared_among
 from mansion_editing.instructions.meaning.wording import place_words, thing_words
 from mansion_editing.instructions.statements import Add, Clear, Ensure, Place, Remove, Replace, Things
 from mansion_editing.state import SceneState
@@ -56,7 +64,7 @@ def check_add(statement: Add, before: SceneState, after: SceneState, context: Co
     things, place = _named(statement.things, context), _whole(statement.things, statement.place)
     alike = [item for item in things_of(after, any_number(things), context) if item.id in diff.added]
     shares = shares_of(place, before, after, context)
-    at = at_shares(after, alike, shares, context)
+    at = joined_by_room(place, shares, at_shares(after, alike, shares, context))
     new = set().union(*at)
     number = new_number(things)
     counts = [len(ids) for ids in at]
@@ -81,8 +89,8 @@ def check_ensure(
     number = new_number(things)
     words = any_number(things)
     shares = shares_of(place, before, after, context)
-    olds = at_shares(before, things_of(before, words, context), shares, context)
-    news = at_shares(after, things_of(after, words, context), shares, context)
+    olds = joined_by_room(place, shares, at_shares(before, things_of(before, words, context), shares, context))
+    news = joined_by_room(place, shares, at_shares(after, things_of(after, words, context), shares, context))
     if place.anchor is None and not _for_each(place, each=statement.each):
         olds, news = [set().union(*olds)], [set().union(*news)]
     good = [_is_number(kind, len(ids), number) for ids in news]
@@ -130,8 +138,8 @@ def check_clear(
     statement: Clear, before: SceneState, after: SceneState, context: Context, diff: Differences
 ) -> Finding:
     """Check that nothing loose is left but what is spared, and that only loose things left."""
-    spared = {item.id for things in statement.spare for item in things_of(before, things, context)} | context.kept
     there = _loose_at(statement.place, before, after, before, context)
+    spared = spared_among(before, statement.spare, there, context) | context.kept
     left = [item for item in _loose_at(statement.place, before, after, after, context) if item.id not in spared]
     bearing = {found[1].parent for name in spared if (found := after.find(name)) is not None}
     left = [item for item in left if item.id not in bearing]

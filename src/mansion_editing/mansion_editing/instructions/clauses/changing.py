@@ -128,8 +128,7 @@ class Changing(Wishes, Moving, Sizes):
         found = self._predicate(item, end, at)
         if found is not None:
             return found
-        kind = self.phrase(end)
-        if kind is not None and kind.noun.kind in ("room", "both") and item.phrase.noun.kind in ("room", "both"):
-            words = " ".join((*filter(None, [kind.noun.owned]), *kind.noun.words))
-            return [Furnish(rooms=item.rooms(), kind=words, quote=self.quote(at, kind.end))], kind.end
+        kind = self.kind_of_room(end) if item.phrase.noun.kind in ("room", "both") else None
+        if kind is not None:
+            return [Furnish(rooms=item.rooms(), kind=kind[0], quote=self.quote(at, kind[1]))], kind[1]
         raise NotUnderstood(at, self.boundary(at))

@@ -1,5 +1,8 @@
 """Rooms and furniture that are given things."""
 
+from abc import abstractmethod
+from typing import Final
+
 import msgspec
 
 from mansion_editing.instructions.clauses.items import Item, NotUnderstood
@@ -11,45 +14,28 @@ from mansion_editing.instructions.statements import Add, Amount, Ensure, Stateme
 
 __all__ = ["Giving"]
 
+_LOADING: Final = frozenset("load fill pack stock".split())
+"""Verbs that name what is filled, or what it is filled with."""
+_HOLDING: Final = frozenset(["on", "in"])
+
 
 class Giving(Outcomes):
     """Reads ``equip the office with two desks``."""
 
     def _equip(self, at: int, place: int) -> tuple[list[Statement], int]:
-        """Read ``equip the office with two desks``, ``fill the basket with apples``."""
+        """Read ``equip the office with two desks``, ``fill the basket with apples``, ``load the books on the cart``."""
+        loaded = self._loaded(at, place)
+        if loaded is not None:
+            return loaded
         where = self.holder_at(place)
-        served = False
+        served = where is not None and self.text(where.end) == "for" and not self._further(where.end)
         persons = self._persons_served(where)
-        if where is not None and self.text(where.end) == "for":
-            further = {w.text for w in self.words[where.end : where.end + 4]} & {
-                "more",
-                "extra",
-                "additional",
-                "another",
-            }
-            served = not further
-        if where is not None and self.text(where.end) == "for":
-            colon = next(
-                (k for k in range(where.end, min(where.end + 6, len(self.words))) if self.text(k) in (":", "with")),
-                None,
-            )
-            if colon is None:
-                raise NotUnderstood(at, self.boundary(at))
-            where = Item(where.phrase, where.places, colon)
-        elif where is not None and self.text(where.end) == ":":
-            more, start = self._skip_storey(where.end + 1)
-            where = Item(where.phrase, (*where.places, *more), start - 1)
-        elif where is None or self.text(where.end) not in ("with",):
-            joint = next((k for k in range(place, len(self.words)) if self.text(k) == "with"), None)
-            if joint is None:
-                raise NotUnderstood(at, self.boundary(at))
-            where = self.until(joint).item(place)
-            if where is None:
-                raise NotUnderstood(at, self.boundary(at))
-            where = Item(where.phrase, where.places, joint)
+        where = self._holder_before_list(at, place, where)
         items = self.items(where.end + 1)
         end = items[-1].end
         goal = self._receiver(where)
+        if goal.anchor is not None and self.text(at) in _LOADING and self._opens(where):
+            goal = msgspec.structs.replace(goal, relation="in")
         each = where.phrase.each or where.phrase.amount.kind == "all" or (where.phrase.plural and where.phrase.definite)
         quote = self.quote(at, end)
         out = [self._given(item, goal, quote, each=each) for item in items]
@@ -72,6 +58,54 @@ class Giving(Outcomes):
         per = self.text(at) == "per" or (self.text(at), self.text(at + 1)) == ("for", "each")
         after = at + 1 + (self.text(at) == "for")
         return after + 1 if per and self.text(after) in PEOPLE | PERSONS | {"head", "seat"} else at
+
+    def _further(self, at: int) -> bool:
+        """Whether words after a holder ask for more than there is: ``set the table for two more people``."""
+        return bool({word.text for word in self.words[at : at + 4]} & {"more", "extra", "additional", "another"})
+
+    def _opens(self, where: Item) -> bool:
+        return self.lexicon.takes_state(where.phrase.noun.words, "open")
+
+    def _loaded(self, at: int, place: int) -> tuple[list[Statement], int] | None:
+        """Read ``load the books on the cart``, where what the verb is followed by is no holder but what goes there."""
+        if self.text(at) not in _LOADING:
+            return None
+        item = self.item(place)
+        if item is None or item.is_room or self.text(item.end) in ("with", "for", ":"):
+            return None
+        last = self.items(place)[-1]
+        held = [p for p in last.places if not p.source and p.place.anchor is not None and p.place.relation in _HOLDING]
+        return self._add(at, place) if held and self.text(last.end) != "with" else None
+
+    @abstractmethod
+    def _add(self, at: int, place: int) -> tuple[list[Statement], int]:
+        """Read what is put somewhere."""
+
+    def _holder_before_list(self, at: int, place: int, where: Item | None) -> Item:
+        """Return what is given things, which ends before the ``with`` or the colon of their list.
+
+        Raises
+        ------
+        NotUnderstood
+            Where there is no such word.
+        """
+        after = "" if where is None else self.text(where.end)
+        if where is not None and after == "for":
+            joints = (k for k in range(where.end, min(where.end + 6, len(self.words))) if self.text(k) in (":", "with"))
+            colon = next(joints, None)
+            if colon is None:
+                raise NotUnderstood(at, self.boundary(at))
+            return Item(where.phrase, where.places, colon)
+        if where is not None and after == ":":
+            more, start = self._skip_storey(where.end + 1)
+            return Item(where.phrase, (*where.places, *more), start - 1)
+        if where is not None and after == "with":
+            return where
+        joint = next((k for k in range(place, len(self.words)) if self.text(k) == "with"), None)
+        where = None if joint is None else self.until(joint).item(place)
+        if joint is None or where is None:
+            raise NotUnderstood(at, self.boundary(at))
+        return Item(where.phrase, where.places, joint)
 
     def holder_at(self, at: int) -> Item | None:
         """Read what is laid or filled, without the ``for six`` that says for how many."""

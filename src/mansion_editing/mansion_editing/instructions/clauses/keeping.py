@@ -2,10 +2,11 @@
 
 import msgspec
 
-from mansion_editing.instructions.clauses.adding import Adding
+from mansion_editing.instructions.clauses.arranging import Arranging
 from mansion_editing.instructions.clauses.items import Item, NotUnderstood, joined_places
 from mansion_editing.instructions.clauses.removing import Removing
 from mansion_editing.instructions.clauses.staying import Staying
+from mansion_editing.instructions.clauses.too_many import TooMany
 from mansion_editing.instructions.clauses.wishes import Wishes
 from mansion_editing.instructions.phrases.verbs import verb_at
 from mansion_editing.instructions.phrases.word_sets import (
@@ -33,7 +34,7 @@ from mansion_editing.instructions.statements import (
 __all__ = ["Keeping"]
 
 
-class Keeping(Staying, Wishes, Adding, Removing):
+class Keeping(Staying, Wishes, TooMany, Arranging, Removing):
     """Reads ``leave``, ``keep`` and ``let``."""
 
     def _staying(self, at: int) -> tuple[list[Statement], int] | None:
@@ -53,6 +54,9 @@ class Keeping(Staying, Wishes, Adding, Removing):
             only = self._only_left(at, place + 1)
             if only is not None:
                 return only
+        left = self._left_over(at, place)
+        if left is not None:
+            return left
         rest = place
         while self.text(rest) in ALL_THE_REST:
             rest += 1
@@ -145,6 +149,9 @@ class Keeping(Staying, Wishes, Adding, Removing):
 
     def _keep(self, at: int, place: int) -> tuple[list[Statement], int]:
         """Read ``keep the door closed``, ``keep the sofa``, ``keep the desk free of mugs``."""
+        left = self._left_over(at, place)
+        if left is not None:
+            return left
         if self.text(place) in ("only", "just"):
             only = self._only_kept(at, place + 1)
             if only is not None:

@@ -22,7 +22,7 @@ from mansion_editing.instructions.statements import (
     Things,
 )
 
-__all__ = ["Outcomes", "at_receiver", "everything_at", "goes_on_from_a_room", "named_as"]
+__all__ = ["Outcomes", "at_receiver", "begins_in_a_room", "everything_at", "goes_on_from_a_room", "named_as"]
 
 _RUBBISH: Final = frozenset("rubbish trash garbage dump skip tip landfill".split())
 """Where things go that leave the building."""
@@ -37,7 +37,8 @@ class Outcomes(Sentence):
         if items[at].places:
             return items[at].goal()
         for other in (*items[at:], *reversed(items[:at])):
-            goal = other.goal()
+            moved = len(other.places) > 1 and other.places[0].source and any(p.goal for p in other.places)
+            goal = self._source_and_goal(other.places)[1:] if moved else other.goal()
             if goal[0].anchor is not None or goal[0].rooms is not None:
                 return goal
         return Place(), False
@@ -92,6 +93,7 @@ class Outcomes(Sentence):
 
     def _added(self, items: Sequence[Item], item: Item, quote: str) -> Statement:
         """Return the statement of ``put X at Y``: a move of what is there, else something new."""
+        item, items = self._from_where_all_are(items, item)
         goal, each = self._framed(self._shared_goal(items, item))
         phrase = item.phrase
         if goal.relation == "above" and self.lexicon.is_loose(phrase.noun.words):
@@ -99,7 +101,7 @@ class Outcomes(Sentence):
         shared = item.places or not any(other.places for other in items)
         source = joined_places([p for p in item.places if p.source])[0] if shared else Place()
         whence = phrase.definite or phrase.refers or source != Place()
-        if whence and (any(p.relative or p.goal for p in item.places) or _begins_in_a_room(item.places)):
+        if whence and (any(p.relative or p.goal for p in item.places) or begins_in_a_room(item.places)):
             source, goal, each = self._source_and_goal(item.places)
             goal, each = self._framed((goal, each))
         to_them = goal.anchor is not None and goal.anchor.refers == "last" and not goal.anchor.noun
@@ -125,6 +127,16 @@ class Outcomes(Sentence):
         if source != Place():
             things = with_place(things, self._framed((source, False))[0] if source.rooms is None else source)
         return Move(things=things, place=goal, or_new=source == Place() and not phrase.refers, quote=quote)
+
+    def _from_where_all_are(self, items: Sequence[Item], item: Item) -> tuple[Item, Sequence[Item]]:
+        """Return a thing of a list with the places of its last one, where all come from: ``A and B from C into D``."""
+        last = items[-1]
+        told = any(p.source for p in last.places) and any(not p.source for p in last.places)
+        bare = not any(other.places for other in items[:-1]) and all(other.phrase.definite for other in items)
+        if item is last or not told or not bare:
+            return item, items
+        whole = Item(item.phrase, last.places, item.end)
+        return whole, [whole if other is item else other for other in items]
 
     def _elsewhere(self, statement: Statement, where: Item) -> Statement:
         """Return the same at another place."""
@@ -234,12 +246,12 @@ def goes_on_from_a_room(places: Sequence[ReadPlace]) -> bool:
     return told > 0 and any(room is not None and room.words for room in rooms)
 
 
-def _begins_in_a_room(places: Sequence[ReadPlace]) -> bool:
+def begins_in_a_room(places: Sequence[ReadPlace]) -> bool:
     """Whether places begin with furniture and its room: ``from the bar in the hall on the table in the study``."""
     if len(places) < 3 or not places[0].source or places[0].place.anchor is None:
         return False
-    room, goal = places[1].place, places[2].place
-    return room.anchor is None and room.rooms is not None and not room.spot and goal.anchor is not None
+    goal = next((at for at in range(1, len(places)) if places[at].place.anchor is not None), 0)
+    return goal > 1 and all(p.place.rooms is not None and not p.place.spot for p in places[1:goal])
 
 
 def _counted_otherwise(things: Things) -> Things:

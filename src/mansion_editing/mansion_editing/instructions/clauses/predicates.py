@@ -76,24 +76,31 @@ class Predicates(States, Colours, Ways):
         return True
 
     def _said_become(self, item: Item, place: int, at: int, negated: bool) -> tuple[list[Statement], int] | None:
-        """Read ``should become a home gym``, ``is turned into an office``, ``should become red``."""
-        turned = self.text(place) in ("turned", "made", "changed", "transformed") and self.text(place + 1) == "into"
-        if negated or not (self.text(place) == "become" or turned):
+        """Read ``becomes a home gym``, ``is turned into an office``, ``shall be a library``, ``should become red``."""
+        room = item.phrase.noun.kind in ("room", "both")
+        if negated:
             return None
-        place += 1 + turned
-        colour = self.colour_at(place)
+        turned = self.text(place) in ("turned", "turn", "made", "changed", "change", "transformed")
+        turned = turned and self.text(place + 1) == "into"
+        become = self.text(place) == "become" or turned
+        place += (1 + turned) if become else 0
+        kind = self.kind_of_room(place) if room and (become or self._shall_be(item.end, place)) else None
+        if kind is not None:
+            return [Furnish(rooms=item.rooms(), kind=kind[0], quote=self.quote(at, kind[1]))], kind[1]
+        colour = self.colour_at(place) if become else None
         if colour is not None and self.phrase(place) is None:
             return self._painted([item], colour[0], colour[1], self.quote(at, colour[2])), colour[2]
-        new = self.phrase(place)
-        if new is None or new.noun.unknown:
+        new = self.phrase(place) if become else None
+        if new is None or new.noun.unknown or item.is_room or new.noun.kind == "room":
             return None
         quote = self.quote(at, new.end)
-        if item.phrase.noun.kind in ("room", "both") and new.noun.kind in ("room", "both"):
-            kind = " ".join((*filter(None, [new.noun.owned]), *new.noun.words))
-            return [Furnish(rooms=item.rooms(), kind=kind, quote=quote)], new.end
-        if item.is_room or new.noun.kind == "room":
-            return None
         return [Replace(things=self._all_if_plural(item.things()), by=new.things(), quote=quote)], new.end
+
+    def _shall_be(self, start: int, end: int) -> bool:
+        """Whether words before what a room is say that it is so from now on: ``is now``, ``shall be``, ``is to be``."""
+        said = [word.text for word in self.words[start:end]]
+        shall = bool(set(said) & MODALS) and said[-1:] == ["be"]
+        return shall or said[-1:] == ["now"] or said[-2:] == ["to", "be"]
 
     def _said_state(self, item: Item, place: int, at: int, negated: bool) -> tuple[list[Statement], int] | None:
         found = self._state_after(item, place, at)

@@ -9,7 +9,7 @@ from mansion_editing.instructions.clauses.fronting import Fronting
 from mansion_editing.instructions.clauses.history import PastSteps
 from mansion_editing.instructions.clauses.items import Item, NotUnderstood
 from mansion_editing.instructions.clauses.keeping import Keeping
-from mansion_editing.instructions.clauses.outcomes import goes_on_from_a_room
+from mansion_editing.instructions.clauses.outcomes import begins_in_a_room, goes_on_from_a_room
 from mansion_editing.instructions.clauses.taking import Taking
 from mansion_editing.instructions.phrases.places import with_place
 from mansion_editing.instructions.phrases.verb_words import Deed
@@ -46,6 +46,8 @@ class ClauseReader(Keeping, Changing, Taking, PastSteps, Fronting):
             or self._staying(at)
             or self._stays_so(at)
             or self._gone_up(at)
+            or self._too_many(at)
+            or self._arranged(at)
             or self._change_places(at)
         )
         if staying is not None:
@@ -100,7 +102,7 @@ class ClauseReader(Keeping, Changing, Taking, PastSteps, Fronting):
         if not any(p.goal for p in places) and self.text(end) in ("and", ","):
             more, stop = self.places(end + 1)
             places, end = (*places, *more), stop
-        if not any(p.goal for p in places):
+        if not any(p.goal for p in places) and not begins_in_a_room(places):
             return None
         source, goal, _ = self._source_and_goal(places)
         source = source if source.rooms is not None else self._framed((source, False))[0]

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import msgspec
 
-from mansion_editing.instructions.clauses.items import Item, NotUnderstood
+from mansion_editing.instructions.clauses.items import Item, NotUnderstood, joined_places
 from mansion_editing.instructions.clauses.moving import Moving
 from mansion_editing.instructions.phrases.word_sets import AWAY, STAYING_AS_IT_IS
 from mansion_editing.instructions.phrases.words import MODALS
@@ -104,9 +104,10 @@ class Removing(Moving):
         place = at
         while self.text(place) in (",", ":", "-", "and", "but", "so", "that"):
             place += 1
-        if self.text(place) not in ("only", "just") or self.item(place + 1) is None:
+        but = self.text(place) == "nothing" and self.text(place + 1) in ("but", "except")
+        if not (but or self.text(place) in ("only", "just")) or self.item(place + 1 + but) is None:
             return None
-        items = self.items(place + 1)
+        items = self.items(place + 1 + but)
         end = items[-1].end
         while self.text(end) in MODALS or self.text(end) in ("be", "is", "are", "to"):
             end += 1
@@ -115,8 +116,10 @@ class Removing(Moving):
         end += 1
         while self.text(end) in STAYING_AS_IT_IS and not self.places(end)[0]:
             end += 1
-        if all(item.phrase.definite for item in items):
-            _, end = self.places(end)
+        places, stop = self.places(end)
+        anchor = joined_places(list(places))[0].anchor
+        on_it = anchor is not None and anchor.refers == "last" and not anchor.noun
+        end = stop if on_it or all(item.phrase.definite for item in items) else end
         return tuple(self._all(item.phrase.things()) for item in items), end
 
     def _tidy(self, at: int, place: int) -> tuple[list[Statement], int]:

@@ -9,6 +9,7 @@ from mansion_editing.instructions.clauses.giving import Giving
 from mansion_editing.instructions.clauses.items import Item, NotUnderstood
 from mansion_editing.instructions.phrases.places import ReadPlace, read_place
 from mansion_editing.instructions.phrases.word_sets import BEFORE_DOORS, BEFORE_NAMES
+from mansion_editing.instructions.phrases.words import DETERMINERS, FUNCTION_WORDS
 from mansion_editing.instructions.statements import Ensure, Furnish, Place, Rename, Reshape, Rooms, Statement
 
 __all__ = ["RoomChanges"]
@@ -16,6 +17,9 @@ __all__ = ["RoomChanges"]
 
 _BETWEEN_ROOMS: Final = ("/", "-")
 """Marks between the two rooms of a door in notes."""
+_HEADS_OF_ROOMS: Final = frozenset("room area corner space lounge office studio hall lab zone".split())
+"""Last words of names for what a room may become, known or not."""
+_LONGEST_KIND: Final = 3
 
 
 class RoomChanges(Giving):
@@ -81,11 +85,24 @@ class RoomChanges(Giving):
 
     def _furnish_as(self, at: int, joint: int, rooms: Rooms) -> tuple[list[Statement], int]:
         """Read ``into a study`` after the room that becomes one, which a heading may have named."""
-        found = self.phrase(joint + 1)
-        if found is None or found.noun.kind not in ("room", "both") or found.noun.unknown:
+        found = self.kind_of_room(joint + 1)
+        if found is None:
             raise NotUnderstood(joint, self.boundary(joint))
-        kind, end = " ".join((*filter(None, [found.noun.owned]), *found.noun.words)), found.end
+        kind, end = found
         return [Furnish(rooms=rooms, kind=kind, quote=self.quote(at, end))], end
+
+    def kind_of_room(self, at: int) -> tuple[str, int] | None:
+        """Read ``a home gym``, ``our new staff lounge``; ``a movement room`` is a kind by its last word alone."""
+        found = self.phrase(at)
+        if found is not None and found.noun.kind in ("room", "both") and not found.noun.unknown:
+            return " ".join((*filter(None, [found.noun.owned]), *found.noun.words)), found.end
+        start = at + (self.text(at) in DETERMINERS)
+        start += self.text(start) == "new"
+        end = start
+        while end < len(self.words) and self.words[end].kind == "word" and self.text(end) not in FUNCTION_WORDS:
+            end += 1
+        plain = start > at and 1 < end - start <= _LONGEST_KIND and self.text(end - 1) in _HEADS_OF_ROOMS
+        return (" ".join(word.text for word in self.words[start:end]), end) if plain else None
 
     def contained(self, at: int) -> tuple[list[Statement], int]:
         """Read what a room that was furnished just before must contain: ``a piano and two chairs``."""

@@ -470,7 +470,9 @@ class Sentence(ABC):
         word = self.text(at)
         if word in (",", "-", ":"):
             return False
-        if word in MODALS or word in PREDICATE_VERBS or (word == "keep" and self.text(at + 1) in STATE_WORDS):
+        following = self.text(at + 1)
+        turns = (word, following) == ("turn", "into") or (word == "keep" and following in STATE_WORDS)
+        if word in MODALS or word in PREDICATE_VERBS or turns:
             return True
         if word in STATE_WORDS:
             nominal = word in ("on", "off") and self.phrase(at + 1) is not None

@@ -58,6 +58,8 @@ class States(RoomChanges, Turning):
         place, _ = self._framed(joined_places(list(own)))
         things = self._in_each_room(item.phrase)
         if item.is_room:
+            if self.lexicon.is_short_for_room(item.phrase.noun.words):
+                raise NotUnderstood(item.phrase.start, item.end)
             rooms = item.rooms()
             things, place = (
                 Things(noun="light", definite=True, plural=True, amount=Amount(kind="all", number=0)),

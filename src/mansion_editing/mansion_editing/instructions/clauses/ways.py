@@ -27,6 +27,9 @@ __all__ = ["Ways"]
 _FREE: Final = frozenset("free clear open unobstructed unblocked passable walkable".split())
 _BLOCKED: Final = frozenset("blocked obstructed barred narrowed".split())
 _BEING: Final = MODALS | BE | frozenset("to has have kept left keep always still completely".split())
+_AIDS: Final = frozenset("wheelchair crutch walker rollator pram pushchair stroller buggy trolley cart aid".split())
+"""What people who must get somewhere sit in, lean on or push."""
+_BEFORE_AIDS: Final = frozenset("a an the his her their walking loaded full baby child's electric mobility".split())
 _UNHINDERED: Final = frozenset("unhindered unimpeded unobstructed undisturbed".split())
 _HINDERING: Final = frozenset(
     "in the a her his their our my its him them us it way path blocking obstructing hindering stopping standing lying "
@@ -89,6 +92,10 @@ class Ways(Sentence):
             word = self.text(place)
             if self._is_going(place):
                 break
+            aided = self._with_aid(place)
+            if aided:
+                place = aided
+                continue
             if self.words[place].kind == "mark" or word in ("to", "on", "in"):
                 going = self.text(place + 1) in GOING_SOMEWHERE
                 if word != "to" or not going:
@@ -104,6 +111,14 @@ class Ways(Sentence):
         if self.text(place) == "find" or self.text(place) == "make":
             place += 2
         return self._way(at, place + 1)
+
+    def _with_aid(self, at: int) -> int:
+        """Return the end of ``in a wheelchair``, ``with a pram`` after somebody; 0 for other words."""
+        if self.text(at) not in ("in", "on", "with"):
+            return 0
+        end = next((k for k in range(at + 1, at + 4) if self.text(k) in _AIDS), 0)
+        between = {self.text(k) for k in range(at + 1, end)} - _BEFORE_AIDS
+        return end + 1 if end and not between else 0
 
     def _refuse_denied(self, at: int, start: int, end: int) -> None:
         """Refuse words by which somebody shall not get somewhere: no way is closed.

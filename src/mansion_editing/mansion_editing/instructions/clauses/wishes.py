@@ -20,6 +20,7 @@ from mansion_editing.instructions.phrases.word_sets import (
     PEOPLE,
     PRAISE,
     RESTING_VERBS,
+    ROLLING,
     SOMEBODY,
     THIRD_PERSON_WISHES,
     TOLD_EXISTENCE,
@@ -232,7 +233,8 @@ class Wishes(Subjects, Negations):
             return None
         subject = self.item(at)
         if subject is not None and subject.phrase.noun.kind == "object" and not self._is_way(subject.phrase):
-            return None
+            rolls = not subject.phrase.definite and subject.phrase.noun.words[-1] in ROLLING and not subject.places
+            return self._reaching(at, at) if rolls else None
         return self._reaching(at, at)
 
     def _of_persons(self, at: int) -> tuple[list[Statement], int] | None:

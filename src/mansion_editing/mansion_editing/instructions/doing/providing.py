@@ -12,9 +12,14 @@ from mansion_editing.instructions.meaning.choices import one_room_each, things_m
 from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.descriptions import all_at, rooms_of, things_of
 from mansion_editing.instructions.meaning.nouns import called, has_material
-from mansion_editing.instructions.meaning.numbers import means_any_in_each_room, means_one, means_several, new_number
+from mansion_editing.instructions.meaning.numbers import (
+    is_one_of_each_room,
+    means_any_in_each_room,
+    means_several,
+    new_number,
+)
 from mansion_editing.instructions.meaning.targets import Target, places_of
-from mansion_editing.instructions.meaning.wording import place_in, place_words, there_were, thing_words
+from mansion_editing.instructions.meaning.wording import bare_words, place_in, place_words, there_were, thing_words
 from mansion_editing.instructions.phrases.word_sets import BESIDE_RELATIONS
 from mansion_editing.instructions.statements import Add, Amount, Ensure, Place, Replace, Rooms, Things
 from mansion_editing.provisioning.facts import ObjectDescription, Scope
@@ -81,6 +86,7 @@ def _added_reply(
     where = place_in(state, place, context) or f"in {' and '.join(rooms)}"
     had = f"{there_were(before, things.noun)} {where}"
     reply = f"{had}; {len(made)} added ({listed(made)}), now {before + len(made)}"
+    reply += _passed_over(state, place, context)
     return Done(reply, context.followed(made, rooms, things.noun))
 
 
@@ -115,6 +121,8 @@ def _groups(
         place = msgspec.structs.replace(place, rooms=rooms)
         targets = places_of(state, place, context, each=True)
         return [(yield from _best_first(things, targets, state))]
+    if is_one_of_each_room(place):
+        return _one_of_each_room(state, place, context)
     if means_any_in_each_room(place):
         return (yield from _groups_by_room(place, state, context))
     several = each or _is_each(place)
@@ -123,7 +131,6 @@ def _groups(
     targets = places_of(state, place, context, each=several, fits=having.__contains__)
     if not targets:
         targets = [(yield from _new_carrier(place, state, context))]
-    _refuse_rooms_without(place, targets, state, context)
     if not several and plural_rooms:
         names = list(dict.fromkeys(target.room for target in targets))
         return [[target for target in targets if target.room == name] for name in names]
@@ -148,21 +155,40 @@ def _groups_by_room(
     return groups
 
 
-def _refuse_rooms_without(place: Place, targets: Sequence[Target], state: SceneState, context: Context) -> None:
-    """Refuse ``on the desk in every bedroom`` where one of them has no desk.
+def _one_of_each_room(state: SceneState, place: Place, context: Context) -> list[list[Target]]:
+    """Return the places of each room that has the thing which words mean; rooms of any kind may be without it.
 
     Raises
     ------
     Unmet
+        Where a room that the words name has no such thing.
     """
-    if place.anchor is None or place.rooms is None or not place.rooms.words or not place.rooms.every:
-        return
-    having = {target.room for target in targets}
-    lacking = [room for room in rooms_of(state, place.rooms, context) if room not in having]
-    if lacking and means_one(place.anchor):
-        raise Unmet(
-            f"there is no {thing_words(msgspec.structs.replace(place.anchor, definite=False))} in {listed(lacking)}"
-        )
+    groups = _by_room(state, place, context)
+    without = [name for name, targets in groups.items() if not targets]
+    if place.anchor is not None and (len(without) == len(groups) or (without and _names_rooms(place))):
+        raise Unmet(f"there is no {bare_words(place.anchor)} in {listed(without)}")
+    return [targets for targets in groups.values() if targets]
+
+
+def _names_rooms(place: Place) -> bool:
+    return place.rooms is not None and bool(place.rooms.words)
+
+
+def _by_room(state: SceneState, place: Place, context: Context) -> dict[str, list[Target]]:
+    """Return the places in each of the rooms that each have one, by the rooms' ids."""
+    if not is_one_of_each_room(place) or place.rooms is None:
+        return {}
+    names = one_room_each(state, place.rooms, context)
+    own = {name: msgspec.structs.replace(place, rooms=Rooms(words=name)) for name in names}
+    return {name: places_of(state, here, context) for name, here in own.items()}
+
+
+def _passed_over(state: SceneState, place: Place, context: Context) -> str:
+    """Return the words that tell in which rooms nothing was done."""
+    without = [name for name, targets in _by_room(state, place, context).items() if not targets]
+    if not without or place.anchor is None:
+        return ""
+    return f"; nothing in {listed(without)}, which have no {bare_words(place.anchor)}"
 
 
 def _best_first(things: Things, targets: list[Target], state: SceneState) -> Generator[Action, Outcome, list[Target]]:
@@ -354,7 +380,7 @@ def ensure(statement: Ensure, state: SceneState, context: Context) -> Work:
     items = live(state, made)
     rooms = tuple(dict.fromkeys([*(i.room for i in items), *(t.room for g in groups for t in g[:1])]))
     reply = f"{there_were(had, things.noun)} {place_in(state, place, context) or 'in the building'}"
-    reply += _changed(had, made, gone) + _brought_to_carry(groups, before)
+    reply += _changed(had, made, gone) + _brought_to_carry(groups, before) + _passed_over(state, place, context)
     known = made or [i.id for g in groups for t in g for i in at_target(state, things, place, t, context)]
     return Done(reply, context.followed(known, rooms[:1], things.noun))
 

@@ -9,9 +9,10 @@ from mansion_assets.catalogue.vocabulary import stems, vocabulary_of
 from mansion_editing.instructions.doing.work import Done, Work, listed, live
 from mansion_editing.instructions.meaning.choices import concerned, one_room_each, things_meant
 from mansion_editing.instructions.meaning.context import Context
-from mansion_editing.instructions.meaning.descriptions import all_at, anchors_of, carried_by, rooms_of, things_of
+from mansion_editing.instructions.meaning.descriptions import all_at, anchors_of, carried_by, rooms_of
 from mansion_editing.instructions.meaning.nouns import is_fixed, is_loose, names_many
 from mansion_editing.instructions.meaning.numbers import means_one
+from mansion_editing.instructions.meaning.sparing import spared_among
 from mansion_editing.instructions.meaning.wording import bare_words, counted, place_in, place_words, thing_words
 from mansion_editing.instructions.statements import Clear, Place, Remove, Things
 from mansion_editing.runs.policies import Action, Outcome, Unmet, ask
@@ -125,7 +126,6 @@ def to_clear(statement: Clear, state: SceneState, context: Context) -> list[Scen
     place = statement.place
     if place == Place():
         raise Unmet("say which room, storey or piece of furniture is to be emptied; not the whole building at once")
-    spared = {item.id for things in statement.spare for item in things_of(state, things, context)} | context.kept
     if place.anchor is not None and place.relation in ("on", "in", ""):
         anchor = place.anchor
         if place.rooms is not None and anchor.place is None:
@@ -138,6 +138,7 @@ def to_clear(statement: Clear, state: SceneState, context: Context) -> list[Scen
         pool = [item for _, item in state.objects() if not rooms or item.room in rooms]
         there = all_at(state, pool, place, context)
     loose = {item.id: item for item in there if is_loose(item)}
+    spared = spared_among(state, statement.spare, [*loose.values()], context) | context.kept
     holding = {item.parent for item in loose.values() if item.id in spared}
     return [item for name, item in loose.items() if name not in spared and name not in holding]
 

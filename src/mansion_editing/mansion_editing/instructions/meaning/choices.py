@@ -119,7 +119,8 @@ def concerned(state: SceneState, things: Things, context: Context) -> list[Scene
 
 def able_ones(state: SceneState, things: Things, context: Context, able: Callable[[SceneObject], bool]) -> Things:
     """Return words for what carries the things last mentioned, where ``it`` shall open or switch and only that can."""
-    if things.refers != "last" or things.noun or things.place is not None:
+    within = things.place is None or things.place == Place(rooms=things.place.rooms)  # a heading tells the room
+    if things.refers != "last" or things.noun or not within:
         return things
     last = things_of(state, things, context)
     carriers = list(dict.fromkeys(item.parent for item in last if item.parent is not None)) or [*context.holders]

@@ -11,6 +11,7 @@ __all__ = [
     "by_holder",
     "counts_each",
     "is_one",
+    "is_one_of_each_room",
     "means_any_in_each_room",
     "means_one",
     "means_several",
@@ -75,3 +76,12 @@ def is_one(rooms: Rooms) -> bool:
         and rooms.number < 2
         and bool(rooms.words or rooms.next_to or rooms.holding or rooms.same or rooms.over)
     )
+
+
+def is_one_of_each_room(place: Place) -> bool:
+    """Whether a place is at one certain thing of each of several rooms: ``on the desk in each guest room``."""
+    anchor, rooms = place.anchor, place.rooms
+    if anchor is None or rooms is None or place.relation == "between" or place.outside:
+        return False
+    one = means_one(anchor) and not (anchor.each or anchor.refers)
+    return one and (rooms.every or rooms.number > 1)

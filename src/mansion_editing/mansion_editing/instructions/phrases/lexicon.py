@@ -61,6 +61,10 @@ class Lexicon:
 
     @cached_property
     def _room_names(self) -> frozenset[tuple[str, ...]]:
+        return self._whole_room_names | {name[:-1] for name in self._whole_room_names if _may_be_shortened(name)}
+
+    @cached_property
+    def _whole_room_names(self) -> frozenset[tuple[str, ...]]:
         return frozenset(_names_of_rooms(self._state))
 
     @cached_property
@@ -74,6 +78,10 @@ class Lexicon:
     def is_own_room(self, words: tuple[str, ...]) -> bool:
         """Whether words name a room that this building has."""
         return words in self._room_names
+
+    def is_short_for_room(self, words: tuple[str, ...]) -> bool:
+        """Whether words name a room only without their last one, and may mean a thing: the computer (room)."""
+        return self.is_own_room(words) and words not in self._whole_room_names
 
     def is_building(self, word: str) -> bool:
         """Whether a word means this building by its kind: ``the flat``, ``the house``, and no room is called so."""
@@ -148,6 +156,11 @@ class Lexicon:
         asset = self._state.catalogue.by_category(kinds[0])[0] if kinds else None
         return asset is not None and (asset.openable if state == "open" else asset.toggleable)
 
+    def is_set(self, words: tuple[str, ...]) -> bool:
+        """Whether words name what is one thing by its plural: crayons, headphones."""
+        kinds = vocabulary_of(self._state.catalogue).exact(words)
+        return bool(kinds) and stems(kinds[0].replace("_", " "))[-1:] != (kinds[0].split("_")[-1],)
+
     def gives_light(self, words: tuple[str, ...]) -> bool:
         """Whether words name lamps."""
         kinds = vocabulary_of(self._state.catalogue).nouns(" ".join(words))
@@ -193,10 +206,12 @@ def _names_of_rooms(state: SceneState) -> Iterator[tuple[str, ...]]:
             yield name
             if len(name) > 1 and name[-1].isdecimal():
                 yield name[:-1]
-            if len(name) == 2 and name[0] in _PERSONS_OF_ROOMS:
-                continue
-            if len(name) > 1 and name[-1] in ("room", "area", "office", "suite", "studio", "hall"):
-                yield name[:-1]
+
+
+def _may_be_shortened(name: tuple[str, ...]) -> bool:
+    """Whether a room may be called by its name without the last word: the dining (room)."""
+    person = len(name) == 2 and name[0] in _PERSONS_OF_ROOMS
+    return len(name) > 1 and not person and name[-1] in ("room", "area", "office", "suite", "studio", "hall")
 
 
 @lru_cache(maxsize=4)

@@ -92,7 +92,8 @@ def _of_phrase(words: Sequence[Word], run: list[Word], of: int, lexicon: Lexicon
         return None
     inner = tuple(w.text for w in tail)
     for order in ((*inner, head.text), (*inner, *(("bottle",) if head.text == "bottle" else ()))):
-        if len(order) > 1 and lexicon.is_object(order) and head.text not in _COLLECTIONS:
+        single = head.text not in _COLLECTIONS or lexicon.is_called(order)
+        if len(order) > 1 and lexicon.is_object(order) and single:
             modified = _split(run[:-1], lexicon, "", noun=order, plural=head.plural)
             return modified, stop
     if words[of].text == "with":

@@ -106,6 +106,7 @@ _AT_EDGES: Final = frozenset(("if", "you", modal) for modal in ("would", "can", 
 """Courtesies at the beginning or the end of a sentence."""
 
 _FEW: Final = frozenset("one two three four five".split())
+_IN_ORDER: Final = (("after", "that"), ("after", "this"), ("in", "the", "end"), ("at", "the", "end"), ("once", "done"))
 _LATER: Final = frozenset("afterwards afterward".split())
 """Words that only say that steps come in the order in which they are told."""
 
@@ -143,6 +144,10 @@ def reworded(words: Sequence[Word]) -> list[Word]:
             out += _in_place_of(words[at : at + 3], ("please",))
             at += 3
             continue
+        ended = _end_of_order(words, at)
+        if ended > at:
+            at = ended
+            continue
         if words[at].text in _LATER and at and _is_edge(words, at, at + 1):
             out += _in_place_of(words[at : at + 1], ("please",))
             at += 1
@@ -156,6 +161,16 @@ def reworded(words: Sequence[Word]) -> list[Word]:
             out.append(_topped_up(words, at) or _turned_off(words, at))
         at += 1
     return out
+
+
+def _end_of_order(words: Sequence[Word], at: int) -> int:
+    """Return the end of ``After that``, ``In the end`` before a clause, which say that steps come in their order."""
+    if at and words[at - 1].kind != "mark":
+        return at
+    length = next((len(said) for said in _IN_ORDER if tuple(w.text for w in words[at : at + len(said)]) == said), 0)
+    following = text_at(words, at + length)
+    subject = following in DETERMINERS | PRONOUNS | {",", "please", "there", "i", "we", "you"}
+    return at + length + (following == ",") if length and subject else at
 
 
 def _exceptions_first(words: Sequence[Word]) -> Sequence[Word]:

@@ -42,9 +42,13 @@ ENDS_RUN: Final = (
         "alone starting next either if unless half closer nearer further farther forward forwards backward backwards "
         "wobble squeak smell leak flicker rattle creak stink drip "
         "unhindered unimpeded unobstructed undisturbed "
-        "keep before after when while until today tonight tomorrow yesterday anyway though asap yet".split()
+        "keep become suffice before after when while until today tonight tomorrow yesterday anyway though asap yet"
+        .split()
     )
 )  # fmt: skip
+
+
+_BECOMING: Final = ("turn", "into")
 
 
 _MAY_BE_NOUN: Final = frozenset(
@@ -93,7 +97,9 @@ def end_of_run(words: Sequence[Word], at: int, lexicon: Lexicon) -> int:
             break
         if end > at and text.endswith("ly") and _is_named(words, at, end, lexicon):
             break
-        if end > at and text in ("turn", "switch") and text_at(words, end + 1) in ("on", "off"):
+        following = text_at(words, end + 1)
+        particle = text in ("turn", "switch") and following in ("on", "off")
+        if end > at and (particle or (text, following) == _BECOMING):
             break
         if end > at and (text,) in BY_WORDS and end + 1 < len(words) and words[end + 1].text in _ARTICLES_AFTER_VERBS:
             break

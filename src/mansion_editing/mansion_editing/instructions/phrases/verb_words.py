@@ -20,7 +20,7 @@ _VERBS: Final[dict[Deed, str]] = {
            "assemble|"
            "scatter|drape|put up|put down|put out|add in|put in|put back|place back|set down|put on|dock|situate|"
            "generate|organise|organize|prepare|decorate|procure|leave behind|slot|slide in|nest|sit|"
-           "lay down|rack|file|organize",
+           "lay down|rack|file|organize|stow|stash",
     "bring": "bring|fetch|deliver|get|carry|return",
     "remove": "remove|delete|take away|take out|take off|take down|get rid of|throw away|throw out|dispose of|discard|"
               "eliminate|clear away|erase|bin|scrap|drop off|rid|ditch|lose|junk|trash|chuck out|chuck|"
@@ -43,7 +43,7 @@ _VERBS: Final[dict[Deed, str]] = {
     "paint": "paint|colour|color|dye|repaint|recolour|recolor|tint|reupholster|upholster|varnish|lacquer|spray",
     "rename": "rename|call|name|relabel|label",
     "furnish": "furnish|refurnish|convert|transform|redo|redecorate|re-furnish|refit|repurpose|remodel",
-    "equip": "equip|stock|fill|fill up|outfit|load|restock|fit out|kit out|populate|refill",
+    "equip": "equip|stock|fill|fill up|outfit|load|restock|fit out|kit out|populate|refill|pack",
     "enlarge": "enlarge|extend|expand|widen|grow|increase|raise",
     "shrink": "shrink|cut|reduce|decrease|cut down|narrow|limit|lower|bring down",
     "make": "make",

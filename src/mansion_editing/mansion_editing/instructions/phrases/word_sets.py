@@ -79,6 +79,7 @@ __all__ = [
     "PROPERTIES",
     "RELATIVES",
     "RESTING_VERBS",
+    "ROLLING",
     "TELLING_WHERE",
     "SOMEBODY",
     "SO_DOING",
@@ -118,10 +119,12 @@ SOMEBODY: Final = frozenset("robot agent i we one guest visitor people everyone 
 
 BEFORE_VERBS: Final = frozenset("please then also just not never do finally".split())
 BEGIN_CLAUSES: Final = frozenset("there i we you nothing make let if because nobody".split())
-PREDICATE_VERBS: Final = frozenset("is are stay remain need has have go get belong come lack want face".split())
+PREDICATE_VERBS: Final = frozenset(
+    "is are stay remain need has have go get belong come lack want face become suffice".split()
+)
 AFTER_THANKS: Final = frozenset("you very so much a lot in advance for your help".split())
 BEFORE_PREDICATES: Final = frozenset(
-    "to not also always never do does now all both still get longer each supposed itself themselves has have no "
+    "to not also always never do does now all both still get longer each supposed going itself themselves has have no "
     "just only".split()
 )
 WANTING: Final = frozenset("need require lack get want deserve miss missing keep".split())
@@ -179,7 +182,9 @@ NO_FRONTED_PLACES: Final = frozenset("next back there here second first third".s
 # Ways
 
 WAYS: Final = frozenset("way path route access door doorway passage".split())
-GOING_SOMEWHERE: Final = frozenset("be get go walk drive reach travel come move enter".split())
+ROLLING: Final = frozenset("wheelchair pram pushchair stroller trolley cart bed".split())
+"""What has to get from room to room on its wheels."""
+GOING_SOMEWHERE: Final = frozenset("be get go walk drive reach travel come move enter roll".split())
 ABILITIES: Final = frozenset("can could able possible must should may has have need will".split())
 DIRECTIONS: Final = frozenset(
     "to from into in inside through around up down over all out there everywhere anywhere across freely back "

@@ -11,8 +11,11 @@ __all__ = ["spares_those_with_one"]
 _AS_IT_IS: Final = (
     r"(?: (?:there|be|alone|untouched|unchanged|put|as (?:it|they) (?:is|are)|where (?:it|they) (?:is|are)))?"
 )
-_HAVING: Final = r"(?:that|which|who)? ?(?:already )?(?:have|has|with|got)(?: got| already)* one(?: already| there)*"
-_THOSE: Final = r"(?:those|the one|one|whatever|whoever|(?:the |every |any |each )?{noun})"
+_HAVING: Final = (
+    r"(?:that|which|who)? ?(?:already )?(?:have|has|with|got)(?: got| already)* (?:one|an? {thing})"
+    r"(?: already| there)*"
+)
+_THOSE: Final = r"(?:those|the one|one|who|whatever|whoever|(?:the |every |any |each )?{noun})"
 _WHERE_ONE_IS: Final = (
     r"(?:where|wherever|if|when|in case) "
     r"(?:there(?: is)?(?: already)? one|one(?: is| stand| lie| hang)(?: already| there)*"
@@ -27,25 +30,36 @@ _LEFT: Final = (
     r"|(?:you )?(?:do )?not (?:need|have) to do anything"
     r"|(?:no other|no second|no further|not another)(?: one)?(?: is)?(?: needed| required)?)"
 )
-_NONE_MORE: Final = r"need (?:nothing|no other|no second|no further|not another)(?: one)?|get none"
 _SECOND: Final = r"(?:a second|another|one more|a further|an extra)(?: one)?"
-_FORMS: Final = (
+_NONE_MORE: Final = (
+    r"(?:need|get|require) (?:nothing|none|no other|no second|no further|not another)(?: one)?|(?:have|has) one"
+    rf"|(?:(?:do|does|should|shall|must|can) )?not (?:need|get|require|have) {_SECOND}"
+    rf"|(?:can )?(?:do|does|go|manage) without {_SECOND}"
+)
+_FORMS_OF_WHERE: Final = (
     rf"{_WHERE_ONE_IS} {_LEFT}",
-    rf"(?:leave|skip|spare|omit) {_THOSE} {_HAVING}{_AS_IT_IS}",
-    rf"{_THOSE} {_HAVING} (?:(?:can |may |should )?(?:stay|remain){_AS_IT_IS}|(?:is|are) fine|{_NONE_MORE})",
     rf"(?:but )?(?:not|except) {_WHERE_ONE_IS}",
     rf"(?:but )?(?:do )?not (?:add|put|place|bring|give) {_SECOND} {_WHERE_ONE_IS}",
 )
+_FORMS_OF_WHICH: Final = (
+    rf"(?:leave|skip|spare|omit) {_THOSE} {_HAVING}{_AS_IT_IS}",
+    rf"{_THOSE} {_HAVING} (?:(?:can |may |should )?(?:stay|remain){_AS_IT_IS}|(?:is|are) fine|{_NONE_MORE})",
+)
 
 
-def spares_those_with_one(words: Sequence[Word], nouns: frozenset[str]) -> bool:
+def spares_those_with_one(words: Sequence[Word], nouns: frozenset[str], thing: str, *, several: bool) -> bool:
     """Whether all the words only say that no second one is brought to where one is.
 
     Parameters
     ----------
     nouns : frozenset of str
         Words for the places that are each given one.
+    thing : str
+        Words for what they are given.
+    several : bool
+        Whether there are several such places, so that words may tell which of them have one.
     """
     said = " ".join(word.text for word in words if word.text not in COURTESIES | {",", ";", "-"})
     noun = "(?:" + "|".join(re.escape(noun) for noun in sorted(nouns | {"room"})) + ")"
-    return any(re.fullmatch(form.replace("{noun}", noun), said) for form in _FORMS)
+    forms = (*_FORMS_OF_WHERE, *(_FORMS_OF_WHICH if several else ()))
+    return any(re.fullmatch(form.replace("{noun}", noun).replace("{thing}", re.escape(thing)), said) for form in forms)

@@ -14,7 +14,6 @@ from mansion_editing.instructions.phrases.words import PERSONS, Word
 from mansion_editing.instructions.sentences.already_there import spares_those_with_one
 from mansion_editing.instructions.sentences.bystanding import (
     asks_for_nothing,
-    asks_for_one_each,
     begins_with_state,
     fills_gaps,
     is_exclamation,
@@ -26,9 +25,10 @@ from mansion_editing.instructions.sentences.bystanding import (
     stands_wrong,
 )
 from mansion_editing.instructions.sentences.circumstances import is_circumstance
+from mansion_editing.instructions.sentences.lacking import given_where_none_is
 from mansion_editing.instructions.sentences.progress import Progress
 from mansion_editing.instructions.sentences.taking_up import listed_in, with_list_for_pronoun
-from mansion_editing.instructions.statements import Add, Amount, Ensure, Mention, Place, Remove, Things
+from mansion_editing.instructions.statements import Add, Amount, Ensure, Mention, Place, Remove, Statement, Things
 
 __all__ = ["Asides"]
 
@@ -48,6 +48,10 @@ _MOST_ASIDES: Final = 3
 
 _TAKING_UP: Final = frozenset("it its them they one there that this those these another ones both".split())
 """Words by which a sentence goes on with what the one before it told of."""
+
+
+_TELLING_OF_ONE: Final = frozenset("one another second".split())
+"""Words without which nothing is said of what has one already."""
 
 
 class Asides(Progress):
@@ -78,7 +82,7 @@ class Asides(Progress):
         self._read_sentence(words, marked=marked)
         if len(self.unknown) == len(first["unknown"]) or self.undecided:
             return
-        if (asks_for_one_each(words) and self._once_each(words, first)) or self._fills_gaps(words, first):
+        if self._fills_gaps(words, first):
             return
         whole = self._so_far()
         listed = listed_in(self._reader(words))
@@ -214,34 +218,26 @@ class Asides(Progress):
         first = self._so_far()
         for at in (0, *(at for at, word in enumerate(words) if word.text in _CUTS | _JOINTS)):
             part = _trimmed(words[at:])
-            if not any(word.text == "one" for word in part):
+            if not any(word.text in _TELLING_OF_ONE for word in part):
                 break
             if at:
                 self._go_back(first)
                 self._read_sentence(_trimmed(words[:at]), marked=marked)
-            last = self.statements[-1] if self.statements else None
-            if len(self.unknown) > len(first["unknown"]) or not isinstance(last, Add | Ensure):
+            together = self._asked_last()
+            given = given_where_none_is(together, alone=True)
+            if given is None or len(self.unknown) > len(first["unknown"]):
                 continue
-            single = last.things.amount.kind == "some" and last.things.amount.number <= 1
-            if single and spares_those_with_one(part, _nouns_of(last.place)):
-                self._ensure_last(last, part)
+            if all(spares_those_with_one(part, _nouns_of(s.place), s.things.noun, several=s.each) for s in given):
+                kept = [s for s in self.statements if s not in together]
+                self.statements[:] = [*kept, *given, Mention(quote=self._quote(part, 0, len(part)))]
                 return True
         self._go_back(first)
         return False
 
-    def _ensure_last(self, last: Add | Ensure, words: Sequence[Word]) -> None:
-        """Count what is there already in the request before, by what is said of it."""
-        ensured = Ensure(things=last.things, place=last.place, each=last.each, quote=last.quote)
-        self.statements[-1:] = [ensured, Mention(quote=self._quote(words, 0, len(words)))]
-
-    def _once_each(self, words: Sequence[Word], first: dict[str, Any]) -> bool:
-        """Count what is there already in the request before: ``those which have one need no other``."""
-        self._go_back(first)
-        last = self.statements[-1] if self.statements else None
-        if not isinstance(last, Add | Ensure) or not last.each:
-            return False
-        self._ensure_last(last, words)
-        return True
+    def _asked_last(self) -> list[Statement]:
+        """Return the statements of the last request."""
+        asked = [statement for statement in self.statements if not isinstance(statement, Mention)]
+        return [statement for statement in asked if statement.quote == asked[-1].quote]
 
     def _fills_gaps(self, words: Sequence[Word], first: dict[str, Any]) -> bool:
         """Count what is there already in the request before: ``add one only where it is missing``."""

@@ -23,7 +23,6 @@ from mansion_language.colours import COLOUR_WORDS
 
 __all__ = [
     "asks_for_nothing",
-    "asks_for_one_each",
     "begins_with_state",
     "fills_gaps",
     "is_exclamation",
@@ -182,17 +181,6 @@ def begins_with_state(words: Sequence[Word]) -> bool:
         return True
     switched = first.text in ("on", "off")
     return first.text in STATE_WORDS and (not switched or following in ("", "so", "and", "before"))
-
-
-def asks_for_one_each(words: Sequence[Word]) -> bool:
-    """Whether what has one already is to get no other: ``who has one has one``, ``those with one need no second``."""
-    texts = [word.text for word in words if word.text not in ("already", "got", ",")]
-    owner = texts[:1] in (["who"], ["whoever"]) or "which" in texts or "that" in texts or "with" in texts
-    has = "one" in texts and bool({"has", "have", "with"} & set(texts[: texts.index("one")]))
-    after = texts[texts.index("one") + 1 :] if has else []
-    enough = after in (["has", "one"], ["have", "one"], ["is", "fine"], ["are", "fine"])
-    none = len(after) <= 5 and bool({"not", "no"} & set(after)) and bool({"need", "get", "require"} & set(after))
-    return owner and has and (enough or (none and bool({"another", "second", "more", "one"} & set(after))))
 
 
 def fills_gaps(words: Sequence[Word]) -> bool:

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import msgspec
 
 from mansion_editing.instructions.clauses.reader import ClauseReader
-from mansion_editing.instructions.phrases.words import Word
+from mansion_editing.instructions.phrases.words import BE, Word
 from mansion_editing.instructions.sentences.conditions import Condition, on_condition, read_answer, read_condition
 from mansion_editing.instructions.sentences.progress import Progress
 from mansion_editing.instructions.statements import Amount, Ask, Mention, Move, Things, When
@@ -46,8 +46,13 @@ class Depending(Progress):
         if things is not None and condition.ask is not None:
             noun = reader.phrase_of(things.noun)
             reader.last_noun = noun or reader.last_noun
+            whole = condition.ask.about == "exists" and condition.holds and _is_mass(words[start:end], things.noun)
             self.topic = msgspec.structs.replace(
-                things, place=condition.ask.place or things.place, amount=Amount(number=1), definite=condition.holds
+                things,
+                place=condition.ask.place or things.place,
+                amount=Amount(kind="all", number=0) if whole else Amount(number=1),
+                definite=condition.holds,
+                plural=things.plural or whole,
             )
         return end, condition
 
@@ -69,3 +74,13 @@ class Depending(Progress):
         return msgspec.structs.replace(
             ask.things, place=ask.place or ask.things.place, amount=amount, definite=True, plural=not one
         )
+
+
+def _is_mass(words: Sequence[Word], noun: str) -> bool:
+    """Whether a noun stands without an article or a number: ``if there is cheese, throw it away`` means all of it."""
+    texts = [word.text for word in words]
+    first = noun.split()
+    at = next((k for k in range(1, len(texts)) if texts[k : k + len(first)] == first), 0)
+    before = words[at - 1] if at else None
+    plain = before is not None and (before.text in BE | {"any", "some", "still"} or before.raw in ("there's", "theres"))
+    return plain and not words[at + len(first) - 1].plural

@@ -60,7 +60,12 @@ class Headings(Progress):
         """Read ``Preparing the workshop:``, a heading that names nothing of the building but the room of it all."""
         stop = next((k for k in range(at, len(words)) if words[k].text == ":"), len(words))
         verb = verb_at(words, at, self.lexicon)
-        if stop == at or stop + 1 >= len(words) or (verb is not None and not words[at].raw.endswith("ing")):
+        if (
+            reader.begins_group(at)
+            or stop == at
+            or stop + 1 >= len(words)
+            or (verb is not None and not words[at].raw.endswith("ing"))
+        ):
             return at
         start = next((k for k in range(at + 1, stop) if reader.places(k)[1] == stop), stop)
         place, _ = joined_places(reader.places(start)[0])

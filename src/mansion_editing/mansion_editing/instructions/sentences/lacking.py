@@ -54,19 +54,26 @@ def _ends(reader: ClauseReader, at: int) -> bool:
     return at >= len(reader.words) or reader.words[at].kind == "mark" or text_at(reader.words, at) in ("and", "please")
 
 
-def given_where_none_is(clause: Sequence[Statement]) -> list[Statement] | None:
+def given_where_none_is(clause: Sequence[Statement], *, alone: bool = False) -> list[Ensure] | None:
     """Return statements that give one to each place that has none; None where they do not say that.
 
     Two for each that has none, or a red one for each that has none of any colour, cannot be said as what is there
     afterwards, which is what statements are checked by.
+
+    Parameters
+    ----------
+    alone : bool
+        Whether the place need not be one of several.
     """
-    out: list[Statement] = []
+    out: list[Ensure] = []
     for statement in clause:
-        if not isinstance(statement, Add | Ensure) or not statement.each or statement.things.amount.kind != "some":
+        if not isinstance(statement, Add | Ensure) or not (statement.each or alone):
             return None
         things = statement.things
-        if things.amount.number > 1 or things.colour or things.material or things.states or things.size:
+        if things.amount.kind != "some" or things.amount.number > 1:
+            return None
+        if things.colour or things.material or things.states or things.size:
             return None
         one = msgspec.structs.replace(things, amount=Amount(number=1), plural=False)
-        out.append(Ensure(things=one, place=statement.place, each=True, quote=statement.quote))
+        out.append(Ensure(things=one, place=statement.place, each=statement.each, quote=statement.quote))
     return out or None

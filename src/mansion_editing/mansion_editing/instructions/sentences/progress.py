@@ -42,6 +42,7 @@ class Progress:
         self.last_noun: Noun | None = None
         self.listed: list[Word] = []
         self.told: list[tuple[str, Place]] = []
+        self.complaints: list[tuple[str, str]] = []
         self.clause: list[Statement] = []
         self.scene: tuple[Things, ...] = ()
         self.counted: tuple[Things, ...] = ()

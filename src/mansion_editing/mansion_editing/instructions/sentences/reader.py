@@ -3,7 +3,7 @@
 import re
 from collections.abc import Iterable, Sequence
 from itertools import pairwise
-from typing import Literal
+from typing import Final, Literal
 
 import msgspec
 
@@ -44,9 +44,12 @@ from mansion_editing.instructions.sentences.refinement import (
     only_brings_it,
     removes_all_of_it,
     removes_what_went,
+    sets_as_one,
     spared_of,
+    sparing_what_goes,
     surplus_of,
     tells_of_surplus,
+    tells_who_may_stay,
     turned_by_list,
     with_noun_at,
     with_storeys,
@@ -77,6 +80,9 @@ from mansion_editing.instructions.statements import (
 from mansion_editing.state import SceneState
 
 __all__ = ["read_instruction"]
+
+
+_TOO_MANY: Final = re.compile(r"\btoo (many|much)\b", re.IGNORECASE)
 
 
 def read_instruction(text: str, state: SceneState, brief: str = "") -> Instruction:
@@ -121,7 +127,7 @@ class _Reader(
         ]
         self.statements = [s for one in self.statements for s in [self._told_later(one)]]
         self.unknown += [s.quote for s in self.statements if '"noun":"one"' in msgspec.json.encode(s).decode()]
-        self.unknown += self._instead_of_nothing()
+        self.unknown += self._instead_of_nothing() + self._complained_in_vain()
         if not self.unknown:
             self.unknown = unaccounted(self.text, self.words, self.statements, self.lexicon) or self._asks_in_vain()
         if not self.unknown and all(isinstance(statement, Mention) for statement in self.statements):
@@ -131,6 +137,7 @@ class _Reader(
         plain = [*(word for word in self.words if word.text in UNRECORDED), *topics]
         ignored = list(dict.fromkeys(w.raw for w in plain if not re.search(rf'"noun":"[^"]*\b{w.text}\b', told)))
         statements = turned_by_list(with_storeys(with_takings_first(self.statements, self.lexicon)), self.text)
+        statements = sets_as_one(sparing_what_goes(statements), self.lexicon)
         return Instruction(statements=statements, not_understood=self.unknown, ignored=ignored)
 
     def _introduces(self, statement: Statement, later: Sequence[Statement]) -> bool:
@@ -153,6 +160,11 @@ class _Reader(
             if told and isinstance(statement, Add | Ensure) and re.match(r"\W*instead\b(?! of)", after):
                 return [statement.quote]
         return []
+
+    def _complained_in_vain(self) -> list[str]:
+        """Return what was said to be too many where nothing is asked of such things: which of them go is not told."""
+        asked = msgspec.json.encode([s for s in self.statements if not isinstance(s, Mention)]).decode()
+        return [quote for quote, noun in self.complaints if f'"noun":"{noun}"' not in asked]
 
     def _asks_in_vain(self) -> list[str]:
         """Return the last clause with a verb where it was only taken to begin what no other clause goes on with."""
@@ -354,6 +366,8 @@ class _Reader(
         found, end = in_place_of(reader, found, end)
         self._name_ones(reader, found)
         topic, reader.topic = reader.topic, None
+        if topic is not None and isinstance(found[0], Mention) and _TOO_MANY.search(found[0].quote):
+            self.complaints.append((found[0].quote, topic.noun))
         found = [self._referred(one) for statement in found for one in self._of_scene(statement)]
         found = [self._in_scene(statement) for statement in found]
         if topic is not None or any(not isinstance(statement, Mention) for statement in found):
@@ -399,12 +413,17 @@ class _Reader(
 
     def _spares(self, statement: Statement, last: Statement | None) -> bool:
         """Read what stays of what the last statement clears or removes; return whether it does."""
-        if not isinstance(statement, Keep) or is_everything(statement.things):
+        if isinstance(statement, Keep) and is_everything(statement.things):
             return False
         spared = spared_of(statement) if isinstance(last, Clear) else ()
         if isinstance(last, Clear) and spared:
             self.statements[-1] = msgspec.structs.replace(last, spare=(*last.spare, *spared))
             return True
+        if tells_who_may_stay(statement):
+            self.unknown.append(statement.quote)  # it is not told where
+            return True
+        if not isinstance(statement, Keep):
+            return False
         alone = not isinstance(last, Clear | Remove) and not statement.things.place
         if alone and re.match(r"(keep|leave) (only|just)\b", statement.quote.lower()):
             self.unknown.append(statement.quote)  # it is not told what all else is

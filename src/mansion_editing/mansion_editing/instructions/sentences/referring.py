@@ -87,6 +87,9 @@ class Referring(Progress):
     def _about_holder(self, statement: Statement) -> Statement:
         """Put the furniture that was mentioned last for ``in there``, where it holds things."""
         last = next((s for s in reversed(self.statements) if not isinstance(s, Mention)), None)
+        left = self._where_that_was(statement, last)
+        if left is not None:
+            return left
         holder = self.topic if self.topic is not None else _mentioned_by(last)
         thing = getattr(statement, "things", None)
         if holder is None or not holder.noun or holder.refers or not isinstance(thing, Things):
@@ -103,6 +106,17 @@ class Referring(Progress):
         held: Statement = held_there(statement, msgspec.structs.replace(holder, definite=True))
         return held
 
+    def _where_that_was(self, statement: Statement, last: Statement | None) -> Statement | None:
+        """Return ``put a bowl there`` after a small thing was removed as put on what that lay on."""
+        there = isinstance(statement, Add | Ensure) and statement.place == Place(rooms=Rooms(same=True))
+        gone = last.things.noun if isinstance(last, Remove) and "there" in statement.quote.lower().split() else ""
+        if not isinstance(statement, Add | Ensure) or not there or not gone or self.topic is not None:
+            return None
+        if any(self.lexicon.stands(tuple(noun.split())) for noun in (gone, statement.things.noun)):
+            return None
+        on_it = Place(relation="on", anchor=Things(refers="last", definite=True, amount=Amount(number=0)))
+        return msgspec.structs.replace(statement, place=on_it)
+
     def _about_room(self, statement: Statement) -> Statement:
         """Put the room that was renamed, painted or furnished just before for ``it``."""
         last = next((s for s in reversed(self.statements) if not isinstance(s, Mention)), None)
@@ -114,6 +128,10 @@ class Referring(Progress):
             return msgspec.structs.replace(statement, place=Place(rooms=told.rooms))
         if not isinstance(last, Rename | Finish | Furnish) or self.topic is not None:
             return statement
+        things = getattr(statement, "things", None)
+        if isinstance(things, Things) and things.place is not None and _is_at_it(things.place):
+            inside = Place(rooms=Rooms(same=True))
+            return msgspec.structs.replace(statement, things=msgspec.structs.replace(things, place=inside))
         if not isinstance(place, Place) or place.relation not in ("in", "on") or not _is_bare_it(place.anchor):
             return statement
         return msgspec.structs.replace(statement, place=Place(rooms=Rooms(same=True), spot=place.spot))
@@ -178,6 +196,11 @@ def _of_what_lacks(statement: Add | Ensure | Move, topic: Things, rooms: Rooms) 
 
 def _is_bare_it(things: Things | None, *, many: bool = False) -> bool:
     return things is not None and things.refers == "last" and not things.noun and (many or not things.plural)
+
+
+def _is_at_it(place: Place) -> bool:
+    """Whether a place is only in or at what was mentioned last: ``the chairs from it``."""
+    return place.relation in ("", "in", "on") and _is_bare_it(place.anchor) and not place.outside and not place.rooms
 
 
 def _mentioned_by(statement: Statement | None) -> Things | None:

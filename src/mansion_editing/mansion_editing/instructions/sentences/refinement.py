@@ -7,6 +7,7 @@ from typing import Any, Final
 import msgspec
 
 from mansion_editing.instructions.clauses.reader import ClauseReader
+from mansion_editing.instructions.phrases.lexicon import Lexicon
 from mansion_editing.instructions.phrases.places import SAME_FLOOR, merged, with_place
 from mansion_editing.instructions.statements import (
     Add,
@@ -42,10 +43,13 @@ __all__ = [
     "only_brings_it",
     "removes_all_of_it",
     "removes_what_went",
+    "sets_as_one",
     "so_many",
+    "sparing_what_goes",
     "spared_of",
     "surplus_of",
     "tells_of_surplus",
+    "tells_who_may_stay",
     "turned_by_list",
     "with_noun_at",
     "with_storeys",
@@ -77,6 +81,13 @@ def tells_of_surplus(statement: Statement) -> bool:
     return isinstance(statement, Move | Remove) and bool(_SURPLUS.search(statement.quote))
 
 
+def tells_who_may_stay(statement: Statement) -> bool:
+    """Whether a statement only says that so many may stay, and not where: ``two plates may stay``."""
+    if not isinstance(statement, Ensure) or statement.place != Place() or statement.things.amount.kind != "some":
+        return False
+    return bool(re.search(r"\b(may|can|could) (stay|remain|be left)$", statement.quote))
+
+
 def surplus_of(last: Ensure, things: Things) -> Things:
     """Return the things beyond the number that shall be at a place."""
     most = last.things.amount.number
@@ -97,17 +108,51 @@ def turned_by_list(statements: Sequence[Statement], text: str) -> list[Statement
     """Return statements in which a room that becomes another one is only called so, where a list furnishes it.
 
     ``Turn the study into a guest room: the desk goes, a bed comes in`` tells all that changes in it; without the colon
-    in the `text` it must tell what stays, too.
+    in the `text` it must tell what stays, too, or that what goes is in it: what is furnished anew has no such desk.
     """
     out = list(statements)
     for at, statement in enumerate(out):
         if not isinstance(statement, Furnish) or not statement.kind or statement.rooms.every:
             continue
         rest = [s for s in out[at + 1 :] if _is_in_it(s, statement.rooms)]
-        told = (Remove, Add) if text.partition(statement.quote)[2].lstrip().startswith(":") else (Remove, Add, Keep)
+        listed = text.partition(statement.quote)[2].lstrip().startswith(":")
+        emptied = any(isinstance(s, Remove) and s.things.place is not None for s in rest)
+        told = (Remove, Add) if listed or emptied else (Remove, Add, Keep)
         if all(any(isinstance(s, kind) for s in rest) for kind in told):
             name = statement.kind.capitalize()
             out[at] = Rename(room=statement.rooms, name=name, quote=statement.quote)
+    return out
+
+
+def sparing_what_goes(statements: Sequence[Statement]) -> list[Statement]:
+    """Return statements in which what stays is not what another one names more closely and moves or removes.
+
+    After ``load the stacks of books on the cart`` the book that stays is none of those.
+    """
+    gone = {s.things.noun for s in statements if isinstance(s, Move | Remove) and s.things.noun}
+    out: list[Statement] = []
+    for statement in statements:
+        noun = statement.things.noun if isinstance(statement, Keep) else ""
+        closer = sorted(other for other in gone if noun and other != noun and noun in other.split())
+        if isinstance(statement, Keep) and closer:
+            whole = Amount(kind="all", number=0)
+            beside = (*statement.things.beside, *(Things(noun=n, amount=whole, plural=True) for n in closer))
+            things = msgspec.structs.replace(statement.things, beside=beside)
+            statement = msgspec.structs.replace(statement, things=things)
+        out.append(statement)
+    return out
+
+
+def sets_as_one(statements: Sequence[Statement], lexicon: Lexicon) -> list[Statement]:
+    """Return statements in which new ``crayons`` without a number are one set of them."""
+    out: list[Statement] = []
+    for statement in statements:
+        things = statement.things if isinstance(statement, Add | Ensure) else Things()
+        bare = things.plural and things.amount.kind == "some" and things.amount.number <= 1 and not things.definite
+        if isinstance(statement, Add | Ensure) and bare and lexicon.is_set(tuple(things.noun.split())):
+            one = msgspec.structs.replace(things, amount=Amount(number=1), plural=False)
+            statement = msgspec.structs.replace(statement, things=one)
+        out.append(statement)
     return out
 
 
@@ -321,6 +366,8 @@ def spared_of(statement: Statement) -> tuple[Things, ...]:
     """Return what stays of what is cleared just before: ``keep the lamp on it``."""
     if isinstance(statement, Keep) and (statement.things.place is None or _is_of_it(statement.things.place)):
         return (msgspec.structs.replace(statement.things, place=None),)
+    if isinstance(statement, Ensure) and tells_who_may_stay(statement):
+        return (statement.things,)
     return ()
 
 

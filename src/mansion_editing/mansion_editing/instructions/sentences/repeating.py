@@ -17,6 +17,7 @@ from mansion_editing.instructions.statements import (
     Finish,
     History,
     Mention,
+    Move,
     Paint,
     Place,
     Reach,
@@ -203,7 +204,11 @@ class Repeating(Progress):
     def _more_of_the_same(self, reader: ClauseReader, words: Sequence[Word], at: int) -> int | None:
         """Read things without a verb, which go where the things before them went: ``and a pen too``."""
         last = self.statements[-1] if self.statements else None
-        if not isinstance(last, Add | Ensure) or at == 0 or words[at - 1].text not in ("and", "also", ",", "plus"):
+        if (
+            not isinstance(last, Add | Ensure | Move)
+            or at == 0
+            or words[at - 1].text not in ("and", "also", ",", "plus")
+        ):
             return None
         item = reader.item(at)
         if item is None or item.is_room or item.phrase.definite or item.places or reader.subjects(at):
@@ -211,8 +216,11 @@ class Repeating(Progress):
         after = reader.skip(item.end)
         if after < len(words) and not reader.starts_clause(after) and words[item.end].text not in ("and", ","):
             return None
+        if isinstance(last, Move) and (last.place.anchor is None or last.place.anchor.refers):
+            return None
         quote = self._quote(words, at, item.end)
-        self.statements.append(msgspec.structs.replace(last, things=item.phrase.things(), quote=quote))
+        new = Add(things=item.phrase.things(), place=last.place) if isinstance(last, Move) else last
+        self.statements.append(msgspec.structs.replace(new, things=item.phrase.things(), quote=quote))
         return item.end
 
     def _frees_way(self, reader: ClauseReader, words: Sequence[Word], at: int) -> bool:

@@ -191,7 +191,7 @@ class SceneSetting(Progress):
         end = verb + 1
         while text_at(words, end) in _SOMETIMES or (end < len(words) and words[end].raw in _AT_REST):
             end += 1
-        places, end = reader.places(end)
+        places, end = reader.places(end) if not reader.bothers(end) else ((), end)
         if not places or any(read.source or read.each for read in places):
             return None
         plain = len(items) == 1 and items[0].phrase.definite and words[verb].text in ("is", "are")

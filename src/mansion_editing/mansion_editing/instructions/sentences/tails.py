@@ -37,6 +37,7 @@ from mansion_editing.instructions.statements import (
     Place,
     Remove,
     Replace,
+    Rooms,
     SetState,
     Statement,
     Swap,
@@ -131,7 +132,7 @@ class Tails(Resulting, Counting):
                 end = self._contrasted(reader, end + 2)
             elif pair in _PAIRS_AFTER_CLAUSES:
                 end += 2
-            elif text in COURTESIES or (text in AFTER_CLAUSES and (text != "each" or _is_of_several(self.clause))):
+            elif text in COURTESIES or self._ends_clause(reader, end):
                 end += 1
             else:
                 break
@@ -147,6 +148,22 @@ class Tails(Resulting, Counting):
             return stop, exact
         self.unknown.append(self._quote(words, end, stop))
         return stop, exact
+
+    def _ends_clause(self, reader: ClauseReader, at: int) -> bool:
+        """Whether a word is the last one of a clause: ``only``, ``each`` of several, ``in`` of what is brought."""
+        text = reader.text(at)
+        if text == "in":
+            return self._comes_in(reader, at + 1)
+        return text in AFTER_CLAUSES and (text != "each" or _is_of_several(self.clause))
+
+    def _comes_in(self, reader: ClauseReader, after: int) -> bool:
+        """Whether ``in`` ends a clause that brings something: ``take the desks out and put four beds in``."""
+        brought = [s for s in self.clause if isinstance(s, Add | Ensure) and s.place == Place()]
+        if not self._ends_at(reader, after) or not brought or len(brought) < len(self.clause):
+            return False
+        here = Place(rooms=Rooms(same=True))
+        self.clause = [msgspec.structs.replace(s, place=here) for s in brought]
+        return True
 
     def _is_for_some_purpose(self, words: Sequence[Word]) -> bool:
         """Whether words after a state say what it is good for: ``to air``, ``to cool down``."""
@@ -277,7 +294,7 @@ class Tails(Resulting, Counting):
         given = given_where_none_is(self.clause) if end else None
         if given is None:
             return 0
-        self.clause = given
+        self.clause = [*given]
         return end
 
     def _end_of_intent(self, words: Sequence[Word], at: int) -> int:
