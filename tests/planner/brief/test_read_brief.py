@@ -179,7 +179,7 @@ def test_unknown_rooms_become_rooms_like_known_ones() -> None:
     facts = read("an office with a quantum lab and two drone rooms")
     assert [(f.name, f.room_type, f.count) for f in facts.rooms] == [
         ("quantum_lab", "laboratory", 1),
-        ("drone_room", "study_room", 2),
+        ("drone_room", "laboratory", 2),
     ]
 
 
