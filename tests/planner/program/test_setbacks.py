@@ -20,9 +20,7 @@ def test_the_upper_storey_of_a_villa_is_shorter_than_the_one_with_the_pool() -> 
     assert any("shorter: their rooms need no more" in entry.effect for entry in trace)
 
 
-@pytest.mark.parametrize(
-    "more", [" of 540 m2 in all", ", 270 m2 per floor", ", L-shaped", ", both floors the same"]
-)
+@pytest.mark.parametrize("more", [" of 540 m2 in all", ", 270 m2 per floor", ", L-shaped", ", both floors the same"])
 def test_what_the_brief_says_of_areas_or_outline_holds_for_all_storeys(more: str) -> None:
     ground, upper = areas(VILLA.replace("villa", "two-storey villa") + more)
     assert upper == pytest.approx(ground, rel=0.02)
