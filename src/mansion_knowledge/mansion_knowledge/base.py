@@ -51,7 +51,7 @@ _LEVELS = ("", "goal", "talk", "loose")
 class KnowledgeBase:
     """Room types, words in names of rooms, building types and styles, each by name; groups of building types.
 
-    `telling` holds the room type that a word before a general noun tells: "weights" of a weights corner is of a gym.
+    `telling` maps words to the room type that they suggest before a general noun: a "weights corner" is part of a gym.
     """
 
     rooms: dict[str, RoomType]

@@ -6,16 +6,14 @@ that anybody could look up, and words of a kind's own name ("cold room", "shared
 """
 
 from collections.abc import Sequence
-from dataclasses import replace
 
 from mansion_planner.brief.facts import BriefFacts, Span
 from mansion_planner.brief.furniture_words import furniture_of
 from mansion_planner.brief.phrase import FUNCTION_WORDS, PLAIN, UNITS_OF_ROOMS, Phrase
 from mansion_planner.brief.reading import Reading
-from mansion_planner.brief.similarity import told_room_type
 from mansion_planner.brief.sizes import is_size
 
-__all__ = ["is_property", "subject_of_building", "taken_for_its_head", "told_by_its_words", "unheeded_words"]
+__all__ = ["is_property", "subject_of_building", "taken_for_its_head", "unheeded_words"]
 
 _PROPERTIES = frozenset(
     """
@@ -179,14 +177,6 @@ def taken_for_its_head(reading: Reading, phrase: Phrase) -> bool:
     return single and any(
         _is_subject(reading, index) and reading.word(index) not in _AS_ANY for index in range(phrase.begin, core)
     )
-
-
-def told_by_its_words(reading: Reading, phrase: Phrase) -> Phrase:
-    """Return a room of an unknown kind as the kind that the words of its name tell: "a bouldering area"."""
-    if phrase.head != "room" or not phrase.room_type or (phrase.known and not taken_for_its_head(reading, phrase)):
-        return phrase
-    told = told_room_type(phrase.name, reading.knowledge)
-    return replace(phrase, room_type=told, known=False) if told and told != phrase.room_type else phrase
 
 
 _WIDE = {"assembly_hall": {"hall"}, "living_room": {"parlour", "parlor", "salon"}, "workshop": {"workshop"}}

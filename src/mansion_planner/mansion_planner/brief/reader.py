@@ -39,11 +39,12 @@ from mansion_planner.brief.measures import Measure, find_measures, give_measures
 from mansion_planner.brief.named_rooms import desks_as_places, rooms_by_name
 from mansion_planner.brief.noun_phrases import noun_phrases
 from mansion_planner.brief.phrase import Phrase
-from mansion_planner.brief.qualifiers import told_by_its_words, unheeded_words
+from mansion_planner.brief.qualifiers import unheeded_words
 from mansion_planner.brief.reading import Place, Reading, start_reading
 from mansion_planner.brief.relations import Relation, read_relations
 from mansion_planner.brief.retractions import without_retractions
 from mansion_planner.brief.room_facts import RoomStatements, identifier
+from mansion_planner.brief.room_names import told_by_its_words
 from mansion_planner.brief.rooms_by_building import room_for_building
 from mansion_planner.brief.shared_places import read_shares
 from mansion_planner.brief.shared_rooms import as_studio_flat, rooms_of_several_uses

@@ -7,15 +7,17 @@ from functools import cached_property
 from mansion_language import singular
 from mansion_planner.brief.lexicon import Mention, lexicon_of
 from mansion_planner.brief.phrase import FUNCTION_WORDS, PEOPLE, PLAIN, Phrase, finished_phrase, name_of
+from mansion_planner.brief.qualifiers import taken_for_its_head
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
 from mansion_planner.brief.room_users import PEOPLE_APART, one_of
-from mansion_planner.brief.similarity import HEAD_TYPES, elliptic_room_type, similar_room_type
+from mansion_planner.brief.similarity import HEAD_TYPES, elliptic_room_type, similar_room_type, told_room_type
 
 __all__ = [
     "CONTRASTS",
     "coordinated",
     "designated_nouns",
     "listed_unknowns",
+    "told_by_its_words",
     "with_designators",
     "with_purpose",
     "with_sizes",
@@ -519,3 +521,11 @@ def _kind_named(reading: Reading, begin: int, end: int, noun: str) -> str:
     phrases, words = lexicon_of(reading.knowledge).phrases, reading.words(begin, end)
     found = phrases.get((*words, noun)) or (phrases.get(words) if noun == "hall" else None)
     return found.room if found is not None else ""
+
+
+def told_by_its_words(reading: Reading, phrase: Phrase) -> Phrase:
+    """Return a room of an unknown kind as the kind that the words of its name tell: "a bouldering area"."""
+    if phrase.head != "room" or not phrase.room_type or (phrase.known and not taken_for_its_head(reading, phrase)):
+        return phrase
+    told = told_room_type(phrase.name, reading.knowledge)
+    return replace(phrase, room_type=told, known=False) if told and told != phrase.room_type else phrase

@@ -1,4 +1,4 @@
-"""How good the plan of a storey is: the proportions of its rooms, and which of them lack the window that they want."""
+"""How good the plan of a storey is: proportions and sizes of its rooms, and which lack the window that they want."""
 
 from mansion_planner.program.model import Box, Massing, Placement, Sketch
 
@@ -32,7 +32,7 @@ def strips(sketch: Sketch) -> list[Placement]:
 
 
 _TWO_CARS, _CAR = 30.0, 5.2
-"""From so many square metres on a garage is for cars side by side, and so many metres deep for them."""
+"""Area from which a garage is for two cars side by side, square metres, and its least depth then, metres."""
 
 
 def shallow_garages(sketch: Sketch) -> list[Placement]:

@@ -27,9 +27,9 @@ _MOST = 0.45
 def set_back(
     decisions: Decisions, massing: Massing, storeys: Sequence[Storey], allocation: Allocation, knowledge: KnowledgeBase
 ) -> list[Storey]:
-    """Return the storeys, those above the ground floor as much shorter as what they hold allows, all alike.
+    """Return the storeys with those above the ground floor shortened, all by the same length, to what their rooms need.
 
-    A brief that says anything of areas or of the outline is heeded as it is.
+    Nothing changes where the brief says anything of areas or of the outline.
     """
     upper = [storey for storey in storeys if storey.index >= 2]
     if not upper or not _is_free(decisions, massing, upper):

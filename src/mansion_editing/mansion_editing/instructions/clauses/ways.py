@@ -16,6 +16,7 @@ from mansion_editing.instructions.phrases.word_sets import (
     GOING,
     GOING_SOMEWHERE,
     JOINING,
+    ROLLING,
     SOMEBODY,
     WAYS,
 )
@@ -27,7 +28,7 @@ __all__ = ["Ways"]
 _FREE: Final = frozenset("free clear open unobstructed unblocked passable walkable".split())
 _BLOCKED: Final = frozenset("blocked obstructed barred narrowed".split())
 _BEING: Final = MODALS | BE | frozenset("to has have kept left keep always still completely".split())
-_AIDS: Final = frozenset("wheelchair crutch walker rollator pram pushchair stroller buggy trolley cart aid".split())
+_AIDS: Final = ROLLING - {"bed"} | frozenset("crutch walker rollator buggy aid".split())
 """What people who must get somewhere sit in, lean on or push."""
 _BEFORE_AIDS: Final = frozenset("a an the his her their walking loaded full baby child's electric mobility".split())
 _UNHINDERED: Final = frozenset("unhindered unimpeded unobstructed undisturbed".split())
