@@ -137,7 +137,9 @@ def read_copies(reading: Reading, places: list[Place]) -> None:
             and reading.word(index + 1) in ("one", "a", "the")
             and ({"plan", "layout"} & set(reading.words(index + 1, index + 5)))
         )
-        typical = token.text == "typical" and reading.word(index + 1) in FLOOR_WORDS
+        typical = token.text == "typical" and (
+            reading.word(index + 1) in FLOOR_WORDS or any(p.first < index < p.last for p in places)
+        )
         if _read_unchanging(reading, places, index) or _read_again(reading, places, index):
             continue
         like = token.text in ("like", "as") and reading.word(index - 1) in ("just", "exactly", "look", "repeat")

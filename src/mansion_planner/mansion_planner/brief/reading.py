@@ -184,7 +184,7 @@ def start_reading(text: str, knowledge: KnowledgeBase, cancelled: Callable[[], b
     """Tokenise `text`, correct misspelt words and find the phrases of the knowledge base."""
     lexicon = lexicon_of(knowledge)
     tokens, corrections = corrected_numbers(tokenize(text))
-    tokens = storey_tables(abbreviated_storeys(decades(tokens)), FLOOR_WORDS)
+    tokens = storey_tables(abbreviated_storeys(text, decades(tokens)), FLOOR_WORDS)
     tokens = flat_types(count_forms(storeys_by_use(storey_forms(text, tokens), FLOOR_WORDS)))
     tokens = compounds(corrected(tokens, lexicon.words, furniture_vocabulary()), lexicon.words)
     tokens = workplaces(foreign_storeys(open_decks(kinds_of_area(gross_areas(metering(tokens))))))

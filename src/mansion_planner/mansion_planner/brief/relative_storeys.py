@@ -1,6 +1,6 @@
 """Read sets of storeys told from another one: "each of the four floors above", "all levels over the ground floor"."""
 
-from mansion_planner.brief.facts import FloorRef
+from mansion_planner.brief.facts import FloorRef, Quantity
 from mansion_planner.brief.named_storeys import NamedStoreys
 from mansion_planner.brief.numbered_storeys import NumberedStoreys
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
@@ -10,6 +10,8 @@ __all__ = ["RelativeStoreys"]
 
 _EACH = frozenset({"each", "every", "all", "both", "any"})
 _FURTHER = frozenset({"other", "upper", "further", "remaining", "higher", "following", "next"})
+_AFTER_NUMBER = frozenset({"x", "no", "nos", ",", ")"})
+"""What follows the number of storeys in a bracket behind them."""
 _ABOVE = (
     ("further", "up"),
     ("higher", "up"),
@@ -32,6 +34,9 @@ class RelativeStoreys:
     def read(self, index: int, previous: FloorRef | None) -> tuple[list[FloorRef], int] | None:
         """Return the storeys meant at a token and the token after them; `previous` is the storey named last."""
         reading = self.reading
+        headed = self._headed(index, previous)
+        if headed is not None:
+            return headed
         each = reading.word(index) in _EACH
         if not each and reading.word(index - 1) not in DEFINITE:
             return None
@@ -53,9 +58,44 @@ class RelativeStoreys:
         if not many:
             ranged = FloorRef("range", base + 1, floors) if base < floors else None
             return None if ranged is None and base != 1 else ([ranged or FloorRef("upper")], last)
-        if base + many > floors > many:
-            base = floors - many
-        return [FloorRef("range", base + 1, base + many)], last
+        return [self.stacked(many, FloorRef("number", base, base), at)], last
+
+    def _headed(self, index: int, previous: FloorRef | None) -> tuple[list[FloorRef], int] | None:
+        """Read "Floors above: ..." and "Storeys above (8 no., all alike): ..." where they head a list."""
+        reading = self.reading
+        if reading.word(index) not in FLOOR_WORDS or not reading.plural(index) or not reading.starts(index):
+            return None
+        told = self._told_from(index + 1, previous)
+        if told is None or reading.word(told[1]) not in (":", "=", "("):
+            return None
+        many, floors = self.bracketed_number(told[1]), reading.facts.floors
+        if many:
+            return [self.stacked(many, FloorRef("number", told[0], told[0]), index)], told[1]
+        top = int(floors[0].value) if floors else 0
+        return [FloorRef("range", told[0] + 1, top) if top > told[0] else FloorRef("upper")], told[1]
+
+    def bracketed_number(self, index: int) -> int:
+        """Return the number of "(x4, identical)" and "(8 no., all alike)" at a token, or 0."""
+        reading = self.reading
+        at = index + 1 + (reading.word(index + 1) == "x")
+        counts = reading.word(index) == "(" and reading.kind(at) == "number"
+        closed = reading.word(at + 1) in _AFTER_NUMBER or reading.word(at + 1) in FLOOR_WORDS
+        return int(reading.value(at)) if counts and closed and 0 < reading.value(at) < 200 else 0
+
+    def stacked(self, many: int, below: FloorRef | None, index: int) -> FloorRef:
+        """Return so many storeys above another one; they tell how many the brief has where it does not say so.
+
+        Parameters
+        ----------
+        index : int
+            Token of the noun that they are named by.
+        """
+        floors, base = self.reading.facts.floors, self._number_of(below)
+        if not floors:
+            floors.append(Quantity(float(base + many), self.reading.span(index, index + 1)))
+        elif base + many > floors[0].value > many:
+            base = int(floors[0].value) - many
+        return FloorRef("range", base + 1, base + many)
 
     def _adjectives(self, index: int) -> tuple[bool, int]:
         """Return whether words tell storeys from the lowest, and the token after all their adjectives."""

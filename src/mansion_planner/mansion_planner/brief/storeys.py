@@ -101,6 +101,7 @@ def _with_edges(reading: Reading, place: Place) -> Place:
         last += 3 * (reading.word(last + 3) == ",")  # "on the second floor, the highest, ten offices"
     if reading.word(last) == "(" and reading.word(last + 2) == ")" and reading.kind(last + 1) == "word":
         last += 3
+    last = _after_remark(reading, last)
     counted = reading.kind(last + 1) == "number" and reading.words(last + 2, last + 4) == ("of", "them")
     heading = (reading.word(last) in (":", "=") and not counted) or (
         reading.starts(first) and reading.word(last) in ("\n", "-")
@@ -110,7 +111,25 @@ def _with_edges(reading: Reading, place: Place) -> Place:
     return replace(place, first=first, last=last, led=led or each, heading=heading or place.heading)
 
 
+def _after_remark(reading: Reading, index: int) -> int:
+    """Return where "only", "typical" and "(8 no., all alike)" end that stand between storeys and a colon; or `index`."""
+    last = index
+    while not reading.breaks(last) and (
+        reading.word(last) in _REMARKS or (reading.kind(last) == "number" and _is_bracketed(reading, index, last))
+    ):
+        last += 1
+    return last if reading.word(last) in (":", "=") else index
+
+
+def _is_bracketed(reading: Reading, first: int, index: int) -> bool:
+    """Whether a bracket is open at a token that opens at token `first` or later."""
+    words = reading.words(first, index)
+    return words.count("(") > words.count(")")
+
+
 _ALIKE = frozenset({"same", "identical", "alike", "equal", "similar"})
+_REMARKS = _ALIKE | frozenset("only alone typical all each both repeated x no nos . , ( ) storey floor level".split())
+"""Words between storeys and the colon of their list that only tell how many they are, or that they are alike."""
 _ALL_ALIKE = _ALIKE | frozenset("is are be all both the , exactly".split())
 """Words between storeys that are said to be alike and "each" of them."""
 
@@ -395,6 +414,9 @@ class _Scanner:
         numbered = self.numbered.numbered(last)
         if numbered is not None:
             return numbered
+        many = self.relative.bracketed_number(last + 1)
+        if many:
+            return [self.relative.stacked(many, self.previous, last)], last + 1
         alike = not reading.plural(last) and not self._names_top()
         return ([self._typical()] if alike else [FloorRef("middle")]), last + 1
 

@@ -176,14 +176,23 @@ def _has_desks(tokens: list[Token], index: int) -> bool:
 
 
 _FOREIGN_STOREYS = {"etage": "floor", "niveau": "level", "niveaux": "level", "planta": "floor", "plant": "floor"}
+_SUPERLATIVES = {
+    ("most", "upper"): "uppermost", ("most", "top"): "uppermost", ("most", "high"): "uppermost",
+    ("most", "lower"): "lowest", ("most", "bottom"): "lowest", ("most", "low"): "lowest",
+}  # fmt: skip
 _FOREIGN_SIDES = {"low": "ground", "high": "upper", "superior": "upper", "principal": "ground", "inferior": "ground"}
 
 
 def foreign_storeys(tokens: list[Token]) -> list[Token]:
-    """Read words for storeys that writers carry over from their language: "two etages", "the low plant"."""
+    """Read words for storeys that writers carry over from their language: "two etages", "the low plant", "up floor"."""
     result: list[Token] = []
     for index, token in enumerate(tokens):
         side = _FOREIGN_SIDES.get(tokens[index - 1].text, "") if index else ""
+        if result and (result[-1].text, token.text) in _SUPERLATIVES:
+            result[-1] = replace(token, text=_SUPERLATIVES[result[-1].text, token.text], start=result[-1].start)
+            continue
+        if token.text in ("floor", "level", "storey") and not token.plural and _is_side(tokens, index - 1):
+            result[-1] = replace(result[-1], text="ground" if result[-1].text == "down" else "upper")
         carried = token.text in _FOREIGN_STOREYS and (token.text != "plant" or _is_storey(tokens, index))
         if side and (carried or (token.text in ("floor", "level") and tokens[index - 1].text not in ("low", "high"))):
             result[-1] = replace(result[-1], text=side)
@@ -194,19 +203,67 @@ def foreign_storeys(tokens: list[Token]) -> list[Token]:
     return result
 
 
-def abbreviated_storeys(tokens: list[Token]) -> list[Token]:
-    """Read "2 st.," as two storeys: the number of them stands in front, and no name follows as in "St. Mary"."""
+def abbreviated_storeys(text: str, tokens: list[Token]) -> list[Token]:
+    """Read "2 st.,", "per st.", "St. 2-6:" and "typ. floor" in full, and not the saint of "St. Mary".
+
+    Parameters
+    ----------
+    text : str
+        The brief, whose capitals tell whether a full stop ends a sentence.
+    tokens : list of Token
+    """
     result: list[Token] = []
+    shortened = False
     for index, token in enumerate(tokens):
-        before = result[-1] if result else None
-        if token.text == "." and before is not None and (before.text, tokens[index - 1].text) == ("storey", "st"):
+        if token.text == "." and shortened and not _ends_sentence(text, tokens, index):
+            shortened = False
             continue
-        following = [other.text for other in tokens[index + 1 : index + 3]]
-        counted = before is not None and before.kind == "number" and token.spaced
-        if counted and token.text == "st" and following[:1] == ["."] and set(following[1:]) <= _AFTER_STOREYS:
-            token = replace(token, text="storey", plural=True)
-        result.append(token)
+        full = _in_full(tokens, index)
+        shortened = full is not None
+        result.append(full or token)
     return result
+
+
+_SHORT_STOREYS = {"st": "storey", "fl": "floor", "flr": "floor", "lvl": "level"}
+
+
+def _in_full(tokens: list[Token], index: int) -> Token | None:
+    """Return the word that a token is short for: "typical", or a storey that is counted, numbered or each of them."""
+    token, before = tokens[index], tokens[index - 1] if index else None
+    if token.text == "typ":
+        return replace(token, text="typical")
+    if token.text not in _SHORT_STOREYS:
+        return None
+    noun = replace(token, text=_SHORT_STOREYS[token.text], plural=False)
+    if before is not None and before.text in ("per", "/", "each", "every"):
+        return noun
+    dotted = index + 1 < len(tokens) and tokens[index + 1].text == "."
+    following = [other.text for other in tokens[index + 1 : index + 3]]
+    if before is not None and before.kind == "number" and token.spaced and dotted:
+        return replace(noun, plural=True) if set(following[1:]) <= _AFTER_STOREYS else None
+    opens = before is None or before.text in (".", ";", "\n", "-", "*")
+    last = _after_numbers(tokens, index + 1 + dotted) if opens else 0
+    return replace(noun, plural=last > index + 2 + dotted) if last else None
+
+
+def _after_numbers(tokens: list[Token], index: int) -> int:
+    """Return the token after the numbers of a heading such as "2-6:" and "2 and 3 (typical):", or 0."""
+    last = index
+    while last < len(tokens) and (tokens[last].kind == "number" or tokens[last].text in _NUMBER_LINKS):
+        last += 1
+    headed = last < len(tokens) and tokens[last].text in (":", "=", "(", "typical", "typ", "identical")
+    return last if headed and tokens[index].kind == "number" else 0
+
+
+_NUMBER_LINKS = frozenset({"-", "–", "to", ",", "and", "&"})
+
+
+def _ends_sentence(text: str, tokens: list[Token], index: int) -> bool:
+    """Whether the full stop of a short form ends a sentence: a capital, a break or nothing comes after it."""
+    if index + 1 == len(tokens):
+        return True
+    following = tokens[index + 1]
+    return following.text == "\n" or text[following.start].isupper()
 
 
 def _is_storey(tokens: list[Token], index: int) -> bool:
@@ -216,6 +273,16 @@ def _is_storey(tokens: list[Token], index: int) -> bool:
     counted = index > 1 and tokens[index - 1].kind in ("number", "ordinal")
     several = tokens[index].plural or (counted and tokens[index - 1].text in ("one", "1"))
     return counted and several and tokens[index - 2].text in ("of", "on", "in", "over")
+
+
+def _is_side(tokens: list[Token], index: int) -> bool:
+    """Whether a token is the side in "in up floor", "Down floor:", and not a way: "one flight up, level 2"."""
+    if index < 0 or tokens[index].text not in ("up", "down") or tokens[index].spaced is False:
+        return False
+    return index == 0 or tokens[index - 1].text in _BEFORE_SIDE
+
+
+_BEFORE_SIDE = frozenset({"in", "on", "at", "the", "to", "and", ".", ",", ";", ":", "\n", "-", "*"})
 
 
 def open_decks(tokens: list[Token]) -> list[Token]:
