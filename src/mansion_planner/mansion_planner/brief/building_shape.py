@@ -137,13 +137,13 @@ def read_copies(reading: Reading, places: list[Place]) -> None:
             and reading.word(index + 1) in ("one", "a", "the")
             and ({"plan", "layout"} & set(reading.words(index + 1, index + 5)))
         )
-        typical = token.text == "typical" and (
-            reading.word(index + 1) in FLOOR_WORDS or any(p.first < index < p.last for p in places)
-        )
+        within = any(p.first < index < p.last for p in places)
+        typical = token.text == "typical" and (within or reading.word(index + 1) in FLOOR_WORDS)
         if _read_unchanging(reading, places, index) or _read_again(reading, places, index):
             continue
+        equated = token.text == "=" and (within or any(p.first == index + 1 for p in places))
         like = token.text in ("like", "as") and reading.word(index - 1) in ("just", "exactly", "look", "repeat")
-        if not (token.text in _EQUAL or sharing or typical or like) or reading.word(index + 1) in (
+        if not (token.text in _EQUAL or sharing or typical or equated or like) or reading.word(index + 1) in (
             "time",
             "building",
             "room",
@@ -162,7 +162,7 @@ def read_copies(reading: Reading, places: list[Place]) -> None:
             span = reading.span(pair[0].first, pair[1].last)
             reading.facts.copies.append(CopyFact(FloorRef("range", first, last, span), span))
             continue
-        if like:
+        if like or (equated and not within):
             continue
         near = [p for p in places if reading.sentence[p.first] == reading.sentence[index] and _several(p)]
         counted = [p for p in near if p.refs[0].kind in ("number", "range") and p.last <= index]

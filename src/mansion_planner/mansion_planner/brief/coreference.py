@@ -40,6 +40,11 @@ def coreferences(
             if several:
                 same[number] = several[-1]  # "beside one treatment room", of the five
                 continue
+        if _is_measured(reading, phrase):
+            several = [n for n in rooms if n < number and phrases[n].name == phrase.name and phrases[n].plural]
+            if several:
+                same[number] = several[-1]
+                continue
         if phrase.counted and phrase.determiner not in ("the", "both", "these", "those", "all"):
             continue
         if phrase.determiner in ("a", "an") and reading.word(phrase.last) in _GENERIC and _opens(reading, phrase):
@@ -70,6 +75,12 @@ def coreferences(
 
 _JOINED = frozenset({"dining", "diner", "living", "kitchen"})
 """What is named second of two rooms in one: "living/dining", "kitchen-diner"."""
+
+
+def _is_measured(reading: Reading, phrase: Phrase) -> bool:
+    """Whether "the area of one classroom is 48 m2" tells how large each of the classrooms named before is."""
+    of_size = reading.words(phrase.first - 2, phrase.first) in (("area", "of"), ("size", "of"), ("surface", "of"))
+    return of_size and phrase.count == 1 and not phrase.plural and reading.word(phrase.last) in ("is", "be", "should", "must")
 
 
 def _opens(reading: Reading, phrase: Phrase) -> bool:

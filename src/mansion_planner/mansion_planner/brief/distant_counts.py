@@ -112,6 +112,9 @@ def read_counts_by_storey(
             continue
         total, many = phrases[number], int(token.value)
         reading.take(index, last)
+        if starts[last].refs[0].kind == "every" and total.plural and not total.counted and total.head == "room":
+            phrases[number] = replace(total, count=many, counted=True)  # "classrooms on all floors, five on each"
+            continue
         if starts[last].refs[0].kind == "every":
             shared.add(total.first)
             _state_storeys(reading, total, many, reading.span(index, starts[last].last))

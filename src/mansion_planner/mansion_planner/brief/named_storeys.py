@@ -19,6 +19,8 @@ COPULAS = frozenset(
     """.split()
 )
 
+_STAYS = frozenset({"stay", "is", "are", "go", "also"})
+"""What "up" and "down" follow where they are a storey: "the bedrooms are also up"."""
 _AFTER_TOP = frozenset("with and there nothing only two one become we the sit come".split())
 """Words that what is on the top storey follows: "on top there is a bar"."""
 
@@ -102,6 +104,8 @@ class NamedStoreys:
             return False
         if following in ("for", "has", "hold") and lead in (":", ";"):
             return True
+        if reading.words(index + 1, index + 3) == ("only", ":") and reading.starts(index):
+            return True
         led = lead in ("the", "on", "at") or reading.starts(index) or (lead == "in" and reading.starts(index - 1))
         return led and following in CLOSERS | _AFTER_GROUND
 
@@ -125,7 +129,7 @@ class NamedStoreys:
         if word == "lower":
             return following in (":", ",") and lead == "the"
         if word == "down":
-            stays = self.has_floors and following in CLOSERS and lead in ("stay", "is", "are", "go")
+            stays = self.has_floors and following in CLOSERS and lead in _STAYS
             return stays or (following == ":" and reading.starts(index))
         if word == "below":
             if reading.starts(index) and following in (":", "is", "are", "there", ",", "the", "we", "i", "you", "a"):
@@ -277,13 +281,14 @@ class NamedStoreys:
     def _is_upper(self, index: int) -> bool:
         """Whether a token stands for the upper floors: "upstairs", "Upper: two bedrooms", "up:"."""
         reading = self.reading
-        word, following = reading.word(index), reading.word(index + 1)
-        if word == "upper" and following in (":", ",") and reading.word(index - 1) == "the":
+        word, lead, following = reading.word(index), reading.word(index - 1), reading.word(index + 1)
+        if word == "upper" and following in (":", ",") and lead == "the":
             return True
         if word in ("upper", "og") and reading.starts(index) and following in (":", "-", "–"):
             return True
         if word == "up":
-            return following == ":" and reading.starts(index)
+            stays = self.has_floors and following in CLOSERS and lead in _STAYS
+            return stays or (following == ":" and reading.starts(index))
         return word in ("upstair", "upstairs") or (word == "og" and following in CLOSERS)
 
     def _is_above(self, index: int) -> bool:

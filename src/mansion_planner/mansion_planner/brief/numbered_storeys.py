@@ -113,7 +113,8 @@ class NumberedStoreys:
         second = self._number(again, "number")
         if link in ("to", "through", "until", "–", "-", "thru") and second is not None:
             return [FloorRef("range", min(first, second), max(first, second))], again + 1
-        if reading.kind(last) == "word" and not reading.plural(index) and reading.plural(last):
+        counts = reading.kind(last) == "word" and not reading.plural(index) and reading.plural(last)
+        if counts and not self._is_titled(index, last):
             return None  # "level 2 bedrooms" has no plural room of one level: the number counts the rooms
         numbers, ended = [first], False
         while reading.word(last) in (",", "and", "&") and not ended:
@@ -127,6 +128,13 @@ class NumberedStoreys:
             numbers.append(more)
             last += step + 1
         return [FloorRef("number", number, number) for number in numbers], last
+
+    def _is_titled(self, index: int, last: int) -> bool:
+        """Whether a numbered storey that opens a sentence has a title of a few words: "Level 0 citizens' service: ..."."""
+        reading, end = self.reading, last
+        while reading.kind(end) == "word" and end - last < _TITLE:
+            end += 1
+        return reading.starts(index) and reading.word(end) == ":"
 
     def ordinal(self, index: int) -> tuple[list[FloorRef], int] | None:
         """Read "third floor", "second and third floors", "third to eighth floors", "second:", "on the second"."""
@@ -191,8 +199,10 @@ class NumberedStoreys:
             return last > index + 1 or following in ("for", "has", "hold", "contain")
         if reading.starts(index):
             return following in (":", "\n", "(", "=", "-") or (following == "is" and reading.word(index - 1) == "the")
-        if reading.word(index - 1) in ("on", "in", "at") and reading.starts(index - 1):
-            return following in (":", ",")
+        if reading.word(index - 1) in ("on", "in", "at") and reading.starts(index - 1) and following in (":", ","):
+            return True
+        if reading.word(index - 1) == "on" and following in _TELLS_ROOMS:
+            return reading.starts(index - 1) or reading.word(index - 2) in (",", "and", "while", "but", "–", "-")
         if reading.word(index - 1) == "from" and last > index + 1:
             return True  # "from 2nd to 4th"
         if reading.word(index - 1) != "the":
@@ -241,5 +251,9 @@ class NumberedStoreys:
         return [FloorRef("number", number, number) for number in numbers], last
 
 
+_TITLE = 4
+"""Words of a title between a storey and its colon, at most."""
+_TELLS_ROOMS = frozenset("is are there come we only just a an the one two three four".split())
+"""What goes on after a storey without its noun: "on second is a computer class"."""
 _ALIKE = frozenset({"identical", "alike", "typical"})
 """What is said of storeys whose numbers alone open a sentence: "2-8 identical, ten rooms each"."""

@@ -155,6 +155,10 @@ class StoreyCounts:
         """Read "everything on one level", "all at grade", "ground floor only", "no other floors"."""
         reading = self.reading
         word = reading.word(index)
+        above = self._nothing_above(index)
+        if above:
+            self._state(1, index, above)
+            return above
         if word in ("no", "without") and reading.word(index + 2) in FLOOR_WORDS:
             most = self._most_below(index + 1)
             if most:
@@ -186,6 +190,19 @@ class StoreyCounts:
         last += 1 + (reading.word(last + 1) in FLOOR_WORDS)
         self._state(1, index, last)
         return last
+
+    def _nothing_above(self, index: int) -> int:
+        """Return where "no floors above" ends beside a ground floor and no other storey, or 0."""
+        reading = self.reading
+        last = index + 1 + (reading.word(index + 1) in ("other", "further", "more", "upper"))
+        named = {ref.last for place in self.places for ref in place.refs if ref.kind != "basement"}
+        if reading.word(index) not in ("no", "without") or reading.word(last) not in FLOOR_WORDS or named - {1}:
+            return 0
+        last += 1
+        if reading.word(last) not in ("above", "over", "overhead", "upstair", "upstairs"):
+            return 0
+        last += 1 + (reading.word(last + 1) in ANAPHORS)
+        return last if reading.word(last) in CLOSERS else 0
 
     def _most_below(self, index: int) -> int:
         """Return how many storeys there are at most without the one that is named: "no second floor", or 0."""

@@ -100,6 +100,7 @@ def _lists_ground_and_first(reading: Reading) -> bool:
     for index in range(len(reading.tokens)):
         word, opens = reading.word(index), reading.starts(index) or reading.word(index - 1) == ":"
         after = index + 1 + (reading.word(index + 1) in FLOOR_WORDS)
+        after += reading.word(after) in ("only", "alone")
         listed = reading.word(after) in (*marks, "to")
         ground = ground or (opens and _is_ground(reading, index) and listed)
         counts = (reading.kind(index) == "ordinal" and opens) or (

@@ -133,6 +133,8 @@ _REMARKS = _ALIKE | frozenset("only alone typical all each both repeated x no no
 _ALL_ALIKE = _ALIKE | frozenset("is are be all both the , exactly".split())
 """Words between storeys that are said to be alike and "each" of them."""
 
+_HOLDS = frozenset("with having each : get take accommodate comprise include consist offer".split())
+"""Words after a number of storeys that what they hold follows."""
 _SAID_OF_BOTH = frozenset("is are be has have hold contain there each both we should must will need with same".split())
 """Words after two storeys that are told of together."""
 
@@ -183,7 +185,7 @@ class _Scanner:
 
     def _counted_upper(self, index: int, last: int) -> None:
         """Read "2 upper floors with ..." as the place of what follows, besides the number of storeys that it gives."""
-        holds = self.reading.word(last) in ("with", "have", "contain", "hold", ":")
+        holds = self.reading.word(last) in COPULAS | _HOLDS
         if "upper" in self.reading.words(index, last) and holds:
             ref = FloorRef("upper", span=self.reading.span(index, last))
             self.places.append(Place(index, last, (ref,), led=False))
@@ -204,6 +206,8 @@ class _Scanner:
         gap = reading.words(before.last, place.first)
         if gap == ("and", "on"):
             return True
+        if gap == ("=",):
+            return reading.word(_after_remark(reading, place.last)) in (":", ",", "=")  # "L01 = L02: ten offices"
         if gap not in (("and",), ("&",), ("and", "the")):
             return False
         first = before.first
