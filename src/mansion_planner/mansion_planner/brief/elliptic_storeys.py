@@ -1,8 +1,8 @@
 """Read storeys that a brief names by a word for their place alone: "Lower: ...", "the last one", "in between"."""
 
-from mansion_planner.brief.facts import FloorRef
+from mansion_planner.brief.facts import FloorRef, Quantity
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
-from mansion_planner.brief.storey_counts import CLOSERS
+from mansion_planner.brief.storey_counts import CLOSERS, STOREY_ADJECTIVES
 
 __all__ = ["EllipticStoreys"]
 
@@ -49,7 +49,7 @@ class EllipticStoreys:
             or self._edge(index)
             or self._ordinal(index)
             or self._entered(index)
-            or self._between(index)
+            or self._between(index, previous)
         )
 
     def _edge(self, index: int) -> tuple[list[FloorRef], int] | None:
@@ -166,17 +166,21 @@ class EllipticStoreys:
             at += 1
         return [_GROUND], at
 
-    def _between(self, index: int) -> tuple[list[FloorRef], int] | None:
-        """Read "between them a storey with ...", "the storey in between"."""
+    def _between(self, index: int, previous: FloorRef | None) -> tuple[list[FloorRef], int] | None:
+        """Read "between them a storey with ...", "between them there are four storeys", "the storey in between"."""
         reading = self.reading
         if reading.word(index) in _BETWEEN and reading.word(index + 1) in ("them", "these", "those", "both", "the"):
             at = index + 2 + (reading.word(index + 2) in ("two", "both"))
-            at += reading.word(at) in (",", "is", "lie", "come", "there")
-            at += reading.word(at) == "is"
-            if reading.word(at) in ("a", "one", "the") or reading.value(at) == 1:
-                storeyed = at + 1 + (reading.word(at + 1) in ("single", "whole", "full", "middle"))
-                if reading.word(storeyed) in FLOOR_WORDS and not reading.plural(storeyed):
-                    return [FloorRef("middle")], storeyed + 1
+            while reading.word(at) in _THERE_ARE and at - index < 6:
+                at += 1
+            counted = reading.kind(at) == "number"
+            if reading.word(at) in ("a", "one", "the") or counted:
+                storeyed = at + 1
+                while reading.word(storeyed) in STOREY_ADJECTIVES | {"single", "middle"} and storeyed - at < 4:
+                    storeyed += 1
+                if reading.word(storeyed) in FLOOR_WORDS:
+                    many = reading.value(at) if counted and reading.plural(storeyed) else 0.0
+                    return [self._middle(int(many), previous)], storeyed + 1
         if reading.word(index) in FLOOR_WORDS | {"one"} and reading.word(index - 1) in ("the", "a"):
             at = index + 1 + (reading.word(index + 1) == "in")
             if reading.word(at) == "between" and reading.word(at + 1) in CLOSERS | _VERBS | {"with", "them", "these"}:
@@ -185,3 +189,18 @@ class EllipticStoreys:
         if opens and reading.word(index + 2) in (":", ",", "="):
             return [FloorRef("middle")], index + 2
         return None
+
+    def _middle(self, many: int, previous: FloorRef | None) -> FloorRef:
+        """Return so many storeys between the ground floor and the top one, or all of these where no number is told."""
+        if not many:
+            return FloorRef("middle")
+        below = previous.last if previous is not None and previous.kind == "number" and previous.last > 0 else 1
+        floors = self.reading.facts.floors
+        if not floors and previous is not None and previous.kind == "top":
+            floors.append(Quantity(float(below + many + 1), previous.span))
+        high = floors and below == floors[0].value  # the top storey was named last
+        return FloorRef("range", 2, many + 1) if high else FloorRef("range", below + 1, below + many)
+
+
+_THERE_ARE = frozenset({",", "is", "are", "lie", "come", "there", "we", "have", "sit"})
+"""Words between "between them" and the storeys that are meant."""

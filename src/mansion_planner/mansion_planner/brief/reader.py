@@ -546,6 +546,7 @@ class _Reader:
                 )
                 continue
             enough = self.reading.word(phrase.last + (self.reading.word(phrase.last) in _COPULAS)) in _ENOUGH
+            enough = enough and not self._has_lift_beside(number)
             if enough:
                 self.reading.take(phrase.last, phrase.last + 1 + (self.reading.word(phrase.last) in _COPULAS))
             only = "only" in (self.reading.word(phrase.last), self.reading.word(phrase.first - 1))
@@ -563,6 +564,12 @@ class _Reader:
                 and not reading.tokens[index + 1].spaced
             ):
                 self.facts.vertical.append(("no_elevator", reading.span(index, index + 2)))
+
+    def _has_lift_beside(self, number: int) -> bool:
+        """Whether a lift is joined to the stairs of a phrase: "one lift and one stairs is enough"."""
+        other = self.phrases[number - 1] if number else None
+        joined = other is not None and {"stair", "elevator"} == {other.head, self.phrases[number].head}
+        return joined and other is not None and self.reading.word(other.last) in ("and", "&", "+", "plus")
 
     def _relations(self) -> None:
         for relation in self.relations:

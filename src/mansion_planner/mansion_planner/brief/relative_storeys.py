@@ -10,6 +10,10 @@ __all__ = ["RelativeStoreys"]
 
 _EACH = frozenset({"each", "every", "all", "both", "any"})
 _FURTHER = frozenset({"other", "upper", "further", "remaining", "higher", "following", "next"})
+_THERE_ARE = frozenset("there is are come lie sit rise follow just only we i want have need also another".split())
+"""Words between "above the ground floor" and what is there."""
+_GOING_ON = frozenset({"i", "we", "you", "he", "she", "they", "there", "is", "are", "come", "lie", "sit", ",", ":", "a", "an"})
+"""What follows "over the shop" where that opens a clause about the storey above."""
 _AFTER_NUMBER = frozenset({"x", "no", "nos", ",", ")"})
 """What follows the number of storeys in a bracket behind them."""
 _ABOVE = (
@@ -34,9 +38,9 @@ class RelativeStoreys:
     def read(self, index: int, previous: FloorRef | None) -> tuple[list[FloorRef], int] | None:
         """Return the storeys meant at a token and the token after them; `previous` is the storey named last."""
         reading = self.reading
-        headed = self._headed(index, previous)
-        if headed is not None:
-            return headed
+        opening = self._headed(index, previous) or self._beyond_storey(index) or self._beyond_room(index, previous)
+        if opening is not None:
+            return opening
         each = reading.word(index) in _EACH
         if not each and reading.word(index - 1) not in DEFINITE:
             return None
@@ -68,11 +72,50 @@ class RelativeStoreys:
         told = self._told_from(index + 1, previous)
         if told is None or reading.word(told[1]) not in (":", "=", "("):
             return None
-        many, floors = self.bracketed_number(told[1]), reading.facts.floors
-        if many:
-            return [self.stacked(many, FloorRef("number", told[0], told[0]), index)], told[1]
+        many = self.bracketed_number(told[1])
+        below = FloorRef("number", told[0], told[0])
+        return [self.stacked(many, below, index) if many else self._all_above(told[0])], told[1]
+
+    def _beyond_storey(self, index: int) -> tuple[list[FloorRef], int] | None:
+        """Read "Above the ground floor there is one more floor with ..." and "over the first floor are two offices"."""
+        reading = self.reading
+        bare = reading.word(index + 1) in ANAPHORS or not self._opens_clause(index)
+        told = None if bare or reading.word(index) not in ("above", "over") else self._told_from(index, None)
+        if told is None or told[1] < index + 3:
+            return None
+        base, last = told
+        at = last
+        while reading.word(at) in _THERE_ARE and at - last < 6:
+            at += 1
+        counted = reading.kind(at) == "number" and 0 < reading.value(at) < 200
+        _, noun = self._adjectives(at + 1)
+        if counted and reading.word(noun) in FLOOR_WORDS and reading.word(noun + 1) != "of":
+            return [self.stacked(int(reading.value(at)), FloorRef("number", base, base), at)], noun + 1
+        return [self._all_above(base)], last
+
+    def _beyond_room(self, index: int, previous: FloorRef | None) -> tuple[list[FloorRef], int] | None:
+        """Read "Over the shop I live myself: ..." after a brief has told a storey and what is on it."""
+        reading = self.reading
+        if reading.word(index) not in ("above", "over") or reading.word(index + 1) not in ("the", "our", "my"):
+            return None
+        mention = reading.mention_at.get(index + 2)
+        if previous is None or previous.kind != "number" or not reading.starts(index) or mention is None:
+            return None
+        goes_on = reading.word(mention.last) in _GOING_ON or reading.kind(mention.last) == "number"
+        if not (mention.room or mention.building) or not goes_on:
+            return None
+        return [self._all_above(previous.last)], mention.last
+
+    def _opens_clause(self, index: int) -> bool:
+        return self.reading.starts(index) or self.reading.word(index - 1) in (",", "and", "–", "-")
+
+    def _all_above(self, base: int) -> FloorRef:
+        """Return the storeys above one."""
+        floors = self.reading.facts.floors
         top = int(floors[0].value) if floors else 0
-        return [FloorRef("range", told[0] + 1, top) if top > told[0] else FloorRef("upper")], told[1]
+        if base == 1:
+            return FloorRef("upper")
+        return FloorRef("range", base + 1, max(top, base + 1))
 
     def bracketed_number(self, index: int) -> int:
         """Return the number of "(x4, identical)" and "(8 no., all alike)" at a token, or 0."""
