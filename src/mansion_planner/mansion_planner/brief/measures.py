@@ -253,12 +253,10 @@ def _after(reading: Reading, measure: Measure, count: int = 5) -> list[str]:
 
 def _of_storey(reading: Reading, measure: Measure) -> bool:
     after = _after(reading, measure)
-    before = [reading.word(i) for i in range(measure.first - 6, measure.first) if i >= 0]
-    for cut in (".", ";", "\n"):
-        if cut in before:
-            before = before[len(before) - before[::-1].index(cut) :]
+    near = range(measure.first - 1, max(measure.first - 7, -1), -1)
+    before = [reading.word(i) for i in itertools.takewhile(lambda at: not reading.breaks(at), near)][::-1]
     own = before[len(before) - before[::-1].index(",") :] if "," in before else before
-    if _for_each_storey(reading, measure) or _for_each_of_the_storeys(reading, measure):
+    if _for_each_storey(reading, measure) or _for_each_of_the_storeys(reading, measure) or _of_both(reading, measure):
         return True
     counted = bool(reading.facts.floors) and reading.facts.floors[0].value > 1
     if (
@@ -284,7 +282,7 @@ def _of_storey(reading: Reading, measure: Measure) -> bool:
         return True
     if any(word in FLOOR_WORDS for word in before) or (before and before[-1] in ("each", "level")):
         index = measure.first - 1
-        while reading.word(index) in _FILLERS and reading.word(index) not in ("each", "floor") and index > 0:
+        while _is_filler(reading, index) and reading.word(index) not in ("each", "floor") and index > 0:
             index -= 1
         apiece = bool({"each", "apiece"} & set(after[:2])) or reading.word(index) == "each"
         if reading.words(index - 2, index + 1) == ("each", "of", "them"):
@@ -301,6 +299,22 @@ def _of_storey(reading: Reading, measure: Measure) -> bool:
             each = any(word in ("each", "every", "per", "all") for word in before)
             return (plural or each or apiece) and linked
     return False
+
+
+def _is_filler(reading: Reading, index: int) -> bool:
+    """Whether a token only leads on to an area, as the full stop of "approx." does."""
+    return reading.word(index) in _FILLERS or (reading.word(index) == "." and not reading.breaks(index))
+
+
+def _of_both(reading: Reading, measure: Measure) -> bool:
+    """Whether an area is said of two storeys that stand before it: "ground floor and cellar, both circa 200 m2"."""
+    index = measure.first - 1
+    while _is_filler(reading, index) and index > 0:
+        index -= 1
+    if reading.word(index) != "both":
+        return False
+    index -= 1 + (reading.word(index - 1) == ",")
+    return reading.word(index) in FLOOR_WORDS | {"cellar", "basement"}
 
 
 def _for_each_storey(reading: Reading, measure: Measure) -> bool:

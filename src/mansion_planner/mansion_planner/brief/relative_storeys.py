@@ -10,7 +10,7 @@ __all__ = ["RelativeStoreys"]
 
 _EACH = frozenset({"each", "every", "all", "both", "any"})
 _FURTHER = frozenset({"other", "upper", "further", "remaining", "higher", "following", "next"})
-_THERE_ARE = frozenset("there is are come lie sit rise follow just only we i want have need also another".split())
+_THERE_ARE = frozenset(": there is are come lie sit rise follow just only we i want have need also another".split())
 """Words between "above the ground floor" and what is there."""
 _GOING_ON = frozenset({"i", "we", "you", "he", "she", "they", "there", "is", "are", "come", "lie", "sit", ",", ":", "a", "an"})
 """What follows "over the shop" where that opens a clause about the storey above."""
@@ -89,7 +89,7 @@ class RelativeStoreys:
             at += 1
         counted = reading.kind(at) == "number" and 0 < reading.value(at) < 200
         _, noun = self._adjectives(at + 1)
-        if counted and reading.word(noun) in FLOOR_WORDS and reading.word(noun + 1) != "of":
+        if counted and reading.word(noun) in FLOOR_WORDS:
             return [self.stacked(int(reading.value(at)), FloorRef("number", base, base), at)], noun + 1
         return [self._all_above(base)], last
 
@@ -115,7 +115,7 @@ class RelativeStoreys:
         top = int(floors[0].value) if floors else 0
         if base == 1:
             return FloorRef("upper")
-        return FloorRef("range", base + 1, max(top, base + 1))
+        return FloorRef("range", base + 1, max(top, base + 1)) if base < top or not top else FloorRef("top")
 
     def bracketed_number(self, index: int) -> int:
         """Return the number of "(x4, identical)" and "(8 no., all alike)" at a token, or 0."""

@@ -186,7 +186,8 @@ class UnitRooms:
             (
                 p for p in self.phrases
                 if p.first <= index < p.noun_end and p.head == "room" and p.room_type
-                and p.first not in self.found.units and p.first != self.building and p.determiner not in ("each", "every")
+                and p.first not in self.found.units and p.first != self.building
+                and (p.counted or p.determiner != "every")
             ),
             None,
         )  # fmt: skip
