@@ -1,12 +1,13 @@
 """Read which of several bedrooms have a bathroom: "four bedrooms, of which one with its own bathroom"."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from mansion_planner.brief.phrase import Phrase
 from mansion_planner.brief.reading import Reading
 from mansion_planner.brief.suites import PRIVATE, SLEEPING
 
-__all__ = ["with_some_en_suite"]
+__all__ = ["bathroom_of_some", "with_some_en_suite"]
 
 _OPENERS = frozenset({",", "(", "-", "–", ":", ";"})
 _PARTS = frozenset({"which", "them", "these", "those", "whom"})
@@ -44,6 +45,24 @@ def with_some_en_suite(reading: Reading, phrases: list[Phrase]) -> list[Phrase]:
         reading.take(phrase.last, part.last)
         found += [replace(phrase, count=(phrase.count or 0) - part.count), _singled_out(phrase, part)]
     return found
+
+
+def bathroom_of_some(reading: Reading, phrases: Sequence[Phrase], some: Phrase) -> Phrase | None:
+    """Return the bathroom that rooms have which are singled out of several, as many as there are of them.
+
+    Parameters
+    ----------
+    some : Phrase
+        "Two" of "three bedrooms, out of which two are with attached bathroom".
+    """
+    end = some.last
+    while reading.word(end) in _VERBS | _OF_THE_ROOM:
+        end += 1
+    owned = next((p for p in phrases if p.first <= end <= p.begin + 1 and p.room_type in PRIVATE), None)
+    if owned is None or _HAVING.isdisjoint(reading.words(some.last, end)):
+        return None
+    many = max(some.count or 1, owned.count or 1)
+    return replace(owned, count=many, counted=True, plural=many > 1)
 
 
 def _singled_out(phrase: Phrase, part: _Part) -> Phrase:

@@ -5,6 +5,7 @@ from dataclasses import replace
 
 from mansion_planner.brief.phrase import Phrase
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
+from mansion_planner.brief.some_en_suite import bathroom_of_some
 from mansion_planner.brief.units import Households
 
 __all__ = ["UnitRooms"]
@@ -28,6 +29,8 @@ _JOINTS = frozenset(
     large sharing share shared around - – one private
     """.split()
 )
+_BESIDE = frozenset({"adjoining", "adjacent", "attached", "alongside"})
+"""What may end the entry of a room in a list: "kitchen with utility adjoining, toilet"."""
 _SHARED_ROOMS = frozenset(
     """
     laundry_room bike_storage mail_room lobby waste_room common_room gym parking shared_kitchen garage shop cafe
@@ -105,7 +108,9 @@ class UnitRooms:
                 break
             closed = closed or (joined and bool(rooms))
             rooms.append(replace(room, room_type=kind, known=room.known or room.name in _READ_AS))
-            index, each = self._after_room(room.last)
+            own = bathroom_of_some(self.reading, self.phrases, room) if self._singles_out(index, begin) else None
+            rooms += [own] if own is not None else []
+            index, each = self._after_room(rooms[-1].last)
             trailing = trailing or each
             living = self._living_at(index)
             if living is not None:
@@ -173,15 +178,22 @@ class UnitRooms:
             if self._room_at(index) is not None:
                 break
             word = self.reading.word(index)
-            ordinal = self.reading.kind(index) == "ordinal"
+            ordinal = self.reading.kind(index) == "ordinal" or self._singles_out(index, index + 1)
             if not (word in _JOINTS or ordinal) or self.reading.breaks(index):
                 break
             joined = joined or word in ("and", "&")
             index += 1
         return index, joined and not first
 
+    def _singles_out(self, first: int, last: int) -> bool:
+        """Whether "out of which" stands at tokens, which lead to some of the rooms named before."""
+        return any(
+            self.reading.word(at) in ("out", "of", "which", "them") and at in self.reading.taken
+            for at in range(first, last)
+        )
+
     def _room_at(self, index: int) -> Phrase | None:
-        """Return the room that a phrase names at a token."""
+        """Return the room that a phrase names at a token; "every room" speaks of one that is named before."""
         return next(
             (
                 p for p in self.phrases
@@ -201,6 +213,7 @@ class UnitRooms:
         ):  # fmt: skip
             index = next(i for i in range(ahead, ahead + 3) if reading.kind(i) == "unit") + 1
             index += reading.word(index) == ")"
+        index += reading.word(index) in _BESIDE and reading.word(index + 1) in (",", "and")
         each = reading.word(index) in _STRONG and not self._room_at(index)
         return index + each, each
 
