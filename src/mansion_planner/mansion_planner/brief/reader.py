@@ -252,12 +252,23 @@ class _Reader:
                 phrase.head == "room"
                 and phrase.plural
                 and not phrase.counted
-                and self.reading.words(phrase.last, following.first) in (("with",), ("of",))
+                and (self._holds(phrase, following) or self._is_spelt_out(phrase, following))
                 and following.head == "room"
                 and following.counted
                 and (following.count or 0) > 2
             ):
                 self.phrases[number] = replace(phrase, head="unknown")
+
+    def _holds(self, phrase: Phrase, following: Phrase) -> bool:
+        """Whether rooms hold those that come after them: "wards with twelve patient rooms"."""
+        return self.reading.words(phrase.last, following.first) in (("with",), ("of",))
+
+    def _is_spelt_out(self, phrase: Phrase, following: Phrase) -> bool:
+        """Whether rooms of the same kind are counted after a colon: "the labs: per storey four wet labs"."""
+        colon = phrase.determiner == "the" and self.reading.word(phrase.last) == ":"
+        placed = any(place.first <= phrase.last + 1 and place.last == following.first for place in self.places)
+        near = following.first == phrase.last + 1 or placed
+        return colon and near and f"_{following.name}".endswith(f"_{phrase.name}")
 
     def _fittings(self) -> None:
         """Read "every cell fitted with bunk, toilet and desk" as furniture, though a toilet can be a room as well."""

@@ -18,8 +18,8 @@ __all__ = ["Attachment", "attach_storeys"]
 _SHARED_OUT = frozenset({"spread", "distributed", "divided", "split", "evenly", "total", "altogether"})
 _GLUE = frozenset(
     """
-    can could may is are be goes go down stay stays sit sits lie lies located situated placed both all only right directly up that
-    which become stand kept share should must will shall belong take takes occupy occupies fills fill come found needed
+    can could may is are be goes go down stay stays sit sits lie lies located situated placed both all only right
+    directly up that which become stand kept share should must will shall belong take takes occupy occupies fills fill come found needed
     wanted ,
     on in at to entirely mostly alone as well too also each one apiece most much of occupy therefore be well
     """.split()
@@ -249,6 +249,7 @@ class _Walk:
             return False
         measures = all(
             word in _GLUE
+            or (word in ("has", "have", "need") and gap[k + 1 : k + 2] == ("to",))
             or k in joints
             or (word in _BESIDE and (after + k in self.reading.taken or word == "it"))
             or self.reading.kind(after + k) in ("number", "unit")

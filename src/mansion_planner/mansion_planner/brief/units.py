@@ -38,6 +38,10 @@ _DWELLINGS = GENERAL | {"maisonette", "studio", "penthouse", "house", "bungalow"
 _LISTING = frozenset({"with", "of", "having", "containing", "comprising", "including"})
 """Words between a dwelling and the list of its rooms."""
 
+_LEVEL_THINGS = frozenset({"roof", "plan", "site", "plot", "land", "ground", "terrain", "facade"})
+_ADJECTIVES = 2
+"""Words between "flat" and what it is said of, at most."""
+
 _ROWS = _ONE_HOME | {"house", "townhouse", "villa", "bungalow", "cottage"}
 
 _BEDS = frozenset({"bed", "bedroom", "br", "bedroomed", "bedded", "bdr"})
@@ -134,11 +138,17 @@ class _Units:
     def _leave_out(self) -> None:
         """Leave out what stands for the whole: "a two-storey building with", "a terrace of four houses"."""
         for number, phrase in enumerate(self.phrases):
-            roof = phrase.name == "flat" and self.reading.word(phrase.noun_end) == "roof"
-            whole = roof or (not phrase.known and phrase.name in ("building", "block"))
+            whole = self._is_level(phrase) or (not phrase.known and phrase.name in ("building", "block"))
             row = phrase.name in ("terrace", "row") and self.reading.word(phrase.last) == "of"
             if whole or row:
                 self.phrases[number] = replace(phrase, head="unknown")
+
+    def _is_level(self, phrase: Phrase) -> bool:
+        """Whether "flat" tells the form of something: "a flat roof", "a flat simple rectangular plan"."""
+        ahead = self.reading.words(phrase.noun_end, phrase.noun_end + _ADJECTIVES + 1)
+        nouns = [at for at, word in enumerate(ahead) if word in _LEVEL_THINGS]
+        plain = bool(nouns) and all(self.reading.kind(phrase.noun_end + at) == "word" for at in range(nouns[0]))
+        return phrase.name == "flat" and plain and _LISTING.isdisjoint(ahead[: nouns[0]])
 
     def _further_nouns(self) -> None:
         """Add the units that no name of the knowledge base has: "four units", "two clusters", "office units"."""
