@@ -1,6 +1,6 @@
 """Read sets of storeys told from another one: "each of the four floors above", "all levels over the ground floor"."""
 
-from mansion_planner.brief.facts import FloorRef, Quantity
+from mansion_planner.brief.facts import FloorRef
 from mansion_planner.brief.named_storeys import NamedStoreys
 from mansion_planner.brief.numbered_storeys import NumberedStoreys
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
@@ -62,7 +62,7 @@ class RelativeStoreys:
         if not many:
             ranged = FloorRef("range", base + 1, floors) if base < floors else None
             return None if ranged is None and base != 1 else ([ranged or FloorRef("upper")], last)
-        return [self.stacked(many, FloorRef("number", base, base), at)], last
+        return [self.stacked(many, FloorRef("number", base, base))], last
 
     def _headed(self, index: int, previous: FloorRef | None) -> tuple[list[FloorRef], int] | None:
         """Read "Floors above: ..." and "Storeys above (8 no., all alike): ..." where they head a list."""
@@ -74,7 +74,7 @@ class RelativeStoreys:
             return None
         many = self.bracketed_number(told[1])
         below = FloorRef("number", told[0], told[0])
-        return [self.stacked(many, below, index) if many else self._all_above(told[0])], told[1]
+        return [self.stacked(many, below) if many else self._all_above(told[0])], told[1]
 
     def _beyond_storey(self, index: int) -> tuple[list[FloorRef], int] | None:
         """Read "Above the ground floor there is one more floor with ..." and "over the first floor are two offices"."""
@@ -90,7 +90,7 @@ class RelativeStoreys:
         counted = reading.kind(at) == "number" and 0 < reading.value(at) < 200
         _, noun = self._adjectives(at + 1)
         if counted and reading.word(noun) in FLOOR_WORDS:
-            return [self.stacked(int(reading.value(at)), FloorRef("number", base, base), at)], noun + 1
+            return [self.stacked(int(reading.value(at)), FloorRef("number", base, base))], noun + 1
         return [self._all_above(base)], last
 
     def _beyond_room(self, index: int, previous: FloorRef | None) -> tuple[list[FloorRef], int] | None:
@@ -107,7 +107,9 @@ class RelativeStoreys:
         return [self._all_above(previous.last)], mention.last
 
     def _opens_clause(self, index: int) -> bool:
-        return self.reading.starts(index) or self.reading.word(index - 1) in (",", "and", "–", "-")
+        """Whether a clause begins at a token, and no storey stands right before it: "the first floor, above it"."""
+        storey = self.reading.word(index - 2) in FLOOR_WORDS
+        return self.reading.starts(index) or (self.reading.word(index - 1) in (",", "and", "–", "-") and not storey)
 
     def _all_above(self, base: int) -> FloorRef:
         """Return the storeys above one."""
@@ -125,18 +127,10 @@ class RelativeStoreys:
         closed = reading.word(at + 1) in _AFTER_NUMBER or reading.word(at + 1) in FLOOR_WORDS
         return int(reading.value(at)) if counts and closed and 0 < reading.value(at) < 200 else 0
 
-    def stacked(self, many: int, below: FloorRef | None, index: int) -> FloorRef:
-        """Return so many storeys above another one; they tell how many the brief has where it does not say so.
-
-        Parameters
-        ----------
-        index : int
-            Token of the noun that they are named by.
-        """
+    def stacked(self, many: int, below: FloorRef | None) -> FloorRef:
+        """Return so many storeys above another one, the uppermost ones where the brief does not have as many above it."""
         floors, base = self.reading.facts.floors, self._number_of(below)
-        if not floors:
-            floors.append(Quantity(float(base + many), self.reading.span(index, index + 1)))
-        elif base + many > floors[0].value > many:
+        if floors and base + many > floors[0].value > many:
             base = int(floors[0].value) - many
         return FloorRef("range", base + 1, base + many)
 

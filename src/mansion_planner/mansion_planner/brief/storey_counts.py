@@ -563,7 +563,7 @@ class StoreyCounts:
 def settle_counts(reading: Reading) -> None:
     """Put the largest number of storeys first: the others count parts of the building, or do not agree."""
     facts = reading.facts
-    if len({quantity.value for quantity in facts.floors}) > 1:
+    if len(facts.floors) > 1:
         best = max(facts.floors, key=lambda quantity: quantity.value)
         facts.floors = [best, *(quantity for quantity in facts.floors if quantity.value != best.value)]
     facts.basements = (

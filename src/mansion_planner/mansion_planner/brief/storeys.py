@@ -420,7 +420,7 @@ class _Scanner:
             return numbered
         many = self.relative.bracketed_number(last + 1)
         if many:
-            return [self.relative.stacked(many, self.previous, last)], last + 1
+            return [self.relative.stacked(many, self.previous)], last + 1
         alike = not reading.plural(last) and not self._names_top()
         return ([self._typical()] if alike else [FloorRef("middle")]), last + 1
 

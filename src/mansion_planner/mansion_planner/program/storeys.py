@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from mansion_knowledge import BuildingType, KnowledgeBase, RoomEntry
 from mansion_msgs_py.program import Downgrade, TraceEntry
-from mansion_planner.brief.facts import FloorRef
+from mansion_planner.brief.facts import FloorRef, RoomFact
 from mansion_planner.program.decisions import Decisions, conflict, note
 from mansion_planner.program.model import Storey
 from mansion_planner.program.step_record import Record
@@ -119,9 +119,21 @@ def _role(decisions: Decisions, index: int) -> str:
         return "single"
     if index == 1:
         return "ground"
-    if index == decisions.floors and decisions.floors >= 3:
+    if index == decisions.floors and decisions.floors >= 3 and not _is_like_those_below(decisions, index):
         return "top"
     return "second" if index == 2 and decisions.floors >= 4 else "upper"
+
+
+def _is_like_those_below(decisions: Decisions, index: int) -> bool:
+    """Whether the brief tells a storey together with the one below: "each of the three floors above has six rooms"."""
+
+    def told(floor: int) -> list[RoomFact]:
+        facts = [fact for fact in decisions.facts.rooms if not any(ref.kind == "every" for ref in fact.floors)]
+        return [fact for fact in facts if floor in floors_of(fact.floors, decisions)]
+
+    here = told(index)
+    each = all({"each", "every"} & set(ref.span.words.lower().split()) for fact in here for ref in fact.floors)
+    return bool(here) and here == told(index - 1) and each
 
 
 def entries_of(storey: Storey) -> tuple[RoomEntry, ...]:
