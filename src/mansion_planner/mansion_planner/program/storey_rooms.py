@@ -243,10 +243,13 @@ _GENERAL_HEADS = frozenset({"room", "hall", "area", "store", "storage", "space",
 
 
 def _same_head(name: str, knowledge: KnowledgeBase) -> set[str]:
-    """Return the room types whose name ends in the same noun: a number of "offices" holds for every kind of office."""
-    head = name.rpartition("_")[2]
+    """Return the room types whose name ends in the same noun: a number of "offices" holds for every kind of office.
+
+    Where the noun is of any room, what stands before it counts: "shower rooms" hold for a shower area.
+    """
+    use, _, head = name.rpartition("_")
     if head in _GENERAL_HEADS:
-        return set()
+        return {room for room in knowledge.rooms if use and room in {f"{use}_{other}" for other in _GENERAL_HEADS}}
     heads = next((group for group in _HEADS_ALIKE if head in group), {head})
     return {room for room in knowledge.rooms if room.rpartition("_")[2] in heads}
 
