@@ -180,7 +180,8 @@ def read_copies(reading: Reading, places: list[Place]) -> None:
                 reading.facts.copies.append(CopyFact(group, words))
         elif FLOOR_WORDS & set(reading.words(index + 1, index + 3)) and token.text in ("identical", "equal"):
             span = reading.span(index, index + 2)
-            whole = reading.kind(index - 1) == "number"
+            stated = reading.facts.floors[0].value if reading.facts.floors else 0.0
+            whole = reading.kind(index - 1) == "number" and reading.value(index - 1) >= stated
             reading.facts.copies.append(CopyFact(FloorRef("every" if whole else "upper", span=span), span))
         plan = next((at for at in range(index + 1, index + 5) if reading.word(at) in ("plan", "layout")), index)
         reading.take(index, plan + 1 if sharing else index + 1)

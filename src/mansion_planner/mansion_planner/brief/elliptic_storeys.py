@@ -196,8 +196,8 @@ class EllipticStoreys:
             return FloorRef("middle")
         below = previous.last if previous is not None and previous.kind == "number" and previous.last > 0 else 1
         floors = self.reading.facts.floors
-        if not floors and previous is not None and previous.kind == "top":
-            floors.append(Quantity(float(below + many + 1), previous.span))
+        if previous is not None and previous.kind == "top":
+            self.reading.implied_storeys.append(Quantity(float(below + many + 1), previous.span))
         high = floors and below == floors[0].value  # the top storey was named last
         return FloorRef("range", 2, many + 1) if high else FloorRef("range", below + 1, below + many)
 

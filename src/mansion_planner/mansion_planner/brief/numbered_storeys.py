@@ -111,7 +111,8 @@ class NumberedStoreys:
         link = reading.word(last)
         again = last + 1 + (reading.word(last + 1) == reading.word(index))  # "floor 2 to floor 4"
         second = self._number(again, "number")
-        if link in ("to", "through", "until", "–", "-", "thru") and second is not None:
+        ranged = link in ("to", "through", "until", "–", "-", "thru") and not self._heads_count(index, last)
+        if ranged and second is not None:
             return [FloorRef("range", min(first, second), max(first, second))], again + 1
         counts = reading.kind(last) == "word" and not reading.plural(index) and reading.plural(last)
         if counts and not self._is_titled(index, last):
@@ -128,6 +129,12 @@ class NumberedStoreys:
             numbers.append(more)
             last += step + 1
         return [FloorRef("number", number, number) for number in numbers], last
+
+    def _heads_count(self, index: int, dash: int) -> bool:
+        """Whether a dash parts one storey from what it holds: "Level 1 - six offices", and not "level 1-6"."""
+        reading = self.reading
+        parts = reading.word(dash) in ("-", "–") and reading.tokens[dash].spaced and reading.tokens[dash + 1].spaced
+        return parts and not reading.plural(index) and reading.starts(index) and reading.kind(dash + 2) == "word"
 
     def _is_titled(self, index: int, last: int) -> bool:
         """Whether a numbered storey that opens a sentence has a title of a few words: "Level 0 citizens' service: ..."."""

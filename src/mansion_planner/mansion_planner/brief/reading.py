@@ -8,7 +8,7 @@ from mansion_language import Token, tokenize
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_planner.brief.corrections import corrected_numbers
 from mansion_planner.brief.count_forms import count_forms
-from mansion_planner.brief.facts import BriefFacts, FloorRef, Span
+from mansion_planner.brief.facts import BriefFacts, FloorRef, Quantity, Span
 from mansion_planner.brief.flat_types import flat_types
 from mansion_planner.brief.furniture_words import furniture_vocabulary
 from mansion_planner.brief.lexicon import Mention, lexicon_of
@@ -27,6 +27,7 @@ from mansion_planner.brief.token_forms import (
     kinds_of_area,
     metering,
     open_decks,
+    upward_ranges,
     workplaces,
 )
 
@@ -84,6 +85,8 @@ class Reading:
         Indices of tokens that stand before the head of a room or a building, and may say of its style.
     named_areas : set of int
         Indices of numbers whose area was given to rooms together with their names.
+    implied_storeys : list of Quantity
+        Numbers of storeys that follow from other words ("the six upper floors"): they count where none is stated.
     cancelled : callable
         Whether the reading is not wanted any more.
     sentence : list of int
@@ -100,6 +103,7 @@ class Reading:
     named_areas: set[int] = field(default_factory=set)
     sentence: list[int] = field(default_factory=list)
     modifiers: set[int] = field(default_factory=set)
+    implied_storeys: list[Quantity] = field(default_factory=list)
     cancelled: Callable[[], bool] = lambda: False
 
     def go_on(self) -> None:
@@ -189,7 +193,7 @@ def start_reading(text: str, knowledge: KnowledgeBase, cancelled: Callable[[], b
     tokens = flat_types(count_forms(storeys_by_use(storey_forms(text, tokens), FLOOR_WORDS)))
     tokens = compounds(corrected(tokens, lexicon.words, furniture_vocabulary()), lexicon.words)
     tokens = workplaces(foreign_storeys(open_decks(kinds_of_area(gross_areas(metering(tokens))))))
-    tokens = capacities(cellars(tokens), lexicon.heads)
+    tokens = capacities(cellars(upward_ranges(tokens, FLOOR_WORDS)), lexicon.heads)
     mentions = lexicon.find(tokens)
     reading = Reading(
         text=text,

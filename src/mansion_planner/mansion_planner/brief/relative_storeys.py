@@ -1,6 +1,6 @@
 """Read sets of storeys told from another one: "each of the four floors above", "all levels over the ground floor"."""
 
-from mansion_planner.brief.facts import FloorRef
+from mansion_planner.brief.facts import FloorRef, Quantity
 from mansion_planner.brief.named_storeys import NamedStoreys
 from mansion_planner.brief.numbered_storeys import NumberedStoreys
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
@@ -56,13 +56,13 @@ class RelativeStoreys:
             return None
         told = self._told_from(at + 1, previous)
         if told is None:
-            return ([FloorRef("top", many, many)], at + 1) if each and many and (upper or more) else None
+            return ([self.upper(many, at)], at + 1) if each and many and (upper or more) else None
         base, last = told
         floors = int(reading.facts.floors[0].value) if reading.facts.floors else 0
         if not many:
             ranged = FloorRef("range", base + 1, floors) if base < floors else None
             return None if ranged is None and base != 1 else ([ranged or FloorRef("upper")], last)
-        return [self.stacked(many, FloorRef("number", base, base))], last
+        return [self.stacked(many, FloorRef("number", base, base), at)], last
 
     def _headed(self, index: int, previous: FloorRef | None) -> tuple[list[FloorRef], int] | None:
         """Read "Floors above: ..." and "Storeys above (8 no., all alike): ..." where they head a list."""
@@ -74,7 +74,7 @@ class RelativeStoreys:
             return None
         many = self.bracketed_number(told[1])
         below = FloorRef("number", told[0], told[0])
-        return [self.stacked(many, below) if many else self._all_above(told[0])], told[1]
+        return [self.stacked(many, below, index) if many else self._all_above(told[0])], told[1]
 
     def _beyond_storey(self, index: int) -> tuple[list[FloorRef], int] | None:
         """Read "Above the ground floor there is one more floor with ..." and "over the first floor are two offices"."""
@@ -90,7 +90,7 @@ class RelativeStoreys:
         counted = reading.kind(at) == "number" and 0 < reading.value(at) < 200
         _, noun = self._adjectives(at + 1)
         if counted and reading.word(noun) in FLOOR_WORDS:
-            return [self.stacked(int(reading.value(at)), FloorRef("number", base, base))], noun + 1
+            return [self.stacked(int(reading.value(at)), FloorRef("number", base, base), at)], noun + 1
         return [self._all_above(base)], last
 
     def _beyond_room(self, index: int, previous: FloorRef | None) -> tuple[list[FloorRef], int] | None:
@@ -127,11 +127,29 @@ class RelativeStoreys:
         closed = reading.word(at + 1) in _AFTER_NUMBER or reading.word(at + 1) in FLOOR_WORDS
         return int(reading.value(at)) if counts and closed and 0 < reading.value(at) < 200 else 0
 
-    def stacked(self, many: int, below: FloorRef | None) -> FloorRef:
-        """Return so many storeys above another one, the uppermost ones where the brief does not have as many above it."""
+    def upper(self, many: int, index: int) -> FloorRef:
+        """Return so many upper storeys, whose noun is at a token; they lie above the ground floor alone, if nothing else.
+
+        "The three upper floors" make four storeys where the brief does not say how many it has.
+        """
+        self.reading.implied_storeys.append(Quantity(float(many + 1), self.reading.span(index, index + 1)))
+        return FloorRef("top", many, many)
+
+    def stacked(self, many: int, below: FloorRef | None, index: int, *, capped: bool = False) -> FloorRef:
+        """Return so many storeys above another one, the uppermost ones where the brief does not have as many above it.
+
+        Parameters
+        ----------
+        index : int
+            Token of their noun.
+        capped : bool
+            One more storey lies on top of them.
+        """
         floors, base = self.reading.facts.floors, self._number_of(below)
         if floors and base + many > floors[0].value > many:
             base = int(floors[0].value) - many
+        total = Quantity(float(base + many + capped), self.reading.span(index, index + 1))
+        self.reading.implied_storeys.append(total)
         return FloorRef("range", base + 1, base + many)
 
     def _adjectives(self, index: int) -> tuple[bool, int]:

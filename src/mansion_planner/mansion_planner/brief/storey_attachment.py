@@ -344,6 +344,7 @@ class _Walk:
             "not_top",
         )
         distributed = not {"each", "every"}.isdisjoint(self.reading.words(place.first, place.last))
+        distributed = distributed or self.reading.word(self.phrases[number].noun_end) == "each"
         several = several or (place.refs[0].kind == "top" and place.refs[0].first > 1 and distributed)
         several = several or (place.refs[0].kind == "upper" and self._plural_upper(place))
         several = several and not (place.refs[0].kind == "middle" and not self._plural_upper(place))

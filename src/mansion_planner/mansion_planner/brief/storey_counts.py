@@ -193,13 +193,14 @@ class StoreyCounts:
         return last
 
     def _nothing_above(self, index: int) -> int:
-        """Return where "no floors above" ends beside a ground floor and no other storey, or 0."""
+        """Return where "no floors above" and "nothing above" end beside a ground floor and no other storey, or 0."""
         reading = self.reading
         last = index + 1 + (reading.word(index + 1) in ("other", "further", "more", "upper"))
         named = {ref.last for place in self.places for ref in place.refs if ref.kind != "basement"}
-        if reading.word(index) not in ("no", "without") or reading.word(last) not in FLOOR_WORDS or named - {1}:
+        none = reading.word(index) in ("no", "without") and reading.word(last) in FLOOR_WORDS
+        if not (none or reading.word(index) in ("nothing", "none")) or named != {1}:
             return 0
-        last += 1
+        last += none
         if reading.word(last) not in ("above", "over", "overhead", "upstair", "upstairs"):
             return 0
         last += 1 + (reading.word(last + 1) in ANAPHORS)

@@ -36,6 +36,8 @@ def read_storeys(reading: Reading) -> list[Place]:
     """Record the numbers of storeys and basements; return the references to storeys from left to right."""
     scanner = _Scanner(reading)
     scanner.scan()
+    if not reading.facts.floors and reading.implied_storeys:
+        reading.facts.floors.append(max(reading.implied_storeys, key=lambda quantity: quantity.value))
     settle_counts(reading)
     floors = int(reading.facts.floors[0].value) if reading.facts.floors else 0
     places = [_with_edges(reading, place) if place.last > place.first else place for place in scanner.places]
@@ -303,7 +305,7 @@ class _Scanner:
             base = self.previous.last if self.previous is not None and self.previous.kind in ("number", "range") else 1
             return [FloorRef("range", base + 1, base + many)], last
         if lead in ("top", "last", "upper", "uppermost"):
-            return [FloorRef("top", many, many)], last
+            return [self.relative.upper(many, last - 1) if lead == "upper" else FloorRef("top", many, many)], last
         if lead in ("first", "bottom", "lower", "lowest"):
             return [FloorRef("range", 1, many)], last
         if lead in ("other", "remaining"):
@@ -411,8 +413,9 @@ class _Scanner:
         return (list(named[-1].refs) if several else [FloorRef("every")]), last
 
     def _typical_floor(self, index: int) -> tuple[list[FloorRef], int] | None:
-        """Read "the typical floor", "typical floors 2 to 5"."""
+        """Read "the typical floor", "typical floors 2 to 5", "typical upper floor (x3)"."""
         reading, last = self.reading, index + 1
+        last += reading.word(last) in UPSTAIRS
         if reading.word(index) != "typical" or reading.word(last) not in FLOOR_WORDS:
             return None
         numbered = self.numbered.numbered(last)
@@ -420,7 +423,7 @@ class _Scanner:
             return numbered
         many = self.relative.bracketed_number(last + 1)
         if many:
-            return [self.relative.stacked(many, self.previous)], last + 1
+            return [self.relative.stacked(many, self.previous, last, capped=self._names_top())], last + 1
         alike = not reading.plural(last) and not self._names_top()
         return ([self._typical()] if alike else [FloorRef("middle")]), last + 1
 
@@ -498,9 +501,12 @@ class _Scanner:
             reading.facts.floors.append(Quantity(reading.value(last), reading.span(last, last + 2)))
         last += reading.kind(last) == "number"
         upper = reading.word(last) in UPSTAIRS
-        last += upper or reading.word(last) in ("residential", "office", "typical")
+        repeated = reading.word(last) in ("typical", "identical")
+        last += upper or repeated or reading.word(last) in ("residential", "office")
         if reading.word(last) not in FLOOR_WORDS:
             return None
+        if repeated:
+            return [self._typical()], last + 1
         last += 1
         if reading.words(last, last + 3) == ("in", "the", "middle"):
             return [FloorRef("middle")], last + 3

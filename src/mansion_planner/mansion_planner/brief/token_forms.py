@@ -16,6 +16,7 @@ __all__ = [
     "kinds_of_area",
     "metering",
     "open_decks",
+    "upward_ranges",
     "workplaces",
 ]
 
@@ -268,6 +269,24 @@ def _ends_sentence(text: str, tokens: list[Token], index: int) -> bool:
     return following.text == "\n" or text[following.start].isupper()
 
 
+def upward_ranges(tokens: list[Token], floor_words: frozenset[str]) -> list[Token]:
+    """Read "from the second up to the fourth storey" as "from the second to the fourth storey"."""
+
+    def names_storey(index: int) -> bool:
+        token = tokens[index] if 0 <= index < len(tokens) else None
+        named = token is not None and (token.kind in ("ordinal", "level") or token.text in floor_words)
+        return named or (index > 0 and tokens[index].kind == "number" and tokens[index - 1].text in floor_words)
+
+    result: list[Token] = []
+    for index, token in enumerate(tokens):
+        following = [other.text for other in tokens[index + 1 : index + 3]]
+        final = index + 2 + (following[1:] == ["the"])
+        up = token.text == "up" and following[:1] == ["to"] and names_storey(index - 1)
+        if not (up and final < len(tokens) and (names_storey(final) or tokens[final].kind == "number")):
+            result.append(token)
+    return result
+
+
 def _is_storey(tokens: list[Token], index: int) -> bool:
     """Whether a plant is a storey: "a school of two plants", "the low plant", and not "with two plants"."""
     if index and tokens[index - 1].text in ("low", "high"):
@@ -322,7 +341,7 @@ def open_decks(tokens: list[Token]) -> list[Token]:
     return [replace(token, text="sundeck") if token.text == "deck" else token for token in tokens]
 
 
-_AFTER_STOREYS = frozenset({",", ";", "+", "/", "(", "-", "–", "\n", "plus", "and", "with", "on"})
+_AFTER_STOREYS = frozenset({",", ";", "+", "/", "(", "-", "–", "\n", "plus", "and", "with", "on", "in", "of", "high"})
 
 
 _STYLED = frozenset({"style", "styled", "look", "feel", "flavour", "flavor", "spirit", "manner", "design"})

@@ -145,7 +145,8 @@ class UnitRooms:
                 break
             linked = linked or (word in _LINKS and not self._before_measure(index))
             of_area = word in _STRONG and reading.kind(index - 1) == "unit"
-            strong = strong or (word in _STRONG and not of_area and reading.word(index + 1) != ",")
+            of_storeys = index == start and reading.word(index + 1) in (",", "and")  # "five dorm rooms each and a gym"
+            strong = strong or (word in _STRONG and not (of_area or of_storeys) and reading.word(index + 1) != ",")
             index += 1
         return index, linked, strong, placed
 
