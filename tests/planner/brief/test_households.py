@@ -88,3 +88,52 @@ def test_neither_the_building_nor_other_nouns_are_units(text: str) -> None:
 def test_every_flat_without_a_number_of_flats_is_kept_for_those_that_are_added() -> None:
     facts = read_brief("An apartment building. Every flat has three bedrooms.", default_knowledge())
     assert [(fact.count, held(fact)) for fact in facts.households] == [(None, {"bedroom": 3})]
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        (
+            "On each upper floor one 3BHK flat is there: three bedrooms out of which two are with attached bathroom, a "
+            "kitchen with utility adjoining, and one toilet. Two floors.",
+            {"bedroom": 3, "bathroom": 2, "kitchen": 1, "utility_room": 1, "toilet": 1},
+        ),
+        (
+            "Every floor has one flat with three bedrooms, of which one has its own bathroom, a study and a kitchen.",
+            {"bedroom": 3, "bathroom": 1, "home_office": 1, "kitchen": 1},
+        ),
+        (
+            "Each floor has one flat with three bedrooms out of which the master bedroom is having attached bathroom, a "
+            "kitchen and a toilet.",
+            {"bedroom": 2, "master_bedroom": 1, "bathroom": 1, "kitchen": 1, "toilet": 1},
+        ),
+    ],
+)
+def test_the_list_of_a_flat_goes_on_after_those_singled_out(text: str, expected: dict[str, int]) -> None:
+    facts = read_brief(f"An apartment building. {text}", default_knowledge()).rooms
+    found: dict[str, int] = {}
+    for child in facts[0].suite:
+        found[child.room_type] = found.get(child.room_type, 0) + (child.count or 0)
+    assert (len(facts), found) == (1, expected)
+
+
+@pytest.mark.parametrize("text", ["a flat roof", "a flat simple rectangular plan", "flat green roof", "a flat site"])
+def test_what_is_flat_is_no_dwelling(text: str) -> None:
+    assert units(f"A club house of two storeys with a bar, and {text}.") == []
+
+
+@pytest.mark.parametrize("text", ["a flat with a roof terrace", "a flat with plan chests"])
+def test_a_flat_beside_a_roof_or_a_plan_stays_one(text: str) -> None:
+    assert len(units(f"A club house of two storeys with a bar, and {text}.")) == 1
+
+
+def test_each_after_rooms_of_several_storeys_gives_them_no_others() -> None:
+    facts = read_brief("Hostel. The three upper floors get five dorm rooms each and two showers.", default_knowledge())
+    assert [(fact.name, fact.count, fact.suite) for fact in facts.rooms] == [("dorm_room", 5, ()), ("shower", 2, ())]
+
+
+def test_every_room_after_several_speaks_of_them() -> None:
+    facts = read_brief(
+        "A hotel of two floors having five rooms each one, in every room a bed and its bathroom.", default_knowledge()
+    )
+    assert [(fact.name, held(fact)) for fact in facts.rooms] == [("room", {"bathroom": 1})]

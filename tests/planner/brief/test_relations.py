@@ -96,6 +96,12 @@ def test_where_stairs_suffice_no_lift_is_wanted(text: str) -> None:
     assert "no_elevator" in [core for core, _ in read(f"An office of three floors. {text}").vertical]
 
 
+@pytest.mark.parametrize("text", ["One lift and one stairs is enough.", "A staircase and a lift are enough."])
+def test_where_a_lift_and_stairs_suffice_both_are_wanted(text: str) -> None:
+    cores = {core for core, _ in read(f"An office of three floors. {text}").vertical}
+    assert cores == {"stair", "elevator"}
+
+
 def test_the_same_besides_means_in_addition_after_a_comma() -> None:
     assert read("Two lounges, besides a pantry and a gym.").adjacent == []
 

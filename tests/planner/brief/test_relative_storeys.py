@@ -41,3 +41,33 @@ def test_the_words_that_tell_the_storeys_are_read() -> None:
 def test_an_area_after_above_is_no_storey() -> None:
     facts = read_brief("A house. All floors above 30 m2 have a bedroom", default_knowledge())
     assert [ref.kind for room in facts.rooms for ref in room.floors] == ["every"]
+
+
+@pytest.mark.parametrize(
+    ("text", "room", "floors"),
+    [
+        ("Gym. A climbing hall on the ground floor. Above the ground floor there is one more floor with a gym.", "gym", [2]),
+        ("Museum, three floors. The foyer is on the ground floor; over the first floor lies an archive.", "archive", [3]),
+        ("Clinic with a pharmacy downstairs. Above the pharmacy we want four consulting rooms.", "consulting_room", [2]),
+        ("Two storeys. Downstairs a bakery with a shop. Over the bakery I live: a kitchen, a bathroom.", "kitchen", [2]),
+        ("House, two floors. On the ground floor a garage. Above the garage there is a studio.", "studio", [2]),
+        ("Library of two floors. On first floor, above the ground floor: a gallery. Ground floor: a cafe.", "gallery", [2]),
+        ("Practice. The archive and a staff room can go down in the basement.", "staff_room", [0]),
+        ("Club of two storeys. The boat hall (160 m2) has to be at water level. Upstairs a bar.", "boat_hall", [1]),
+    ],
+)
+def test_what_lies_above_something_is_on_the_storey_above(text: str, room: str, floors: list[int]) -> None:
+    program = plan_building(BuildRequest(description=text)).program
+    assert [f.index for f in program.floors if any(r.id.startswith(room) for r in f.rooms)] == floors
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "School. On the ground floor a canteen. Above the kitchen counter hang three lamps. Two floors.",
+        "House of two floors. On the ground floor a kitchen. Above the fireplace a painting.",
+    ],
+)
+def test_what_hangs_above_furniture_tells_no_storey(text: str) -> None:
+    reading = read_brief(text, default_knowledge())
+    assert all(ref.kind != "upper" for thing in reading.objects for ref in thing.floors)

@@ -53,6 +53,30 @@ def test_storeys_told_by_what_they_hold_are_counted(brief: str, expected: list[i
         ),
         ("Farm house, ground floor: parlour. In the attic two bedrooms and a hay store.", {"hay_store": [2]}),
         ("A garage and a watch room, above two flats.", {"flat": [2]}),
+        ("Laboratory, two storeys. Ground only: cold room. First floor only: a library.", {"cold_room": [1], "library": [2]}),
+        ("Office, three levels. Level 0 - a cafe. Level 1 - six offices. Level 2 - archive.", {"office": [2], "archive": [3]}),
+        (
+            "Town hall, 2 storeys. Level 0 citizens' service: a bank hall, register office. Level 1: an archive.",
+            {"bank_hall": [1], "register_office": [1], "archive": [2]},
+        ),
+        (
+            "Villa, two floors. In down floor: a majlis, dining room. In up floor there is four bedrooms; they are up.",
+            {"dining_room": [1], "bedroom": [2]},
+        ),
+        ("School, two floors. The library is down, the staff room is up.", {"library": [1], "staff_room": [2]}),
+        (
+            "School, three floors. On first floor is a canteen, on second is a library and on third is only an archive.",
+            {"canteen": [1], "library": [2], "archive": [3]},
+        ),
+        (
+            "Hotel with three storey. At the most upper storey a restaurant; at the most low floor a bar.",
+            {"restaurant": [3], "bar": [1]},
+        ),
+        ("Clinic. St. 0: reception. St. 1: a pharmacy. 2 st. in all, 200 m2 per st.", {"pharmacy": [2]}),
+        (
+            "House in R+1. At the ground floor a kitchen, a cellar for the wine and the toilets.",
+            {"wine_cellar": [1], "toilet": [1]},
+        ),
         ("House of four storeys: ground floor two shops; each other floor 2 flats.", {"shop": [1], "flat": [2, 3, 4]}),
     ],
 )
@@ -157,3 +181,40 @@ def test_brackets_after_rooms_say_how_large_each_is(brief: str, areas: list[floa
     facts = read_brief(brief, default_knowledge())
     assert [room.area for room in facts.rooms] == areas
     assert not facts.floor_area
+
+
+@pytest.mark.parametrize(
+    ("brief", "expected"),
+    [
+        ("School, three floors. Classrooms are on all the floors, five on each.", {"classroom": (5, None)}),
+        ("School, 2 floors. Four offices per floor, area of one office is 14 m2.", {"office": (4, 14.0)}),
+        ("School, 2 floors. Four offices per floor. The size of an office should be 14 m2.", {"office": (4, 14.0)}),
+        ("Museum, 3 floors. Galleries are on every storey, two on each.", {"gallery": (2, None)}),
+        ("A laboratory of two floors. The bars hold the labs: per storey four wet labs.", {"wet_lab": (4, None)}),
+    ],
+)
+def test_rooms_are_counted_and_measured_behind_their_storeys(brief: str, expected: dict[str, tuple[int, float]]) -> None:
+    rooms = read_brief(brief, default_knowledge()).rooms
+    assert {room.name: (room.count, room.area) for room in rooms if room.each} == expected
+    assert sum(room.name in expected for room in rooms) == len(expected)
+
+
+@pytest.mark.parametrize(
+    ("brief", "area"),
+    [
+        ("Student residence, 6 st., 270 m2 per st.", 270.0),
+        ("Inpatient wing, three levels, approx. 620 sqm each.", 620.0),
+        ("A day centre: ground floor and cellar, both circa 200 m2.", 200.0),
+    ],
+)
+def test_areas_of_each_storey_are_read_from_short_forms(brief: str, area: float) -> None:
+    facts = read_brief(brief, default_knowledge())
+    assert ([quantity.value for quantity in facts.floor_area], facts.area) == ([area], [])
+
+
+@pytest.mark.parametrize(
+    "brief",
+    ["School of St. Mary, a chapel of 40 m2", "A shop in St. Paul's street", "A lab, one flight up, floor 2: an archive"],
+)
+def test_saints_and_flights_name_no_storeys_of_their_own(brief: str) -> None:
+    assert read_brief(brief, default_knowledge()).floors == []
