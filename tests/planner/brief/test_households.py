@@ -103,8 +103,8 @@ def test_every_flat_without_a_number_of_flats_is_kept_for_those_that_are_added()
             {"bedroom": 3, "bathroom": 1, "home_office": 1, "kitchen": 1},
         ),
         (
-            "Each floor has one flat with three bedrooms out of which the master bedroom is having attached bathroom, a "
-            "kitchen and a toilet.",
+            "Each floor has one flat with three bedrooms out of which the master bedroom is having attached bathroom, "
+            "a kitchen and a toilet.",
             {"bedroom": 2, "master_bedroom": 1, "bathroom": 1, "kitchen": 1, "toilet": 1},
         ),
     ],

@@ -46,12 +46,12 @@ def test_an_area_after_above_is_no_storey() -> None:
 @pytest.mark.parametrize(
     ("text", "room", "floors"),
     [
-        ("Gym. A climbing hall on the ground floor. Above the ground floor there is one more floor with a gym.", "gym", [2]),
-        ("Museum, three floors. The foyer is on the ground floor; over the first floor lies an archive.", "archive", [3]),
-        ("Clinic with a pharmacy downstairs. Above the pharmacy we want four consulting rooms.", "consulting_room", [2]),
-        ("Two storeys. Downstairs a bakery with a shop. Over the bakery I live: a kitchen, a bathroom.", "kitchen", [2]),
+        ("Gym. A climbing hall on the ground floor. Above the ground floor is one more floor: a sauna.", "sauna", [2]),
+        ("Museum, three floors. The foyer is on the ground floor; over the first floor is an archive.", "archive", [3]),
+        ("Clinic with a pharmacy downstairs. Above the pharmacy we want four exam rooms.", "exam_room", [2]),
+        ("Two storeys. Downstairs a bakery with a shop. Over the bakery I live: kitchen, bath.", "kitchen", [2]),
         ("House, two floors. On the ground floor a garage. Above the garage there is a studio.", "studio", [2]),
-        ("Library of two floors. On first floor, above the ground floor: a gallery. Ground floor: a cafe.", "gallery", [2]),
+        ("Library, two floors. On first floor, above the ground floor: gallery. Ground floor: cafe.", "gallery", [2]),
         ("Practice. The archive and a staff room can go down in the basement.", "staff_room", [0]),
         ("Club of two storeys. The boat hall (160 m2) has to be at water level. Upstairs a bar.", "boat_hall", [1]),
     ],

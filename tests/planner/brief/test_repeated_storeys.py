@@ -29,16 +29,8 @@ def kinds_of(brief: str) -> dict[int, list[str]]:
             "focus_room",
             {2: 4, 3: 4, 4: 4},
         ),
-        (
-            "Hostel, 4 fl. Fl. 1: reception. Fl. 2-4 typ.: six dormitories.",
-            "dormitory",
-            {2: 6, 3: 6, 4: 6},
-        ),
-        (
-            "Student residence, 3 st. St. 1: common lounge. St. 2-3 typical: ten bedrooms.",
-            "bedroom",
-            {2: 10, 3: 10},
-        ),
+        ("Hostel, 4 fl. Fl. 1: reception. Fl. 2-4 typ.: six dormitories.", "dormitory", {2: 6, 3: 6, 4: 6}),
+        ("Student residence, 3 st. St. 1: common lounge. St. 2-3 typical: ten bedrooms.", "bedroom", {2: 10, 3: 10}),
         ("Tower of 4 storeys. GF: lobby. Floors above (3 no., all alike): two flats.", "flat", {2: 2, 3: 2, 4: 2}),
         ("Clinic, 3 storeys. GF: lobby. Storeys above: five exam rooms.", "exam_room", {2: 5, 3: 5}),
         ("Housing. Ground floor: bike store. Typ. upper floor (x2): three flats.", "flat", {2: 3, 3: 3}),
@@ -60,7 +52,7 @@ def kinds_of(brief: str) -> dict[int, list[str]]:
             "gym",
             {2: 1, 3: 1},
         ),
-        ("Four upper floors carry three studios each; the ground floor has a laundry.", "studio", dict.fromkeys(range(2, 6), 3)),
+        ("Three upper floors carry two studios each; the ground floor has a laundry.", "studio", {2: 2, 3: 2, 4: 2}),
         ("Hostel. Bar at ground level. The two upper floors get five dorm rooms each.", "dorm_room", {2: 5, 3: 5}),
         (
             "Hotel, five storeys. From the second up to the fourth storey there are nine rooms on each.",

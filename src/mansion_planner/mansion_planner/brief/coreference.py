@@ -80,7 +80,8 @@ _JOINED = frozenset({"dining", "diner", "living", "kitchen"})
 def _is_measured(reading: Reading, phrase: Phrase) -> bool:
     """Whether "the area of one classroom is 48 m2" tells how large each of the classrooms named before is."""
     of_size = reading.words(phrase.first - 2, phrase.first) in (("area", "of"), ("size", "of"), ("surface", "of"))
-    return of_size and phrase.count == 1 and not phrase.plural and reading.word(phrase.last) in ("is", "be", "should", "must")
+    one = phrase.count == 1 and not phrase.plural
+    return of_size and one and reading.word(phrase.last) in ("is", "be", "should", "must")
 
 
 def _opens(reading: Reading, phrase: Phrase) -> bool:

@@ -137,7 +137,7 @@ class NumberedStoreys:
         return parts and not reading.plural(index) and reading.starts(index) and reading.kind(dash + 2) == "word"
 
     def _is_titled(self, index: int, last: int) -> bool:
-        """Whether a numbered storey that opens a sentence has a title of a few words: "Level 0 citizens' service: ..."."""
+        """Whether a storey that opens a sentence has a title of a few words: "Level 0 citizens' service: ..."."""
         reading, end = self.reading, last
         while reading.kind(end) == "word" and end - last < _TITLE:
             end += 1

@@ -12,7 +12,7 @@ _EACH = frozenset({"each", "every", "all", "both", "any"})
 _FURTHER = frozenset({"other", "upper", "further", "remaining", "higher", "following", "next"})
 _THERE_ARE = frozenset(": there is are come lie sit rise follow just only we i want have need also another".split())
 """Words between "above the ground floor" and what is there."""
-_GOING_ON = frozenset({"i", "we", "you", "he", "she", "they", "there", "is", "are", "come", "lie", "sit", ",", ":", "a", "an"})
+_GOING_ON = frozenset("i we you he she they there is are come lie sit , : a an".split())
 """What follows "over the shop" where that opens a clause about the storey above."""
 _AFTER_NUMBER = frozenset({"x", "no", "nos", ",", ")"})
 """What follows the number of storeys in a bracket behind them."""
@@ -128,7 +128,7 @@ class RelativeStoreys:
         return int(reading.value(at)) if counts and closed and 0 < reading.value(at) < 200 else 0
 
     def upper(self, many: int, index: int) -> FloorRef:
-        """Return so many upper storeys, whose noun is at a token; they lie above the ground floor alone, if nothing else.
+        """Return so many upper storeys, whose noun is at a token; they imply one more below them.
 
         "The three upper floors" make four storeys where the brief does not say how many it has.
         """

@@ -114,7 +114,7 @@ def _with_edges(reading: Reading, place: Place) -> Place:
 
 
 def _after_remark(reading: Reading, index: int) -> int:
-    """Return where "only", "typical" and "(8 no., all alike)" end that stand between storeys and a colon; or `index`."""
+    """Return where "only" and "(8 no., all alike)" end that stand between storeys and a colon; or `index`."""
     last = index
     while not reading.breaks(last) and (
         reading.word(last) in _REMARKS or (reading.kind(last) == "number" and _is_bracketed(reading, index, last))

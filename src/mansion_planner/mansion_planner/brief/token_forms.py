@@ -307,7 +307,8 @@ def cellars(tokens: list[Token]) -> list[Token]:
     while index < len(tokens):
         texts = [token.text for token in tokens[index : index + 4]]
         kept = 2 + (texts[2:3] in (["the"], ["our"], ["my"], ["his"], ["her"]))
-        if texts[:1] == ["cellar"] and texts[1:2] in (["for"], ["of"]) and not CELLARED.isdisjoint(texts[kept : kept + 1]):
+        filled = texts[:2] in (["cellar", "for"], ["cellar", "of"])
+        if filled and not CELLARED.isdisjoint(texts[kept : kept + 1]):
             noun = tokens[index + kept]
             whole = replace(tokens[index], end=noun.end)
             result += [replace(whole, text=noun.text, plural=False), whole]
