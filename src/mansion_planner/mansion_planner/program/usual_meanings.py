@@ -11,6 +11,7 @@ _MEANT = {
     "kitchen": ("commercial_kitchen",), "open_kitchen": ("commercial_kitchen",), "dining_room": ("restaurant",),
     "private_room": ("resident_room", "patient_room"), "single_room": ("resident_room", "patient_room"),
     "child_room": ("childrens_area",), "kid_room": ("childrens_area",), "lounge": ("living_room",),
+    "showroom": ("car_showroom",),
 }  # fmt: skip
 """Plain names of rooms, and what they are where a building has that for its guests, the likeliest first."""
 
