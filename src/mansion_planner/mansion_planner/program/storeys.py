@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from mansion_knowledge import BuildingType, KnowledgeBase, RoomEntry
 from mansion_msgs_py.program import Downgrade, TraceEntry
-from mansion_planner.brief.facts import BriefFacts, FloorRef
+from mansion_planner.brief.facts import FloorRef
 from mansion_planner.program.decisions import Decisions, conflict, note
 from mansion_planner.program.model import Storey
 from mansion_planner.program.step_record import Record
