@@ -541,6 +541,8 @@ def fill_storey(
         count = 0 if entry.repeat else max(entry.count - (kind.name in present), 0)
         for _ in range(count):
             room = allocation.added(entry, knowledge)
+            if not hub_share:
+                room = _beside_others(room, budget)
             small = min(room.gross, room.gross * 0.5 + 0.5 * kind.least)
             if used + small <= budget * 1.03 or (not rooms and used + kind.least <= budget):
                 rooms.append(room)
@@ -554,6 +556,16 @@ def fill_storey(
             rooms.append(room)
             used += room.gross
     return _topped_up(storey, allocation, knowledge, rooms, budget)
+
+
+_MOST_OF_A_STOREY = 0.5
+"""Of the area for rooms, what one that the brief does not ask for takes at most, unless its kind needs more."""
+
+
+def _beside_others(room: PlannedRoom, budget: float) -> PlannedRoom:
+    """Return a room of a storey's list, smaller where it would leave the others of the list no place."""
+    most = max(_MOST_OF_A_STOREY * budget, room.kind.least)
+    return room if room.fixed or room.suite or room.area <= most else msgspec.structs.replace(room, area=most)
 
 
 def _needed_entries(storey: Storey, allocation: Allocation, knowledge: KnowledgeBase) -> list[RoomEntry]:
