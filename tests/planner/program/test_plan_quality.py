@@ -65,3 +65,14 @@ def test_a_room_alone_in_a_large_place_is_swollen() -> None:
     (bathroom, *_) = [p for p in building.sketches[2].rooms if p.room.kind.name == "bathroom"]
     bathroom.boxes[:] = [(0.0, 0.0, 6.0, 6.0)]
     assert swollen_rooms(building.sketches[2]) == [bathroom]
+
+
+def test_a_program_never_plans_more_than_its_floor_has() -> None:
+    building = planned(
+        "a blood donation centre with a 145 m2 recording studio, six commercial kitchens, a 130 m2 quality control "
+        "and an art room",
+        floor_area=316.0,
+    )
+    (floor,) = building.program.floors
+    assert floor.area_summary.fits_within_gfa
+    assert sum(room.area_estimate for room in floor.rooms) <= floor.gross_floor_area + 0.1
