@@ -120,3 +120,10 @@ def test_a_number_of_storeys_told_twice_counts_once() -> None:
     text = "A G+2 eye hospital, that is three floors in all, with a ward."
     assert [quantity.value for quantity in read_brief(text, default_knowledge()).floors] == [3.0]
     assert plan_building(BuildRequest(description=text)).program.downgrades == []
+
+
+def test_a_number_of_shower_rooms_holds_for_shower_areas() -> None:
+    text = "A dormitory of two floors. On each floor six bedrooms and two shower rooms."
+    program = plan_building(BuildRequest(description=text)).program
+    kinds = [room.room_type for floor in program.floors for room in floor.rooms]
+    assert (kinds.count("bathroom"), kinds.count("shower_area")) == (4, 0)

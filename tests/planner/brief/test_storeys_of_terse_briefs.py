@@ -76,10 +76,6 @@ def test_storeys_told_by_what_they_hold_are_counted(brief: str, expected: list[i
             {"restaurant": [3], "bar": [1]},
         ),
         ("Clinic. St. 0: reception. St. 1: a pharmacy. 2 st. in all, 200 m2 per st.", {"pharmacy": [2]}),
-        (
-            "House in R+1. At the ground floor a kitchen, a cellar for the wine and the toilets.",
-            {"wine_cellar": [1], "toilet": [1]},
-        ),
         ("House of four storeys: ground floor two shops; each other floor 2 flats.", {"shop": [1], "flat": [2, 3, 4]}),
     ],
 )

@@ -85,10 +85,3 @@ def test_one_of_several_rooms_is_labelled_as_one(brief: str, label: str) -> None
     program = plan_building(BuildRequest(description=brief)).program
     labels = {room.name.lower() for floor in program.floors for room in floor.rooms if room.name}
     assert label in labels and f"{label}s" not in labels
-
-
-def test_a_number_of_shower_rooms_holds_for_shower_areas() -> None:
-    text = "A dormitory of two floors. On each floor six bedrooms and two shower rooms."
-    program = plan_building(BuildRequest(description=text)).program
-    kinds = [room.room_type for floor in program.floors for room in floor.rooms]
-    assert (kinds.count("bathroom"), kinds.count("shower_area")) == (4, 0)

@@ -3,7 +3,6 @@
 from mansion_planner.brief.facts import FloorRef
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
 from mansion_planner.brief.storey_counts import CLOSERS, UPSTAIRS
-from mansion_planner.brief.token_forms import CELLARED
 
 __all__ = ["COPULAS", "TOPS", "NamedStoreys"]
 
@@ -58,7 +57,7 @@ class NamedStoreys:
         last = index + 2 if following in FLOOR_WORDS else index + 1
         if mention is not None and mention.last > last:
             return None
-        if reading.word(index - 1) in CELLARED | {"finished"}:
+        if reading.word(index - 1) in ("wine", "beer", "root", "coal", "finished"):
             return None
         if word in ("underground", "subterranean") and following not in FLOOR_WORDS:
             predicate = reading.word(index - 1) in COPULAS | {"lie", "go", "all"} and following in CLOSERS

@@ -19,7 +19,6 @@ from mansion_planner.brief.storeys_by_use import storeys_by_use
 from mansion_planner.brief.token_forms import (
     abbreviated_storeys,
     capacities,
-    cellars,
     compounds,
     decades,
     foreign_storeys,
@@ -193,7 +192,7 @@ def start_reading(text: str, knowledge: KnowledgeBase, cancelled: Callable[[], b
     tokens = flat_types(count_forms(storeys_by_use(storey_forms(text, tokens), FLOOR_WORDS)))
     tokens = compounds(corrected(tokens, lexicon.words, furniture_vocabulary()), lexicon.words)
     tokens = workplaces(foreign_storeys(open_decks(kinds_of_area(gross_areas(metering(tokens))))))
-    tokens = capacities(cellars(upward_ranges(tokens, FLOOR_WORDS)), lexicon.heads)
+    tokens = capacities(upward_ranges(tokens, FLOOR_WORDS), lexicon.heads)
     mentions = lexicon.find(tokens)
     reading = Reading(
         text=text,

@@ -6,7 +6,6 @@ from mansion_planner.brief.facts import FloorRef, Quantity
 from mansion_planner.brief.furniture_words import furniture_of
 from mansion_planner.brief.phrase import PLAIN
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
-from mansion_planner.brief.token_forms import CELLARED
 
 __all__ = [
     "ANAPHORS",
@@ -482,7 +481,7 @@ class StoreyCounts:
             and reading.kind(index + 2) == "word"
             and reading.word(described) in ("basement", "cellar")
             and reading.word(described + 1) in CLOSERS | {"with", "for", "and"}
-            and reading.word(index + 2) not in CELLARED
+            and reading.word(index + 2) not in ("wine", "beer", "root", "coal")
         ):
             self._state(1, index, described + 1, below=True)
             self._place_in_basement(described, described + 1)

@@ -5,10 +5,8 @@ from dataclasses import replace
 from mansion_language import Token
 
 __all__ = [
-    "CELLARED",
     "abbreviated_storeys",
     "capacities",
-    "cellars",
     "compounds",
     "decades",
     "foreign_storeys",
@@ -294,29 +292,6 @@ def _is_storey(tokens: list[Token], index: int) -> bool:
     counted = index > 1 and tokens[index - 1].kind in ("number", "ordinal")
     several = tokens[index].plural or (counted and tokens[index - 1].text in ("one", "1"))
     return counted and several and tokens[index - 2].text in ("of", "on", "in", "over")
-
-
-CELLARED = frozenset({"wine", "beer", "root", "coal"})
-"""What is kept in a cellar that is a room, and no storey: "a wine cellar"."""
-
-
-def cellars(tokens: list[Token]) -> list[Token]:
-    """Read "a cellar for the wine" as a wine cellar, which is a room and no storey."""
-    result: list[Token] = []
-    index = 0
-    while index < len(tokens):
-        texts = [token.text for token in tokens[index : index + 4]]
-        kept = 2 + (texts[2:3] in (["the"], ["our"], ["my"], ["his"], ["her"]))
-        filled = texts[:2] in (["cellar", "for"], ["cellar", "of"])
-        if filled and not CELLARED.isdisjoint(texts[kept : kept + 1]):
-            noun = tokens[index + kept]
-            whole = replace(tokens[index], end=noun.end)
-            result += [replace(whole, text=noun.text, plural=False), whole]
-            index += kept + 1
-        else:
-            result.append(tokens[index])
-            index += 1
-    return result
 
 
 def _is_side(tokens: list[Token], index: int) -> bool:

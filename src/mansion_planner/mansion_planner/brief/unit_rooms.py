@@ -99,7 +99,7 @@ class UnitRooms:
             room = self._room_at(begin)
             if room is None or (rooms and begin == index):
                 break
-            kind = _READ_AS.get(room.name, room.room_type)
+            kind = self._kind(room)
             if guests and kind not in _OF_GUESTS:
                 break
             if not always and (kind in _SHARED_ROOMS or (rooms and closed and not strong)):
@@ -107,10 +107,15 @@ class UnitRooms:
             if rooms and self._is_elsewhere(room, placed=placed):
                 break
             closed = closed or (joined and bool(rooms))
-            rooms.append(replace(room, room_type=kind, known=room.known or room.name in _READ_AS))
-            own = bathroom_of_some(self.reading, self.phrases, room) if self._singles_out(index, begin) else None
+            singled = bool(rooms) and self._singles_out(index, begin)
+            if singled and room.room_type == rooms[-1].room_type:
+                rooms[-1] = replace(rooms[-1], count=(rooms[-1].count or 0) + (room.count or 0))
+                self.found.inner.add(room.first)
+            else:
+                rooms.append(replace(room, room_type=kind, known=room.known or room.name in _READ_AS))
+            own = bathroom_of_some(self.reading, self.phrases, room) if singled else None
             rooms += [own] if own is not None else []
-            index, each = self._after_room(rooms[-1].last)
+            index, each = self._after_room((own or room).last)
             trailing = trailing or each
             living = self._living_at(index)
             if living is not None:
@@ -120,6 +125,11 @@ class UnitRooms:
             return [], start
         self.reading.take(start, index)
         return rooms, index
+
+    def _kind(self, room: Phrase) -> str:
+        """Return the type of a room in a unit; the hall of "a 3BHK flat: hall, kitchen" is its living room."""
+        bhk = room.name == "hall" and "bhk" in self.reading.text.lower()
+        return "living_room" if bhk else _READ_AS.get(room.name, room.room_type)
 
     def _linked(self, start: int) -> tuple[int, bool, bool, bool]:
         """Return where a list may begin, and whether a link, a word for each and a storey stand before it."""
