@@ -137,3 +137,16 @@ def test_every_room_after_several_speaks_of_them() -> None:
         "A hotel of two floors having five rooms each one, in every room a bed and its bathroom.", default_knowledge()
     )
     assert [(fact.name, held(fact)) for fact in facts.rooms] == [("room", {"bathroom": 1})]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Four bedrooms, every bedroom own bathroom, and a gym.",
+        "Four bedrooms, each bedroom its own bathroom, and a gym.",
+        "A gym, and four bedrooms, each bedroom with own bathroom.",
+    ],
+)
+def test_own_after_every_room_gives_it_one_and_nothing_more(text: str) -> None:
+    facts = read_brief(f"A house of two floors. {text}", default_knowledge())
+    assert {fact.name: held(fact) for fact in facts.rooms} == {"bedroom": {"bathroom": 1}, "gym": {}}

@@ -26,6 +26,7 @@ from mansion_planner.brief.token_forms import (
     kinds_of_area,
     metering,
     open_decks,
+    owned_by_each,
     upward_ranges,
     workplaces,
 )
@@ -192,7 +193,7 @@ def start_reading(text: str, knowledge: KnowledgeBase, cancelled: Callable[[], b
     tokens = flat_types(count_forms(storeys_by_use(storey_forms(text, tokens), FLOOR_WORDS)))
     tokens = compounds(corrected(tokens, lexicon.words, furniture_vocabulary()), lexicon.words)
     tokens = workplaces(foreign_storeys(open_decks(kinds_of_area(gross_areas(metering(tokens))))))
-    tokens = capacities(upward_ranges(tokens, FLOOR_WORDS), lexicon.heads)
+    tokens = capacities(owned_by_each(upward_ranges(tokens, FLOOR_WORDS)), lexicon.heads)
     mentions = lexicon.find(tokens)
     reading = Reading(
         text=text,

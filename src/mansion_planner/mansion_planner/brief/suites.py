@@ -170,7 +170,7 @@ class _Pair:
             and holder.last != self.owner.begin
             and _outside_brackets(self.words) <= {"and", "a", "an", "its", "own", ",", "the", "one"}
             and "and" in self.gap
-            and not (self.phrase.determiner == "the" and "," in self.words)
+            and not ("," in self.words and (self.phrase.determiner == "the" or self.phrase.room_type not in PRIVATE))
         )
 
     def belongs(self) -> bool:

@@ -14,6 +14,7 @@ __all__ = [
     "kinds_of_area",
     "metering",
     "open_decks",
+    "owned_by_each",
     "upward_ranges",
     "workplaces",
 ]
@@ -265,6 +266,24 @@ def _ends_sentence(text: str, tokens: list[Token], index: int) -> bool:
         return True
     following = tokens[index + 1]
     return following.text == "\n" or text[following.start].isupper()
+
+
+def owned_by_each(tokens: list[Token]) -> list[Token]:
+    """Read "every bedroom own bathroom" as "every bedroom its own bathroom"."""
+    result: list[Token] = []
+    for index, token in enumerate(tokens):
+        before = [other.text for other in tokens[max(index - 3, 0) : index]]
+        noun = index > 0 and tokens[index - 1].kind == "word" and before[-1] not in _POSSESSIVES
+        if token.text == "own" and noun and {"every", "each"} & set(before[:-1]):
+            result.append(Token("word", "its", token.start, token.start))
+        result.append(token)
+    return result
+
+
+_POSSESSIVES = frozenset(
+    {"its", "their", "an", "his", "her", "with", "has", "have", "having", "get", "need", "of", "the"}
+)
+"""Words before "own" that tell whose something is by themselves, or that "own" goes with."""
 
 
 def upward_ranges(tokens: list[Token], floor_words: frozenset[str]) -> list[Token]:
