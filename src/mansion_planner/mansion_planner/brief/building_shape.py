@@ -132,23 +132,13 @@ def _is_court(reading: Reading, index: int) -> bool:
 def read_copies(reading: Reading, places: list[Place]) -> None:
     """Read storeys that are to be identical: "floors 3 to 8 identical", "L3, L4, L5 the same", "share one plan"."""
     for index, token in enumerate(reading.tokens):
-        sharing = (
-            token.text in ("share", "sharing")
-            and reading.word(index + 1) in ("one", "a", "the")
-            and ({"plan", "layout"} & set(reading.words(index + 1, index + 5)))
-        )
-        within = any(p.first < index < p.last for p in places)
-        typical = token.text == "typical" and (within or reading.word(index + 1) in FLOOR_WORDS)
         if _read_unchanging(reading, places, index) or _read_again(reading, places, index):
             continue
-        equated = token.text == "=" and (within or any(p.first == index + 1 for p in places))
-        like = token.text in ("like", "as") and reading.word(index - 1) in ("just", "exactly", "look", "repeat")
-        if not (token.text in _EQUAL or sharing or typical or equated or like) or reading.word(index + 1) in (
-            "time",
-            "building",
-            "room",
-            "walls",
-        ):
+        sharing = _shares_plan(reading, index)
+        comparing = _compares(reading, places, index)
+        if not (comparing or sharing or token.text in _EQUAL or _is_typical(reading, places, index)):
+            continue
+        if reading.word(index + 1) in ("time", "building", "room", "walls"):
             continue
         if token.text == "same" and reading.words(index + 1, index + 3) in (
             ("level", ","),
@@ -162,7 +152,7 @@ def read_copies(reading: Reading, places: list[Place]) -> None:
             span = reading.span(pair[0].first, pair[1].last)
             reading.facts.copies.append(CopyFact(FloorRef("range", first, last, span), span))
             continue
-        if like or (equated and not within):
+        if comparing and not _is_within(places, index):
             continue
         near = [p for p in places if reading.sentence[p.first] == reading.sentence[index] and _several(p)]
         counted = [p for p in near if p.refs[0].kind in ("number", "range") and p.last <= index]
@@ -185,6 +175,30 @@ def read_copies(reading: Reading, places: list[Place]) -> None:
             reading.facts.copies.append(CopyFact(FloorRef("every" if whole else "upper", span=span), span))
         plan = next((at for at in range(index + 1, index + 5) if reading.word(at) in ("plan", "layout")), index)
         reading.take(index, plan + 1 if sharing else index + 1)
+
+
+def _shares_plan(reading: Reading, index: int) -> bool:
+    """Whether storeys "share one plan"."""
+    shared = reading.word(index) in ("share", "sharing") and reading.word(index + 1) in ("one", "a", "the")
+    return shared and not {"plan", "layout"}.isdisjoint(reading.words(index + 1, index + 5))
+
+
+def _is_within(places: list[Place], index: int) -> bool:
+    """Whether a token stands within the words that name storeys: "L01 = L02", "St. 2-6 typical"."""
+    return any(place.first < index < place.last for place in places)
+
+
+def _is_typical(reading: Reading, places: list[Place], index: int) -> bool:
+    """Whether storeys are called typical."""
+    named = _is_within(places, index) or reading.word(index + 1) in FLOOR_WORDS
+    return reading.word(index) == "typical" and named
+
+
+def _compares(reading: Reading, places: list[Place], index: int) -> bool:
+    """Whether a storey is told to be as another one: "just like 4F", "L3 = L2"."""
+    if reading.word(index) == "=":
+        return _is_within(places, index) or any(place.first == index + 1 for place in places)
+    return reading.word(index) in ("like", "as") and reading.word(index - 1) in ("just", "exactly", "look", "repeat")
 
 
 def _read_unchanging(reading: Reading, places: list[Place], index: int) -> bool:

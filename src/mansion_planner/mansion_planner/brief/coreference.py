@@ -40,18 +40,12 @@ def coreferences(
             if several:
                 same[number] = several[-1]  # "beside one treatment room", of the five
                 continue
-        if _is_measured(reading, phrase):
-            several = [n for n in rooms if n < number and phrases[n].name == phrase.name and phrases[n].plural]
-            if several:
-                same[number] = several[-1]
-                continue
+        several = [n for n in rooms if n < number and phrases[n].name == phrase.name and phrases[n].plural]
+        if several and (_is_measured(reading, phrase) or _is_of_each(reading, phrase)):
+            same[number] = several[-1]
+            continue
         if phrase.counted and phrase.determiner not in ("the", "both", "these", "those", "all"):
             continue
-        if phrase.determiner in ("a", "an") and reading.word(phrase.last) in _GENERIC and _opens(reading, phrase):
-            several = [n for n in rooms if n < number and phrases[n].name == phrase.name and phrases[n].plural]
-            if several:
-                same[number] = several[-1]
-                continue
         group = _group(phrases, number, rooms, placed=number in lefts)
         if group:
             groups[number], same[number] = group, group[-1]
@@ -75,6 +69,12 @@ def coreferences(
 
 _JOINED = frozenset({"dining", "diner", "living", "kitchen"})
 """What is named second of two rooms in one: "living/dining", "kitchen-diner"."""
+
+
+def _is_of_each(reading: Reading, phrase: Phrase) -> bool:
+    """Whether "a bedroom has a desk" tells of each of the bedrooms named before."""
+    generic = phrase.determiner in ("a", "an") and not phrase.counted
+    return generic and reading.word(phrase.last) in _GENERIC and _opens(reading, phrase)
 
 
 def _is_measured(reading: Reading, phrase: Phrase) -> bool:
