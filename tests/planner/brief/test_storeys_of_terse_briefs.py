@@ -219,3 +219,22 @@ def test_areas_of_each_storey_are_read_from_short_forms(brief: str, area: float)
 )
 def test_saints_and_flights_name_no_storeys_of_their_own(brief: str) -> None:
     assert read_brief(brief, default_knowledge()).floors == []
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Museum. It has three galleries, one on each of its three storeys and each 110 m2 in size; a foyer.",
+        "Museum with three galleries, one per floor, each 110 m2, and a foyer.",
+        "Museum of three storeys with three galleries, one on every storey and each about 110 m2.",
+    ],
+)
+def test_an_area_behind_rooms_that_are_shared_out_is_of_each_room(text: str) -> None:
+    facts = read_brief(text, default_knowledge())
+    assert [(room.count, room.area) for room in facts.rooms if room.name == "gallery"] == [(3, 110.0)]
+    assert facts.floor_area == []
+
+
+def test_an_area_of_each_storey_behind_rooms_stays_the_storeys() -> None:
+    facts = read_brief("An office on three floors, a lobby on one of them, each 300 m2.", default_knowledge())
+    assert all(room.area is None for room in facts.rooms)

@@ -428,6 +428,7 @@ def _room_of(reading: Reading, measure: Measure, phrases: list[Phrase]) -> int |
         or _described(reading, measure, phrases)
         or _bracketed(reading, measure, phrases)
         or _with_complement(reading, measure, phrases)
+        or _shared_out(reading, measure, phrases)
     )
     if not candidates:
         return None
@@ -481,6 +482,24 @@ def _end_of_what_is_measured(reading: Reading, measure: Measure, phrases: list[P
         if at in ends:
             return at, comma  # "6 classrooms per level, of 55 m2 each"
     return before + 1, comma
+
+
+def _shared_out(reading: Reading, measure: Measure, phrases: list[Phrase]) -> list[int]:
+    """Return the rooms of "three galleries, one on each of its storeys and each 110 m2", whose number stands before."""
+    at = measure.first - 1
+    while reading.word(at) in _FILLERS - FLOOR_WORDS - {"each"}:
+        at -= 1
+    if reading.word(at) != "each" or reading.word(at - 1) not in ("and", ","):
+        return []
+    at -= 1
+    while reading.word(at) in _ON_STOREYS or reading.word(at) in FLOOR_WORDS or reading.kind(at) == "number":
+        at -= 1
+    apiece = reading.kind(at + 2) == "number" and reading.word(at + 1) == "," and reading.word(at + 3) in ("on", "per")
+    return [n for n in _ending_at(phrases, at + 1) if apiece and phrases[n].plural]
+
+
+_ON_STOREYS = frozenset("on each every of its the our per and ,".split())
+"""Words of "one on each of its three storeys", which shares rooms out."""
 
 
 def _ending_at(phrases: list[Phrase], end: int) -> list[int]:
