@@ -3,8 +3,9 @@
 from dataclasses import replace
 
 from mansion_planner.brief.building import MADE_INTO
-from mansion_planner.brief.phrase import Phrase
+from mansion_planner.brief.phrase import PLAIN, Phrase
 from mansion_planner.brief.reading import Reading
+from mansion_planner.brief.trades import goods_of_trade
 
 __all__ = ["without_bystanders"]
 
@@ -17,8 +18,8 @@ _BESIDE = frozenset("between beside opposite near behind facing to from on at".s
 def without_bystanders(reading: Reading, phrases: list[Phrase]) -> list[Phrase]:
     """Return phrases of which those that name no part of the building are of an unknown head.
 
-    "I am a vet", "we move out of our old villa", "the rented room is too small", "it will stand between the church and
-    the inn", "the top storey houses the archive".
+    "I am a vet", "we move out of our old villa", "swap our flat for a house", "I make fitted kitchens for a living",
+    "the rented room is too small", "it will stand between the church and the inn", "the top storey houses the archive".
     """
     sites = _site_tokens(reading)
     owner = phrases[1] if len(phrases) > 1 and _owns_building(reading, *phrases[:2]) else None
@@ -59,9 +60,36 @@ _TRIALS = frozenset(
 _SEPARATE = frozenset("separate separated different distinct independent divided own individual".split())
 
 
-def _is_bystander(reading: Reading, phrase: Phrase, sites: set[int]) -> bool:
-    if phrase.head not in ("room", "building"):
+def _is_given_up(reading: Reading, phrase: Phrase) -> bool:
+    """Whether a phrase is what one has now and parts with: "swap our flat for a house", "to replace its old boathouse"."""
+    at = phrase.begin - 1
+    while reading.word(at) in PLAIN:
+        at -= 1
+    if reading.word(at) not in _OWNED or reading.kind(at - 1) != "word":
         return False
+    verb = reading.word(at - 1)
+    traded = verb in _TRADES and reading.word(phrase.last) in ("for", "against", "with")
+    return traded or verb in _PARTS_WITH
+
+
+def _is_trade(reading: Reading, phrase: Phrase) -> bool:
+    """Whether a phrase is what the writer works on or with: "I make fitted kitchens", "for a living"."""
+    if reading.words(phrase.begin - 2, phrase.last) == ("for", "a", "living"):
+        return True
+    return not phrase.counted and not phrase.areas and goods_of_trade(reading, phrase.noun_end)
+
+
+_OWNED = frozenset({"our", "my", "its", "their"})
+_TRADES = frozenset("swap exchange trade swapping exchanging trading".split())
+_PARTS_WITH = frozenset("replace replacing replaces quit quitting sell selling sold outgrown outgrow vacate".split())
+"""Verbs of those who part with what they own."""
+
+
+def _is_bystander(reading: Reading, phrase: Phrase, sites: set[int]) -> bool:
+    if phrase.head not in ("room", "building", "object"):
+        return False
+    if _is_trade(reading, phrase) or phrase.head == "object":
+        return _is_trade(reading, phrase)
     lead = reading.words(max(phrase.first - 4, 0), phrase.begin)
     writer = any(lead[at : at + 3] in (("i", "am", "a"), ("i", "am", "an")) for at in range(len(lead)))
     left = any(lead[at : at + 2] == ("out", "of") for at in range(len(lead))) and "move" in reading.words(
@@ -80,10 +108,12 @@ def _is_bystander(reading: Reading, phrase: Phrase, sites: set[int]) -> bool:
     )
     fled = not {"leaving", "fleeing", "escaping"}.isdisjoint(reading.words(max(phrase.begin - 2, 0), phrase.noun_end))
     tried = _is_tried(reading, phrase) or _is_predicate(reading, phrase)
+    owned = _is_given_up(reading, phrase)
     made = reading.word(phrase.last) in MADE_INTO and reading.word(phrase.last + 1) in ("into", "to")
     return (
         made
         or tried
+        or owned
         or fled
         or writer
         or left

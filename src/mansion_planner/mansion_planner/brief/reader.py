@@ -57,6 +57,7 @@ from mansion_planner.brief.storey_uses import read_storey_uses
 from mansion_planner.brief.storeys import read_storeys
 from mansion_planner.brief.suites import read_suites
 from mansion_planner.brief.told_by_size import told_by_size
+from mansion_planner.brief.trades import read_trade
 from mansion_planner.brief.unit_storeys import attach_units
 from mansion_planner.brief.units import are_units, is_type_of_flat
 from mansion_planner.brief.unread_words import leave_unread
@@ -103,6 +104,7 @@ def read_brief(text: str, knowledge: KnowledgeBase, *, cancelled: Callable[[], b
     phrases = _Reader(reading, places).read(measures)
     reading.go_on()
     read_copies(reading, places)
+    read_trade(reading)
     read_style(reading, named=False)
     reading.facts.unheeded += unheeded_words(reading, phrases, reading.facts)
     leave_unread(reading)
