@@ -25,9 +25,9 @@ def without_bystanders(reading: Reading, phrases: list[Phrase]) -> list[Phrase]:
     owner = phrases[1] if len(phrases) > 1 and _owns_building(reading, *phrases[:2]) else None
     return [
         replace(phrase, head="unknown", building="", room_type="")
-        if phrase is owner or _is_bystander(reading, phrase, sites)
+        if phrase is owner or _is_bystander(reading, phrase, sites) or _is_new_home(reading, phrases, number)
         else phrase
-        for phrase in phrases
+        for number, phrase in enumerate(phrases)
     ]
 
 
@@ -70,6 +70,33 @@ def _is_given_up(reading: Reading, phrase: Phrase) -> bool:
     verb = reading.word(at - 1)
     traded = verb in _TRADES and reading.word(phrase.last) in ("for", "against", "with")
     return traded or verb in _PARTS_WITH
+
+
+def _is_new_home(reading: Reading, phrases: list[Phrase], number: int) -> bool:
+    """Whether a home is where an organisation is to be: "our practice needs a new home", "a home for our school"."""
+    phrase = phrases[number]
+    bare = all(word in PLAIN for word in reading.words(phrase.begin, phrase.noun_end - 1))
+    if reading.word(phrase.noun_end - 1) != "home" or not bare or phrase.plural or phrase.counted:
+        return False
+    after = phrases[number + 1] if number + 1 < len(phrases) else None
+    if reading.word(phrase.last) == "for":
+        owner = reading.word(phrase.last + 1) in _OWNED and after is not None and after.first <= phrase.last + 2
+        return owner and _is_organisation(reading, after)
+    sought = not _SEEKING.isdisjoint(reading.words(max(phrase.begin - 4, 0), phrase.begin))
+    before = phrases[number - 1] if number else None
+    clause = before is not None and reading.sentence[before.first] == reading.sentence[phrase.first]
+    near = clause and before is not None and phrase.first - before.last <= 4
+    return sought and near and _is_organisation(reading, before)
+
+
+def _is_organisation(reading: Reading, phrase: Phrase | None) -> bool:
+    """Whether a phrase names a kind of building in which nobody is at home: a practice, a library."""
+    buildings = reading.knowledge.buildings
+    return phrase is not None and bool(phrase.building) and buildings[phrase.building].family != "home"
+
+
+_SEEKING = frozenset("need needs want wants get gets find finds seek seeks looking searching deserve".split())
+"""Verbs of who is to have a home: "the club is looking for a new home"."""
 
 
 def _is_trade(reading: Reading, phrase: Phrase) -> bool:

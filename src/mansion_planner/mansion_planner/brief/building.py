@@ -178,7 +178,22 @@ def _is_placed_part(candidate: _Candidate) -> bool:
         return True
     if candidate.placed and candidate.number > 0 and (is_room or (phrase.building == "flat" and not phrase.plural)):
         return True
-    return candidate.lead in ("in", "inside") or (candidate.lead == "into" and is_room)
+    if candidate.lead in ("in", "inside"):
+        return not _holds_what_happens(candidate)
+    return candidate.lead == "into" and is_room
+
+
+def _holds_what_happens(candidate: _Candidate) -> bool:
+    """Whether the phrase is where a brief's first sentence has something done: "to evaluate a robot in a care home"."""
+    parts = ("room", "building", "stair", "elevator")
+    first = candidate.sentence == 0 and not candidate.is_room and not candidate.phrase.plural
+    before = [phrase for phrase in candidate.phrases[: candidate.number] if phrase.head in parts]
+    definite = candidate.phrase.determiner in ("the", "our", "my", "this", "their")
+    return first and not before and not definite and _DWELLING.isdisjoint(candidate.before)
+
+
+_DWELLING = frozenset("live lives living work works working sit sits based".split())
+"""Verbs of what the writer does in another building than the one wanted."""
 
 
 def _is_listed_part(candidate: _Candidate) -> bool:

@@ -132,6 +132,8 @@ def _classified(tokens: list[Token], index: int) -> _Form | None:
         return None
     if word in ("no", "off", "number", "set", "unit", "piece") and not noun:
         return None
+    if word == "off" and _word(tokens, index + 2) in ("the", "a", "it", "this", "that"):
+        return None  # "store 20 off the hall" is an area
     last = index + 2
     last += _word(tokens, last) == "." and word in ("no", "nos", "pc", "pcs") and _goes_on(tokens, last)
     if noun and word != "number":

@@ -6,6 +6,7 @@ content words that belong to none are reported as not understood. No step looks 
 is proportional to the length of the text.
 """
 
+import itertools
 from collections.abc import Callable
 from dataclasses import replace
 
@@ -275,7 +276,8 @@ class _Reader:
                 continue
             category, _ = furniture_of(reading.words(phrase.begin, phrase.noun_end))
             before = self.phrases[number - 1] if number else None
-            listed = fitted.get(reading.sentence[phrase.first], phrase.first) < phrase.first
+            fit = fitted.get(reading.sentence[phrase.first], phrase.first)
+            listed = fit < phrase.first and (",", "plus") not in itertools.pairwise(reading.words(fit, phrase.first))
             locker = phrase.name == "locker" and before is not None and self._is_locker(before, phrase)
             counter = before is not None and self._is_counter_of(before, phrase)
             if counter or (
@@ -294,9 +296,10 @@ class _Reader:
         )
 
     def _is_counter_of(self, room: Phrase, phrase: Phrase) -> bool:
-        """Whether "a taproom with its long bar" speaks of the counter of a room that is a bar itself."""
+        """Whether "a taproom with its long bar" speaks of the counter of a room where drinks are served."""
         between = self.reading.words(room.last, phrase.begin)
-        return phrase.name == "bar" == room.room_type and between in (("with", "its"), ("and", "its"), ("with", "a"))
+        counter = phrase.name == "bar" and room.head == "room" and room.room_type in _ROOMS_WITH_BARS
+        return counter and between in (("with", "its"), ("and", "its"), ("with", "a"), ("with",))
 
     def _is_locker(self, before: Phrase, phrase: Phrase) -> bool:
         """Whether "eight lockers" and "a bed and a locker" are furniture: those counted, or named with furniture."""
@@ -623,6 +626,9 @@ _ENOUGH = frozenset({"suffice", "sufficient", "enough", "do"})
 
 _HOMES = frozenset({"house", "home", "building", "villa", "cottage", "cabin", "bungalow"})
 """Nouns that with "the" mean the whole building."""
+
+_ROOMS_WITH_BARS = frozenset({"bar", "lounge", "common_room", "nightclub_floor"})
+"""Rooms whose bar is the counter in them: a club room with a bar."""
 
 _FIXTURES = frozenset({"shower", "bath", "walk_in_shower", "loo"})
 _BATHROOMS = frozenset({"bathroom", "ensuite_bathroom", "accessible_toilet"})
