@@ -16,7 +16,7 @@ _FILLERS = frozenset(
     """
     of with ( about around at least measuring is has approximately be should covering roughly an area size sized
     each : having = a must will exactly occupying minimum than more floor something like the region in circa ca
-    approx some apiece over for maybe nearly almost are being up to each one - – every max maximum no less not under
+    approx some apiece surface occupy occupies over for maybe nearly almost are being up to each one - – every max maximum no less not under
     total below every measure have has some shall larger bigger smaller greater exceed exceeding within limited
     capped min pass surpass all alike identical equal same
     """.split()
