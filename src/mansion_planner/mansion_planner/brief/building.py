@@ -189,11 +189,17 @@ def _holds_what_happens(candidate: _Candidate) -> bool:
     first = candidate.sentence == 0 and not candidate.is_room and not candidate.phrase.plural
     before = [phrase for phrase in candidate.phrases[: candidate.number] if phrase.head in parts]
     definite = candidate.phrase.determiner in ("the", "our", "my", "this", "their")
-    return first and not before and not definite and _DWELLING.isdisjoint(candidate.before)
+    old = not _OUTGROWN.isdisjoint(candidate.reading.words(candidate.phrase.first, candidate.phrase.noun_end))
+    done = not _DONE.isdisjoint(candidate.before) and _DWELLING.isdisjoint(candidate.before)
+    return first and done and not (before or definite or old)
 
 
 _DWELLING = frozenset("live lives living work works working sit sits based".split())
 """Verbs of what the writer does in another building than the one wanted."""
+_DONE = frozenset("to test tests testing evaluate train trial trials robot must should experiment".split())
+"""Words of what is to be done in a building."""
+_OUTGROWN = frozenset({"old", "former", "existing", "disused", "rented"})
+"""Adjectives of a building that is there before."""
 
 
 def _is_listed_part(candidate: _Candidate) -> bool:

@@ -417,7 +417,7 @@ _NO_ROOMS = frozenset(
     """.split()
 )
 
-_WHOLES = frozenset("building premise property structure complex house block volume".split())
+_WHOLES = frozenset({"building", "premise", "property", "structure"})
 """Nouns of all that is built."""
 
 _STRENGTHS = frozenset({"right", "immediately", "close", "close-by", "hard"})
