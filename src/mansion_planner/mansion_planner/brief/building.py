@@ -287,7 +287,7 @@ def _are_told_apart(phrase: Phrase, other: Phrase) -> bool:
 
 def _is_perfect(reading: Reading, index: int) -> bool:
     """Whether "has" only forms the perfect: "our town has saved for a theatre"."""
-    return reading.word(index) in ("has", "have") and reading.word(index + 1).endswith(("ed", "en"))
+    return reading.word(index) in ("has", "have") and reading.word(index + 1).endswith(("ed", "en", "own"))
 
 
 def _about_all(place: Place) -> bool:

@@ -1,5 +1,6 @@
 """Read storeys that have a name of their own: the ground floor, the basement, the top floor, "upstairs", "middle"."""
 
+from mansion_planner.brief.cellars import keeps_goods
 from mansion_planner.brief.facts import FloorRef
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
 from mansion_planner.brief.storey_counts import CLOSERS, UPSTAIRS
@@ -52,7 +53,7 @@ class NamedStoreys:
             return [FloorRef("basement")], index + (2 if following != "the" else 3)
         if word not in ("basement", "cellar", "underground", "souterrain", "subterranean", "b1") or following == "car":
             return None
-        if word == "cellar" and self._is_room_for(index):
+        if word == "cellar" and keeps_goods(reading, index):
             return None
         last = index + 2 if following in FLOOR_WORDS else index + 1
         if mention is not None and mention.last > last:
@@ -63,16 +64,6 @@ class NamedStoreys:
             predicate = reading.word(index - 1) in COPULAS | {"lie", "go", "all"} and following in CLOSERS
             return ([FloorRef("basement")], last) if predicate else None
         return [FloorRef("basement")], last
-
-    def _is_room_for(self, index: int) -> bool:
-        """Whether a cellar is one of the rooms of another storey: "on the ground floor a kitchen, a cellar for wine"."""
-        reading = self.reading
-        lead = index - 1 - (reading.word(index - 1) in ("a", "one", "the"))
-        listed = reading.word(lead) in (",", "and", ":") and reading.word(index + 1) in ("for", "of")
-        kept = index + 2 + (reading.word(index + 2) in ("the", "our", "my"))
-        alone = reading.kind(kept) == "word" and reading.word(kept + 1) in (",", "and", ".", ";", "", "with", "(")
-        before = reading.words(reading.sentence.index(reading.sentence[index]), index)
-        return listed and alone and not FLOOR_WORDS.isdisjoint(before)
 
     def ground(self, index: int) -> tuple[list[FloorRef], int] | None:
         """Read "the ground floor", "street level", "downstairs", "at grade"."""

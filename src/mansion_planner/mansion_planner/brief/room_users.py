@@ -118,6 +118,8 @@ def with_users(reading: Reading, phrases: list[Phrase]) -> list[Phrase]:
         if phrase.first < end:
             continue
         parts = _by_users(reading, phrase, names)
+        ends = {part.last for part in parts}
+        found = [other for other in found if other.head != "people" or other.last not in ends]  # whose rooms they are
         if parts != [phrase]:
             end = max(part.last for part in parts)
         found += parts
