@@ -84,7 +84,9 @@ def _bedroomed(tokens: list[Token], index: int) -> _Form | None:
         return None
     if _word(tokens, index + 2) in ("type", "layout", "plan"):  # "1LDK type" is no noun of a flat
         return _Form((tokens[index], replace(tokens[index + 1], text="bedroom", spaced=True)), index + 3)
-    return _Form((tokens[index], replace(tokens[index + 1], text="bedroom", plural=False, spaced=False)), index + 2)
+    alone = _word(tokens, index - 1) in _ENDS and _word(tokens, index + 2) in _ENDS
+    bedrooms = replace(tokens[index + 1], text="bedroom", plural=alone, spaced=alone)
+    return _Form((tokens[index], bedrooms), index + 2)
 
 
 def _half_dozen(tokens: list[Token], index: int) -> _Form | None:

@@ -62,6 +62,7 @@ from mansion_planner.brief.trades import read_trade
 from mansion_planner.brief.unit_storeys import attach_units
 from mansion_planner.brief.units import are_units, is_type_of_flat
 from mansion_planner.brief.unread_words import leave_unread
+from mansion_planner.brief.washing_and_resting import by_what_else_is_named
 
 __all__ = ["read_brief"]
 
@@ -135,7 +136,7 @@ class _Reader:
         as_studio_flat(reading, phrases)
         phrases = with_shared_sizes(reading, measures, phrases)
         own = [room_for_building(reading, phrase) for phrase in give_measures(reading, measures, phrases)]
-        self.phrases = [told_by_its_words(reading, phrase) for phrase in own]
+        self.phrases = by_what_else_is_named([told_by_its_words(reading, phrase) for phrase in own])
         one_of_several = told_by_size(reading, with_bare_areas(reading, self.phrases))
         self.phrases = sized(reading, one_of_several.phrases, self.building)
         reading.go_on()
