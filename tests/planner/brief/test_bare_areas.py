@@ -20,7 +20,10 @@ def test_bare_numbers_are_areas_where_all_fit(text: str, areas: list[float | Non
     assert [room.area for room in read_brief(text, default_knowledge()).rooms] == areas
 
 
-LIST = "Community centre. Main hall 150 (clear 4.5 m) with stage 30 attached, chair store 20 off the hall, foyer 50, office 12."
+LIST = (
+    "Community centre. Main hall 150 (clear 4.5 m) with stage 30 attached, chair store 20 off the hall, foyer 50, "
+    "office 12."
+)
 
 
 @pytest.mark.parametrize(
@@ -35,6 +38,8 @@ def test_an_entry_may_go_on_after_its_area(text: str, areas: list[float]) -> Non
     assert [room.area for room in read_brief(text, default_knowledge()).rooms] == areas
 
 
-@pytest.mark.parametrize("text", ["A house with a kitchen 2 with island, a bedroom 3.", "A club. Store 12 off the hall."])
+@pytest.mark.parametrize(
+    "text", ["A house with a kitchen 2 with island, a bedroom 3.", "A club. Store 12 off the hall."]
+)
 def test_numbers_that_are_no_list_of_areas_are_none(text: str) -> None:
     assert not [room.area for room in read_brief(text, default_knowledge()).rooms if room.area]

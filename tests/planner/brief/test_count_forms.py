@@ -49,11 +49,7 @@ def test_a_number_after_a_room_names_it() -> None:
 
 
 @pytest.mark.parametrize(
-    ("brief", "bedrooms"),
-    [
-        ("A house, 3LDK, two storeys.", 3),
-        ("A flat of 90 m2, 2BHK, with a balcony.", 2),
-    ],
+    ("brief", "bedrooms"), [("A house, 3LDK, two storeys.", 3), ("A flat of 90 m2, 2BHK, with a balcony.", 2)]
 )
 def test_the_code_of_a_flat_may_stand_alone(brief: str, bedrooms: int) -> None:
     facts = read(brief)

@@ -68,7 +68,10 @@ def test_a_relation_of_all_of_them_is_told_of_each() -> None:
         ("A clubhouse; boys and girls get changing rooms of their own.", ["boy_changing_room", "girl_changing_room"]),
         ("A hotel. The cooks and the waiters have lounges of their own.", ["cook_lounge", "waiter_lounge"]),
         ("A school with toilets for girls and toilets for boys.", ["girl_toilet", "boy_toilet"]),
-        ("A gym with changing rooms for women and changing rooms for men.", ["woman_changing_room", "man_changing_room"]),
+        (
+            "A gym with changing rooms for women and changing rooms for men.",
+            ["woman_changing_room", "man_changing_room"],
+        ),
     ],
 )
 def test_two_that_have_rooms_of_their_own_have_one_each(brief: str, names: list[str]) -> None:

@@ -33,7 +33,9 @@ def test_what_is_flat_is_no_flat(flat: str) -> None:
     assert "apartment" not in {fact.room_type for fact in facts.rooms}
 
 
-@pytest.mark.parametrize("flat", ["flat above it; the plan is simple", "flat with a roof terrace", "flat for a caretaker"])
+@pytest.mark.parametrize(
+    "flat", ["flat above it; the plan is simple", "flat with a roof terrace", "flat for a caretaker"]
+)
 def test_a_flat_is_one_whatever_follows(flat: str) -> None:
     facts = read_brief(f"A sports club with a hall and a {flat}.", default_knowledge())
     assert "apartment" in {fact.room_type for fact in facts.rooms}

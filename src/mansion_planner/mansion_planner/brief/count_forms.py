@@ -13,6 +13,9 @@ _CLASSIFIERS = frozenset({"no", "nos", "pc", "pcs", "piece", "unit", "number", "
 _BEDROOMED = frozenset({"bhk", "ldk"})
 """Short forms that the number of bedrooms stands before: "2BHK"."""
 
+_HOMES = frozenset({"house", "home", "flat", "apartment", "villa"})
+"""Nouns that such a short form may stand behind: "a flat 2BHK"."""
+
 _BARS = frozenset({"-", "|", "–"})
 _ENDS = frozenset({"", "\n", ",", ";", ".", ")", "|", "-", "/"})
 _CORES = frozenset({"lift", "elevator", "stair", "staircase", "stairs"})
@@ -84,7 +87,7 @@ def _bedroomed(tokens: list[Token], index: int) -> _Form | None:
         return None
     if _word(tokens, index + 2) in ("type", "layout", "plan"):  # "1LDK type" is no noun of a flat
         return _Form((tokens[index], replace(tokens[index + 1], text="bedroom", spaced=True)), index + 3)
-    alone = _word(tokens, index - 1) in _ENDS and _word(tokens, index + 2) in _ENDS
+    alone = _word(tokens, index - 1) in _ENDS | _HOMES and _word(tokens, index + 2) in _ENDS
     bedrooms = replace(tokens[index + 1], text="bedroom", plural=alone, spaced=alone)
     return _Form((tokens[index], bedrooms), index + 2)
 

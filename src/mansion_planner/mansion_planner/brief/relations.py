@@ -176,7 +176,9 @@ def _by_first(patterns: list[tuple[str, ...]]) -> dict[str, list[tuple[str, ...]
 
 
 _BESIDE_AT, _APART_AT, _MUTUAL_AT = _by_first(_BESIDE), _by_first(_APART), _by_first(_MUTUAL)
-_LEADS = frozenset({"between", "wall", "each", "to", "of", "from", *(words[0] for words in (*_BESIDE, *_APART, *_MUTUAL))})
+_LEADS = frozenset(
+    {"between", "wall", "each", "to", "of", "from", *(words[0] for words in (*_BESIDE, *_APART, *_MUTUAL))}
+)
 """Words that a relation can begin with."""
 _NEGATIONS = frozenset({"none", "nothing", "not", "no", "never", "neither", "nor", "without", "nowhere", "avoid"})
 _PRONOUNS = frozenset({"it", "them", "this", "that", "which", "these", "those"})

@@ -161,7 +161,11 @@ def _by_users(reading: Reading, phrase: Phrase, names: Mapping[str, int]) -> lis
 
 def _is_one_of(phrase: Phrase, names: Mapping[str, int]) -> bool:
     """Whether a plural is of what stands in one room of several: "toilets for girls and toilets for boys"."""
-    return phrase.room_type in _TOILETS | {"changing_room", "shower_area"} and not phrase.counted and names[phrase.name] > 1
+    return (
+        phrase.room_type in _TOILETS | {"changing_room", "shower_area"}
+        and not phrase.counted
+        and names[phrase.name] > 1
+    )
 
 
 def _owners_before(reading: Reading, phrase: Phrase) -> list[int]:
@@ -187,7 +191,9 @@ def _of_owner(reading: Reading, phrase: Phrase, owner: int) -> Phrase:
     named = lexicon_of(reading.knowledge).phrases.get((who, *phrase.name.split("_")))
     room = one_of(phrase, owner, owner + 1)
     kind = named.room if named is not None and named.room else phrase.room_type
-    return replace(room, name=f"{who}_{phrase.name}"[:60], label=f"{who} {singular(phrase.label.lower())}", room_type=kind)
+    return replace(
+        room, name=f"{who}_{phrase.name}"[:60], label=f"{who} {singular(phrase.label.lower())}", room_type=kind
+    )
 
 
 def _users(reading: Reading, phrase: Phrase) -> tuple[list[int], int]:

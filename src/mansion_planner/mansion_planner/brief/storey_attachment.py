@@ -19,8 +19,8 @@ _SHARED_OUT = frozenset({"spread", "distributed", "divided", "split", "evenly", 
 _GLUE = frozenset(
     """
     is are be goes go stay stays sit sits lie lies located situated placed both all only right directly up that
-    which become stand kept share should must will shall can could may might down belong take takes occupy occupies fills fill come found needed
-    wanted ,
+    which become stand kept share should must will shall belong take takes occupy occupies fills fill come found needed
+    wanted can could may might down ,
     on in at to entirely mostly alone as well too also each one apiece most much of occupy therefore be well
     """.split()
 )
