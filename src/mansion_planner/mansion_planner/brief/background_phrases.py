@@ -61,7 +61,7 @@ _SEPARATE = frozenset("separate separated different distinct independent divided
 
 
 def _is_given_up(reading: Reading, phrase: Phrase) -> bool:
-    """Whether a phrase is what one has now and parts with: "swap our flat for a house", "to replace its old boathouse"."""
+    """Whether a phrase is what one has now and parts with: "swap our flat for a house", "replace its old villa"."""
     at = phrase.begin - 1
     while reading.word(at) in PLAIN:
         at -= 1
