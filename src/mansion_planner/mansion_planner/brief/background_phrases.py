@@ -5,7 +5,6 @@ from dataclasses import replace
 from mansion_planner.brief.building import MADE_INTO
 from mansion_planner.brief.phrase import PLAIN, Phrase
 from mansion_planner.brief.reading import Reading
-from mansion_planner.brief.trades import goods_of_trade
 
 __all__ = ["without_bystanders"]
 
@@ -18,8 +17,8 @@ _BESIDE = frozenset("between beside opposite near behind facing to from on at".s
 def without_bystanders(reading: Reading, phrases: list[Phrase]) -> list[Phrase]:
     """Return phrases of which those that name no part of the building are of an unknown head.
 
-    "I am a vet", "we move out of our old villa", "swap our flat for a house", "I make fitted kitchens for a living",
-    "the rented room is too small", "it will stand between the church and the inn", "the top storey houses the archive".
+    "I am a vet", "we move out of our old villa", "swap our flat for a house", "the rented room is too small", "it will
+    stand between the church and the inn", "the top storey houses the archive".
     """
     sites = _site_tokens(reading)
     owner = phrases[1] if len(phrases) > 1 and _owns_building(reading, *phrases[:2]) else None
@@ -99,13 +98,6 @@ _SEEKING = frozenset("need needs want wants get gets find finds seek seeks looki
 """Verbs of who is to have a home: "the club is looking for a new home"."""
 
 
-def _is_trade(reading: Reading, phrase: Phrase) -> bool:
-    """Whether a phrase is what the writer works on or with: "I make fitted kitchens", "for a living"."""
-    if reading.words(phrase.begin - 2, phrase.last) == ("for", "a", "living"):
-        return True
-    return not phrase.counted and not phrase.areas and goods_of_trade(reading, phrase.noun_end)
-
-
 _OWNED = frozenset({"our", "my", "its", "their"})
 _TRADES = frozenset("swap exchange trade swapping exchanging trading".split())
 _PARTS_WITH = frozenset("replace replacing replaces quit quitting sell selling sold outgrown outgrow vacate".split())
@@ -113,10 +105,8 @@ _PARTS_WITH = frozenset("replace replacing replaces quit quitting sell selling s
 
 
 def _is_bystander(reading: Reading, phrase: Phrase, sites: set[int]) -> bool:
-    if phrase.head not in ("room", "building", "object"):
+    if phrase.head not in ("room", "building"):
         return False
-    if _is_trade(reading, phrase) or phrase.head == "object":
-        return _is_trade(reading, phrase)
     lead = reading.words(max(phrase.first - 4, 0), phrase.begin)
     writer = any(lead[at : at + 3] in (("i", "am", "a"), ("i", "am", "an")) for at in range(len(lead)))
     left = any(lead[at : at + 2] == ("out", "of") for at in range(len(lead))) and "move" in reading.words(

@@ -106,7 +106,6 @@ def read_brief(text: str, knowledge: KnowledgeBase, *, cancelled: Callable[[], b
     phrases = _Reader(reading, places).read(measures)
     reading.go_on()
     read_copies(reading, places)
-    read_trade(reading)
     read_style(reading, named=False)
     reading.facts.unheeded += unheeded_words(reading, phrases, reading.facts)
     leave_unread(reading)
@@ -123,6 +122,7 @@ class _Reader:
         """Read everything that noun phrases are part of; return them."""
         reading = self.reading
         read_adverts(reading, self.places)
+        read_trade(reading)
         self.opening = unknown_building(reading, self.places)
         named = without_retractions(reading, noun_phrases(reading))
         phrases = rooms_of_several_uses(reading, without_bystanders(reading, named))
@@ -344,6 +344,9 @@ class _Reader:
             if named is not None and phrase.head == "building" and self._is_alone(phrase):
                 self.phrases[number] = replace(phrase, head="unknown")  # "Modern farmhouse." is how it looks
                 continue
+            if self._is_of_trade(phrase):
+                self.phrases[number] = replace(phrase, head="unknown")  # "over the shop we live ourselves"
+                continue
             if phrase.determiner == "the" and not phrase.areas and phrase.name in _HOMES:
                 self.phrases[number] = replace(phrase, head="unknown")  # "all over the house"
                 continue
@@ -373,6 +376,11 @@ class _Reader:
             same_family = buildings[phrase.building].family == buildings[named.building].family
             if same_family or phrase.first < named.first:
                 self.phrases[number] = replace(phrase, head="unknown")
+
+    def _is_of_trade(self, phrase: Phrase) -> bool:
+        """Whether "the shop" of who sells something is the building, or what is below, rather than a room named here."""
+        trades = {kind for kind, _ in self.facts.trades}
+        return phrase.determiner == "the" and phrase.name == "shop" and phrase.building in trades
 
     def _stands_in_apposition(self, phrase: Phrase, named: Phrase) -> bool:
         """Whether a home named right after the building, with no article and between commas, is the building again."""

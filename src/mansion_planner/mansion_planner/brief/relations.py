@@ -606,6 +606,13 @@ def _wall_between(reading: Reading, phrases: list[Phrase], rooms: list[int], ind
     """Read "no common wall between the bedroom and the kitchen"; a wall that is not shared only parts the two."""
     if reading.word(index - 1) not in ("common", "shared", "party"):
         return None
+    them = reading.word(index + 2) in ("them", "both") or reading.words(index + 2, index + 4) in _THE_TWO
+    if them:
+        named = _in_sentence(reading, phrases, rooms, index, before=True)[-2:]
+        last = index + 3 + (reading.word(index + 3) == "two")
+        if len(named) < 2:
+            return None
+        return Relation((named[0],), (named[1],), _negated(reading, phrases, rooms, index - 1), index - 1, last), last
     pair = _in_sentence(reading, phrases, rooms, index, before=False)[:2]
     if len(pair) < 2 or phrases[pair[0]].begin - index > 4:
         return None
@@ -613,6 +620,10 @@ def _wall_between(reading: Reading, phrases: list[Phrase], rooms: list[int], ind
         return None
     negated = _negated(reading, phrases, rooms, index - 1)
     return Relation((pair[0],), (pair[1],), negated, index - 1, index + 2), phrases[pair[1]].last
+
+
+_THE_TWO = (("the", "two"), ("these", "two"), ("those", "two"))
+"""Words for two rooms that are named before."""
 
 
 def _between_them(phrases: list[Phrase], before: list[int], index: int, last: int) -> tuple[Relation, int] | None:

@@ -3,7 +3,7 @@
 from mansion_planner.brief.phrase import FUNCTION_WORDS
 from mansion_planner.brief.reading import Reading
 
-__all__ = ["goods_of_trade", "read_trade"]
+__all__ = ["read_trade"]
 
 _TRADES = {
     "make": "factory", "build": "factory", "produce": "factory", "manufacture": "factory", "craft": "factory",
@@ -22,25 +22,17 @@ def read_trade(reading: Reading) -> None:
     The last of several verbs tells most: who repairs and sells has a shop.
     """
     for index in range(len(reading.tokens)):
+        if reading.words(index, index + 3) == ("for", "a", "living"):
+            reading.take(index, index + 3)
         if reading.word(index) in _TRADERS and _trade_at(reading, index + 1):
             verb = _trade_at(reading, index + 1)
             kind = _TRADES[reading.word(verb)]
             end = verb + 1
             while reading.kind(end) == "word" and reading.word(end) not in _NO_GOODS:
                 end += 1
-            if kind and end > verb + 1 and reading.plural(end - 1):
-                reading.facts.trades.append((kind, reading.span(index, end)))
+            if end > verb + 1 and reading.plural(end - 1):
+                reading.facts.trades += [(kind, reading.span(index, end))] if kind else []
                 reading.take(index + 1, end)
-
-
-def goods_of_trade(reading: Reading, last: int) -> bool:
-    """Whether the words up to token `last` (exclusive) are what the writer's trade is about."""
-    at = last - 1
-    while reading.kind(at) == "word" and reading.word(at) not in _NO_GOODS:
-        at -= 1
-    while reading.word(at) in _TRADES or reading.word(at) in ("and", "or"):
-        at -= 1
-    return reading.word(at) in _TRADERS and bool(_trade_at(reading, at + 1)) and reading.plural(last - 1)
 
 
 def _trade_at(reading: Reading, index: int) -> int:
