@@ -378,7 +378,7 @@ class _Reader:
                 self.phrases[number] = replace(phrase, head="unknown")
 
     def _is_of_trade(self, phrase: Phrase) -> bool:
-        """Whether "the shop" of who sells something is the building, or what is below, rather than a room named here."""
+        """Whether "the shop" of who sells something is the building, or what is below, rather than another room."""
         trades = {kind for kind, _ in self.facts.trades}
         return phrase.determiner == "the" and phrase.name == "shop" and phrase.building in trades
 
