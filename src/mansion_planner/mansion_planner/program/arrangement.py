@@ -2,7 +2,7 @@
 
 import itertools
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -65,11 +65,8 @@ def best_arrangement(
 ) -> Arrangement:
     """Lay the building out; when rooms lack a door's wall, wished neighbours or good proportions, try other depths."""
     best: tuple[tuple[int, int, int], Arrangement] | None = None
-    attempts = 6 if decisions.outline is None and not decisions.free_form else 1
-    for attempt in range(attempts):
-        growth = 1.0 if decisions.area_stated else 1.0 + 0.03 * attempt
+    for attempt, varied in enumerate(_varied(decisions, wish, storeys)):
         generator = item_generator(decisions.seed, "massing", attempt)
-        varied = replace(wish, area=wish.area * growth, variant=attempt)
         massing = _massing(decisions, varied, generator)
         shaped = set_back(decisions, massing, storeys, allocation, knowledge)
         layout = _arranged(decisions, massing, shaped, allocation, knowledge, generator)
@@ -81,6 +78,23 @@ def best_arrangement(
     assert best is not None
     layout = _deep_where_it_suits(decisions, wish, best[1], allocation, knowledge)
     return _loosened_where_missed(decisions, layout)
+
+
+_DEPTHS, _CORRIDORS = 6, 3
+"""Depths that are tried, and those along a corridor where rooms else line a lobby."""
+
+
+def _varied(decisions: Decisions, wish: MassingWish, storeys: Sequence[Storey]) -> Iterator[MassingWish]:
+    """Yield the wish of each attempt: other depths, then rooms along a corridor where they line no main room."""
+    if decisions.outline is not None or decisions.free_form:
+        yield wish
+        return
+    lobbies = wish.hall and any(storey.lead is not None for storey in storeys)
+    forms = [(number, False) for number in range(_DEPTHS)]
+    forms += [(number, True) for number in range(_CORRIDORS if lobbies else 0)]
+    for number, along in forms:
+        growth = 1.0 if decisions.area_stated else 1.0 + 0.03 * number
+        yield replace(wish, area=wish.area * growth, variant=number, along_corridor=along)
 
 
 def _own_sketches(layout: Arrangement) -> list[Sketch]:
@@ -294,6 +308,9 @@ def _sketch(decisions: Decisions, massing: Massing, storey: Storey, pairs: list[
     return sketched(massing, storey, storey.hub.name, pairs, unwanted_pairs(decisions))
 
 
+_LOBBY = 0.15
+"""Of a storey that rooms line a hall on, what the hall takes where the main room is one of these rooms."""
+
 _MOST_HUB = 0.75
 """Of a public hall's storey, what its main room takes at most: the rest is for toilets, stores and staff."""
 
@@ -308,12 +325,13 @@ def _rooms(
         room, share = 0.84 * (decisions.outline.area - cores), 0.0
     else:
         room, share = capacity(massing, storey), 0.0
+    lobby = massing.hall and storey.lead is not None
     if massing.hall:
         most = room if storey.use.family == "home" else _MOST_HUB * room
-        share = stated or min(max(storey.hub.usual, 0.38 * room), most)
+        share = stated or (_LOBBY * room if lobby else min(max(storey.hub.usual, 0.38 * room), most))
     filled = fill_storey(storey, allocation, knowledge, room, hub_share=share)
     chosen = with_public_toilets(storey, filled, allocation, knowledge, share)
-    if massing.hall and stated:
+    if lobby or (massing.hall and stated):
         room -= share
     elif massing.hall:
         asked = sum(r.gross for r in chosen)

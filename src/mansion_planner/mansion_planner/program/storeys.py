@@ -37,9 +37,25 @@ def make_storeys(decisions: Decisions, knowledge: KnowledgeBase) -> tuple[list[S
     return shaped, repeats + setbacks
 
 
+_PASSAGES = frozenset({"hallway", "corridor", "lobby"})
+"""Room types that only lead to others."""
+
+
+_LEAST_WITH_PASSAGE = 50.0
+"""Least area of a home whose rooms are reached from a passage, square metres: in smaller ones it would be too much."""
+
+
+def _stated_passage(decisions: Decisions) -> str:
+    """Return the type of the one passage that the brief asks for in a home; empty where there is none or several."""
+    asked = [fact for fact in decisions.facts.rooms if fact.room_type in _PASSAGES]
+    one = len(asked) == 1 and asked[0].count == 1
+    home = decisions.building.family == "home" and decisions.area >= _LEAST_WITH_PASSAGE
+    return asked[0].room_type if one and home else ""
+
+
 def _passage_hub(decisions: Decisions, *, entrance: bool) -> str:
     if decisions.building.family == "home":
-        return "hallway"
+        return (_stated_passage(decisions) if entrance else "") or "hallway"
     return "lobby" if entrance else "corridor"
 
 
@@ -92,13 +108,15 @@ def is_hall(decisions: Decisions) -> bool:
     """Whether the main room is the hub.
 
     The type is planned so, the outline is a plain rectangle, and the brief neither excludes that room nor gives it a
-    name or an area of its own.
+    name or an area of its own; nor does it ask for a passage that the rooms of a home are reached from.
     """
     facts, hub = decisions.facts, decisions.building.hub
     plain = not facts.shapes or facts.shapes[0][0] in ("rectangle", "square")
     own = any(fact.room_type == hub and (fact.name != hub or fact.area) for fact in facts.rooms)
     excluded = any(name == hub for name, _ in facts.excluded)
-    return decisions.building.parti == "hall" and plain and not decisions.free_form and not own and not excluded
+    if own or excluded or _stated_passage(decisions):
+        return False
+    return decisions.building.parti == "hall" and plain and not decisions.free_form
 
 
 def _upper_hub(use: BuildingType) -> str:
