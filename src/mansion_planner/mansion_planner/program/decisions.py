@@ -165,6 +165,18 @@ def _names_two_storeys(facts: BriefFacts) -> bool:
     return bool(upper) and not others and not plural
 
 
+_BESIDE_LARGEST = 1.4
+"""Area of a storey to that of its largest room, at least: the way there, stairs and others are beside it."""
+
+
+def _storeys_that_hold_rooms(facts: BriefFacts) -> int:
+    """Return over how many storeys the stated area may be divided for the largest room to have its own on one."""
+    largest = max((room.area for room in facts.rooms if room.area and not room.unit), default=0.0)
+    if not facts.area or facts.floor_area or largest <= 0.0:
+        return MOST_FLOORS
+    return max(1, int(facts.area[0].value / (_BESIDE_LARGEST * largest)))
+
+
 def _infer_floors(
     facts: BriefFacts,
     building: BuildingType,
@@ -198,6 +210,9 @@ def _infer_floors(
         count = max(1, usual - 1) if usual > 2 else usual
     elif usual > 2 and generator.random() < 0.3:
         count = usual + 1 if usual < most else usual
+    holding = _storeys_that_hold_rooms(facts)
+    if sized is None and count > holding:
+        count, reason = holding, "so that the largest room fits into one"
     if facts.uses and needed:
         tops = [ref.first for use in facts.uses for ref in use.floors if ref.kind == "top"]
         count, needed = needed + max(tops, default=0), needed + max(tops, default=0)
