@@ -5,11 +5,11 @@ import pytest
 
 from mansion_bringup.pipeline.layouts import reseeded, shortfall
 from mansion_msgs_py.layout import FloorLayout, FloorProblem, LayoutRoom, ProblemNode, UnmetEdge
+from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.shapes import Ring
 from mansion_msgs_py.stages import PlanReply
 from mansion_msgs_py.topology import Edge
 from mansion_planner.plan import plan_building
-from mansion_msgs_py.request import BuildRequest
 
 BRIEF = "A one-storey house of 100 m2: a kitchen, a study, a bedroom. The study must not be next to the kitchen."
 

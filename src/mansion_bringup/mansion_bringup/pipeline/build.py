@@ -30,7 +30,7 @@ from mansion_msgs_py.building import Building, BuildingReport
 from mansion_msgs_py.building_folder import INDEX, floor_directory
 from mansion_msgs_py.codec import decode, encode_bytes
 from mansion_msgs_py.errors import ErrorCode, MansionError
-from mansion_msgs_py.layout import FloorLayout
+from mansion_msgs_py.layout import FloorLayout, FloorProblem
 from mansion_msgs_py.request import BuildRequest, identified
 from mansion_msgs_py.scene import FloorScene
 from mansion_msgs_py.stages import FurnishRequest, PlanReply
@@ -354,16 +354,21 @@ def solve(stages: Stages, plan: PlanReply, index: int) -> FloorLayout:
     A floor whose sketch could not give what is asked is solved freely, and the sketch and other draws are tried where
     that misses areas or relations; the layout that meets most is taken.
     """
-    floor, problem = plan.program.floors[index].index, plan.problems[index]
-    layout = at_stage(f"solve_floor (floor {floor})", lambda: stages.solve(problem))
+    problem = plan.problems[index]
+
+    def laid_out(problem: FloorProblem) -> FloorLayout:
+        return at_stage(f"solve_floor (floor {plan.program.floors[index].index})", lambda: stages.solve(problem))
+
+    layout = laid_out(problem)
     fallback = plan.fallbacks[index] if plan.fallbacks else None
     if fallback is None:
         return layout
     best = (shortfall(plan, index, layout), layout)
+    enough = (False, MISSED_SHARE * sum(node.area or 0.0 for node in problem.nodes))
     for other in (fallback, *reseeded(problem)):
-        if best[0] <= (False, MISSED_SHARE * sum(node.area or 0.0 for node in problem.nodes)):
+        if best[0] <= enough:
             break
-        tried = at_stage(f"solve_floor (floor {floor})", lambda: stages.solve(other))
+        tried = laid_out(other)
         found = (shortfall(plan, index, tried), tried)
         best = found if found[0] < best[0] else best
     return best[1]

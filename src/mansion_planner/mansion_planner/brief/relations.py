@@ -279,7 +279,10 @@ def _relation_at(reading: Reading, phrases: list[Phrase], rooms: list[int], inde
     directed = (
         mutual is not None
         and len(longer) > len(mutual)
-        and (reading.word(index + len(longer)) in _PRONOUNS or _right(reading, phrases, rooms, index, index + len(longer)))
+        and (
+            reading.word(index + len(longer)) in _PRONOUNS
+            or _right(reading, phrases, rooms, index, index + len(longer))
+        )
     )
     if mutual is not None and not directed and _closes(reading, index + len(mutual), phrases, rooms):
         found = _mutual(reading, phrases, rooms, index, index + len(mutual)) or _postposed(
