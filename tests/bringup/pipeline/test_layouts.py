@@ -66,3 +66,8 @@ def test_a_problem_is_drawn_anew_the_same_way_every_time(plan: PlanReply) -> Non
     seeds = [again.seed for again in reseeded(problem)]
     assert len({problem.seed, *seeds}) == len(seeds) + 1
     assert seeds == [again.seed for again in reseeded(problem)]
+
+
+def test_floors_of_many_rooms_are_not_drawn_anew() -> None:
+    nodes = [ProblemNode(id=f"room_{number}", type="Entities", area=1.0) for number in range(60)]
+    assert list(reseeded(FloorProblem(boundary=box(0, 0, 12, 5), nodes=nodes))) == []

@@ -29,8 +29,8 @@ _WALL = 0.3
 _GAP = 2e-3
 """Distance, metres, up to which two rooms touch."""
 
-_MOST_TRIES, _ROOMS_TRIED = 8, 100
-"""How often a floor is solved again at most, and about how many rooms are placed in all these tries."""
+_MOST_TRIES, _ROOMS_TRIED = 8, 110
+"""How often a floor is solved again at most, and about how many rooms are placed in all tries: many rooms take long."""
 
 
 def shortfall(plan: PlanReply, index: int, layout: FloorLayout) -> Shortfall:
@@ -49,7 +49,7 @@ def shortfall(plan: PlanReply, index: int, layout: FloorLayout) -> Shortfall:
 
 def reseeded(problem: FloorProblem) -> Iterator[FloorProblem]:
     """Yield a problem with other seeds for its random draws."""
-    for number in range(1, max(2, min(_MOST_TRIES, _ROOMS_TRIED // len(problem.nodes))) + 1):
+    for number in range(1, min(_MOST_TRIES, _ROOMS_TRIED // len(problem.nodes) - 1) + 1):
         yield msgspec.structs.replace(problem, seed=item_seed(problem.seed, "again", number))
 
 
