@@ -2,7 +2,7 @@
 
 import itertools
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -28,10 +28,16 @@ from mansion_planner.program.model import (
     touching,
 )
 from mansion_planner.program.outline import Envelope, Frame, envelope_of
-from mansion_planner.program.plan_quality import comes_out_as_strips, shallow_garages, shrunk_rooms, strips
+from mansion_planner.program.plan_quality import (
+    comes_out_as_strips,
+    shallow_garages,
+    shrunk_rooms,
+    strips,
+    swollen_rooms,
+)
 from mansion_planner.program.public_toilets import TOILETS, with_public_toilets
 from mansion_planner.program.setbacks import set_back
-from mansion_planner.program.storey_forms import capacity, sketched
+from mansion_planner.program.storey_forms import capacity, form_of, sketched
 from mansion_planner.program.storey_rooms import Allocation, fill_storey, fit_areas, hub_area, name_rooms
 
 __all__ = [
@@ -65,8 +71,11 @@ def best_arrangement(
 ) -> Arrangement:
     """Lay the building out; when rooms lack a door's wall, wished neighbours or good proportions, try other depths."""
     best: tuple[tuple[int, int, int], Arrangement] | None = None
-    for attempt, varied in enumerate(_varied(decisions, wish, storeys)):
+    attempts = 6 if decisions.outline is None and not decisions.free_form else 1
+    for attempt in range(attempts):
+        growth = 1.0 if decisions.area_stated else 1.0 + 0.03 * attempt
         generator = item_generator(decisions.seed, "massing", attempt)
+        varied = replace(wish, area=wish.area * growth, variant=attempt)
         massing = _massing(decisions, varied, generator)
         shaped = set_back(decisions, massing, storeys, allocation, knowledge)
         layout = _arranged(decisions, massing, shaped, allocation, knowledge, generator)
@@ -80,33 +89,16 @@ def best_arrangement(
     return _loosened_where_missed(decisions, layout)
 
 
-_DEPTHS, _CORRIDORS = 6, 3
-"""Depths that are tried, and those along a corridor where rooms else line a lobby."""
-
-
-def _varied(decisions: Decisions, wish: MassingWish, storeys: Sequence[Storey]) -> Iterator[MassingWish]:
-    """Yield the wish of each attempt: other depths, then rooms along a corridor where they line no main room."""
-    if decisions.outline is not None or decisions.free_form:
-        yield wish
-        return
-    lobbies = wish.hall and any(storey.lead is not None for storey in storeys)
-    forms = [(number, False) for number in range(_DEPTHS)]
-    forms += [(number, True) for number in range(_CORRIDORS if lobbies else 0)]
-    for number, along in forms:
-        growth = 1.0 if decisions.area_stated else 1.0 + 0.03 * number
-        yield replace(wish, area=wish.area * growth, variant=number, along_corridor=along)
-
-
 def _own_sketches(layout: Arrangement) -> list[Sketch]:
     """Return the sketches of the storeys that copy no other."""
     return [layout.sketches[storey.index] for storey in layout.storeys if storey.copy is None]
 
 
 def _ill_shaped(layout: Arrangement) -> tuple[int, int]:
-    """Count the garages that are too shallow for their cars, and the rooms that are long and narrow or too small."""
+    """Count the garages that are too shallow for their cars, and the rooms that are strips, too small or too large."""
     own = _own_sketches(layout)
-    narrow = sum(len(strips(sketch)) + len(shrunk_rooms(sketch)) for sketch in own)
-    return sum(len(shallow_garages(sketch)) for sketch in own), narrow
+    ill = sum(len(strips(sketch)) + len(shrunk_rooms(sketch)) + len(swollen_rooms(sketch)) for sketch in own)
+    return sum(len(shallow_garages(sketch)) for sketch in own), ill
 
 
 _DEEP_FROM = 450.0
@@ -308,9 +300,6 @@ def _sketch(decisions: Decisions, massing: Massing, storey: Storey, pairs: list[
     return sketched(massing, storey, storey.hub.name, pairs, unwanted_pairs(decisions))
 
 
-_LOBBY = 0.15
-"""Of a storey that rooms line a hall on, what the hall takes where the main room is one of these rooms."""
-
 _MOST_HUB = 0.75
 """Of a public hall's storey, what its main room takes at most: the rest is for toilets, stores and staff."""
 
@@ -320,20 +309,20 @@ def _rooms(
 ) -> tuple[PlannedRoom, ...]:
     """Choose a storey's rooms, with their areas and names."""
     stated = hub_area(storey, allocation)
+    hall = form_of(massing, storey).hall
     if decisions.free_form and decisions.outline is not None:
         cores = sum(box_area(core.box) for core in massing.cores)
         room, share = 0.84 * (decisions.outline.area - cores), 0.0
     else:
         room, share = capacity(massing, storey), 0.0
-    lobby = massing.hall and storey.lead is not None
-    if massing.hall:
+    if hall:
         most = room if storey.use.family == "home" else _MOST_HUB * room
-        share = stated or (_LOBBY * room if lobby else min(max(storey.hub.usual, 0.38 * room), most))
+        share = stated or min(max(storey.hub.usual, 0.38 * room), most)
     filled = fill_storey(storey, allocation, knowledge, room, hub_share=share)
     chosen = with_public_toilets(storey, filled, allocation, knowledge, share)
-    if lobby or (massing.hall and stated):
+    if hall and stated:
         room -= share
-    elif massing.hall:
+    elif hall:
         asked = sum(r.gross for r in chosen)
         wanted = sum(r.gross for r in chosen if r.stated)
         share = max(storey.hub.least, 0.5 * share, min(share, room - wanted))

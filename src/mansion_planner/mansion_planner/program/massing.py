@@ -211,8 +211,8 @@ class MassingWish:
         Takes another of the candidate depths than the most fitting one.
     exact : bool
         The area is asked for, so it is met as closely as whole metres allow.
-    along_corridor : bool
-        Rooms lie along a corridor although those of such buildings usually line a main room.
+    hall : bool
+        The main room is the hub (see `mansion_planner.program.storeys.is_hall`).
     """
 
     area: float
@@ -222,12 +222,7 @@ class MassingWish:
     exact: bool = False
     room: float = 40.0
     variant: int = 0
-    along_corridor: bool = False
-
-    @property
-    def hall(self) -> bool:
-        """Whether the rooms line a hall."""
-        return self.use.parti == "hall" and self.shape in ("rectangle", "square") and not self.along_corridor
+    hall: bool = False
 
 
 def _is_narrow(shape: str, area: float, stairs: int) -> bool:
@@ -278,7 +273,7 @@ def _bands(wish: MassingWish) -> list[tuple[float, float, float]]:
     if wish.shape in ("H", "courtyard", "U") and area < 620:
         corridor = 1.8
         return [(stair, corridor, d - stair - corridor) for d in (12, 13)]
-    if wish.hall:
+    if wish.hall and wish.shape in ("rectangle", "square"):
         side = math.sqrt(area / 1.35)
         return [(0.0, float(d), 0.0) for d in _around(side, 4 if not cores.stairs else 6)]
     if cores.stairs and cores.domestic:
@@ -354,7 +349,6 @@ def _least_side(cores: CoreWish) -> int:
 
 def rectangle_massing(wish: MassingWish, length: float, depth: float) -> Massing:
     """Return the massing of a given rectangle; the corridor runs along its longer side."""
-    wish = replace(wish, shape="rectangle")
     corridor = corridor_width(wish.use, wish.area)
     north = (depth - corridor) / 2
     if wish.hall:
@@ -371,7 +365,7 @@ def rectangle_massing(wish: MassingWish, length: float, depth: float) -> Massing
         corridor = max(1.4, min(corridor, 0.3 * depth))
         south = max(depth - corridor - north, 0.3)
         north = depth - corridor - south
-    return _dimensions(wish, north, corridor, south, length)
+    return _dimensions(replace(wish, shape="rectangle"), north, corridor, south, length)
 
 
 def gross_area(massing: Massing) -> float:
@@ -383,7 +377,7 @@ def gross_area(massing: Massing) -> float:
 def _dimensions(wish: MassingWish, north: float, corridor: float, south: float, given: float | None = None) -> Massing:
     depth = north + corridor + south
     least = 6 if wish.cores.domestic else 6 + wish.cores.stairs * wish.cores.stair[0]
-    hall = wish.hall
+    hall = wish.hall and wish.shape in ("rectangle", "square")
     wings: tuple[Wing, ...] = ()
     length, court = given or 0.0, 0.0
     if given is None:

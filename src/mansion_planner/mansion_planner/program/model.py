@@ -338,7 +338,8 @@ def loosened(sketch: Sketch) -> Sketch:
     """Return a sketch with the areas that the rooms are to have and without places; its room graph stays.
 
     Rooms without a stated area share what the others leave. Where stated areas take so much that these would be cut
-    down, corridors give way as far as `LEAST_PASSAGES`: in a sketch they also have what no room fits into.
+    down, corridors give way as far as `LEAST_PASSAGES`: in a sketch they also have what no room fits into. Where all of
+    it is more than the floor has, everything gives way in proportion.
     """
     drawn = sum(corridor.area for corridor in sketch.corridors)
     total = drawn + sum(placement.area for placement in sketch.rooms)
@@ -348,10 +349,12 @@ def loosened(sketch: Sketch) -> Sketch:
     passages = max(min(drawn, total - fixed - wished), min(drawn, LEAST_PASSAGES * total), _FEWEST_PASSAGES * total)
     others = sum(room.area for room in loose)
     scale = max(total - fixed - passages, 0.3 * others) / max(others, 1e-9)
+    asked = passages + sum(_given(p.room, scale) for p in sketch.rooms)
+    fit = min(total / max(asked, 1e-9), 1.0)
     widened = passages / max(drawn, 1e-9)
     return Sketch(
-        [Corridor(c.id, [], c.parent, given=c.area * widened) for c in sketch.corridors],
-        [Placement(p.room, [], p.parent, given=_given(p.room, scale)) for p in sketch.rooms],
+        [Corridor(c.id, [], c.parent, given=c.area * widened * fit) for c in sketch.corridors],
+        [Placement(p.room, [], p.parent, given=_given(p.room, scale) * fit) for p in sketch.rooms],
         dict(sketch.core_parent),
         loose=True,
         placed=sketch,
