@@ -3,7 +3,8 @@
 import pytest
 
 from mansion_knowledge import default_knowledge
-from mansion_planner.program.model import Corridor, Placement, PlannedRoom, Sketch
+from mansion_planner.program.corridor_sketch import sketch_storey
+from mansion_planner.program.model import Corridor, Massing, Placement, PlannedRoom, Sketch, Storey
 from mansion_planner.program.outline import Frame, bearing_walls
 
 FRAME = Frame((0.0, 0.0, 20.0, 14.0))
@@ -32,3 +33,14 @@ def test_a_front_counts_as_far_as_the_corridor_that_it_is_reached_from_goes(end:
 
 def test_a_single_storey_has_none() -> None:
     assert bearing_walls([storey((6.2, 8.0), (7.0, 20.0))], FRAME) == []
+
+
+def test_no_wall_bears_where_the_corridor_takes_a_band_without_rooms() -> None:
+    knowledge = default_knowledge()
+    use = knowledge.buildings["apartment_building"]
+    flat = PlannedRoom(id="flat", kind=knowledge.room("apartment"), area=60.0, least=40.0, most=80.0)
+    storey = Storey(index=2, role="upper", use=use, hub=knowledge.room("corridor"), rooms=(flat,))
+    sketch = sketch_storey(Massing(length=12.0, north=6.0, corridor=2.0, south=5.0), storey, "corridor", [])
+    (place,) = sketch.rooms
+    empty = 5.0 if place.boxes[0][1] >= 7.0 else 7.0
+    assert sketch.bearing[empty] == [] and sketch.bearing[12.0 - empty] == [(0.0, 12.0)]

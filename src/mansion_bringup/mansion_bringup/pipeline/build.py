@@ -352,7 +352,7 @@ def solve(stages: Stages, plan: PlanReply, index: int) -> FloorLayout:
     """Lay out the floor at position `index` (Algorithm 1, line 8).
 
     A floor whose sketch could not give what is asked is solved freely, and the sketch and other draws are tried where
-    that misses areas or relations; the layout that meets most is taken.
+    that misses areas or relations, on every floor where a room is cut off; the layout that meets most is taken.
     """
     problem = plan.problems[index]
 
@@ -361,12 +361,10 @@ def solve(stages: Stages, plan: PlanReply, index: int) -> FloorLayout:
 
     layout = laid_out(problem)
     fallback = plan.fallbacks[index] if plan.fallbacks else None
-    if fallback is None:
-        return layout
     best = (shortfall(plan, index, layout), layout)
-    enough = (False, MISSED_SHARE * sum(node.area or 0.0 for node in problem.nodes))
-    for other in (fallback, *reseeded(problem)):
-        if best[0] <= enough:
+    missable = MISSED_SHARE * sum(node.area or 0.0 for node in problem.nodes) if fallback else float("inf")
+    for other in (*filter(None, [fallback]), *reseeded(problem)):
+        if best[0] <= (False, missable):
             break
         tried = laid_out(other)
         found = (shortfall(plan, index, tried), tried)

@@ -15,10 +15,10 @@ from mansion_msgs_py.stages import PlanReply
 __all__ = ["Shortfall", "reseeded", "shortfall"]
 
 Shortfall = tuple[bool, float]
-"""Whether a room is cut off, and the square metres that rooms miss with the price of other faults."""
+"""Whether a room is cut off or of no usable shape, and the square metres that are missed with the price of relations."""
 
-FAULT = 0.1
-"""Share of a floor that a relation which is not met, or a room of no usable shape, counts as."""
+RELATION = 0.1
+"""Share of a floor that a relation which is not met counts as: areas come before neighbours."""
 
 _KEPT = 0.15
 """By what share a room's area may differ from the one that was planned."""
@@ -42,10 +42,10 @@ def shortfall(plan: PlanReply, index: int, layout: FloorLayout) -> Shortfall:
     asked = [(edge.source, edge.target) for edge in problem.edges if edge.kind == "adjacent"]
     unmet = sum(not _side_by_side(shapes, *pair) for pair in asked)
     unmet += sum(any(_side_by_side(shapes, *pair) for pair in pairs) for pairs in _apart(plan, index))
-    unmet += sum(line.partition(":")[0] in shapes for line in layout.messages)
     floor = sum(node.area or 0.0 for node in problem.nodes)
-    cut_off = any(edge.kind == "access" for edge in layout.unmet_edges)
-    return cut_off, float(missed + FAULT * floor * unmet)
+    broken = any(edge.kind == "access" for edge in layout.unmet_edges)
+    broken = broken or any(line.partition(":")[0] in shapes for line in layout.messages)
+    return broken, float(missed + RELATION * floor * unmet)
 
 
 def reseeded(problem: FloorProblem) -> Iterator[FloorProblem]:
