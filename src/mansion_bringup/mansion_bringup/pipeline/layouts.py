@@ -15,7 +15,7 @@ from mansion_msgs_py.stages import PlanReply
 __all__ = ["Shortfall", "reseeded", "shortfall"]
 
 Shortfall = tuple[bool, float]
-"""Whether a room is cut off or of no usable shape, and the square metres that are missed with the price of relations."""
+"""Whether a room is cut off or of no usable shape, and the square metres that are missed, relations among them."""
 
 RELATION = 0.1
 """Share of a floor that a relation which is not met counts as: areas come before neighbours."""
