@@ -31,11 +31,6 @@ def test_a_stated_area_stays() -> None:
     assert fitted[0].area == 31.0
 
 
-def test_stated_areas_leave_others_half_of_what_they_need_at_least() -> None:
-    fitted = fit_areas([stated("kitchen", 60.0), *rooms("bedroom", "bathroom")], 60.0)
-    assert [room.area for room in fitted] == [60.0, *(0.5 * room.kind.least for room in fitted[1:])]
-
-
 def test_fitting_leaves_the_rooms_that_it_is_given() -> None:
     usual = rooms("kitchen", "bedroom")
     before = [room.area for room in usual]

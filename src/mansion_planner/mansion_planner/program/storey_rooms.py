@@ -637,13 +637,9 @@ def fit_areas(rooms: Sequence[PlannedRoom], capacity: float) -> tuple[PlannedRoo
     )
 
 
-_AT_LEAST = 0.5
-"""Of its least usual area, what a room keeps though stated areas leave less: those are then cut in proportion."""
-
-
 def _scaled(room: PlannedRoom, area: float, factor: float, *, limited: bool) -> float:
     if not limited:
-        return max(area * factor, _AT_LEAST * room.kind.least)
+        return max(area * factor, 1.0)
     strength = factor if not room.kind.flexible or factor < 1.0 else factor * 1.05
     return min(max(area * strength, room.least), room.most)
 
