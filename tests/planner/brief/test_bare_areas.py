@@ -20,6 +20,23 @@ def test_bare_numbers_are_areas_where_all_fit(text: str, areas: list[float | Non
     assert [room.area for room in read_brief(text, default_knowledge()).rooms] == areas
 
 
+@pytest.mark.parametrize(
+    ("text", "area", "rooms"),
+    [
+        ("An L-shaped one-storey building of 170 m2 with a café and an office.", 170.0, [None, None]),
+        ("A café and an office in a new building of 170 m2.", 170.0, [None]),
+        ("A two-storey building of 900 m2 with a gym of 100 m2 and an office.", 900.0, [100.0, None]),
+        ("An office building with a canteen of 90 m2.", None, [90.0]),
+    ],
+)
+def test_the_area_of_a_building_of_no_kind_is_that_of_all(
+    text: str, area: float | None, rooms: list[float | None]
+) -> None:
+    facts = read_brief(text, default_knowledge())
+    assert [stated.value for stated in facts.area] == ([] if area is None else [area])
+    assert [room.area for room in facts.rooms] == rooms
+
+
 LIST = (
     "Community centre. Main hall 150 (clear 4.5 m) with stage 30 attached, chair store 20 off the hall, foyer 50, "
     "office 12."

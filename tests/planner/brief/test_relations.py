@@ -43,6 +43,16 @@ def read(brief: str) -> BriefFacts:
             {("store", "treatment_room")},
         ),
         ("A clinic. The nurse station should share one wall with a lab.", {("nurse_station", "lab")}),
+        (
+            "A restaurant. The kitchen is next to a cold room and a pantry.",
+            {("kitchen", "cold_room"), ("kitchen", "pantry")},
+        ),
+        (
+            "A house. The kitchen must be right beside a pantry and the dining room. Two bedrooms.",
+            {("kitchen", "pantry"), ("kitchen", "dining_room")},
+        ),
+        ("A house with a kitchen next to a pantry and a bedroom.", {("kitchen", "pantry")}),
+        ("A house. The kitchen is next to a pantry and a bathroom is upstairs.", {("kitchen", "pantry")}),
     ],
 )
 def test_rooms_side_by_side(brief: str, pairs: set[tuple[str, str]]) -> None:

@@ -58,3 +58,21 @@ def test_a_storey_gets_the_area_that_is_stated(description: str, options: dict[s
     program = plan_building(BuildRequest(description=description, **options)).program
     for floor in program.floors:
         assert floor.gross_floor_area == pytest.approx(storey, rel=0.02)
+
+
+@pytest.mark.parametrize(
+    ("description", "storeys"),
+    [
+        ("A shop of 240 m2 with a sales area of 120 m2, a store and an office.", 1),
+        ("A museum of 1200 m2 with an exhibition hall of 400 m2.", 2),
+        ("A two-storey shop of 240 m2 with a sales area of 120 m2.", 2),
+        ("A shop of 240 m2 with a store and an office.", 2),
+        ("An L-shaped café of 170 m2.", 1),
+        ("An L-shaped house of 300 m2 on two storeys.", 2),
+        ("A U-shaped shop of 240 m2 with a store and an office.", 1),
+    ],
+)
+def test_a_stated_area_is_divided_over_no_more_storeys_than_hold_the_largest_room_or_the_outline(
+    description: str, storeys: int
+) -> None:
+    assert len(plan_building(BuildRequest(description=description)).program.floors) == storeys

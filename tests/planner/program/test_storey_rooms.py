@@ -85,3 +85,14 @@ def test_one_of_several_rooms_is_labelled_as_one(brief: str, label: str) -> None
     program = plan_building(BuildRequest(description=brief)).program
     labels = {room.name.lower() for floor in program.floors for room in floor.rooms if room.name}
     assert label in labels and f"{label}s" not in labels
+
+
+@pytest.mark.parametrize(
+    ("brief", "kind", "count"),
+    [
+        ("A kindergarten with three group rooms, each with a nap room.", "nap_room", 3),
+        ("A one-storey hotel with four guest rooms, each with a bathroom, and a sauna.", "sauna", 1),
+    ],
+)
+def test_rooms_that_each_of_a_group_has_are_not_added_to(brief: str, kind: str, count: int) -> None:
+    assert types(brief).count(kind) == count

@@ -10,7 +10,6 @@ from pathlib import Path
 from typing import TypeVar
 
 import msgspec
-from shapely.geometry import Polygon
 
 from mansion_assets.catalogue.preferred import preferring
 from mansion_assets.library.building_assets import asset_files
@@ -23,6 +22,7 @@ from mansion_bringup.check import Fault
 from mansion_bringup.check.building import in_order
 from mansion_bringup.extras import require_extra
 from mansion_bringup.pipeline.executors import BuildExecutors, local_executors, service_executors
+from mansion_bringup.pipeline.layouts import reseeded, shortfall
 from mansion_bringup.pipeline.stages import LocalStages, Stages
 from mansion_bringup.verify import floor_faults, record_faults
 from mansion_export.formats import Output, Outputs, formats_of_build, outputs_of_build
@@ -349,32 +349,31 @@ def distinct_floors(plan: PlanReply) -> list[int]:
 
 
 def solve(stages: Stages, plan: PlanReply, index: int) -> FloorLayout:
-    """Lay out the floor at position `index` (Algorithm 1, line 8)."""
-    floor = plan.program.floors[index].index
-    layout = at_stage(f"solve_floor (floor {floor})", lambda: stages.solve(plan.problems[index]))
+    """Lay out the floor at position `index` (Algorithm 1, line 8).
+
+    A floor whose sketch could not give what is asked is solved freely, and the sketch and other draws are tried where
+    that misses areas or relations, on every floor where a room is cut off; the layout that meets most is taken.
+    """
+    problem = plan.problems[index]
+
+    def laid_out(problem: FloorProblem) -> FloorLayout:
+        return at_stage(f"solve_floor (floor {plan.program.floors[index].index})", lambda: stages.solve(problem))
+
+    layout = laid_out(problem)
     fallback = plan.fallbacks[index] if plan.fallbacks else None
-    if fallback is None:
-        return layout
-    cut_off = any(edge.kind == "access" for edge in layout.unmet_edges)
-    missed = _missed_area(plan.problems[index], layout)
-    if not cut_off and missed < MISSED_SHARE * sum(node.area or 0.0 for node in plan.problems[index].nodes):
-        return layout
-    sketched = at_stage(f"solve_floor (floor {floor})", lambda: stages.solve(fallback))
-    return sketched if cut_off or _missed_area(plan.problems[index], sketched) < missed / 2 else layout
+    best = (shortfall(plan, index, layout), layout)
+    missable = MISSED_SHARE * sum(node.area or 0.0 for node in problem.nodes) if fallback else float("inf")
+    for other in (*filter(None, [fallback]), *reseeded(problem)):
+        if best[0] <= (False, missable):
+            break
+        tried = laid_out(other)
+        found = (shortfall(plan, index, tried), tried)
+        best = found if found[0] < best[0] else best
+    return best[1]
 
 
-MISSED_SHARE = 0.1
-"""Share of a floor that rooms may miss before the places of the sketch are tried: areas come before neighbours."""
-
-_KEPT = 0.15
-"""By what share a room's area may differ from the one that was planned."""
-
-
-def _missed_area(problem: FloorProblem, layout: FloorLayout) -> float:
-    """Return by how many square metres rooms miss their areas, those that nearly keep them left out."""
-    areas = {room.id: Polygon(room.polygon, room.holes).area for room in layout.rooms if len(room.polygon) > 2}
-    wanted = [(node.area, areas[node.id]) for node in problem.nodes if node.area and node.id in areas]
-    return float(sum(abs(found - area) for area, found in wanted if abs(found - area) > _KEPT * area))
+MISSED_SHARE = 0.02
+"""Share of a floor that rooms may miss before the places of the sketch, and other draws, are tried."""
 
 
 def furnish(

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from mansion_language.units import AREA, LENGTH
 from mansion_planner.brief.bounds import Limit, limit_of
 from mansion_planner.brief.facts import Quantity, Span
-from mansion_planner.brief.phrase import FUNCTION_WORDS, Phrase
+from mansion_planner.brief.phrase import BARE_BUILDINGS, FUNCTION_WORDS, Phrase
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
 
 __all__ = ["Measure", "find_measures", "give_measures"]
@@ -621,6 +621,9 @@ def _is_clause_of_room(gap: Sequence[str]) -> bool:
 
 
 def _is_building(reading: Reading, phrase: Phrase) -> bool:
+    """Whether a phrase names the whole building: by its kind, or as "the building"."""
+    if not phrase.known and phrase.name in BARE_BUILDINGS:
+        return True
     return any(
         span.start == reading.tokens[phrase.begin].start
         or span.start <= reading.tokens[phrase.noun_end - 1].start < span.end

@@ -8,6 +8,7 @@ from mansion_planner.brief.lexicon import Mention
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
 
 __all__ = [
+    "BARE_BUILDINGS",
     "FUNCTION_WORDS",
     "PEOPLE",
     "PLAIN",
@@ -22,6 +23,9 @@ __all__ = [
 ]
 
 Head: TypeAlias = Literal["room", "building", "stair", "elevator", "object", "people", "unknown"]
+
+BARE_BUILDINGS = frozenset({"building", "complex"})
+"""Names of a building that say nothing of its use: its rooms do."""
 
 FUNCTION_WORDS = frozenset(
     """

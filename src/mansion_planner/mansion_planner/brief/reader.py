@@ -39,7 +39,7 @@ from mansion_planner.brief.households import read_households
 from mansion_planner.brief.measures import Measure, find_measures, give_measures
 from mansion_planner.brief.named_rooms import desks_as_places, rooms_by_name
 from mansion_planner.brief.noun_phrases import noun_phrases
-from mansion_planner.brief.phrase import Phrase
+from mansion_planner.brief.phrase import BARE_BUILDINGS, Phrase
 from mansion_planner.brief.qualifiers import unheeded_words
 from mansion_planner.brief.reading import Place, Reading, start_reading
 from mansion_planner.brief.relations import Relation, read_relations
@@ -225,7 +225,7 @@ class _Reader:
             known = number is not None and reading.sentence[phrases[number].first] <= reading.sentence[opening[2]]
             if known or rooms_before or not (number is None or opening[1]):
                 opening = None
-        if opening is not None and opening[0] in _BARE:
+        if opening is not None and opening[0] in BARE_BUILDINGS:
             reading.take(opening[2], opening[3])
             opening = None
         if opening is not None:
@@ -666,6 +666,3 @@ _PAIR = 2
 _CLOSE = 8
 _WORDS = 12
 """Tokens between a relation and a room that its statement names, and of a statement, at most."""
-
-_BARE = frozenset({"building", "complex"})
-"""Names of a building that say nothing of its use: its rooms do."""

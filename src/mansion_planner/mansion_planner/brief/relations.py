@@ -285,7 +285,10 @@ def _relation_at(reading: Reading, phrases: list[Phrase], rooms: list[int], inde
     directed = (
         mutual is not None
         and len(longer) > len(mutual)
-        and (reading.word(index + len(longer)) in _PRONOUNS or _right(reading, phrases, rooms, index + len(longer)))
+        and (
+            reading.word(index + len(longer)) in _PRONOUNS
+            or _right(reading, phrases, rooms, index, index + len(longer))
+        )
     )
     if mutual is not None and not directed and _closes(reading, index + len(mutual), phrases, rooms):
         found = _mutual(reading, phrases, rooms, index, index + len(mutual)) or _postposed(
@@ -426,7 +429,7 @@ def _directed(
     rights = (
         []
         if reading.word(last) in _PRONOUNS or reading.word(last - 1) == "it"
-        else _right(reading, phrases, rooms, last)
+        else _right(reading, phrases, rooms, index, last)
     )
     before = _in_sentence(reading, phrases, rooms, index, before=True)
     negated = apart or _negated(reading, phrases, rooms, index)
@@ -545,8 +548,12 @@ _PLURALS = frozenset({"have", "are", "adjoin", "share", "do", "touch", "lie", "s
 """Verbs of a subject in the plural; "must" and "should" where two rooms open the sentence."""
 
 
-def _right(reading: Reading, phrases: list[Phrase], rooms: list[int], last: int) -> list[int]:
-    """Return the rooms right after a relation: one, and those joined to it by "and the"."""
+def _right(reading: Reading, phrases: list[Phrase], rooms: list[int], index: int, last: int) -> list[int]:
+    """Return the rooms right after a relation: one, and the one joined to it by "and the".
+
+    In "the kitchen is next to a cold room and a pantry" both are what the sentence tells; without "is" the second room
+    is one more of those that are listed.
+    """
     following = list(_in_sentence(reading, phrases, rooms, last, before=False)) if last < len(reading.tokens) else []
     if not following or phrases[following[0]].begin - last > 5:
         return []
@@ -557,11 +564,21 @@ def _right(reading: Reading, phrases: list[Phrase], rooms: list[int], last: int)
     rights = [following[0]]
     if len(following) > 1:
         first, second = (phrases[number] for number in following[:2])
-        joined = reading.words(first.last, second.begin) in (("and",), ("and", "the"), ("and", "to", "the"))
+        joined = reading.words(first.last, second.begin) in _AND_THE
         ends = reading.breaks(second.last) or reading.word(second.last) in (",", ")")
-        if joined and ends and first.determiner in ("the", "both") and second.determiner in ("the", ""):
+        named = first.determiner in ("the", "both") and second.determiner in ("the", "")
+        told = _is_predicate(reading, index) and reading.breaks(second.last)
+        if joined and ends and (named or told):
             rights.append(following[1])
     return rights
+
+
+_AND_THE = [("and", *to, *article) for to in ((), ("to",)) for article in ((), ("the",), ("a",), ("an",))]
+
+
+def _is_predicate(reading: Reading, index: int) -> bool:
+    """Whether a relation is what a sentence tells of its subject: "is right beside", "must be close to"."""
+    return reading.word(_with_adverbs(reading, index) - 1) in ("is", "are", "be", "lies", "lie", "sits", "stands")
 
 
 def _with_alternatives(reading: Reading, phrases: list[Phrase], rooms: list[int], rights: list[int]) -> list[int]:

@@ -242,9 +242,12 @@ def _closed(
 
 
 def _bearing_lines(
-    massing: Massing, corridors: list[Corridor], lobby: float, stop: float
+    massing: Massing, corridors: list[Corridor], segments: Sequence[Segment], lobby: float, stop: float
 ) -> dict[float, list[tuple[float, float]]]:
-    """Return the stretches along x, by their y, where both sides of the main corridor are walls."""
+    """Return the stretches along x, by their y, where both sides of the main corridor are walls.
+
+    A stretch of band without a room has none: it is part of the corridor.
+    """
     mains = [c for c in corridors if _is_main(c)]
     end = max(corridor.boxes[0][2] for corridor in mains)
     far = min((core.box[0] for core in massing.cores if core.box[0] > 0.5 * massing.length), default=end)
@@ -253,6 +256,9 @@ def _bearing_lines(
         y = massing.south + massing.corridor if wing.north else massing.south
         side = (wing.x1 - wing.x0 - massing.corridor) / 2
         lines[y] = _without(lines[y], wing.x0 + side, wing.x1 - side)
+    for segment in segments:
+        if segment.bar == "main" and not segment.blocks:
+            lines[segment.front] = _without(lines[segment.front], segment.begin, segment.end)
     return lines
 
 
@@ -381,5 +387,5 @@ def _assemble(
     if not ends:
         corridors, rooms = _closed(massing, corridors, rooms, stop)
     corridors = _with_empty_bands(massing, corridors, segments)
-    bearing = _bearing_lines(massing, corridors, lobby, stop)
+    bearing = _bearing_lines(massing, corridors, segments, lobby, stop)
     return Sketch(corridors, rooms, _core_parents(massing, corridors), bearing=bearing)

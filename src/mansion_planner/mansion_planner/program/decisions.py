@@ -13,6 +13,7 @@ from mansion_msgs_py.wording import counted, with_article
 from mansion_planner.brief.facts import BriefFacts, FloorRef, Quantity, Span
 from mansion_planner.program.footprint import check_footprint, is_rectangle
 from mansion_planner.program.program_size import ProgramSize, size_of_program
+from mansion_planner.program.shape_sizes import most_storeys
 from mansion_planner.program.usual_meanings import as_meant_in
 
 __all__ = ["AREA_CAP", "Decisions", "MOST_FLOORS", "conflict", "decide", "note", "quoted"]
@@ -169,6 +170,27 @@ def _names_two_storeys(facts: BriefFacts) -> bool:
     return bool(upper) and not others and not plural
 
 
+_BESIDE_LARGEST = 1.4
+"""Area of a storey to that of its largest room, at least: the way there, stairs and others are beside it."""
+
+
+def _storeys_to_divide_over(facts: BriefFacts) -> tuple[int, str]:
+    """Return over how many storeys the stated area may be divided at most, and why.
+
+    The largest room has its stated area on one of them, and each has the outline that is wanted.
+    """
+    if not facts.area or facts.floor_area:
+        return MOST_FLOORS, ""
+    area = facts.area[0].value
+    largest = max((room.area for room in facts.rooms if room.area and not room.unit), default=0.0)
+    roomy = max(1, int(area / (_BESIDE_LARGEST * largest))) if largest else MOST_FLOORS
+    shape = facts.shapes[0][0] if facts.shapes else "rectangle"
+    shaped = most_storeys(shape, area, MOST_FLOORS)
+    return min(
+        (roomy, "so that the largest room fits into one"), (shaped, "so that each has the outline that is wanted")
+    )
+
+
 def _infer_floors(
     facts: BriefFacts,
     building: BuildingType,
@@ -202,6 +224,9 @@ def _infer_floors(
         count = max(1, usual - 1) if usual > 2 else usual
     elif usual > 2 and generator.random() < 0.3:
         count = usual + 1 if usual < most else usual
+    holding, why = _storeys_to_divide_over(facts)
+    if sized is None and count > holding:
+        count, reason = holding, why
     if facts.uses and needed:
         tops = [ref.first for use in facts.uses for ref in use.floors if ref.kind == "top"]
         count, needed = needed + max(tops, default=0), needed + max(tops, default=0)

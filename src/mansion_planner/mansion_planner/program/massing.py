@@ -16,6 +16,7 @@ from mansion_msgs_py.wording import with_article
 from mansion_planner.program.decisions import AREA_CAP, Decisions, conflict, note
 from mansion_planner.program.exit_stairs import second_stair
 from mansion_planner.program.model import LIFT, CoreBox, CoreWish, Massing, Storey, Wing
+from mansion_planner.program.shape_sizes import least_area
 from mansion_planner.program.step_record import Record
 from mansion_planner.program.storey_rooms import Allocation, base_rooms, hub_area, listed_area
 from mansion_planner.program.storeys import entries_of, is_hall
@@ -126,7 +127,7 @@ def storey_area(
         usual = typical * 0.85 if small else min(typical, 1.5 * usual)
     result = max(usual, asked, decisions.building.floor_area[0])
     if decisions.facts.shapes:
-        result = max(result, _least_area(decisions.facts.shapes[0][0], cores.stairs))
+        result = max(result, least_area(decisions.facts.shapes[0][0], cores.stairs))
     trace: list[TraceEntry] = []
     if result > usual + 1.0 and asked > usual:
         note(trace, None, f"{result:.0f} m2 a storey, for the rooms of storey {fullest.index}")
@@ -224,18 +225,9 @@ class MassingWish:
     hall: bool = False
 
 
-_LEAST_AREA = {"L": 104.0, "T": 170.0, "U": 300.0, "H": 380.0, "courtyard": 440.0}
-_LEAST_WITHOUT_STAIR = {**_LEAST_AREA, "U": 190.0}
-"""The least gross area of a storey with an outline of that shape, square metres."""
-
-
-def _least_area(shape: str, stairs: int) -> float:
-    return (_LEAST_AREA if stairs else _LEAST_WITHOUT_STAIR).get(shape, 0.0)
-
-
 def _is_narrow(shape: str, area: float, stairs: int) -> bool:
     """Whether a U has shallow rooms along a narrow corridor, no stair being as deep as they are."""
-    return shape == "U" and not stairs and area < _LEAST_AREA["U"]
+    return shape == "U" and not stairs and area < least_area("U", 1)
 
 
 def choose_shape(decisions: Decisions, area: float, stairs: int, generator: np.random.Generator) -> tuple[str, Record]:
@@ -243,7 +235,7 @@ def choose_shape(decisions: Decisions, area: float, stairs: int, generator: np.r
     draw = float(generator.random())
     if decisions.facts.shapes:
         shape, span = decisions.facts.shapes[0]
-        least = _least_area(shape, stairs)
+        least = least_area(shape, stairs)
         if area >= least * 0.98:
             trace: list[TraceEntry] = []
             note(trace, span, f"{shape} outline")

@@ -330,20 +330,28 @@ def misses_areas(sketch: Sketch) -> int:
     return sum(abs(p.area - p.room.area) > 0.1 * p.room.area for p in sketch.rooms if p.room.fixed)
 
 
+LEAST_PASSAGES = 0.12
+"""Least share of a loose storey that is for the ways to its rooms, where the stated areas leave that much or not."""
+
+
 def loosened(sketch: Sketch) -> Sketch:
     """Return a sketch with the areas that the rooms are to have and without places; its room graph stays.
 
-    Corridors keep their share of the floor, a twentieth at least; rooms without a stated area share the rest. Where all
-    of it is more than the floor has, everything gives way in proportion.
+    Rooms without a stated area share what the others leave. Where stated areas take so much that these would be cut
+    down, corridors give way as far as `LEAST_PASSAGES`: in a sketch they also have what no room fits into. Where all of
+    it is more than the floor has, everything gives way in proportion.
     """
-    total = sum(corridor.area for corridor in sketch.corridors) + sum(placement.area for placement in sketch.rooms)
-    passages = sum(corridor.area for corridor in sketch.corridors)
-    widened = max(passages, 0.05 * total) / max(passages, 1e-9)
+    drawn = sum(corridor.area for corridor in sketch.corridors)
+    total = drawn + sum(placement.area for placement in sketch.rooms)
     fixed = sum(p.room.area for p in sketch.rooms if p.room.fixed)
-    others = sum(p.room.area for p in sketch.rooms if not p.room.fixed)
-    scale = max(total - fixed - passages * widened, 0.3 * others) / max(others, 1e-9)
-    asked = passages * widened + sum(_given(p.room, scale) for p in sketch.rooms)
+    loose = [p.room for p in sketch.rooms if not p.room.fixed]
+    wished = sum(max(room.area, room.kind.least) for room in loose)
+    passages = max(min(drawn, total - fixed - wished), min(drawn, LEAST_PASSAGES * total), _FEWEST_PASSAGES * total)
+    others = sum(room.area for room in loose)
+    scale = max(total - fixed - passages, 0.3 * others) / max(others, 1e-9)
+    asked = passages + sum(_given(p.room, scale) for p in sketch.rooms)
     fit = min(total / max(asked, 1e-9), 1.0)
+    widened = passages / max(drawn, 1e-9)
     return Sketch(
         [Corridor(c.id, [], c.parent, given=c.area * widened * fit) for c in sketch.corridors],
         [Placement(p.room, [], p.parent, given=_given(p.room, scale) * fit) for p in sketch.rooms],
@@ -351,6 +359,10 @@ def loosened(sketch: Sketch) -> Sketch:
         loose=True,
         placed=sketch,
     )
+
+
+_FEWEST_PASSAGES = 0.05
+"""Share of a loose storey that is for the ways to its rooms though the sketch has fewer."""
 
 
 def _given(room: PlannedRoom, scale: float) -> float:

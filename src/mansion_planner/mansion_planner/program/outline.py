@@ -1,5 +1,6 @@
 """The massing frame in plan coordinates: how the building stands, outlines of its storeys, and bearing walls."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 import shapely
@@ -128,15 +129,26 @@ _DOOR_PIECE = 1.2
 def _clear_of_doors(span: tuple[float, float], y: float, sketches: list[Sketch]) -> tuple[float, float]:
     """Return a stretch without the fronts that its ends cut in two pieces of which neither takes a door."""
     low, high = span
-    boxes = [box for sketch in sketches for placement in sketch.rooms for box in placement.boxes]
-    for x0, y0, x1, y1 in boxes:
-        if min(abs(y0 - y), abs(y1 - y)) > 0.01:
-            continue
+    for x0, x1 in (front for sketch in sketches for front in _door_fronts(sketch, y)):
         if x0 < low < x1 and max(low - x0, x1 - low) < _DOOR_PIECE:
             low = x1
         if x0 < high < x1 and max(high - x0, x1 - high) < _DOOR_PIECE:
             high = x0
     return low, high
+
+
+def _door_fronts(sketch: Sketch, y: float) -> Iterator[tuple[float, float]]:
+    """Yield where the rooms of a sketch lie along a line, each as far as what it is reached from lies along it too."""
+    passages = {corridor.id: corridor.boxes[0] for corridor in sketch.corridors if corridor.boxes}
+    for placement in sketch.rooms:
+        passage = passages.get(placement.parent)
+        for x0, y0, x1, y1 in placement.boxes:
+            if min(abs(y0 - y), abs(y1 - y)) > 0.01:
+                continue
+            if passage is not None and min(abs(passage[1] - y), abs(passage[3] - y)) <= 0.01:
+                x0, x1 = max(x0, passage[0]), min(x1, passage[2])
+            if x1 > x0:
+                yield x0, x1
 
 
 def _common(first: list[tuple[float, float]], second: list[tuple[float, float]]) -> list[tuple[float, float]]:

@@ -196,6 +196,8 @@ def _settled_types(facts: Iterable[RoomFact], decisions: Decisions, knowledge: K
     settled = refused.union(*(group for group in _REFUSED_TOGETHER if group & refused)) - asked
     for fact in facts:
         settled.update(*(_LEAVES_OUT.get(child.room_type, ()) for child in fact.suite))
+        if not fact.unit:
+            settled.update(child.room_type for child in fact.suite if not knowledge.room(child.room_type).wet)
         kind = knowledge.room(fact.room_type)
         if fact.count is not None and not (kind.common and fact.count == 1):
             settled.update(name for name, other in knowledge.rooms.items() if other.counts_as == kind.counts_as)

@@ -1,0 +1,29 @@
+"""How large a storey is at least for its outline to have a shape."""
+
+__all__ = ["least_area", "most_storeys"]
+
+_LEAST = {"L": 104.0, "T": 170.0, "U": 300.0, "H": 380.0, "courtyard": 440.0}
+_LEAST_WITHOUT_STAIR = {**_LEAST, "U": 190.0}
+
+
+def least_area(shape: str, stairs: int) -> float:
+    """Return the least gross area of a storey with an outline of a shape, square metres.
+
+    Examples
+    --------
+    >>> least_area("U", 1), least_area("U", 0), least_area("rectangle", 0)
+    (300.0, 190.0, 0.0)
+    """
+    return (_LEAST if stairs else _LEAST_WITHOUT_STAIR).get(shape, 0.0)
+
+
+def most_storeys(shape: str, area: float, most: int) -> int:
+    """Return over how many storeys, up to `most`, an area may be divided for each to have the shape; 1 at least.
+
+    Examples
+    --------
+    >>> most_storeys("L", 170.0, 3), most_storeys("L", 400.0, 3), most_storeys("rectangle", 400.0, 9)
+    (1, 3, 9)
+    """
+    least = least_area(shape, 1)
+    return max(1, min(most, int(area / least))) if least else most
