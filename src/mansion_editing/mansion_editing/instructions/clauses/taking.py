@@ -57,13 +57,20 @@ class Taking(Adding, Removing):
         if self.text(at) == "get":
             items = self.items(place)
             places = items[-1].places
+            stated = self._states_after(items, items[-1].end, at) if self._are_known(items) else None
+            if stated is not None:
+                return stated
             leaving = self.comes_from_furniture(places) and self.text(places[0].start) in ("off", "out")
             kinds = {item.phrase.amount.kind for item in items}
-            known = all(item.phrase.definite or item.phrase.refers for item in items) or "all" in kinds
+            known = self._are_known(items) or "all" in kinds
             if leaving and known and not self._goes_on_with_it(items[-1].end):
                 return self._remove(at, place)
         source = self._fetched_from(at, place)
         return source or self._add(at, place)
+
+    def _are_known(self, items: Sequence[Item]) -> bool:
+        """Whether things are told as those that are there already."""
+        return all(item.phrase.definite or item.phrase.refers for item in items)
 
     def _fetched_from(self, at: int, place: int) -> tuple[list[Statement], int] | None:
         """Read ``fetch one of the mugs off the shelf in the kitchen and ... it``: the room is where the shelf is."""

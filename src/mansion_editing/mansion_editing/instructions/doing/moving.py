@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Generator, Sequence
+from dataclasses import replace
 from typing import Any
 
 import msgspec
@@ -47,7 +48,8 @@ def move(statement: Move, state: SceneState, context: Context) -> Work:
             none = f"there is no {thing_words(msgspec.structs.replace(things, definite=False))}"
             said = f"{none}, and {listed(arrived)} {_is([i.id for i in arrived])} there already"
             rooms = tuple(dict.fromkeys(item.room for item in arrived))
-            return Done(said, context.followed([item.id for item in arrived], rooms, things.noun))
+            after = context.followed([item.id for item in arrived], rooms, things.noun)
+            return Done(said, replace(after, assumed=frozenset(item.id for item in arrived)))
     place = at_home(state, things, place, context)
     place, context = _on_other_storey(state, things, place, context)
     targets = _targets(state, place, context, found if len(found) == 1 else ())
@@ -63,6 +65,9 @@ def move(statement: Move, state: SceneState, context: Context) -> Work:
         rooms = tuple(dict.fromkeys(item.room for item in found if item.id in there))
         return Done(said, context.followed(sorted(there), rooms, things.noun))
     chosen = _to_move(state, statement, away, targets, context)
+    assumed = [item for item in chosen if item.id in context.assumed and things.refers == "last"]
+    if assumed:
+        raise Unmet(f"{listed(assumed)} {_is([i.id for i in assumed])} elsewhere than was told: say which is meant")
     before = [(item, whereabouts(item).removeprefix("in ")) for item in chosen]
     ids: list[str] = []
     replies = []
@@ -73,6 +78,8 @@ def move(statement: Move, state: SceneState, context: Context) -> Work:
         name = item.id if new == item.id else f"{item.id} (now {new})"
         replies.append(f"{name} moved from {where} to {whereabouts(now).removeprefix('in ')}")
     rooms = tuple(dict.fromkeys(item.room for item in live(state, ids)))
+    source = tuple(dict.fromkeys(item.room for item, _ in before))
+    context = context.followed((), source, "") if len(source) == 1 else context
     return Done("; ".join(replies), context.followed(ids, rooms, things.noun))
 
 

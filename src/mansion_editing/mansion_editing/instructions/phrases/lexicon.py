@@ -8,7 +8,7 @@ from mansion_assets.catalogue.vocabulary import stems, vocabulary_of
 from mansion_editing.instructions.phrases.verb_words import VERB_WORDS
 from mansion_editing.instructions.phrases.words import FUNCTION_WORDS, VAGUE
 from mansion_editing.state import SceneState
-from mansion_knowledge import interchangeable_names
+from mansion_knowledge import default_knowledge, interchangeable_names
 from mansion_knowledge.common_words import common_words
 from mansion_language.spelling import Speller
 
@@ -78,6 +78,11 @@ class Lexicon:
     def is_own_room(self, words: tuple[str, ...]) -> bool:
         """Whether words name a room that this building has."""
         return words in self._room_names
+
+    def means_own_room(self, words: tuple[str, ...]) -> bool:
+        """Whether words name a room that this building has, or are what people say for the name of one: the loo."""
+        names = interchangeable_names().get(" ".join(words), ())
+        return self.is_own_room(words) or any(self.is_own_room(stems(name)) for name in names)
 
     def is_short_for_room(self, words: tuple[str, ...]) -> bool:
         """Whether words name a room only without their last one, and may mean a thing: the computer (room)."""
@@ -193,7 +198,8 @@ def _names_of_rooms(state: SceneState) -> Iterator[tuple[str, ...]]:
         kind = stems(room.room_type.replace("_", " "))
         called = stems(room.name)
         plain = called[: called.index("for")] if "for" in called[1:] else called  # "Office for two clerks"
-        for said in (own, bare, called, plain, kind, *(stems(alias) for alias in room.aliases)):
+        others = (stems(alias) for alias in (*room.aliases, *_names_of_kind(room.room_type)))
+        for said in (own, bare, called, plain, kind, *others):
             name = tuple(_LIKE.get(word, word) for word in said if word != "s")  # of a genitive: the children's room
             proper = tuple(
                 word for word in name if word not in _words_of_kinds(state.catalogue) and not word.isdecimal()
@@ -206,6 +212,12 @@ def _names_of_rooms(state: SceneState) -> Iterator[tuple[str, ...]]:
             yield name
             if len(name) > 1 and name[-1].isdecimal():
                 yield name[:-1]
+
+
+def _names_of_kind(room_type: str) -> list[str]:
+    """Return the other names of several words of a kind of room; a single word may name a thing as well."""
+    entry = default_knowledge().rooms.get(room_type)
+    return [] if entry is None else [name for name in entry.synonyms if " " in name]
 
 
 def _may_be_shortened(name: tuple[str, ...]) -> bool:

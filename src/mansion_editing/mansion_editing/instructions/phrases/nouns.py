@@ -203,7 +203,7 @@ def _owner(rest: list[Word], lexicon: Lexicon) -> tuple[str, tuple[str, ...]]:
         return " ".join(texts), ()
     if len(texts) > 1 and texts[-1].isdecimal() and lexicon.is_room(texts[:-1]):
         return " ".join(texts), ()
-    if lexicon.is_object(texts):
+    if lexicon.is_object(texts) and lexicon.is_here(" ".join(texts)):
         return " ".join(texts), ()
     if len(texts) == 1 and lexicon.is_own_room((*texts, "room")):
         return f"{texts[0]} room", ()  # "every guest bed"

@@ -424,7 +424,7 @@ def _at_noun(
         return ReadPlace(Place(rooms=Rooms(words=noun.owned), spot=spot), start, target.end, goal, source)
     inward = relation in ("in", "") or phrase[0] in ("at", "throughout", "across")
     inward = inward or (relation in ("above", "under") and text_at(words, start - 1) == "room")
-    room = noun.kind == "room" or (noun.kind == "both" and inward and lexicon.is_own_room(noun.words))
+    room = noun.kind == "room" or (noun.kind == "both" and inward and lexicon.means_own_room(noun.words))
     if (
         noun.kind == "both"
         and not inward

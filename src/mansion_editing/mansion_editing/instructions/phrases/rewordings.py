@@ -113,6 +113,9 @@ _LATER: Final = frozenset("afterwards afterward".split())
 _LONGEST: Final = max(map(len, _PHRASES))
 _TURNING: Final = frozenset("switch turn power".split())
 _OUT: Final = frozenset("in into on onto".split())
+_GETTING: Final = frozenset("get set".split())
+_GOING: Final = frozenset("going started working".split())
+_OBLIGING: Final = frozenset("must should shall has have needs need".split())
 _RESTING: Final = frozenset("sit stand lie hang".split())
 _ARTICLES: Final = frozenset("the a an my our".split())
 _CARRYING: Final = frozenset("carry bring take move get put".split())
@@ -120,7 +123,7 @@ _CARRYING: Final = frozenset("carry bring take move get put".split())
 
 def reworded(words: Sequence[Word]) -> list[Word]:
     """Return words with set phrases as their plain equivalents; each new word stands where the phrase stood."""
-    words = _exceptions_first(words)
+    words = _in_running_order(_half_dozens(_exceptions_that_stay(_exceptions_first(words))))
     out: list[Word] = []
     at = 0
     while at < len(words):
@@ -189,6 +192,52 @@ def _exceptions_first(words: Sequence[Word]) -> Sequence[Word]:
         joint = [replace(words[at + 1], text=text, raw=text) for text in (("of", "the") if bare else ("of",))]
         return [*words[: start + 1], *words[at : at + 2], *joint, *words[after:at], *words[at + 2 :]]
     return words
+
+
+def _exceptions_that_stay(words: Sequence[Word]) -> Sequence[Word]:
+    """Return ``except the lamp, the lamp must stay on`` for ``except the lamp, which must stay on``."""
+    for at in range(2, len(words) - 1):
+        verb = at + 1 + (text_at(words, at + 1) in _OBLIGING) + (text_at(words, at + 2) == "to")
+        if words[at].text not in ("which", "that") or text_at(words, verb) not in ("stay", "remain"):
+            continue
+        end = at - (words[at - 1].text == ",")
+        start = next((k for k in range(end - 1, 0, -1) if words[k].kind == "mark" or _excepts(words, k)), 0)
+        spared = words[start:end]
+        if start and spared and spared[0].text in DETERMINERS and _excepts(words, start):
+            comma = replace(words[at], text=",", raw=",", kind="mark", start=words[end - 1].end, end=words[end - 1].end)
+            return [*words[:end], comma, *spared, *words[at + 1 :]]
+    return words
+
+
+def _excepts(words: Sequence[Word], at: int) -> bool:
+    """Whether the words before a place begin an exception."""
+    return text_at(words, at - 1) in ("except", "but", "excluding", "besides") or (
+        (text_at(words, at - 2), text_at(words, at - 1))
+        in (("apart", "from"), ("aside", "from"), ("except", "for"), ("save", "for"), ("other", "than"))
+    )
+
+
+def _half_dozens(words: Sequence[Word]) -> Sequence[Word]:
+    """Return ``six mugs`` for ``half a dozen mugs``, ``a half dozen mugs``."""
+    out: list[Word] = []
+    for word in words:
+        before = [other.text for other in out[-2:]]
+        half = 2 if before in (["half", "a"], ["a", "half"]) else 1 if before[-1:] == ["half"] else 0
+        if word.text != "dozen" or not half:
+            out.append(word)
+            continue
+        out[-half:] = [replace(word, text="six", raw="six", kind="number", value=6.0, start=out[-half].start)]
+    return out
+
+
+def _in_running_order(words: Sequence[Word]) -> Sequence[Word]:
+    """Return ``get the fan running`` for ``get the fan going``, ``get the fan started``."""
+    out = list(words)
+    for at, word in enumerate(words):
+        get = next((k for k in range(at - 1, -1, -1) if words[k].kind == "mark" or words[k].text in _GETTING), -1)
+        if word.raw in _GOING and get >= 0 and text_at(words, get + 1) in DETERMINERS | PRONOUNS and at > get + 1:
+            out[at] = replace(word, text="running", raw="running")
+    return out
 
 
 def _in_place_of(phrase: Sequence[Word], texts: Sequence[str]) -> list[Word]:

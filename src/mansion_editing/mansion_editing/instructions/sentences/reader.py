@@ -37,6 +37,7 @@ from mansion_editing.instructions.sentences.refinement import (
     exactly,
     in_place_of,
     is_everything,
+    is_only_fetched,
     is_surplus,
     moved_on,
     moves_it,
@@ -357,8 +358,8 @@ class _Reader(
                 return told
             only_told = verb_at(words, at, self.lexicon) is None and is_told(words[at:stop], self._is_named)
             if only_told or is_background(words[at:stop]) or self._is_label(words, at, stop):
-                self._take_up_what_is_told(words[at:stop])
-                self.statements.append(Mention(quote=self._quote(words, at, stop)))
+                rooms = self._take_up_what_is_told(words[at:stop])
+                self.statements.append(Mention(rooms=rooms, quote=self._quote(words, at, stop)))
             else:
                 start = min(fault.start, at) if fault.start < len(words) else at
                 self.unknown.append(self._quote(words, start, stop))
@@ -452,7 +453,7 @@ class _Reader(
             quote = self._from_to(listed[0], statement)
             moved_all = [Move(things=gone.things, place=statement.place, quote=quote) for gone in listed]
             self.statements[-len(listed) :] = moved_all
-        elif isinstance(last, Remove) and last.things.noun and moves_it(statement):
+        elif (isinstance(last, Remove) or is_only_fetched(last)) and last.things.noun and moves_it(statement):
             moved = Move(things=last.things, place=statement.place, quote=self._from_to(last, statement))
             self.statements[-1] = moved
         else:

@@ -2,7 +2,7 @@
 
 import re
 from collections.abc import Sequence
-from typing import Any, Final
+from typing import Any, Final, TypeGuard
 
 import msgspec
 
@@ -34,6 +34,7 @@ __all__ = [
     "held_there",
     "in_place_of",
     "is_everything",
+    "is_only_fetched",
     "is_open",
     "is_surplus",
     "moved_on",
@@ -322,6 +323,11 @@ def is_everything(things: Things) -> bool:
 def moves_it(statement: Move) -> bool:
     """Whether a statement moves only what was mentioned last."""
     return statement.things.refers == "last" and not statement.things.noun
+
+
+def is_only_fetched(last: Statement | None) -> TypeGuard[Move]:
+    """Whether a statement only tells where something comes from: ``bring one of the cases up from the cellar``."""
+    return isinstance(last, Move) and last.place == Place() and last.things.place is not None
 
 
 def must_contain(reader: ClauseReader, at: int) -> bool:
