@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import takewhile
 from typing import Final
 
 from mansion_editing.instructions.phrases.words import DETERMINERS, PREPOSITIONS, PRONOUNS, Word, next_mark, text_at
@@ -123,7 +124,7 @@ _CARRYING: Final = frozenset("carry bring take move get put".split())
 
 def reworded(words: Sequence[Word]) -> list[Word]:
     """Return words with set phrases as their plain equivalents; each new word stands where the phrase stood."""
-    words = _in_running_order(_half_dozens(_exceptions_that_stay(_exceptions_first(words))))
+    words = _in_running_order(_half_dozens(_exceptions_that_stay(_exceptions_first(_excepting(words)))))
     out: list[Word] = []
     at = 0
     while at < len(words):
@@ -177,11 +178,16 @@ def _end_of_order(words: Sequence[Word], at: int) -> int:
 
 
 def _exceptions_first(words: Sequence[Word]) -> Sequence[Word]:
-    """Return ``all but one of the bags in the hall`` for ``all bags in the hall but one``."""
+    """Return ``all but one of the bags in the hall`` for ``all bags in the hall but one``, ``..., except for one``."""
     for at in range(2, len(words) - 1):
-        number = text_at(words, at + 1)
-        if words[at].text != "but" or number not in _FEW or not _is_edge(words, 0, at + 2):
+        said = (text_at(words, at), text_at(words, at + 1))
+        length = 2 if said in (("except", "for"), ("apart", "from"), ("save", "for")) else said[0] in ("but", "except")
+        number = text_at(words, at + length)
+        if not length or number not in _FEW or not _is_edge(words, 0, at + length + 1):
             continue
+        joined = text_at(words, at - 1) == ","
+        words = [*words[: at - joined], replace(words[at], text="but"), *words[at + length :]]
+        at -= joined
         start = next(
             (k for k in range(at - 2, -1, -1) if words[k].text in ("all", "every") or words[k].kind == "mark"), -1
         )
@@ -207,6 +213,26 @@ def _exceptions_that_stay(words: Sequence[Word]) -> Sequence[Word]:
             comma = replace(words[at], text=",", raw=",", kind="mark", start=words[end - 1].end, end=words[end - 1].end)
             return [*words[:end], comma, *spared, *words[at + 1 :]]
     return words
+
+
+def _excepting(words: Sequence[Word]) -> Sequence[Word]:
+    """Return ``all chairs except those at the table`` for ``all chairs which are not at the table``."""
+    out: list[Word] = []
+    at = 0
+    while at < len(words):
+        contracted = text_at(words, at + 1) == "not" and words[at + 1].raw != "not"
+        denied = at + 2 - contracted
+        told = text_at(words, at) in ("which", "that") and text_at(words, denied) == "not"
+        clause = {word.text for word in takewhile(lambda word: word.kind != "mark", reversed(out))}
+        whole = clause & {"all", "every", "each"}
+        being = contracted or text_at(words, at + 1) in ("is", "are")
+        if not (told and whole and being and text_at(words, denied + 1) in ("on", "in", "at", "under", "by", "inside")):
+            out.append(words[at])
+            at += 1
+            continue
+        out += _in_place_of(words[at : denied + 1], ("except", "those"))
+        at = denied + 1
+    return out
 
 
 def _excepts(words: Sequence[Word], at: int) -> bool:
