@@ -54,7 +54,7 @@ _TAKING_UP: Final = frozenset("it its them they one there that this those these 
 """Words by which a sentence goes on with what the one before it told of."""
 
 
-_TELLING_OF_ONE: Final = frozenset("one another second".split())
+_TELLING_OF_ONE: Final = frozenset("one another second theirs own".split())
 """Words without which nothing is said of what has one already."""
 
 

@@ -23,6 +23,7 @@ from mansion_editing.instructions.sentences.clearing import with_takings_first
 from mansion_editing.instructions.sentences.conditions import Condition, begins_condition, else_at
 from mansion_editing.instructions.sentences.correcting import Correcting
 from mansion_editing.instructions.sentences.depending import Depending
+from mansion_editing.instructions.sentences.former_places import with_former_places
 from mansion_editing.instructions.sentences.headings import Headings
 from mansion_editing.instructions.sentences.lacking_some import LackingSome
 from mansion_editing.instructions.sentences.lids import opened_as_whole
@@ -58,6 +59,7 @@ from mansion_editing.instructions.sentences.refinement import (
 from mansion_editing.instructions.sentences.repeating import Repeating
 from mansion_editing.instructions.sentences.scene_setting import SceneSetting
 from mansion_editing.instructions.sentences.tails import Tails
+from mansion_editing.instructions.sentences.taken_off import taken_off
 from mansion_editing.instructions.sentences.telling import Telling
 from mansion_editing.instructions.statements import (
     Add,
@@ -111,6 +113,7 @@ class _Reader(
 
     def read(self) -> Instruction:
         """Read all sentences in order."""
+        self.words = list(with_former_places(self.words, self._reader(self.words)))
         sentences = list(split_sentences(self.words))
         for number, (own, marked) in enumerate(sentences):
             self.is_last = number + 1 == len(sentences)
@@ -392,15 +395,21 @@ class _Reader(
             if self.spared and isinstance(statement, Clear):
                 statement = msgspec.structs.replace(statement, spare=(*statement.spare, *self.spared))
                 self.spared = ()
-            if _says_again(statement, last):
-                continue
             if isinstance(statement, Keep):
                 statement = self._of_the_kind(statement)
+            if isinstance(statement, Remove):
+                statement, self.statements[:] = taken_off(statement, self.statements, self._reader_of)
+                last = self.statements[-1] if self.statements else None
+            if _says_again(statement, last):
+                continue
             if isinstance(statement, Remove) and isinstance(last, Add | Ensure | Move) and last.things.noun:
                 statement = _one_of_its_kind(statement, last.things)
             readers = (self._extends, self._spares, self._moves_on, self._tells_of_rest)
             if not any(reads(statement, last) for reads in readers):
                 self.statements.append(statement)
+
+    def _reader_of(self, quote: str) -> ClauseReader:
+        return self._reader(self._words_of(quote))
 
     def _extends(self, statement: Statement, last: Statement | None) -> bool:
         """Read more of what the last statement clears or brings; return whether that is all."""
