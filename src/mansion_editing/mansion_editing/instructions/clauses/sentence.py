@@ -420,6 +420,8 @@ class Sentence(ABC):
             if item.phrase.noun.kind == "object":
                 self.last_noun = item.phrase.noun
             return item
+        if not last.words:  # "replace it by a bigger one"
+            raise NotUnderstood(item.phrase.start, item.end)
         told = item.phrase.noun.words[:-1]
         words = (*told, last.words[-1]) if told else last.words
         if told and not self.lexicon.is_object(words):

@@ -60,11 +60,13 @@ class Taking(Adding, Removing):
             stated = self._states_after(items, items[-1].end, at) if self._are_known(items) else None
             if stated is not None:
                 return stated
-            leaving = self.comes_from_furniture(places) and self.text(places[0].start) in ("off", "out")
+            leaving = self._leaves(places) and self.text(places[0].start) in ("off", "out")
             kinds = {item.phrase.amount.kind for item in items}
             known = self._are_known(items) or "all" in kinds
-            if leaving and known and not self._goes_on_with_it(items[-1].end):
-                return self._remove(at, place)
+            end = items[-1].end
+            onward = self.text(end) in ("and", ",", "then") and bool(self.places(end + 1)[0])
+            if leaving and known and not self._goes_on_with_it(end):
+                return self._move(at, place) if onward else self._remove(at, place)
         source = self._fetched_from(at, place)
         return source or self._add(at, place)
 
@@ -88,6 +90,11 @@ class Taking(Adding, Removing):
             return self._taken_and_put(at, items, item.end)
         self.topic = item.things()
         return [Mention(quote=self.quote(at, item.end))], item.end
+
+    def _leaves(self, places: Sequence[ReadPlace]) -> bool:
+        """Whether places are furniture or a room that something comes from, and nothing that it goes to."""
+        only_room = len(places) == 1 and places[0].source and places[0].place.anchor is None
+        return self.comes_from_furniture(places) or only_room
 
     def comes_from_furniture(self, places: Sequence[ReadPlace]) -> bool:
         """Whether places are furniture that something comes from, and at most the room which that is in."""

@@ -213,6 +213,8 @@ def _new_carrier(place: Place, state: SceneState, context: Context) -> Generator
     anchor = place.anchor
     known = place.rooms is not None and len(rooms_of(state, place.rooms, context)) == 1
     told = anchor is not None and anchor.definite and not (known and place.relation in ("on", "in"))
+    told = told or (anchor is not None and anchor.definite and _is_another_there(anchor, place, state, context))
+    told = told or (anchor is not None and anchor.each)
     if anchor is None or told or anchor.refers or "/" in anchor.noun or place.relation == "between":
         raise Unmet(
             f"there is nothing {place_words(place)}" if anchor is None else f"there is no {_kind(anchor, place)}"
@@ -227,6 +229,13 @@ def _new_carrier(place: Place, state: SceneState, context: Context) -> Generator
     made = yield from furnish(ObjectDescription(anchor.noun, 1, anchor.colour), Scope("room", "", rooms), state)
     item = live(state, [made])[0]
     return Target(item.room, item)
+
+
+def _is_another_there(anchor: Things, place: Place, state: SceneState, context: Context) -> bool:
+    """Whether a room has such furniture, only not as words tell it: its table is not ``the table by the window``."""
+    alike = Things(noun=anchor.noun, amount=Amount(kind="all", number=0), plural=True, place=Place(rooms=place.rooms))
+    told = anchor.place is not None or anchor.colour or anchor.material or anchor.ordinal or anchor.size
+    return bool(told) and bool(things_of(state, alike, context))
 
 
 def _kind(anchor: Things, place: Place) -> str:

@@ -151,7 +151,8 @@ def called(state: SceneState, items: Iterable[SceneObject], noun: str, *, many: 
         alike = [item for item in alike if item.mount != "ceiling"] or alike
     if not alike and words:
         vocabulary = vocabulary_of(state.catalogue)
-        synonymous = vocabulary.synonymous(stems(noun)) or vocabulary.ending(stems(noun))
+        own = any(stems(kind.replace("_", " ")) == stems(noun) for kind in vocabulary.exact(stems(noun)))
+        synonymous = vocabulary.synonymous(stems(noun)) or ([] if own else vocabulary.ending(stems(noun)))
         alike = [item for item in pool if item.category in synonymous]
     if not alike and words:
         alike = _by_another_name(state, pool, noun)

@@ -20,6 +20,7 @@ _PHRASES: Final[dict[tuple[str, ...], tuple[str, ...]]] = {
     ("for", "that", "reason"): ("so",),
     ("in", "between"): ("between",),
     ("must", "to", "be"): ("must", "be"),
+    ("need", "to", "go"): ("must", "go"),
     ("should", "to", "be"): ("should", "be"),
     ("not", "need", "no", "more"): ("not", "need", "anymore"),
     ("not", "needed", "no", "more"): ("not", "needed", "anymore"),

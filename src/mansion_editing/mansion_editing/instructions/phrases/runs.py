@@ -143,7 +143,8 @@ def _starts_noun(words: Sequence[Word], end: int, at: int, lexicon: Lexicon) -> 
 
 def _is_last_of_run(words: Sequence[Word], end: int, at: int, lexicon: Lexicon) -> bool:
     """Whether ``one`` stands for a noun ("the red one"), and does not begin the next phrase ("the sofa one more")."""
-    return not _is_named(words, at, end, lexicon) and not _starts_noun(words, end + 1, end + 1, lexicon)
+    named = words[end - 1].text not in COLOUR_WORDS and _is_named(words, at, end, lexicon)
+    return not named and not _starts_noun(words, end + 1, end + 1, lexicon)
 
 
 def _ends_before_verb(words: Sequence[Word], end: int, at: int, lexicon: Lexicon) -> bool:
@@ -166,6 +167,8 @@ def _names_number(words: Sequence[Word], end: int, lexicon: Lexicon, at: int) ->
     called = own and text_at(words, at - 1) == "the" and lexicon.is_own_room((*before, word.raw))
     if called and following is not None and lexicon.is_object((following.text,)):
         return True  # "the bedroom 2 dresser"
+    shaded = text_at(words, end + 1) in SHADES and text_at(words, end + 2) in COLOUR_WORDS
     counts = following is not None and (following.kind == "unit" or lexicon.is_object((following.text,)))
+    counts = counts and not shaded
     ends = own or following is None or following.kind == "mark" or following.text in PREPOSITIONS
     return rooms and ends and not counts

@@ -128,7 +128,7 @@ VAGUE: Final = frozenset(
     "round rectangular particular required necessary freestanding stray second-hand visible "
     "matching useless unneeded unnecessary remaining respective "
     "awful ugly horrible hideous terrible dreadful ghastly nasty tacky silly stupid damn bloody wretched boring "
-    "gorgeous wonderful charming favourite precious trusty".split()
+    "folded gorgeous wonderful charming favourite precious trusty".split()
 )
 BREAKS: Final = frozenset([",", ";", ".", ":", "!", "?", "\n", "-", "(", ")", '"', "*", "/", "=", "#", "|", "[", "]"])
 FUNCTION_WORDS: Final = (

@@ -10,7 +10,7 @@ from mansion_editing.instructions.clauses.items import Item
 from mansion_editing.instructions.clauses.outcomes import everything_at
 from mansion_editing.instructions.clauses.reader import ClauseReader
 from mansion_editing.instructions.phrases.verbs import verb_at
-from mansion_editing.instructions.phrases.word_sets import PEOPLE, RELATIVES, TELLING_WHERE
+from mansion_editing.instructions.phrases.word_sets import BEFORE_VERBS, PEOPLE, RELATIVES, TELLING_WHERE
 from mansion_editing.instructions.phrases.words import PERSONS, Word, text_at
 from mansion_editing.instructions.sentences.already_there import spares_those_with_one
 from mansion_editing.instructions.sentences.bystanding import (
@@ -152,7 +152,7 @@ class Asides(Progress):
         words = _trimmed(words)
         if words and (words[0].text in _RELATIVE | _EXCEPTING or begins_with_state(words) or _corrects(words)):
             return False
-        joints = [at for at, word in enumerate(words) if at and word.text in _CUTS | _JOINTS | {"then", "or"}]
+        joints = [at for at, word in enumerate(words) if word.text in _CUTS | _JOINTS | BEFORE_VERBS | {"or"}]
         if any(verb_at(words, at + 1, self.lexicon) is not None for at in joints):
             return False
         if marked or is_rhetorical(words):
@@ -180,7 +180,7 @@ class Asides(Progress):
         if taken_up and named:
             self.topic = self._told_of(words, named[0]) if named[0].noun else self._lacking(words)
             rooms = None if named[0].noun or named[0].place is None else named[0].place.rooms
-        own = _own_rooms(self._reader(words)) if taken_up and not named else []
+        own = _own_rooms(self._reader(words)) if taken_up and not nouns else []
         rooms = own[0] if len(own) == 1 else rooms
         quote = self._quote(words, 0, len(words))
         untouched = () if taken_up else named

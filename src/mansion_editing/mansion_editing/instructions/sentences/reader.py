@@ -9,6 +9,7 @@ import msgspec
 
 from mansion_assets.catalogue.descriptions import hypernyms_of
 from mansion_editing.instructions.clauses.items import NotUnderstood, TwoReadings
+from mansion_editing.instructions.clauses.outcomes import everything_at
 from mansion_editing.instructions.clauses.reader import ClauseReader, of_each_room
 from mansion_editing.instructions.phrases.lexicon import HYPERNYMS
 from mansion_editing.instructions.phrases.places import merged, read_place
@@ -40,6 +41,7 @@ from mansion_editing.instructions.sentences.refinement import (
     is_everything,
     is_only_fetched,
     is_surplus,
+    left_where_brought,
     moved_on,
     moves_it,
     must_contain,
@@ -396,7 +398,7 @@ class _Reader(
                 statement = msgspec.structs.replace(statement, spare=(*statement.spare, *self.spared))
                 self.spared = ()
             if isinstance(statement, Keep):
-                statement = self._of_the_kind(statement)
+                statement = left_where_brought(statement, last) or self._of_the_kind(statement)
             if isinstance(statement, Remove):
                 statement, self.statements[:] = taken_off(statement, self.statements, self._reader_of)
                 last = self.statements[-1] if self.statements else None
@@ -406,7 +408,18 @@ class _Reader(
                 statement = _one_of_its_kind(statement, last.things)
             readers = (self._extends, self._spares, self._moves_on, self._tells_of_rest)
             if not any(reads(statement, last) for reads in readers):
-                self.statements.append(statement)
+                self.statements += self._room_and_thing(statement)
+
+    def _room_and_thing(self, statement: Statement) -> list[Statement]:
+        """Return what shall be left alone as the thing and the room that are called so: the bar, the kennel."""
+        if not isinstance(statement, Keep) or statement.things.place is not None or statement.things.refers:
+            return [statement]
+        noun = tuple(statement.things.noun.split())
+        if not noun or statement.things.plural or not self.lexicon.is_own_room(noun):
+            return [statement]
+        room = Place(rooms=Rooms(words=statement.things.noun))
+        whole = Keep(things=everything_at(room), quote=statement.quote)
+        return [statement, whole] if self.lexicon.is_here(statement.things.noun) else [whole]
 
     def _reader_of(self, quote: str) -> ClauseReader:
         return self._reader(self._words_of(quote))
@@ -548,6 +561,8 @@ class _Reader(
                 reader.frame = Place(rooms=rooms)
                 return end + 1
         first = read_place(reader.words, at, self.lexicon, self.floors)
+        if reader.text(at) == "of":  # "instead of the lamp put a vase"
+            return at
         if first is None or reader.text(at + 1) in ("most", "least"):  # "at most one" is an amount
             return at
         places, end = reader.places(at)

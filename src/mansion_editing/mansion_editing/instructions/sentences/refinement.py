@@ -37,6 +37,7 @@ __all__ = [
     "is_only_fetched",
     "is_open",
     "is_surplus",
+    "left_where_brought",
     "moved_on",
     "moves_it",
     "must_contain",
@@ -328,6 +329,15 @@ def moves_it(statement: Move) -> bool:
 def is_only_fetched(last: Statement | None) -> TypeGuard[Move]:
     """Whether a statement only tells where something comes from: ``bring one of the cases up from the cellar``."""
     return isinstance(last, Move) and last.place == Place() and last.things.place is not None
+
+
+def left_where_brought(statement: Keep, last: Statement | None) -> Move | None:
+    """Return ``leave them in the lounge`` after what was only fetched as where it goes; None for what stays."""
+    things = statement.things
+    bare = things.refers == "last" and not things.noun and things.place is not None and not things.place.outside
+    if not (is_only_fetched(last) and bare) or things.place is None:
+        return None
+    return Move(things=msgspec.structs.replace(things, place=None), place=things.place, quote=statement.quote)
 
 
 def must_contain(reader: ClauseReader, at: int) -> bool:
