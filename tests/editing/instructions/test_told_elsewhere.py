@@ -5,7 +5,7 @@ import pytest
 from mansion_editing.editor import SceneEditor
 from mansion_editing.instructions.instruct import instruct
 from mansion_editing.instructions.sentences.reader import read_instruction
-from mansion_editing.instructions.statements import Add, Clear, Keep, Move, Remove
+from mansion_editing.instructions.statements import Add, Clear, Keep, Move, Remove, SetState
 from mansion_editing.state import SceneState
 
 
@@ -111,7 +111,7 @@ def test_an_order_after_then_is_no_aside(furnished_state: SceneState) -> None:
 @pytest.mark.parametrize("text", ["Turn on boht lights in the kitchen.", "Turn on both lights in the kitchen."])
 def test_a_swap_of_letters_is_mended_before_another_word_is_taken(furnished_state: SceneState, text: str) -> None:
     (lit,) = read_instruction(text, furnished_state).statements
-    assert getattr(lit, "things").amount.number == 2
+    assert isinstance(lit, SetState) and lit.things.amount.number == 2
 
 
 def test_a_thing_that_is_not_there_owns_nothing(furnished_state: SceneState) -> None:

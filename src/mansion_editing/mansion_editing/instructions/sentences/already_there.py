@@ -43,8 +43,8 @@ _FORMS_OF_WHERE: Final = (
 )
 _THEIRS: Final = (
     r"(?:(?:the )?{noun}(?: (?:number )?\d+)?(?:(?: and| ,|,)? (?:{noun} )?\d+)*|some|most|{those}|it|they)"
-    r"(?: of them)?(?: already)? (?:have|has)(?: got)? (?:theirs|(?:its|the|their) own(?: one)?|one of (?:its|the|their) own)"
-    r"(?: already| there)*"
+    r"(?: of them)?(?: already)? (?:have|has)(?: got)?"
+    r" (?:theirs|(?:its|the|their) own(?: one)?|one of (?:its|the|their) own)(?: already| there)*"
 ).replace("{those}", _THOSE)
 _FORMS_OF_WHICH: Final = (
     _THEIRS,

@@ -32,7 +32,17 @@ from mansion_editing.instructions.sentences.circumstances import is_circumstance
 from mansion_editing.instructions.sentences.lacking import given_where_none_is
 from mansion_editing.instructions.sentences.progress import Progress
 from mansion_editing.instructions.sentences.taking_up import listed_in, with_list_for_pronoun
-from mansion_editing.instructions.statements import Add, Amount, Ensure, Mention, Place, Remove, Rooms, Statement, Things
+from mansion_editing.instructions.statements import (
+    Add,
+    Amount,
+    Ensure,
+    Mention,
+    Place,
+    Remove,
+    Rooms,
+    Statement,
+    Things,
+)
 
 __all__ = ["Asides"]
 

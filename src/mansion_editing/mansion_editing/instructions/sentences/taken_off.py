@@ -32,7 +32,9 @@ def taken_off(
         return statement, list(before)
     if not removes_what_went(statement):
         return _off(statement, holder), list(before)
-    named = [_off(other, holder) if isinstance(other, Remove) and at in gone else other for at, other in enumerate(before)]
+    named = [
+        _off(other, holder) if isinstance(other, Remove) and at in gone else other for at, other in enumerate(before)
+    ]
     return statement, named
 
 
