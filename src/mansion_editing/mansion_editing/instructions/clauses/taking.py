@@ -93,7 +93,8 @@ class Taking(Adding, Removing):
 
     def _leaves(self, places: Sequence[ReadPlace]) -> bool:
         """Whether places are furniture or a room that something comes from, and nothing that it goes to."""
-        only_room = len(places) == 1 and places[0].source and places[0].place.anchor is None
+        rooms = places[0].place.rooms if len(places) == 1 and places[0].source else None
+        only_room = rooms is not None and bool(rooms.words) and places[0].place.anchor is None
         return self.comes_from_furniture(places) or only_room
 
     def comes_from_furniture(self, places: Sequence[ReadPlace]) -> bool:

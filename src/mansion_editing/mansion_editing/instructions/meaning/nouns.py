@@ -7,6 +7,7 @@ from typing import Final
 
 from mansion_assets.catalogue.vocabulary import stems, vocabulary_of
 from mansion_editing.instructions.phrases.lexicon import LIGHTS
+from mansion_editing.instructions.phrases.nouns import HOLDERS
 from mansion_editing.state import SceneState
 from mansion_language.colours import COLOUR_WORDS, colour_of
 from mansion_msgs_py.scene import SceneObject
@@ -151,8 +152,8 @@ def called(state: SceneState, items: Iterable[SceneObject], noun: str, *, many: 
         alike = [item for item in alike if item.mount != "ceiling"] or alike
     if not alike and words:
         vocabulary = vocabulary_of(state.catalogue)
-        own = any(stems(kind.replace("_", " ")) == stems(noun) for kind in vocabulary.exact(stems(noun)))
-        synonymous = vocabulary.synonymous(stems(noun)) or ([] if own else vocabulary.ending(stems(noun)))
+        holder = words in HOLDERS and words.replace(" ", "_") in vocabulary.exact(stems(noun))  # no yogurt cups
+        synonymous = vocabulary.synonymous(stems(noun)) or ([] if holder else vocabulary.ending(stems(noun)))
         alike = [item for item in pool if item.category in synonymous]
     if not alike and words:
         alike = _by_another_name(state, pool, noun)

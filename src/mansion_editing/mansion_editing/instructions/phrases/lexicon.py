@@ -61,7 +61,9 @@ class Lexicon:
 
     @cached_property
     def _room_names(self) -> frozenset[tuple[str, ...]]:
-        return self._whole_room_names | {name[:-1] for name in self._whole_room_names if _may_be_shortened(name)}
+        shortened = {name[:-1] for name in self._whole_room_names if _may_be_shortened(name)}
+        kinds = {room.room_type for _, room in self._state.rooms()}
+        return self._whole_room_names | shortened | {name for kind in kinds for name in _names_of_kind(kind)}
 
     @cached_property
     def _whole_room_names(self) -> frozenset[tuple[str, ...]]:
@@ -198,8 +200,7 @@ def _names_of_rooms(state: SceneState) -> Iterator[tuple[str, ...]]:
         kind = stems(room.room_type.replace("_", " "))
         called = stems(room.name)
         plain = called[: called.index("for")] if "for" in called[1:] else called  # "Office for two clerks"
-        others = (stems(alias) for alias in (*room.aliases, *_names_of_kind(room.room_type)))
-        for said in (own, bare, called, plain, kind, *others):
+        for said in (own, bare, called, plain, kind, *(stems(alias) for alias in room.aliases)):
             name = tuple(_LIKE.get(word, word) for word in said if word != "s")  # of a genitive: the children's room
             proper = tuple(
                 word for word in name if word not in _words_of_kinds(state.catalogue) and not word.isdecimal()
@@ -214,10 +215,10 @@ def _names_of_rooms(state: SceneState) -> Iterator[tuple[str, ...]]:
                 yield name[:-1]
 
 
-def _names_of_kind(room_type: str) -> list[str]:
+def _names_of_kind(room_type: str) -> frozenset[tuple[str, ...]]:
     """Return the other names of several words of a kind of room; a single word may name a thing as well."""
     entry = default_knowledge().rooms.get(room_type)
-    return [] if entry is None else [name for name in entry.synonyms if " " in name]
+    return frozenset() if entry is None else frozenset(stems(name) for name in entry.synonyms if " " in name)
 
 
 def _may_be_shortened(name: tuple[str, ...]) -> bool:

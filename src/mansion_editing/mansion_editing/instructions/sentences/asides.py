@@ -11,7 +11,7 @@ from mansion_editing.instructions.clauses.outcomes import everything_at
 from mansion_editing.instructions.clauses.reader import ClauseReader
 from mansion_editing.instructions.phrases.verbs import verb_at
 from mansion_editing.instructions.phrases.word_sets import BEFORE_VERBS, PEOPLE, RELATIVES, TELLING_WHERE
-from mansion_editing.instructions.phrases.words import PERSONS, Word, text_at
+from mansion_editing.instructions.phrases.words import BE, MODALS, PERSONS, Word, text_at
 from mansion_editing.instructions.sentences.already_there import spares_those_with_one
 from mansion_editing.instructions.sentences.bystanding import (
     asks_for_nothing,
@@ -53,6 +53,9 @@ _RELATIVE: Final = frozenset("where which whose".split())
 
 _EXCEPTING: Final = frozenset("apart except excluding save besides without but not unless".split())
 """Words that begin an exception, which is no remark whatever follows."""
+
+_ALIKE: Final = frozenset("neither nor likewise same ditto".split())
+"""Words that ask the same of something else: ``neither is the notebook``."""
 
 _MOST_CUTS: Final = 8
 """In longer sentences only beginnings and ends are tried."""
@@ -161,6 +164,8 @@ class Asides(Progress):
     def _is_aside(self, words: Sequence[Word], *, followed: bool, marked: bool) -> bool:
         words = _trimmed(words)
         if words and (words[0].text in _RELATIVE | _EXCEPTING or begins_with_state(words) or _corrects(words)):
+            return False
+        if words and (words[0].text in _ALIKE or (words[0].text == "so" and text_at(words, 1) in BE | MODALS | {"do"})):
             return False
         joints = [at for at, word in enumerate(words) if word.text in _CUTS | _JOINTS | BEFORE_VERBS | {"or"}]
         if any(verb_at(words, at + 1, self.lexicon) is not None for at in joints):
