@@ -120,3 +120,21 @@ def test_a_thing_that_is_not_there_owns_nothing(furnished_state: SceneState) -> 
 
 def test_it_without_a_noun_is_no_name_for_one(furnished_state: SceneState) -> None:
     assert read_instruction("The sofa is too small. Replace it by a bigger one.", furnished_state).not_understood
+
+
+def test_the_rest_is_left_also_where_there_is_none(editor: SceneEditor) -> None:
+    assert instruct(editor, "Remove the mug in the kitchen. Leave the plate and the rest where they are.").done
+
+
+@pytest.mark.parametrize("tail", ["neither is the plate", "nor is the plate", "likewise the plate"])
+def test_the_same_of_another_thing_is_no_aside(editor: SceneEditor, tail: str) -> None:
+    text = f"The mug in the kitchen isn't needed any more, {tail}."
+    instruction = read_instruction(text, editor.state)
+    gone = [s.things.noun for s in instruction.statements if isinstance(s, Remove)]
+    assert instruction.not_understood or gone == ["mug", "plate"]
+
+
+def test_what_comes_instead_of_something_does_not_go_on_it(furnished_state: SceneState) -> None:
+    instruction = read_instruction("Instead of the mug on the dining table in the kitchen put a vase.", furnished_state)
+    placed = [s for s in instruction.statements if isinstance(s, Add) and s.place.anchor is not None]
+    assert instruction.not_understood or not any(s.place.anchor.noun == "mug" for s in placed if s.place.anchor)
