@@ -214,3 +214,15 @@ def test_where_something_was_is_what_it_came_from(furnished_state: SceneState, s
 def test_the_thing_of_the_room_that_was_told_before(editor: SceneEditor) -> None:
     report = instruct(editor, "Move the plate from the kitchen to the hall and put a mug on the dining table.")
     assert report.done and any(name.startswith("F1/kitchen/mug") for name in report.object_ids)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Turn the lights in the hall off and those in the kitchen on.",
+        "Switch off the lights in the hall. Those in the kitchen stay on.",
+    ],
+)
+def test_those_elsewhere_are_of_the_same_kind(furnished_state: SceneState, text: str) -> None:
+    _, lit = _asked(text, furnished_state)
+    assert isinstance(lit, SetState) and lit.value and lit.things.noun == "light" and not lit.things.refers

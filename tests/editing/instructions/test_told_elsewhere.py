@@ -138,3 +138,31 @@ def test_what_comes_instead_of_something_does_not_go_on_it(furnished_state: Scen
     instruction = read_instruction("Instead of the mug on the dining table in the kitchen put a vase.", furnished_state)
     placed = [s for s in instruction.statements if isinstance(s, Add) and s.place.anchor is not None]
     assert instruction.not_understood or not any(s.place.anchor.noun == "mug" for s in placed if s.place.anchor)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Put a new plate on the dining table in the kitchen and remove the old one.",
+        "Put a plate on the dining table in the kitchen, the old one must go.",
+        "Add a plate to the dining table in the kitchen. Take the existing plate to the hall.",
+        "Put a plate on the dining table in the kitchen and take the old one off it.",
+    ],
+)
+def test_the_old_one_is_that_which_was_there_before(furnished_state: SceneState, text: str) -> None:
+    statements = [s for s in read_instruction(text, furnished_state).statements if isinstance(s, Add | Remove | Move)]
+    gone, new = statements
+    assert isinstance(gone, Remove | Move) and isinstance(new, Add)
+    assert gone.things.place == new.place
+
+
+def test_another_one_goes_where_it_is_told(furnished_state: SceneState) -> None:
+    text = "Put a plate on the dining table in the kitchen and remove the old mug upstairs."
+    new, gone = read_instruction(text, furnished_state).statements
+    assert isinstance(new, Add) and isinstance(gone, Remove)
+
+
+@pytest.mark.parametrize("verb", ["insists on", "suggests"])
+def test_what_somebody_insists_on_is_no_aside(furnished_state: SceneState, verb: str) -> None:
+    text = f"Turn off the lights in the kitchen. My boss {verb} a new sofa in the hall."
+    assert read_instruction(text, furnished_state).not_understood

@@ -28,6 +28,7 @@ from mansion_editing.instructions.sentences.former_places import with_former_pla
 from mansion_editing.instructions.sentences.headings import Headings
 from mansion_editing.instructions.sentences.lacking_some import LackingSome
 from mansion_editing.instructions.sentences.lids import opened_as_whole
+from mansion_editing.instructions.sentences.old_ones import with_old_ones_first
 from mansion_editing.instructions.sentences.owners import owners_named
 from mansion_editing.instructions.sentences.questions import read_question
 from mansion_editing.instructions.sentences.recounting import Recounting
@@ -72,6 +73,7 @@ from mansion_editing.instructions.statements import (
     Keep,
     Mention,
     Move,
+    Paint,
     Place,
     Remove,
     Rename,
@@ -142,7 +144,8 @@ class _Reader(
         topics = [word for word, following in pairwise(self.words) if word.text in TOPICS and following.text in PRINTED]
         plain = [*(word for word in self.words if word.text in UNRECORDED), *topics]
         ignored = list(dict.fromkeys(w.raw for w in plain if not re.search(rf'"noun":"[^"]*\b{w.text}\b', told)))
-        statements = turned_by_list(with_storeys(with_takings_first(self.statements, self.lexicon)), self.text)
+        ordered = with_takings_first(with_old_ones_first(self.statements), self.lexicon)
+        statements = turned_by_list(with_storeys(ordered), self.text)
         statements = sets_as_one(sparing_what_goes(statements), self.lexicon)
         return Instruction(statements=statements, not_understood=self.unknown, ignored=ignored)
 
@@ -399,6 +402,8 @@ class _Reader(
                 self.spared = ()
             if isinstance(statement, Keep):
                 statement = left_where_brought(statement, last) or self._of_the_kind(statement)
+            if isinstance(statement, SetState | Remove | Paint | Move):
+                statement = self._those_elsewhere(statement)
             if isinstance(statement, Remove):
                 statement, self.statements[:] = taken_off(statement, self.statements, self._reader_of)
                 last = self.statements[-1] if self.statements else None
@@ -516,6 +521,18 @@ class _Reader(
             return keep
         named = msgspec.structs.replace(things, noun=before.noun, refers="", definite=True, plural=True)
         return msgspec.structs.replace(keep, things=named)
+
+    def _those_elsewhere(self, statement: SetState | Remove | Paint | Move) -> SetState | Remove | Paint | Move:
+        """Return ``those in the study`` as things of the kind that was named before: ``the lights here off, ...``."""
+        things = statement.things
+        rooms = None if things.place is None else things.place.rooms
+        bare = things.refers == "last" and not things.noun and things.plural and not things.amount.number
+        if not bare or rooms is None or not rooms.words or not re.search(r"\bthose\b", statement.quote.lower()):
+            return statement
+        told = (getattr(before, "things", None) for before in reversed(self.statements))
+        noun = next((before.noun for before in told if isinstance(before, Things) and before.noun), "")
+        named = things if not noun else msgspec.structs.replace(things, noun=noun, refers="")
+        return msgspec.structs.replace(statement, things=named)
 
     def _reads_question(self, reader: ClauseReader, words: Sequence[Word], at: int, *, marked: bool) -> bool:
         try:
