@@ -166,3 +166,23 @@ def test_another_one_goes_where_it_is_told(furnished_state: SceneState) -> None:
 def test_what_somebody_insists_on_is_no_aside(furnished_state: SceneState, verb: str) -> None:
     text = f"Turn off the lights in the kitchen. My boss {verb} a new sofa in the hall."
     assert read_instruction(text, furnished_state).not_understood
+
+
+@pytest.mark.parametrize(
+    ("text", "number"),
+    [
+        ("Replace the chairs in the hall with an armchair.", 1),
+        ("Replace all chairs in the hall with an armchair.", 3),
+        ("Replace the chairs in the hall with armchairs.", 3),
+    ],
+)
+def test_several_things_make_way_for_one_together(editor: SceneEditor, text: str, number: int) -> None:
+    assert instruct(editor, text).done
+    came = [item for _, item in editor.state.objects() if item.category == "armchair"]
+    assert len(came) == number
+
+
+def test_another_one_is_not_the_one_that_just_went(editor: SceneEditor) -> None:
+    assert instruct(editor, "Move one of the chairs in the hall to the kitchen and another to the corridor.").done
+    rooms = [item.room for _, item in editor.state.objects() if item.category == "chair"]
+    assert {room: rooms.count(room) for room in rooms} == {"F1/hall": 1, "F1/kitchen": 1, "F2/corridor": 1}

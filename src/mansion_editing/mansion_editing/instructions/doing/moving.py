@@ -32,6 +32,7 @@ __all__ = ["facing_rotation", "move", "swap", "turn"]
 
 def move(statement: Move, state: SceneState, context: Context) -> Work:
     """Bring things that are there to a place; new ones only where words allow it and none is in the building."""
+    statement = _of_another(statement, context)
     things, place = statement.things, statement.place
     found = things_of(state, things, context)
     if place == Place():
@@ -81,6 +82,16 @@ def move(statement: Move, state: SceneState, context: Context) -> Work:
     source = tuple(dict.fromkeys(item.room for item, _ in before))
     context = context.followed((), source, "") if len(source) == 1 else context
     return Done("; ".join(replies), context.followed(ids, rooms, things.noun))
+
+
+def _of_another(statement: Move, context: Context) -> Move:
+    """Return ``another one`` after some went as one of those that are still where these came from."""
+    things = statement.things
+    if things.amount.kind != "more" or things.place is not None or things.refers or not context.earlier:
+        return statement
+    source = Place(rooms=Rooms(words=context.earlier[-1]))
+    other = msgspec.structs.replace(things, amount=Amount(number=things.amount.number), place=source)
+    return msgspec.structs.replace(statement, things=other)
 
 
 def _of_own_room(item: SceneObject, statement: Move, targets: list[Target]) -> list[Target]:

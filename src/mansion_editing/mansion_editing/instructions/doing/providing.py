@@ -1,8 +1,9 @@
 """Add, Ensure and Replace: new things where words want them, with the fewest of them."""
 
+import re
 from collections.abc import Generator, Sequence, Set
 from dataclasses import replace
-from typing import Any
+from typing import Any, Final
 
 import msgspec
 
@@ -37,6 +38,9 @@ __all__ = ["add", "at_target", "ensure", "place_at", "replace_things", "wishes_o
 
 MOST_NEW = 100
 """Greatest number of new things of a kind for one place."""
+
+_WHOLE: Final = re.compile(r"\b(all|each|every|any|both|whatever)\b", re.IGNORECASE)
+"""Words for things of which each is replaced by one; ``the two chairs`` are replaced by ``a bench`` together."""
 
 Made = Generator[Action, Outcome, list[str]]
 """Ends with the ids of new objects."""
@@ -427,7 +431,8 @@ def replace_things(statement: Replace, state: SceneState, context: Context) -> W
     """Take things away and put new ones where they stood."""
     olds = things_meant(state, statement.things, context)
     by = statement.by
-    one_by_one = by.plural or statement.things.amount.kind == "all" or len(olds) == 1
+    each = bool(_WHOLE.search(statement.quote)) or len({old.room for old in olds}) > 1
+    one_by_one = by.plural or len(olds) == 1 or (statement.things.amount.kind == "all" and each)
     number = new_number(by) if by.amount.number > 1 or not one_by_one else len(olds)
     gone: list[str] = []
     made: list[str] = []
