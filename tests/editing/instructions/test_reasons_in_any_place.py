@@ -226,3 +226,10 @@ def test_the_thing_of_the_room_that_was_told_before(editor: SceneEditor) -> None
 def test_those_elsewhere_are_of_the_same_kind(furnished_state: SceneState, text: str) -> None:
     _, lit = _asked(text, furnished_state)
     assert isinstance(lit, SetState) and lit.value and lit.things.noun == "light" and not lit.things.refers
+
+
+@pytest.mark.parametrize("where", ["everywhere", "everywhere except the hall", "everywhere but in the hall"])
+def test_everywhere_is_in_all_rooms(furnished_state: SceneState, where: str) -> None:
+    (off,) = _asked(f"Turn off the lights {where}.", furnished_state)
+    assert isinstance(off, SetState) and off.things.place is not None and off.things.place.rooms is not None
+    assert off.things.place.rooms.every and bool(off.things.beside) == (where != "everywhere")

@@ -151,6 +151,8 @@ def _unbracketed(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Seque
         if text_at(words, at + 1) in _EXISTENCE or words[at].raw in ("there's", "theres"):
             return None
         return ReadPlace(Place(rooms=Rooms(same=True)), at, at + 1, goal=onwards)
+    if text_at(words, at) == "everywhere" and text_at(words, at + 1) != "else":
+        return ReadPlace(Place(rooms=Rooms(every=True)), at, at + 1)
     if text_at(words, at) in ("upstairs", "downstairs") or (at < len(words) and words[at].kind == "level"):
         return _storey(words, at, at, floors)
     if text_at(words, at) in ("ground", "first", "second", "third", "top") or (

@@ -36,7 +36,7 @@ ENDS_RUN: Final = (
         "not there please to thanks it them i we you she he they do than because since switched turned powered "
         "painted removed gone moved taken brought carried replaced empty emptied cleared closed shut opened open "
         "running lit already too instead again "
-        "somewhere anywhere here now also as if so that facing exactly which upstairs downstairs each both all every "
+        "somewhere anywhere everywhere here now also as if so that facing exactly which upstairs downstairs each both all every "
         "ajar deleted reachable accessible where belong sit lie apart rather wherever whose whatever died broke fell "
         "short away does did come look seem anew afresh want visible go disappear vanish put exceed trade untouched "
         "alone starting next either if unless half closer nearer further farther forward forwards backward backwards "
