@@ -1,4 +1,4 @@
-"""Homes have small stairs, and always a place to live, to cook and to wash in."""
+"""Homes have small stairs, a hallway or a living room in the middle, and always a place to live, cook and wash in."""
 
 import pytest
 from hypothesis import given, settings
@@ -58,3 +58,47 @@ def test_nothing_is_added_to_a_home_whose_rooms_are_all_stated() -> None:
     program = plan("a house with two bedrooms and a library, nothing else")
     kinds = [room.room_type for floor in program.floors for room in floor.rooms]
     assert not {"kitchen", "bathroom"} & set(kinds)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "a maisonette on two floors, 96 m2 in total, with three bedrooms",
+        "a duplex flat of 120 m2 with kitchen, living room and WC below, and three bedrooms and two bathrooms above",
+        "a two-storey penthouse with three bedrooms",
+        "a flat on three floors of 55 m2: kitchen, dining room and WC below, two bedrooms and a bathroom at the top",
+    ],
+)
+def test_a_flat_with_a_stair_has_a_hallway_and_rooms_of_a_usual_size(text: str) -> None:
+    for floor in plan(text).floors:
+        areas = {room.id: room.area_estimate for room in floor.rooms}
+        assert [room.room_type for room in floor.rooms].count("hallway") == 1
+        assert areas["hallway"] < 0.35 * sum(areas.values())
+        assert all(room.area_estimate >= 7.0 for room in floor.rooms if room.room_type == "bedroom")
+        assert all(room.area_estimate <= 10.0 for room in floor.rooms if room.room_type in ("toilet", "bathroom"))
+
+
+@pytest.mark.parametrize("passage", ["corridor", "hallway"])
+def test_a_passage_that_a_flat_asks_for_is_what_its_rooms_are_reached_from(passage: str) -> None:
+    (floor,) = plan(f"a flat of 85 m2 with a {passage}, a kitchen, a living room, two bedrooms and a bathroom").floors
+    assert [room.id for room in floor.rooms if room.room_type in ("corridor", "hallway")] == [passage]
+
+
+def test_a_flat_without_one_is_reached_through_its_living_room() -> None:
+    (floor,) = plan("a flat of 70 m2 with two bedrooms").floors
+    assert not {"corridor", "hallway"} & {room.room_type for room in floor.rooms}
+
+
+@pytest.mark.parametrize(
+    ("text", "below", "above"),
+    [
+        ("a two-storey house with three bedrooms and a bathroom", 0, 1),
+        ("a two-storey house with a bathroom and three bedrooms", 0, 1),
+        ("a house of two storeys with four bedrooms and two bathrooms", 0, 2),
+        ("a two-storey house with two bedrooms and two bathrooms", 1, 1),
+        ("a two-storey house with two bedrooms above and a bathroom on the ground floor", 1, 0),
+    ],
+)
+def test_bathrooms_lie_by_the_bedrooms(text: str, below: int, above: int) -> None:
+    found = [[room.room_type for room in floor.rooms].count("bathroom") for floor in plan(text).floors]
+    assert found == [below, above]

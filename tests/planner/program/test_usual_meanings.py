@@ -59,3 +59,23 @@ def test_a_brief_that_tells_two_kitchens_apart_gets_both() -> None:
 def test_the_kitchen_of_a_house_stays_one() -> None:
     (ground,) = floors("a bungalow with a kitchen and a dining room")
     assert {kind for _, kind in types(ground)} == {"kitchen", "dining_room"}
+
+
+@pytest.mark.parametrize("home", ["flat", "bungalow"])
+def test_the_lounge_of_a_home_is_its_living_room(home: str) -> None:
+    (ground,) = floors(f"a {home} with a lounge of 20 m2, two bedrooms and a bathroom")
+    living = [(room.id, room.room_type) for room in ground.rooms if room.room_type in ("lounge", "living_room")]
+    assert living == [("lounge", "living_room")]
+
+
+def test_the_lounge_of_a_hotel_stays_one() -> None:
+    ground = floors("a hotel with a lounge and six rooms")[0]
+    assert "lounge" in [room.room_type for room in ground.rooms]
+
+
+@pytest.mark.parametrize(("text", "kind"), [
+    ("a car dealership with a showroom", "car_showroom"),
+    ("a kitchen shop with a showroom", "showroom"),
+])  # fmt: skip
+def test_cars_stand_in_the_showroom_of_who_sells_cars(text: str, kind: str) -> None:
+    assert kind in [room.room_type for room in floors(text)[0].rooms]

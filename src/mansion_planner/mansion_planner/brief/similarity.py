@@ -23,7 +23,7 @@ AS_ROOM = {
     "police_station": "security_room", "penthouse": "apartment", "townhouse": "apartment",
     "community_center": "assembly_hall", "spa_building": "spa", "farm_building": "stable",
     "university": "lecture_hall", "hospital": "treatment_room", "town_hall": "service_counter",
-    "courthouse": "courtroom", "fire_station": "apparatus_bay", "car_dealership": "showroom",
+    "courthouse": "courtroom", "fire_station": "apparatus_bay", "car_dealership": "car_showroom",
     "train_station": "waiting_hall", "airport_terminal": "departure_lounge",
     "veterinary_clinic": "consultation_room", "rehabilitation_center": "physiotherapy_room",
     "nursing_home": "resident_room", "entertainment_center": "arcade", "media_house": "newsroom",

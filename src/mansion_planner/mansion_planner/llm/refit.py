@@ -12,7 +12,7 @@ from mansion_planner.program.building import PlannedBuilding
 from mansion_planner.program.footprint import sketch_free
 from mansion_planner.program.model import CoreBox, PlannedRoom, Sketch, Storey, aliases_of, box_area
 from mansion_planner.program.outline import bearing_walls
-from mansion_planner.program.storey_forms import capacity, sketched
+from mansion_planner.program.storey_forms import capacity, form_of, sketched
 from mansion_planner.program.storey_rooms import fit_areas
 from mansion_planner.program.wish_ledger import furniture_of, requested_objects
 
@@ -156,7 +156,7 @@ def _fitted(planned: PlannedBuilding, storey: Storey, *, placed: bool) -> Storey
         room = 0.84 * _free_area(planned, storey)
     else:
         room = capacity(massing, storey)
-        if massing.hall:
+        if form_of(massing, storey).hall:
             asked = sum(r.gross for r in storey.rooms)
             share = max(storey.hub.usual, 0.38 * room)
             room = min(room - share, max(asked, 0.45 * room))

@@ -28,10 +28,16 @@ from mansion_planner.program.model import (
     touching,
 )
 from mansion_planner.program.outline import Envelope, Frame, envelope_of
-from mansion_planner.program.plan_quality import comes_out_as_strips, shallow_garages, shrunk_rooms, strips
+from mansion_planner.program.plan_quality import (
+    comes_out_as_strips,
+    shallow_garages,
+    shrunk_rooms,
+    strips,
+    swollen_rooms,
+)
 from mansion_planner.program.public_toilets import TOILETS, with_public_toilets
 from mansion_planner.program.setbacks import set_back
-from mansion_planner.program.storey_forms import capacity, sketched
+from mansion_planner.program.storey_forms import capacity, form_of, sketched
 from mansion_planner.program.storey_rooms import Allocation, fill_storey, fit_areas, hub_area, name_rooms
 
 __all__ = [
@@ -89,10 +95,10 @@ def _own_sketches(layout: Arrangement) -> list[Sketch]:
 
 
 def _ill_shaped(layout: Arrangement) -> tuple[int, int]:
-    """Count the garages that are too shallow for their cars, and the rooms that are long and narrow or too small."""
+    """Count the garages that are too shallow for their cars, and the rooms that are strips, too small or too large."""
     own = _own_sketches(layout)
-    narrow = sum(len(strips(sketch)) + len(shrunk_rooms(sketch)) for sketch in own)
-    return sum(len(shallow_garages(sketch)) for sketch in own), narrow
+    ill = sum(len(strips(sketch)) + len(shrunk_rooms(sketch)) + len(swollen_rooms(sketch)) for sketch in own)
+    return sum(len(shallow_garages(sketch)) for sketch in own), ill
 
 
 _DEEP_FROM = 450.0
@@ -303,19 +309,20 @@ def _rooms(
 ) -> tuple[PlannedRoom, ...]:
     """Choose a storey's rooms, with their areas and names."""
     stated = hub_area(storey, allocation)
+    hall = form_of(massing, storey).hall
     if decisions.free_form and decisions.outline is not None:
         cores = sum(box_area(core.box) for core in massing.cores)
         room, share = 0.84 * (decisions.outline.area - cores), 0.0
     else:
         room, share = capacity(massing, storey), 0.0
-    if massing.hall:
+    if hall:
         most = room if storey.use.family == "home" else _MOST_HUB * room
         share = stated or min(max(storey.hub.usual, 0.38 * room), most)
     filled = fill_storey(storey, allocation, knowledge, room, hub_share=share)
     chosen = with_public_toilets(storey, filled, allocation, knowledge, share)
-    if massing.hall and stated:
+    if hall and stated:
         room -= share
-    elif massing.hall:
+    elif hall:
         asked = sum(r.gross for r in chosen)
         wanted = sum(r.gross for r in chosen if r.stated)
         share = max(storey.hub.least, 0.5 * share, min(share, room - wanted))

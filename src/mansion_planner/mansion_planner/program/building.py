@@ -30,7 +30,7 @@ from mansion_planner.program.setbacks import setback_record
 from mansion_planner.program.stair_sizes import stair_size, storey_height
 from mansion_planner.program.step_record import Record
 from mansion_planner.program.storey_rooms import allocate
-from mansion_planner.program.storeys import floors_of, make_storeys
+from mansion_planner.program.storeys import floors_of, is_hall, make_storeys
 from mansion_planner.program.wish_ledger import furniture_of, requested_objects, wishes_of
 
 __all__ = ["PlannedBuilding", "floor_program", "materials_of", "plan_program", "with_elevations"]
@@ -70,7 +70,7 @@ def plan_program(
     shape, of_shape = choose_shape(decisions, area, stairs, generator)
     wish = MassingWish(
         area, decisions.building, cores, exact=decisions.area_stated,
-        room=typical_room(bare, allocation, knowledge), shape=shape,
+        room=typical_room(bare, allocation, knowledge), shape=shape, hall=is_hall(decisions),
     )  # fmt: skip
     layout = best_arrangement(decisions, wish, bare, allocation, knowledge)
     unmet = (u for s in layout.storeys for u in unmet_neighbours(decisions, s, layout.sketches[s.index]))

@@ -50,11 +50,24 @@ def sketch_storey(
     length = _extent(massing, storey)
     ends, rest = _end_rooms(massing, storey.rooms, length)
     stop = length - sum(room.gross / massing.depth for room in ends)
+    if _is_one_room(massing, storey):
+        ends, rest = list(storey.rooms), []
+        stop = max(pocket(massing), lobby_length(massing, storey)) + _LANDING
     segments = _segments(massing, stop, lobby_length(massing, storey))
     depth = max(segment.depth for segment in segments)
     blocks = group_blocks(front_order(rest), depth, pairs)
     filled = keep_apart(fill_segments(segments, blocks, pairs), apart, pairs)
     return _assemble(massing, storey, hub_id, filled, ends, stop, length)
+
+
+_LANDING = 1.6
+"""Metres of corridor beside the stair, where a single room takes the rest of a storey."""
+
+
+def _is_one_room(massing: Massing, storey: Storey) -> bool:
+    """Whether a storey is a single room of free area, beside the stair or at the end of a short corridor."""
+    free = len(storey.rooms) == 1 and not storey.rooms[0].fixed and not storey.rooms[0].suite
+    return free and bool(massing.cores) and not massing.wings and not far_stair(massing)
 
 
 def _is_main(corridor: Corridor) -> bool:

@@ -39,10 +39,13 @@ class _Arrangement:
     north : tuple of int, optional
     under : bool
         The column ends below the north row, which takes the whole length.
+    large_last : bool
+        The largest block of the row lies above the column: what lies there is as wide as the column is.
     """
 
     north: tuple[int, ...] | None = None
     under: bool = False
+    large_last: bool = False
 
 
 def sketch_hall(
@@ -74,7 +77,8 @@ def _others(rooms: int) -> list[_Arrangement]:
     else:
         groups = [tuple(range(n)) for n in range(1, rooms + 1)]
         groups += [tuple(range(n, rooms)) for n in range(1, rooms)]
-    return [_Arrangement(group, under) for under in (True, False) for group in groups]
+    forms = ((True, False), (True, True), (False, False))
+    return [_Arrangement(group, *form) for form in forms for group in groups]
 
 
 def _ill_shape(sketch: Sketch) -> float:
@@ -88,7 +92,17 @@ def _ill_shape(sketch: Sketch) -> float:
         total += max(max(wide, high) / min(wide, high) - 1.4, 0.0)
         if wide * high > 8.0:
             total += max(2.8 - min(wide, high), 0.0)
-    return total
+    return total + sum(_misfit(placement) for placement in sketch.rooms)
+
+
+_FITS = 1.3
+"""By how many times a room may be larger or smaller than planned and still fit."""
+
+
+def _misfit(placement: Placement) -> float:
+    """By how many times a room is larger or smaller than planned, beyond what fits."""
+    planned, area = max(placement.room.area, 0.1), max(placement.area, 0.1)
+    return max(planned / area, area / planned, _FITS) - _FITS
 
 
 def _arranged(
@@ -123,6 +137,8 @@ def _arranged(
     area = sum(block.gross for block in east)
     under = arrangement.under and bool(east)
     if under and north:
+        if arrangement.large_last:
+            north.append(north.pop(max(range(len(north)), key=lambda n: north[n].gross)))
         north[-1] = msgspec.structs.replace(north[-1], least=area / (depth - band) + DOOR_WALL + 0.1)
     # Rooms that ask for more than there is are laid smaller, so that the hub and the north side keep their places.
     widest = max(length - begin - _LEAST_HUB, 1.0)

@@ -210,6 +210,8 @@ class MassingWish:
         Takes another of the candidate depths than the most fitting one.
     exact : bool
         The area is asked for, so it is met as closely as whole metres allow.
+    hall : bool
+        The main room is the hub (see `mansion_planner.program.storeys.is_hall`).
     """
 
     area: float
@@ -219,6 +221,7 @@ class MassingWish:
     exact: bool = False
     room: float = 40.0
     variant: int = 0
+    hall: bool = False
 
 
 _LEAST_AREA = {"L": 104.0, "T": 170.0, "U": 300.0, "H": 380.0, "courtyard": 440.0}
@@ -278,7 +281,7 @@ def _bands(wish: MassingWish) -> list[tuple[float, float, float]]:
     if wish.shape in ("H", "courtyard", "U") and area < 620:
         corridor = 1.8
         return [(stair, corridor, d - stair - corridor) for d in (12, 13)]
-    if wish.use.parti == "hall" and wish.shape in ("rectangle", "square"):
+    if wish.hall and wish.shape in ("rectangle", "square"):
         side = math.sqrt(area / 1.35)
         return [(0.0, float(d), 0.0) for d in _around(side, 4 if not cores.stairs else 6)]
     if cores.stairs and cores.domestic:
@@ -356,7 +359,7 @@ def rectangle_massing(wish: MassingWish, length: float, depth: float) -> Massing
     """Return the massing of a given rectangle; the corridor runs along its longer side."""
     corridor = corridor_width(wish.use, wish.area)
     north = (depth - corridor) / 2
-    if wish.use.parti == "hall":
+    if wish.hall:
         north, corridor, south = 0.0, depth, 0.0
     else:
         if wish.cores.stairs and wish.cores.domestic:
@@ -366,7 +369,7 @@ def rectangle_massing(wish: MassingWish, length: float, depth: float) -> Massing
         elif wish.cores.stairs:
             north = max(3.0, 0.42 * (depth - corridor))
         south = depth - corridor - north
-    if depth < 6.0 and wish.use.parti != "hall":
+    if depth < 6.0 and not wish.hall:
         corridor = max(1.4, min(corridor, 0.3 * depth))
         south = max(depth - corridor - north, 0.3)
         north = depth - corridor - south
@@ -382,7 +385,7 @@ def gross_area(massing: Massing) -> float:
 def _dimensions(wish: MassingWish, north: float, corridor: float, south: float, given: float | None = None) -> Massing:
     depth = north + corridor + south
     least = 6 if wish.cores.domestic else 6 + wish.cores.stairs * wish.cores.stair[0]
-    hall = wish.use.parti == "hall" and wish.shape in ("rectangle", "square")
+    hall = wish.hall and wish.shape in ("rectangle", "square")
     wings: tuple[Wing, ...] = ()
     length, court = given or 0.0, 0.0
     if given is None:
@@ -444,7 +447,7 @@ def _cores(wish: MassingWish, length: float, depth: float, north: float, pocket:
     """
     cores: list[CoreBox] = []
     wide, high = wish.cores.stair
-    if north < high - 0.01 and not (wish.use.parti == "hall" and depth >= high + 10):
+    if north < high - 0.01 and not (wish.hall and depth >= high + 10):
         wide, high = high, wide
     for number in range(wish.cores.stairs):
         x0 = 0.0 if number == 0 else length - wide

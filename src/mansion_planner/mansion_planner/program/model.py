@@ -333,7 +333,8 @@ def misses_areas(sketch: Sketch) -> int:
 def loosened(sketch: Sketch) -> Sketch:
     """Return a sketch with the areas that the rooms are to have and without places; its room graph stays.
 
-    Corridors keep their share of the floor, a twentieth at least; rooms without a stated area share the rest.
+    Corridors keep their share of the floor, a twentieth at least; rooms without a stated area share the rest. Where all
+    of it is more than the floor has, everything gives way in proportion.
     """
     total = sum(corridor.area for corridor in sketch.corridors) + sum(placement.area for placement in sketch.rooms)
     passages = sum(corridor.area for corridor in sketch.corridors)
@@ -341,9 +342,11 @@ def loosened(sketch: Sketch) -> Sketch:
     fixed = sum(p.room.area for p in sketch.rooms if p.room.fixed)
     others = sum(p.room.area for p in sketch.rooms if not p.room.fixed)
     scale = max(total - fixed - passages * widened, 0.3 * others) / max(others, 1e-9)
+    asked = passages * widened + sum(_given(p.room, scale) for p in sketch.rooms)
+    fit = min(total / max(asked, 1e-9), 1.0)
     return Sketch(
-        [Corridor(c.id, [], c.parent, given=c.area * widened) for c in sketch.corridors],
-        [Placement(p.room, [], p.parent, given=_given(p.room, scale)) for p in sketch.rooms],
+        [Corridor(c.id, [], c.parent, given=c.area * widened * fit) for c in sketch.corridors],
+        [Placement(p.room, [], p.parent, given=_given(p.room, scale) * fit) for p in sketch.rooms],
         dict(sketch.core_parent),
         loose=True,
         placed=sketch,

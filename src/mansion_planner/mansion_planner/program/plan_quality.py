@@ -2,7 +2,16 @@
 
 from mansion_planner.program.model import Box, Massing, Placement, Sketch
 
-__all__ = ["STRIP", "aspect", "comes_out_as_strips", "dark_rooms", "shallow_garages", "shrunk_rooms", "strips"]
+__all__ = [
+    "STRIP",
+    "aspect",
+    "comes_out_as_strips",
+    "dark_rooms",
+    "shallow_garages",
+    "shrunk_rooms",
+    "strips",
+    "swollen_rooms",
+]
 
 STRIP = 3.0
 """Long side of a room to its short one from which it is a strip."""
@@ -48,6 +57,15 @@ _SHRUNK = 0.9
 def shrunk_rooms(sketch: Sketch) -> list[Placement]:
     """Return the rooms that the brief asks for and a sketch gives clearly less than their planned area."""
     return [p for p in sketch.rooms if p.room.stated and p.boxes and p.area < _SHRUNK * p.room.area]
+
+
+_SWOLLEN, _AT_LEAST = 2.0, 10.0
+"""By how many times a room exceeds its planned area to count as swollen, and by how many square metres at least."""
+
+
+def swollen_rooms(sketch: Sketch) -> list[Placement]:
+    """Return the rooms that fill a place far too large for them: a toilet alone in a band."""
+    return [p for p in sketch.rooms if p.boxes and p.area > max(_SWOLLEN * p.room.area, p.room.area + _AT_LEAST)]
 
 
 def comes_out_as_strips(sketch: Sketch) -> bool:

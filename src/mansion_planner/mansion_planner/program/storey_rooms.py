@@ -164,8 +164,9 @@ def allocate(decisions: Decisions, knowledge: KnowledgeBase, storeys: Sequence[S
     furniture = furniture_areas(decisions.facts.rooms, decisions.facts.objects)
     for fact, area in for_furniture:
         furniture[fact.name] = max(area, furniture.get(fact.name, 0.0))
-    for fact in [*facts, *(fact for fact, _ in for_furniture if fact not in decisions.facts.rooms)]:
-        floors, where = _floors_for(fact, knowledge.room(fact.room_type), decisions, storeys, wanted)
+    asked = [*facts, *(fact for fact, _ in for_furniture if fact not in decisions.facts.rooms)]
+    for fact in sorted(asked, key=lambda fact: _is_free_bathroom(fact, decisions)):  # once bedrooms have their storeys
+        floors, where = _floors_for(fact, knowledge, decisions, storeys, wanted)
         for floor in floors:
             wanted[floor].append(fact)
         note(trace, fact.span, f"{fact.name} x{_number_of(fact)}{where}")
@@ -261,7 +262,7 @@ def _number_of(fact: RoomFact) -> int:
 
 def _floors_for(
     fact: RoomFact,
-    kind: RoomType,
+    knowledge: KnowledgeBase,
     decisions: Decisions,
     storeys: Sequence[Storey],
     wanted: Mapping[int, Sequence[RoomFact]],
@@ -283,7 +284,9 @@ def _floors_for(
         return found, f" on storey {', '.join(str(floor) for floor in chosen)}"
     if fact.each:
         return [floor for floor in above for _ in range(count)], " on every storey"
-    floors = _preferred(kind, decisions, storeys)
+    floors = _preferred(knowledge.room(fact.room_type), decisions, storeys)
+    if _is_free_bathroom(fact, decisions):
+        return _by_bedrooms(count, floors, wanted, knowledge), ""
     beside = _beside(fact, decisions, wanted)
     if beside and count == 1:
         floors = beside
@@ -297,6 +300,34 @@ def _emptiest(fact: RoomFact, count: int, floors: Sequence[int], wanted: Mapping
     for _ in range(count):
         floor = min(floors, key=lambda f: (sum(areas[f]), f))
         areas[floor].append(fact.area or _USUAL)
+        found.append(floor)
+    return found
+
+
+def _is_free_bathroom(fact: RoomFact, decisions: Decisions) -> bool:
+    """Whether a bathroom of a home is for the planner to put on a storey."""
+    beside = any(fact.name in (a.first_name, a.second_name) for a in decisions.facts.adjacent)
+    free = not fact.floors and not fact.each and not beside
+    return free and fact.room_type == "bathroom" and decisions.building.family == "home"
+
+
+_BY_DAY = 1.5
+"""Bedrooms that a storey without any counts for when bathrooms are shared out over the storeys of a home."""
+
+
+def _by_bedrooms(
+    count: int, floors: Sequence[int], wanted: Mapping[int, Sequence[RoomFact]], knowledge: KnowledgeBase
+) -> list[int]:
+    """Return a storey for each of `count` bathrooms: the one with the most bedrooms for each bathroom there."""
+
+    def number(floor: int, kind: str) -> int:
+        return sum(knowledge.room(fact.room_type).counts_as == kind for fact in wanted[floor])
+
+    bathrooms = {floor: number(floor, "bathroom") for floor in floors}
+    found: list[int] = []
+    for _ in range(count):
+        floor = max(floors, key=lambda f: ((number(f, "bedroom") or _BY_DAY) / (bathrooms[f] + 1), -f))
+        bathrooms[floor] += 1
         found.append(floor)
     return found
 
@@ -510,6 +541,8 @@ def fill_storey(
         count = 0 if entry.repeat else max(entry.count - (kind.name in present), 0)
         for _ in range(count):
             room = allocation.added(entry, knowledge)
+            if not hub_share:
+                room = _beside_others(room, budget)
             small = min(room.gross, room.gross * 0.5 + 0.5 * kind.least)
             if used + small <= budget * 1.03 or (not rooms and used + kind.least <= budget):
                 rooms.append(room)
@@ -523,6 +556,16 @@ def fill_storey(
             rooms.append(room)
             used += room.gross
     return _topped_up(storey, allocation, knowledge, rooms, budget)
+
+
+_MOST_OF_A_STOREY = 0.5
+"""Of the area for rooms, what one that the brief does not ask for takes at most, unless its kind needs more."""
+
+
+def _beside_others(room: PlannedRoom, budget: float) -> PlannedRoom:
+    """Return a room of a storey's list, smaller where it would leave the others of the list no place."""
+    most = max(_MOST_OF_A_STOREY * budget, room.kind.least)
+    return room if room.fixed or room.suite or room.area <= most else msgspec.structs.replace(room, area=most)
 
 
 def _needed_entries(storey: Storey, allocation: Allocation, knowledge: KnowledgeBase) -> list[RoomEntry]:

@@ -27,7 +27,9 @@ def make_storeys(decisions: Decisions, knowledge: KnowledgeBase) -> tuple[list[S
             hub = knowledge.room(_upper_hub(use))
         lead = None
         if use.parti == "hall" and not hall and role != "basement":
-            lead = None if any(name == use.hub for name, _ in decisions.facts.excluded) else knowledge.room(use.hub)
+            led = entrance or use.family != "home"
+            excluded = any(name == use.hub for name, _ in decisions.facts.excluded)
+            lead = knowledge.room(use.hub) if led and not excluded else None
             hub = knowledge.room(_passage_hub(decisions, entrance=entrance))
         if not hall and hub.name == "lobby" and any(hub.name in (a.first, a.second) for a in decisions.facts.apart):
             hub = knowledge.room("corridor")  # what all others are reached through is beside all of them
@@ -39,7 +41,7 @@ def make_storeys(decisions: Decisions, knowledge: KnowledgeBase) -> tuple[list[S
 
 def _passage_hub(decisions: Decisions, *, entrance: bool) -> str:
     if decisions.building.family == "home":
-        return "hallway"
+        return next((fact.room_type for fact in decisions.facts.rooms if fact.room_type in _PASSAGES), "hallway")
     return "lobby" if entrance else "corridor"
 
 
@@ -92,13 +94,20 @@ def is_hall(decisions: Decisions) -> bool:
     """Whether the main room is the hub.
 
     The type is planned so, the outline is a plain rectangle, and the brief neither excludes that room nor gives it a
-    name or an area of its own.
+    name or an area of its own. A home with a stair, or with a hallway that the brief asks for, has that as its hub.
     """
     facts, hub = decisions.facts, decisions.building.hub
+    storeyed = decisions.floors + decisions.basements > 1
+    if decisions.building.family == "home" and (storeyed or any(fact.room_type in _PASSAGES for fact in facts.rooms)):
+        return False
     plain = not facts.shapes or facts.shapes[0][0] in ("rectangle", "square")
     own = any(fact.room_type == hub and (fact.name != hub or fact.area) for fact in facts.rooms)
     excluded = any(name == hub for name, _ in facts.excluded)
     return decisions.building.parti == "hall" and plain and not decisions.free_form and not own and not excluded
+
+
+_PASSAGES = frozenset({"corridor", "hallway"})
+"""Types of the room that others are reached from in a home whose living room is not."""
 
 
 def _upper_hub(use: BuildingType) -> str:

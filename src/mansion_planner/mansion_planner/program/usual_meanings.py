@@ -10,7 +10,8 @@ __all__ = ["as_meant_in"]
 _MEANT = {
     "kitchen": ("commercial_kitchen",), "open_kitchen": ("commercial_kitchen",), "dining_room": ("restaurant",),
     "private_room": ("resident_room", "patient_room"), "single_room": ("resident_room", "patient_room"),
-    "child_room": ("childrens_area",), "kid_room": ("childrens_area",),
+    "child_room": ("childrens_area",), "kid_room": ("childrens_area",), "lounge": ("living_room",),
+    "showroom": ("car_showroom",),
 }  # fmt: skip
 """Plain names of rooms, and what they are where a building has that for its guests, the likeliest first."""
 
@@ -38,7 +39,8 @@ def as_meant_in(building: BuildingType, facts: BriefFacts) -> BriefFacts:
     kinds = {plain: next((kind for kind in found if kind in own), "") for plain, found in _MEANT.items()}
     meant = {plain: kind for plain, kind in kinds.items() if kind and kind not in stated}
     at_home = {room.floors for room in facts.rooms if room.room_type in _PRIVATE}
-    if not meant or any(room.name in meant and room.floors in at_home for room in facts.rooms):
+    shared = building.family != "home" and any(room.name in meant and room.floors in at_home for room in facts.rooms)
+    if not meant or shared:
         return facts
 
     def kind(name: str) -> str:
