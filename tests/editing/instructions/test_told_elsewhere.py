@@ -186,3 +186,27 @@ def test_another_one_is_not_the_one_that_just_went(editor: SceneEditor) -> None:
     assert instruct(editor, "Move one of the chairs in the hall to the kitchen and another to the corridor.").done
     rooms = [item.room for _, item in editor.state.objects() if item.category == "chair"]
     assert {room: rooms.count(room) for room in rooms} == {"F1/hall": 1, "F1/kitchen": 1, "F2/corridor": 1}
+
+
+def test_one_thing_does_not_go_to_each_of_several_rooms(editor: SceneEditor) -> None:
+    assert not instruct(editor, "Bring the sofa to every room upstairs.").done
+    assert not instruct(editor, "Bring a chair from the hall to each room upstairs.").done
+
+
+def test_one_goes_while_others_stay(editor: SceneEditor) -> None:
+    text = "The chairs in the hall: {stay} stay, one goes to the corridor."
+    assert not instruct(editor, text.format(stay="three")).done
+    assert instruct(editor, text.format(stay="two")).done
+    rooms = [item.room for _, item in editor.state.objects() if item.category == "chair"]
+    assert {room: rooms.count(room) for room in rooms} == {"F1/hall": 2, "F2/corridor": 1}
+
+
+def test_a_further_one_that_goes_is_not_the_same_further_on(furnished_state: SceneState) -> None:
+    text = "The chairs in the hall: one stays, one goes to the kitchen, one goes to the corridor."
+    assert read_instruction(text, furnished_state).not_understood
+
+
+def test_those_counted_are_counted_before_any_goes(editor: SceneEditor) -> None:
+    assert instruct(editor, "Remove the second chair in the hall and the third one.").done
+    left = [item.id for _, item in editor.state.objects() if item.category == "chair"]
+    assert left == ["F1/hall/chair_1"]

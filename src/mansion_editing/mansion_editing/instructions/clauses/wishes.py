@@ -231,6 +231,8 @@ class Wishes(Subjects, Negations):
         """Read ``the nurse must be able to walk from the lobby to the lab``."""
         if self.text(at) in ("there", "make", "check", "ensure", "verify"):
             return None
+        if self.text(at) == "one" and self.text(at + 1) == "go":
+            return None  # "two chairs stay, one goes to the hall"
         subject = self.item(at)
         if subject is not None and subject.phrase.noun.kind == "object" and not self._is_way(subject.phrase):
             rolls = not subject.phrase.definite and subject.phrase.noun.words[-1] in ROLLING and not subject.places

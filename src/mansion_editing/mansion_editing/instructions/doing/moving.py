@@ -1,7 +1,7 @@
 """Move, Swap and Turn: things that are there go to another place, or turn where they stand."""
 
 import math
-from collections.abc import Generator, Sequence
+from collections.abc import Generator, Sequence, Set
 from dataclasses import replace
 from typing import Any
 
@@ -66,9 +66,7 @@ def move(statement: Move, state: SceneState, context: Context) -> Work:
         rooms = tuple(dict.fromkeys(item.room for item in found if item.id in there))
         return Done(said, context.followed(sorted(there), rooms, things.noun))
     chosen = _to_move(state, statement, away, targets, context)
-    assumed = [item for item in chosen if item.id in context.assumed and things.refers == "last"]
-    if assumed:
-        raise Unmet(f"{listed(assumed)} {_is([i.id for i in assumed])} elsewhere than was told: say which is meant")
+    _refuse_guesses(statement, chosen, reached, context)
     before = [(item, whereabouts(item).removeprefix("in ")) for item in chosen]
     ids: list[str] = []
     replies = []
@@ -79,9 +77,25 @@ def move(statement: Move, state: SceneState, context: Context) -> Work:
         name = item.id if new == item.id else f"{item.id} (now {new})"
         replies.append(f"{name} moved from {where} to {whereabouts(now).removeprefix('in ')}")
     rooms = tuple(dict.fromkeys(item.room for item in live(state, ids)))
-    source = tuple(dict.fromkeys(item.room for item, _ in before))
+    source = tuple(dict.fromkeys(item.room for item in chosen))
     context = context.followed((), source, "") if len(source) == 1 else context
     return Done("; ".join(replies), context.followed(ids, rooms, things.noun))
+
+
+def _refuse_guesses(statement: Move, chosen: list[SceneObject], reached: Set[str], context: Context) -> None:
+    """Refuse to move what is elsewhere than words say, and to bring one thing to each of several rooms.
+
+    Raises
+    ------
+    Unmet
+    """
+    things, rooms = statement.things, statement.place.rooms
+    assumed = [item for item in chosen if item.id in context.assumed and things.refers == "last"]
+    if assumed:
+        raise Unmet(f"{listed(assumed)} {_is([i.id for i in assumed])} elsewhere than was told: say which is meant")
+    own = things.place is not None and things.place.rooms == rooms
+    if rooms is not None and rooms.every and not own and len(chosen) < len(reached):
+        raise Unmet(f"{listed(chosen)} cannot go to each of {len(reached)} rooms: say what goes where")
 
 
 def _of_another(statement: Move, context: Context) -> Move:

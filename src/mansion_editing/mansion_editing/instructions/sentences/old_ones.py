@@ -1,4 +1,4 @@
-"""Things that make way for new ones of their kind: ``put a new bin in the hall and remove the old one``."""
+"""Things that go before others come or are counted: ``put a new bin in the hall and remove the old one``."""
 
 import re
 from collections.abc import Sequence
@@ -8,7 +8,7 @@ import msgspec
 
 from mansion_editing.instructions.statements import Add, Ensure, Mention, Move, Place, Remove, Statement
 
-__all__ = ["with_old_ones_first"]
+__all__ = ["with_last_of_them_first", "with_old_ones_first"]
 
 _OLD: Final = re.compile(r"\bthe (?:old|existing|previous|former|current|present)\b", re.IGNORECASE)
 
@@ -28,6 +28,22 @@ def with_old_ones_first(statements: Sequence[Statement]) -> list[Statement]:
         brought = Add(things=new.things, place=new.place, each=new.each, quote=new.quote)
         return [*out[:at], first, brought, *out[at + 1 : old], *with_old_ones_first(out[old + 1 :])]
     return out
+
+
+def with_last_of_them_first(statements: Sequence[Statement]) -> list[Statement]:
+    """Return removals of one clause that count things with the greatest place first: ``the second and the third``."""
+    out = list(statements)
+    counted = [at for at, s in enumerate(out) if isinstance(s, Remove) and s.things.ordinal > 0]
+    for quote in {out[at].quote for at in counted}:
+        places = [at for at in counted if out[at].quote == quote]
+        ordered = sorted((out[at] for at in places), key=_ordinal, reverse=True)
+        for at, statement in zip(places, ordered, strict=True):
+            out[at] = statement
+    return out
+
+
+def _ordinal(statement: Statement) -> int:
+    return statement.things.ordinal if isinstance(statement, Remove) else 0
 
 
 def _is_there(place: Place | None) -> bool:

@@ -28,7 +28,7 @@ from mansion_editing.instructions.sentences.former_places import with_former_pla
 from mansion_editing.instructions.sentences.headings import Headings
 from mansion_editing.instructions.sentences.lacking_some import LackingSome
 from mansion_editing.instructions.sentences.lids import opened_as_whole
-from mansion_editing.instructions.sentences.old_ones import with_old_ones_first
+from mansion_editing.instructions.sentences.old_ones import with_last_of_them_first, with_old_ones_first
 from mansion_editing.instructions.sentences.owners import owners_named
 from mansion_editing.instructions.sentences.questions import read_question
 from mansion_editing.instructions.sentences.recounting import Recounting
@@ -38,6 +38,8 @@ from mansion_editing.instructions.sentences.refinement import (
     counted_by,
     counts_those_brought,
     exactly,
+    goes_as_well,
+    goes_while_others_stay,
     in_place_of,
     is_everything,
     is_only_fetched,
@@ -144,7 +146,7 @@ class _Reader(
         topics = [word for word, following in pairwise(self.words) if word.text in TOPICS and following.text in PRINTED]
         plain = [*(word for word in self.words if word.text in UNRECORDED), *topics]
         ignored = list(dict.fromkeys(w.raw for w in plain if not re.search(rf'"noun":"[^"]*\b{w.text}\b', told)))
-        ordered = with_takings_first(with_old_ones_first(self.statements), self.lexicon)
+        ordered = with_takings_first(with_last_of_them_first(with_old_ones_first(self.statements)), self.lexicon)
         statements = turned_by_list(with_storeys(ordered), self.text)
         statements = sets_as_one(sparing_what_goes(statements), self.lexicon)
         return Instruction(statements=statements, not_understood=self.unknown, ignored=ignored)
@@ -492,6 +494,13 @@ class _Reader(
         if isinstance(last, Ensure) and isinstance(statement, Move | Remove) and is_surplus(statement, last):
             rest = surplus_of(last, statement.things)
             self.statements[-1] = msgspec.structs.replace(statement, things=rest)
+            return True
+        shared = goes_while_others_stay(statement, last)
+        if shared is not None:
+            self.statements[-1] = shared
+            return True
+        if goes_as_well(statement, last):
+            self.unknown.append(statement.quote)  # another one, or the same one further on
             return True
         if tells_of_surplus(statement):
             self.undecided = True
