@@ -153,8 +153,10 @@ def met_otherwise(fact: Fact, built: Built) -> bool:
         rooms = built.find(fact["room"]) if fact.get("room") else built.rooms
         inside = {room[1]["id"] for room in rooms}
         things = [thing for scene in built.scenes for thing in scene["objects"] if thing["room"] in inside]
-        found = sum(names(f"{thing['category']} | {thing.get('name', '')}", fact["any_of"]) for thing in things)
-        return counted(found, fact["count"])
+        called = [f"{thing['category']} | {thing.get('name', '')}" for thing in things]
+        # The options are names that one thing may have, and some name other things too: "pallet rack" or "pallet".
+        options = [fact["any_of"], *([option] for option in fact["any_of"])]
+        return any(counted(sum(names(name, option) for name in called), fact["count"]) for option in options)
     if kind == "infeasible":
         return bool(built.program["downgrades"]) or any(wish["status"] != "met" for wish in built.building["wishes"])
     raise ValueError(f"unknown kind of fact {kind!r}")

@@ -15,6 +15,7 @@ __all__ = [
     "idle_without",
     "is_fixed",
     "is_service",
+    "of_one_kind",
     "seats_of_row",
     "single_seat",
     "single_seat_categories",
@@ -54,6 +55,19 @@ def answers(requested: str, category: str) -> bool:
     (True, False, False)
     """
     return category == requested or category in stand_ins(requested)
+
+
+def of_one_kind(one: str, other: str) -> bool:
+    """Tell whether one category answers for another, or both for a third.
+
+    Examples
+    --------
+    >>> of_one_kind("round_table", "cafe_table"), of_one_kind("round_table", "desk")
+    (True, False)
+    """
+    kinds = _kinds().stand_ins
+    third = any(one in held and other in held for held in kinds.values())
+    return third or answers(one, other) or answers(other, one)
 
 
 def idle_without(category: str) -> list[str]:

@@ -94,6 +94,11 @@ def _numbers(room_type: str, area: float, category: str, count: int) -> Counter[
     return numbers
 
 
+def test_shelves_of_a_number_are_all_the_shelves_of_a_shop() -> None:
+    numbers = _numbers("sales_area", 180.0, "bookshelf", 14)
+    assert sum(n for name, n in numbers.items() if "shelf" in name.split("_")) == 14
+
+
 @pytest.mark.parametrize(
     ("room_type", "category", "count", "noun"),
     [
@@ -102,6 +107,7 @@ def _numbers(room_type: str, area: float, category: str, count: int) -> Counter[
         ("cafe", "bar_stool", 8, "stool"),
         ("classroom", "desk", 10, "desk"),
         ("open_office", "desk", 5, "desk"),
+        ("cafe", "round_table", 7, "table"),
     ],
 )
 def test_a_room_has_no_more_of_a_noun_than_are_asked_for(room_type: str, category: str, count: int, noun: str) -> None:

@@ -24,6 +24,7 @@ def _facts(text: str) -> BriefFacts:
         ("A station with WCs, of which one is wheelchair accessible, and a kiosk", None, 1),
         ("An office with 4 WCs (2 of them accessible) and a kitchen", 2, 2),
         ("A clinic with toilets, including one for disabled people", None, 1),
+        ("A hall with WCs incl. one accessible.", None, 1),
     ],
 )
 def test_accessible_toilets_are_rooms_beside_the_others(text: str, others: int | None, accessible: int) -> None:

@@ -33,3 +33,38 @@ def test_rooms_between_others_are_still_read() -> None:
     assert {"kitchen", "pantry"} <= rooms(
         "A house with a kitchen and a pantry beside it, between the hall and the garage"
     )
+
+
+@pytest.mark.parametrize(
+    ("brief", "building"),
+    [
+        ("We want to swap our flat for a narrow terraced house with two bedrooms.", "townhouse"),
+        ("To replace our old villa, a bungalow with two bedrooms.", "bungalow"),
+        ("We are selling our house. A penthouse with two bedrooms, please.", "penthouse"),
+        ("We have outgrown our flat and want a villa with two bedrooms.", "villa"),
+    ],
+)
+def test_what_one_parts_with_is_not_the_building(brief: str, building: str) -> None:
+    facts = read_brief(brief, default_knowledge())
+    assert [name for name, _ in facts.building] == [building]
+    assert rooms(brief) == {"bedroom"}
+
+
+@pytest.mark.parametrize(
+    ("brief", "building"),
+    [
+        ("Our veterinary practice needs a new home with three consulting rooms.", "veterinary_clinic"),
+        ("The village library is looking for a new home of two storeys with a reading room.", "library_building"),
+        ("A new home for our kindergarten, one storey, with four group rooms.", "kindergarten"),
+    ],
+)
+def test_a_new_home_of_an_organisation_is_where_it_is_to_be(brief: str, building: str) -> None:
+    facts = read_brief(brief, default_knowledge())
+    assert facts.building[0][0] == building
+    assert "apartment" not in {fact.room_type for fact in facts.rooms}
+
+
+def test_a_home_for_somebody_is_a_dwelling() -> None:
+    assert "home" in rooms("A library with a home for the caretaker and a reading room.")
+    facts = read_brief("We need a new home with three bedrooms.", default_knowledge())
+    assert facts.building[0][0] == "house"

@@ -43,3 +43,28 @@ def test_a_decade_is_a_style(words: str) -> None:
 @pytest.mark.parametrize("words", ["from the 1960s", "of the fifties"])
 def test_when_something_was_built_is_no_style(words: str) -> None:
     assert read(f"A school beside an old hall {words}, with a gym").styles == []
+
+
+@pytest.mark.parametrize(
+    ("brief", "building"),
+    [
+        ("We want to evaluate a caring robot in a care home. It has three floors.", "hospice"),
+        ("Our robot must serve coffee to guests in an arabic villa, two floors, with four bedrooms.", "villa"),
+        ("To test a courier in a hotel of four storeys with twenty guest rooms.", "hotel"),
+    ],
+)
+def test_where_something_is_to_be_done_is_the_building(brief: str, building: str) -> None:
+    facts = read_brief(brief, default_knowledge())
+    assert [name for name, _ in facts.building] == [building]
+
+
+@pytest.mark.parametrize(
+    ("brief", "building"),
+    [
+        ("We live in a flat in town and want a house with four bedrooms.", "house"),
+        ("To train nurses in an old clinic we need a school with six classrooms.", "school"),
+        ("A gym in a hotel with a sauna.", "gym_building"),
+    ],
+)
+def test_where_one_is_already_is_not_the_building(brief: str, building: str) -> None:
+    assert read_brief(brief, default_knowledge()).building[0][0] == building

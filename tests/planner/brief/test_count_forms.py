@@ -46,3 +46,31 @@ def test_lifts_are_counted(lifts: str) -> None:
 def test_a_number_after_a_room_names_it() -> None:
     rooms = {fact.name: fact.area for fact in read("A flat with Bedroom 1 - 14 m2 and Bedroom 2 - 12 m2").rooms}
     assert rooms == {"bedroom_1": 14.0, "bedroom_2": 12.0}
+
+
+@pytest.mark.parametrize(
+    ("brief", "bedrooms"), [("A house, 3LDK, two storeys.", 3), ("A flat of 90 m2, 2BHK, with a balcony.", 2)]
+)
+def test_the_code_of_a_flat_may_stand_alone(brief: str, bedrooms: int) -> None:
+    facts = read(brief)
+    assert [(room.name, room.count) for room in facts.rooms if room.room_type == "bedroom"] == [("bedroom", bedrooms)]
+    assert not facts.unread
+
+
+@pytest.mark.parametrize(
+    ("brief", "rest"),
+    [
+        ("A house, 4LDK. 1F: LDK, one tatami room. 2F: three western rooms.", False),
+        ("A house, 5LDK. 1F: LDK. 2F: three western rooms.", True),
+    ],
+)
+def test_rooms_that_are_named_are_those_of_the_code(brief: str, rest: bool) -> None:
+    facts = read(brief)
+    assert [(room.name, room.count) for room in facts.rooms if room.room_type == "bedroom"] == [("western_room", 3)]
+    assert bool(facts.unread) == rest
+
+
+def test_an_area_off_a_room_is_no_count() -> None:
+    facts = read("A club: main hall 150, store 20 off the hall, kitchen 12, office 10.")
+    assert {room.name: (room.count, room.area) for room in facts.rooms}["store"] == (1, 20)
+    assert [room.count for room in read("A club with meeting rooms 4 off and a gym.").rooms if room.count] == [4, 1]

@@ -169,3 +169,27 @@ def test_who_sits_at_tables_has_a_chair(tables: str, seats: int) -> None:
 def test_chairs_that_are_counted_are_not_counted_again() -> None:
     facts = read_brief("A house with a kitchen with a table for twelve people and 12 chairs.", default_knowledge())
     assert [fact.count for fact in facts.objects if fact.category == "chair"] == [12]
+
+
+@pytest.mark.parametrize("least", ["(ten at least)", ", ten or more", "(10 minimum)", ": 10 at least"])
+def test_a_number_after_a_noun_may_be_the_least(least: str) -> None:
+    found = read_brief(f"A bookshop with a sales area with plenty of bookshelves {least}.", default_knowledge()).objects
+    assert [(fact.category, fact.count, fact.exact) for fact in found] == [("bookshelf", 10, False)]
+
+
+@pytest.mark.parametrize("after", ["(ten at most)", ", ten of our own"])
+def test_other_numbers_after_a_noun_are_no_least(after: str) -> None:
+    found = read_brief(f"A shop with a sales area with bookshelves {after}.", default_knowledge()).objects
+    assert [fact.count for fact in found] != [10]
+
+
+@pytest.mark.parametrize("room", ["club room with a bar", "lounge with its own bar", "common room with bar"])
+def test_the_bar_of_a_room_to_sit_in_is_its_counter(room: str) -> None:
+    facts = read_brief(f"A rowing club with a {room} and a kitchen.", default_knowledge())
+    assert [fact.category for fact in facts.objects] == ["bar_counter"]
+    assert "bar" not in {fact.room_type for fact in facts.rooms}
+
+
+@pytest.mark.parametrize("rooms", ["lounge, a bar and a kitchen", "lounge and a bar", "foyer with bar"])
+def test_a_bar_beside_other_rooms_is_a_room(rooms: str) -> None:
+    assert "bar" in {fact.room_type for fact in read_brief(f"A hotel with a {rooms}.", default_knowledge()).rooms}

@@ -115,3 +115,35 @@ def test_those_who_leave_a_home_are_no_rooms() -> None:
     assert [room.name for room in read("A refuge for families leaving violent homes, with a playroom").rooms] == [
         "playroom"
     ]
+
+
+def _pairs(brief: str) -> set[tuple[str, str]]:
+    return {(fact.first_name, fact.second_name) for fact in read_brief(brief, default_knowledge()).adjacent}
+
+
+@pytest.mark.parametrize(
+    ("brief", "first", "others"),
+    [
+        ("A restaurant; from the kitchen one enters also in the cold room and in the pantry.",
+         "kitchen", {"cold_room", "pantry"}),
+        ("A flat. In the middle is a corridor and from it go all the rooms away: kitchen, bath and a study.",
+         "corridor", {"kitchen", "bath", "study"}),
+        ("A villa with a hall from which open a kitchen, a bath and a study.", "hall", {"kitchen", "bath", "study"}),
+        ("A clinic: from the lab you reach the sluice room.", "lab", {"sluice_room"}),
+        ("A club with a main hall and a kitchen with a serving hatch to the main hall.", "kitchen", {"main_hall"}),
+    ],
+)  # fmt: skip
+def test_rooms_that_are_entered_from_another_lie_beside_it(brief: str, first: str, others: set[str]) -> None:
+    assert _pairs(brief) == {(first, other) for other in others}
+
+
+@pytest.mark.parametrize(
+    "brief",
+    [
+        "A clinic: from the lab one cannot reach the office.",
+        "A villa; from the kitchen you look at the lake, and there is a study.",
+        "A hotel where guests come from the station and enter a lobby and a bar.",
+    ],
+)
+def test_rooms_that_are_only_spoken_of_with_from_are_no_neighbours(brief: str) -> None:
+    assert not _pairs(brief)

@@ -59,3 +59,41 @@ def test_a_relation_of_all_of_them_is_told_of_each() -> None:
     )
     pairs = {(fact.first_name, fact.second_name) for fact in facts.apart}
     assert pairs == {("lady_toilet", "kitchen"), ("gentleman_toilet", "kitchen")}
+
+
+@pytest.mark.parametrize(
+    ("brief", "names"),
+    [
+        ("A clinic. Dogs and cats recover in wards of their own.", ["dog_ward", "cat_ward"]),
+        ("A clubhouse; boys and girls get changing rooms of their own.", ["boy_changing_room", "girl_changing_room"]),
+        ("A hotel. The cooks and the waiters have lounges of their own.", ["cook_lounge", "waiter_lounge"]),
+        ("A school with toilets for girls and toilets for boys.", ["girl_toilet", "boy_toilet"]),
+        (
+            "A gym with changing rooms for women and changing rooms for men.",
+            ["woman_changing_room", "man_changing_room"],
+        ),
+    ],
+)
+def test_two_that_have_rooms_of_their_own_have_one_each(brief: str, names: list[str]) -> None:
+    assert [(name, count) for name, _, count in rooms(brief)] == [(name, 1) for name in names]
+
+
+def test_the_wards_of_animals_are_kennels() -> None:
+    assert {kind for _, kind, _ in rooms("A clinic. Dogs and cats recover in wards of their own.")} == {"kennel"}
+
+
+@pytest.mark.parametrize(
+    "brief",
+    [
+        "A hostel with bedrooms for women and bedrooms for men.",
+        "A hotel where the guests have bathrooms of their own.",
+        "A house. We and the children have bedrooms of our own.",
+    ],
+)
+def test_rooms_of_many_are_not_one_for_each_kind_of_user(brief: str) -> None:
+    assert all(count != 1 for _, _, count in rooms(brief))
+
+
+def test_furniture_of_a_room_ends_before_what_is_added_to_the_building() -> None:
+    brief = "A school with four classrooms, each fitted with 16 desks and a board, plus toilets for girls and boys."
+    assert {"girl_toilet", "boy_toilet"} <= {name for name, _, _ in rooms(brief)}

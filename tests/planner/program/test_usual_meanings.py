@@ -61,6 +61,23 @@ def test_the_kitchen_of_a_house_stays_one() -> None:
     assert {kind for _, kind in types(ground)} == {"kitchen", "dining_room"}
 
 
+@pytest.mark.parametrize(
+    ("brief", "guests"),
+    [
+        ("A hotel of four storeys with twenty bedrooms and a restaurant.", "hotel_room"),
+        ("A care home of two floors with nine bedrooms on each floor.", "resident_room"),
+        ("A hospital of two storeys with eight bedrooms upstairs.", "patient_room"),
+    ],
+)
+def test_the_bedrooms_that_are_counted_are_all_that_guests_have(brief: str, guests: str) -> None:
+    assert guests not in {room.room_type for floor in floors(brief) for room in floor.rooms}
+
+
+def test_bedrooms_of_staff_leave_the_guests_their_rooms() -> None:
+    planned = [room.room_type for floor in floors("A hotel with two staff bedrooms.") for room in floor.rooms]
+    assert "hotel_room" in planned
+
+
 @pytest.mark.parametrize("home", ["flat", "bungalow"])
 def test_the_lounge_of_a_home_is_its_living_room(home: str) -> None:
     (ground,) = floors(f"a {home} with a lounge of 20 m2, two bedrooms and a bathroom")

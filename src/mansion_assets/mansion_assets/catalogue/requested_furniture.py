@@ -11,7 +11,7 @@ from mansion_assets.catalogue.catalogue import Catalogue, RoomProgramCard
 from mansion_assets.catalogue.piece_counts import pair_of_seats, pieces
 from mansion_assets.catalogue.quantities import sits_around
 from mansion_assets.catalogue.records import Arrangement, Count, HangItem, Item, RugItem, Scatter, Slot
-from mansion_knowledge.object_kinds import added_for, answers, idle_without, stand_ins
+from mansion_knowledge.object_kinds import added_for, answers, idle_without, of_one_kind, stand_ins
 from mansion_msgs_py.placement import Relation
 from mansion_msgs_py.program import RequestedObject
 
@@ -113,8 +113,17 @@ def _only(category: str | list[str], requested: str) -> list[str]:
 
 
 def _same_noun(category: str, requested: str) -> bool:
-    """Tell whether a category answers for another and is called by the same noun: a lounge chair for a chair."""
-    return answers(requested, category) and category.rpartition("_")[2] == requested.rpartition("_")[2]
+    """Tell whether a category is of one kind with another and called by its noun: a lounge chair for a chair.
+
+    A wall shelf unit is a shelf as a bookshelf is one, and a café table a table as a round table is one.
+    """
+    noun = requested.rpartition("_")[2]
+    named = any(word == noun or (len(word) > _SHORT and noun.endswith(word)) for word in category.split("_"))
+    return named and of_one_kind(requested, category)
+
+
+_SHORT = 4
+"""Letters of the longest word that may end another by chance."""
 
 
 _Listed = TypeVar("_Listed", Item, HangItem, RugItem, Slot, Scatter)

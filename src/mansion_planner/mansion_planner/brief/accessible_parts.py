@@ -61,7 +61,7 @@ def with_accessible_ones(reading: Reading, phrases: list[Phrase]) -> list[Phrase
 def _part(reading: Reading, index: int) -> tuple[int, int, int, int] | None:
     """Return where a part of rooms is told after them, how many it is, and the tokens that say what it is to be."""
     at = index
-    while reading.word(at) in _OPENERS:
+    while reading.word(at) in _OPENERS or (reading.word(at) == "." and not reading.breaks(at)):
         at += 1
     of_which = reading.words(at, at + 2) == ("of", "which")
     at += 2 * of_which

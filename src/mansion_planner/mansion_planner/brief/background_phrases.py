@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from mansion_planner.brief.building import MADE_INTO
-from mansion_planner.brief.phrase import Phrase
+from mansion_planner.brief.phrase import PLAIN, Phrase
 from mansion_planner.brief.reading import Reading
 
 __all__ = ["without_bystanders"]
@@ -17,16 +17,16 @@ _BESIDE = frozenset("between beside opposite near behind facing to from on at".s
 def without_bystanders(reading: Reading, phrases: list[Phrase]) -> list[Phrase]:
     """Return phrases of which those that name no part of the building are of an unknown head.
 
-    "I am a vet", "we move out of our old villa", "the rented room is too small", "it will stand between the church and
-    the inn", "the top storey houses the archive".
+    "I am a vet", "we move out of our old villa", "swap our flat for a house", "the rented room is too small", "it will
+    stand between the church and the inn", "the top storey houses the archive".
     """
     sites = _site_tokens(reading)
     owner = phrases[1] if len(phrases) > 1 and _owns_building(reading, *phrases[:2]) else None
     return [
         replace(phrase, head="unknown", building="", room_type="")
-        if phrase is owner or _is_bystander(reading, phrase, sites)
+        if phrase is owner or _is_bystander(reading, phrase, sites) or _is_new_home(reading, phrases, number)
         else phrase
-        for phrase in phrases
+        for number, phrase in enumerate(phrases)
     ]
 
 
@@ -59,6 +59,51 @@ _TRIALS = frozenset(
 _SEPARATE = frozenset("separate separated different distinct independent divided own individual".split())
 
 
+def _is_given_up(reading: Reading, phrase: Phrase) -> bool:
+    """Whether a phrase is what one has now and parts with: "swap our flat for a house", "replace its old villa"."""
+    at = phrase.begin - 1
+    while reading.word(at) in PLAIN:
+        at -= 1
+    if reading.word(at) not in _OWNED or reading.kind(at - 1) != "word":
+        return False
+    verb = reading.word(at - 1)
+    traded = verb in _TRADES and reading.word(phrase.last) in ("for", "against", "with")
+    return traded or verb in _PARTS_WITH
+
+
+def _is_new_home(reading: Reading, phrases: list[Phrase], number: int) -> bool:
+    """Whether a home is where an organisation is to be: "our practice needs a new home", "a home for our school"."""
+    phrase = phrases[number]
+    bare = all(word in PLAIN for word in reading.words(phrase.begin, phrase.noun_end - 1))
+    if reading.word(phrase.noun_end - 1) != "home" or not bare or phrase.plural or phrase.counted:
+        return False
+    after = phrases[number + 1] if number + 1 < len(phrases) else None
+    if reading.word(phrase.last) == "for":
+        owner = reading.word(phrase.last + 1) in _OWNED and after is not None and after.first <= phrase.last + 2
+        return owner and _is_organisation(reading, after)
+    sought = not _SEEKING.isdisjoint(reading.words(max(phrase.begin - 4, 0), phrase.begin))
+    before = phrases[number - 1] if number else None
+    clause = before is not None and reading.sentence[before.first] == reading.sentence[phrase.first]
+    near = clause and before is not None and phrase.first - before.last <= 4
+    return sought and near and _is_organisation(reading, before)
+
+
+def _is_organisation(reading: Reading, phrase: Phrase | None) -> bool:
+    """Whether a phrase names a kind of building in which nobody is at home: a practice, a library."""
+    buildings = reading.knowledge.buildings
+    return phrase is not None and bool(phrase.building) and buildings[phrase.building].family != "home"
+
+
+_SEEKING = frozenset("need needs want wants get gets find finds seek seeks looking searching deserve".split())
+"""Verbs of who is to have a home: "the club is looking for a new home"."""
+
+
+_OWNED = frozenset({"our", "my", "its", "their"})
+_TRADES = frozenset("swap exchange trade swapping exchanging trading".split())
+_PARTS_WITH = frozenset("replace replacing replaces quit quitting sell selling sold outgrown outgrow vacate".split())
+"""Verbs of those who part with what they own."""
+
+
 def _is_bystander(reading: Reading, phrase: Phrase, sites: set[int]) -> bool:
     if phrase.head not in ("room", "building"):
         return False
@@ -80,10 +125,12 @@ def _is_bystander(reading: Reading, phrase: Phrase, sites: set[int]) -> bool:
     )
     fled = not {"leaving", "fleeing", "escaping"}.isdisjoint(reading.words(max(phrase.begin - 2, 0), phrase.noun_end))
     tried = _is_tried(reading, phrase) or _is_predicate(reading, phrase)
+    owned = _is_given_up(reading, phrase)
     made = reading.word(phrase.last) in MADE_INTO and reading.word(phrase.last + 1) in ("into", "to")
     return (
         made
         or tried
+        or owned
         or fled
         or writer
         or left

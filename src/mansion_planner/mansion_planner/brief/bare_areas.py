@@ -18,30 +18,51 @@ def with_bare_areas(reading: Reading, phrases: Sequence[Phrase]) -> list[Phrase]
     Two rooms or more of different names have a number, and every number fits the kind of its room: "bedroom 1, bedroom
     2" are names, and "office 4, toilet 3" says how many.
     """
-    found = {n: index for n, phrase in enumerate(phrases) if (index := _number_after(reading, phrase)) >= 0}
-    names = {phrases[n].name for n in found}
-    if len(names) < 2 or not all(_fits(reading, phrases[n], reading.value(index)) for n, index in found.items()):
+    found = {n: tokens for n, phrase in enumerate(phrases) if (tokens := _numbers_after(reading, phrase))}
+    values = {n: tuple(reading.value(at) for at in tokens) for n, tokens in found.items()}
+    listed = [n for n, tokens in found.items() if _ends_entry(reading, tokens[-1] + 1)]
+    if len({phrases[n].name for n in listed}) < 2:
         return list(phrases)
-    for index in found.values():
-        reading.take(index, index + 1)
-    return [
-        replace(phrase, areas=(reading.value(found[n]),)) if n in found else phrase for n, phrase in enumerate(phrases)
-    ]
+    if not all(_fits(reading, phrases[n], value) for n in found for value in values[n]):
+        return list(phrases)
+    for tokens in found.values():
+        reading.taken.update(tokens)
+    return [replace(phrase, areas=values[n]) if n in found else phrase for n, phrase in enumerate(phrases)]
 
 
-def _number_after(reading: Reading, phrase: Phrase) -> int:
-    """Return the bare number that ends the entry of a room, or -1."""
+def _numbers_after(reading: Reading, phrase: Phrase) -> tuple[int, ...]:
+    """Return the tokens of the bare numbers behind a room: one, or one for each of several; or none."""
     if (
         phrase.head not in ("room", "building")
         or not phrase.room_type
         or phrase.areas
         or (phrase.plural and not phrase.counted)
     ):
-        return -1
+        return ()
     index = phrase.last + (reading.word(phrase.last) in (":", "=", "-"))
-    last = index + 1 + (reading.word(index + 1) == "each")
-    ends = last >= len(reading.tokens) or reading.breaks(last) or reading.word(last) == ","
-    return index if reading.kind(index) == "number" and index not in reading.taken and ends else -1
+    if phrase.counted and phrase.count == 2 and reading.word(index) == "(":
+        return _pair_in_brackets(reading, index + 1)
+    bare = reading.kind(index) == "number" and index not in reading.taken
+    last = index + 1
+    goes_on = reading.word(last) in _GOES_ON and reading.kind(last) != "unit"
+    return (index,) if bare and (goes_on or _ends_entry(reading, last)) else ()
+
+
+def _pair_in_brackets(reading: Reading, index: int) -> tuple[int, ...]:
+    """Return the tokens of "25 + 18)"."""
+    joined = reading.word(index + 1) in ("+", "and", "/", ",", "&") and reading.word(index + 3) == ")"
+    bare = all(reading.kind(at) == "number" and at not in reading.taken for at in (index, index + 2))
+    return (index, index + 2) if joined and bare else ()
+
+
+def _ends_entry(reading: Reading, index: int) -> bool:
+    """Whether the entry of a list is over at a token."""
+    last = index + (reading.word(index) == "each")
+    return last >= len(reading.tokens) or reading.breaks(last) or reading.word(last) in (",", ")")
+
+
+_GOES_ON = frozenset("( with off attached adjacent adjoining next beside and".split())
+"""Words that go on with a room after its area: "kitchen 24 with serving side to the hall"."""
 
 
 def _fits(reading: Reading, phrase: Phrase, value: float) -> bool:

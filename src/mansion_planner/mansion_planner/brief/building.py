@@ -178,7 +178,28 @@ def _is_placed_part(candidate: _Candidate) -> bool:
         return True
     if candidate.placed and candidate.number > 0 and (is_room or (phrase.building == "flat" and not phrase.plural)):
         return True
-    return candidate.lead in ("in", "inside") or (candidate.lead == "into" and is_room)
+    if candidate.lead in ("in", "inside"):
+        return not _holds_what_happens(candidate)
+    return candidate.lead == "into" and is_room
+
+
+def _holds_what_happens(candidate: _Candidate) -> bool:
+    """Whether the phrase is where a brief's first sentence has something done: "to evaluate a robot in a care home"."""
+    parts = ("room", "building", "stair", "elevator")
+    first = candidate.sentence == 0 and not candidate.is_room and not candidate.phrase.plural
+    before = [phrase for phrase in candidate.phrases[: candidate.number] if phrase.head in parts]
+    definite = candidate.phrase.determiner in ("the", "our", "my", "this", "their")
+    old = not _OUTGROWN.isdisjoint(candidate.reading.words(candidate.phrase.first, candidate.phrase.noun_end))
+    done = not _DONE.isdisjoint(candidate.before) and _DWELLING.isdisjoint(candidate.before)
+    return first and done and not (before or definite or old)
+
+
+_DWELLING = frozenset("live lives living work works working sit sits based".split())
+"""Verbs of what the writer does in another building than the one wanted."""
+_DONE = frozenset("to test tests testing evaluate train trial trials robot must should experiment".split())
+"""Words of what is to be done in a building."""
+_OUTGROWN = frozenset({"old", "former", "existing", "disused", "rented"})
+"""Adjectives of a building that is there before."""
 
 
 def _is_listed_part(candidate: _Candidate) -> bool:
@@ -266,7 +287,7 @@ def _are_told_apart(phrase: Phrase, other: Phrase) -> bool:
 
 def _is_perfect(reading: Reading, index: int) -> bool:
     """Whether "has" only forms the perfect: "our town has saved for a theatre"."""
-    return reading.word(index) in ("has", "have") and reading.word(index + 1).endswith(("ed", "en"))
+    return reading.word(index) in ("has", "have") and reading.word(index + 1).endswith(("ed", "en", "own"))
 
 
 def _about_all(place: Place) -> bool:

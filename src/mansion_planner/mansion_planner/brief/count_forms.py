@@ -13,6 +13,9 @@ _CLASSIFIERS = frozenset({"no", "nos", "pc", "pcs", "piece", "unit", "number", "
 _BEDROOMED = frozenset({"bhk", "ldk"})
 """Short forms that the number of bedrooms stands before: "2BHK"."""
 
+_HOMES = frozenset({"house", "home", "flat", "apartment", "villa"})
+"""Nouns that such a short form may stand behind: "a flat 2BHK"."""
+
 _BARS = frozenset({"-", "|", "–"})
 _ENDS = frozenset({"", "\n", ",", ";", ".", ")", "|", "-", "/"})
 _CORES = frozenset({"lift", "elevator", "stair", "staircase", "stairs"})
@@ -84,7 +87,9 @@ def _bedroomed(tokens: list[Token], index: int) -> _Form | None:
         return None
     if _word(tokens, index + 2) in ("type", "layout", "plan"):  # "1LDK type" is no noun of a flat
         return _Form((tokens[index], replace(tokens[index + 1], text="bedroom", spaced=True)), index + 3)
-    return _Form((tokens[index], replace(tokens[index + 1], text="bedroom", plural=False, spaced=False)), index + 2)
+    alone = _word(tokens, index - 1) in _ENDS | _HOMES and _word(tokens, index + 2) in _ENDS
+    bedrooms = replace(tokens[index + 1], text="bedroom", plural=alone, spaced=alone)
+    return _Form((tokens[index], bedrooms), index + 2)
 
 
 def _half_dozen(tokens: list[Token], index: int) -> _Form | None:
@@ -132,6 +137,8 @@ def _classified(tokens: list[Token], index: int) -> _Form | None:
         return None
     if word in ("no", "off", "number", "set", "unit", "piece") and not noun:
         return None
+    if word == "off" and _word(tokens, index + 2) in ("the", "a", "it", "this", "that"):
+        return None  # "store 20 off the hall" is an area
     last = index + 2
     last += _word(tokens, last) == "." and word in ("no", "nos", "pc", "pcs") and _goes_on(tokens, last)
     if noun and word != "number":

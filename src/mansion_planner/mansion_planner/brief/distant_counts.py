@@ -1,5 +1,6 @@
 """Read counts that stand away from the rooms they count: "six of them", "four on the third", "each group has"."""
 
+import re
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 
@@ -7,7 +8,7 @@ from mansion_planner.brief.facts import Quantity, Span
 from mansion_planner.brief.phrase import Phrase, tells_some
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
 from mansion_planner.brief.storey_attachment import Attachment
-from mansion_planner.brief.suites import read_suites
+from mansion_planner.brief.suites import SLEEPING, read_suites
 from mansion_planner.brief.units import Households
 
 __all__ = [
@@ -212,6 +213,7 @@ def without_totals(
     floors = int(reading.facts.floors[0].value) if reading.facts.floors else 0
     for position, number in enumerate(rooms):
         total = phrases[number]
+        _leave_code(reading, phrases, number, rooms[position + 1 :])
         if not total.counted or (total.count or 0) < 2 or number in attached:
             continue
         sentence = reading.sentence[total.first]
@@ -232,6 +234,23 @@ def without_totals(
         for n in named:
             phrases[n] = replace(phrases[n], areas=phrases[n].areas or total.areas)
         phrases[number] = replace(total, head="unknown")
+
+
+def _leave_code(reading: Reading, phrases: list[Phrase], number: int, rooms: Sequence[int]) -> None:
+    """Leave out the bedrooms of "4LDK" where the brief names the rooms to sleep in; a rest of them is told."""
+    code = phrases[number]
+    if not _CODES.search(reading.span(code.first, code.last).words.lower()):
+        return
+    named = [phrases[n] for n in rooms if phrases[n].room_type in SLEEPING or phrases[n].name == "tatami_room"]
+    if not named:
+        return
+    phrases[number] = replace(code, head="unknown")
+    if sum(phrase.count or 2 for phrase in named) != code.count:
+        reading.taken.difference_update(range(code.first, code.last))
+
+
+_CODES = re.compile(r"\d\s*(ldk|bhk)$")
+"""Short forms of flats by their number of bedrooms."""
 
 
 def _bracket_end(reading: Reading, index: int) -> int:

@@ -258,6 +258,8 @@ class BriefFacts:
         The known kind that an unknown one is most like by its last word; empty for none.
     building_span : list of Span
         Its words, where the knowledge base does not have them.
+    trades : list of (str, Span)
+        Kinds of building that what the writer makes or sells needs.
     unread : list of Span
         Words that no fact was read from.
     unheeded : list of Span
@@ -276,6 +278,7 @@ class BriefFacts:
     building_name: str = ""
     building_like: str = ""
     building_span: list[Span] = field(default_factory=list)
+    trades: list[tuple[str, Span]] = field(default_factory=list)
     rooms: list[RoomFact] = field(default_factory=list)
     households: list[RoomFact] = field(default_factory=list)
     uses: list[UseFact] = field(default_factory=list)

@@ -85,7 +85,7 @@ def read_furnishings(
                 excluded=number in negated,
                 floors=attached[number].refs if number in attached and room is None else (),
                 noun=phrase.label,
-                exact=phrase.counted and "least" not in reading.words(phrase.first, phrase.last),
+                exact=phrase.counted and _NO_MORE.isdisjoint(reading.words(phrase.first, phrase.last)),
                 some=some,
             )
         )
@@ -249,6 +249,9 @@ _UNSEATED = frozenset(
     """.split()
 )
 
+
+_NO_MORE = frozenset({"least", "minimum", "min", "more"})
+"""Words of a count that is a lower bound."""
 
 _VEHICLES = frozenset({"van", "truck", "car", "garage_car", "bus", "motorcycle", "ambulance"})
 _CARRIES = frozenset({"for", "that", "which", "carry", "carries", "carrying", "take", "takes", "taking", "to", "fit"})

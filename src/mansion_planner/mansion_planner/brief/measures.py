@@ -36,6 +36,9 @@ _ABOUT = frozenset("about around approx roughly ca circa some".split())
 _HOLDS_ALL = frozenset({"in", "within", "on", "across"})
 """Words that put all that a sentence lists into one area: "a kitchen, a bedroom and a bathroom in 87 m2"."""
 
+_SURFACE = frozenset({"surface", "occupy", "occupies"})
+"""Words between a room and its area: "the hall has a surface of 95 m2"."""
+
 _PLOT = frozenset({"plot", "site", "lot"})
 _PLATE = frozenset({"plate", "footprint"})
 
@@ -455,7 +458,7 @@ def _end_of_what_is_measured(reading: Reading, measure: Measure, phrases: list[P
         and before + 1 not in ends
         and not (reading.word(before) in FLOOR_WORDS and reading.kind(before - 1) == "number")
         and (
-            reading.word(before) in _FILLERS
+            reading.word(before) in _FILLERS | _SURFACE
             or (reading.word(before) == "," and not comma)
             or (reading.word(before) == "." and not reading.breaks(before))
         )

@@ -1,5 +1,6 @@
 """Read storeys that have a name of their own: the ground floor, the basement, the top floor, "upstairs", "middle"."""
 
+from mansion_planner.brief.cellars import keeps_goods
 from mansion_planner.brief.facts import FloorRef
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
 from mansion_planner.brief.storey_counts import CLOSERS, UPSTAIRS
@@ -51,6 +52,8 @@ class NamedStoreys:
         ):
             return [FloorRef("basement")], index + (2 if following != "the" else 3)
         if word not in ("basement", "cellar", "underground", "souterrain", "subterranean", "b1") or following == "car":
+            return None
+        if word == "cellar" and keeps_goods(reading, index):
             return None
         last = index + 2 if following in FLOOR_WORDS else index + 1
         if mention is not None and mention.last > last:

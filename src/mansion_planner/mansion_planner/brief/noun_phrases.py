@@ -424,6 +424,8 @@ def _is_figurative(reading: Reading, begin: int, end: int) -> bool:
         return True  # "they slide down a pole": a verb
     if noun == "snug" and (lead in _COPULAS or (lead in ("and", ",") and reading.word(begin - 2) in PLAIN)):
         return True  # "the bedrooms should be warm and snug"
+    if noun == "flat" and not reading.plural(begin) and _is_level(reading, end):
+        return True
     if noun in _PICTURES and reading.word(end) in ("for", "of") and not reading.plural(begin):
         first = begin - (lead in ("a", "an", "the", "our", "my"))
         return first == 0 or reading.word(first - 1) in _MADE  # "a map for a stealth game"
@@ -431,6 +433,19 @@ def _is_figurative(reading: Reading, begin: int, end: int) -> bool:
         return lead == "see" or (lead == "the" and reading.word(begin - 2) in ("see", "per"))
     return noun == "display" and lead == "on"
 
+
+def _is_level(reading: Reading, index: int) -> bool:
+    """Whether "flat" before a token says that something is level: "a flat simple rectangular plan", "a flat site"."""
+    at = index
+    while at < index + 4 and reading.word(at) not in _LEVEL_THINGS:
+        if reading.word(at) not in PLAIN | {","} and at not in reading.taken:
+            return False
+        at += 1
+    return reading.word(at) in _LEVEL_THINGS
+
+
+_LEVEL_THINGS = frozenset("plan roof site plot ground land terrain layout meadow country facade".split())
+"""What can be flat."""
 
 _COPULAS = frozenset("is are be feel feels look looks very so stay keep".split())
 """Words after which an adjective stands."""

@@ -329,6 +329,9 @@ def count_after(reading: Reading, end: int) -> tuple[int, int | None]:
         and (reading.breaks(number + 1) or reading.word(number + 1) in (",", ")"))
     ):
         return number + 1 + (reading.word(number + 1) == ")"), int(reading.value(number))
+    bounded = end + 2 + _bound_after(reading, end + 2)
+    if word in (",", "(", ":") and whole and bounded > end + 2 and (word != "(" or reading.word(bounded) == ")"):
+        return bounded + (word == "("), int(value)
     if word in (",", "-", "–", "(") and whole and reading.plural(end - 1) and _per_storey(reading, end + 2):
         return end + 2, int(value)
     if word in ("-", "–", ":") and whole and reading.plural(end - 1) and _ends_entry(reading, end + 2):
@@ -336,6 +339,13 @@ def count_after(reading: Reading, end: int) -> tuple[int, int | None]:
     if word in (",", ":") and whole and reading.word(end + 2) in ("no", "nos", "number", "off", "pcs", "piece"):
         return end + 3 + (reading.word(end + 3) == "."), int(value)
     return end, None
+
+
+def _bound_after(reading: Reading, index: int) -> int:
+    """Return how many tokens at one say of the number before them that it is the least: "(ten at least)"."""
+    if reading.words(index, index + 2) in (("at", "least"), ("or", "more"), ("at", "minimum"), ("as", "minimum")):
+        return 2
+    return int(reading.word(index) in ("minimum", "min", "least"))
 
 
 def _ends_entry(reading: Reading, index: int) -> bool:

@@ -6,6 +6,7 @@ content words that belong to none are reported as not understood. No step looks 
 is proportional to the length of the text.
 """
 
+import itertools
 from collections.abc import Callable
 from dataclasses import replace
 
@@ -57,9 +58,11 @@ from mansion_planner.brief.storey_uses import read_storey_uses
 from mansion_planner.brief.storeys import read_storeys
 from mansion_planner.brief.suites import read_suites
 from mansion_planner.brief.told_by_size import told_by_size
+from mansion_planner.brief.trades import read_trade
 from mansion_planner.brief.unit_storeys import attach_units
 from mansion_planner.brief.units import are_units, is_type_of_flat
 from mansion_planner.brief.unread_words import leave_unread
+from mansion_planner.brief.washing_and_resting import by_what_else_is_named
 
 __all__ = ["read_brief"]
 
@@ -119,6 +122,7 @@ class _Reader:
         """Read everything that noun phrases are part of; return them."""
         reading = self.reading
         read_adverts(reading, self.places)
+        read_trade(reading)
         self.opening = unknown_building(reading, self.places)
         named = without_retractions(reading, noun_phrases(reading))
         phrases = rooms_of_several_uses(reading, without_bystanders(reading, named))
@@ -132,7 +136,7 @@ class _Reader:
         as_studio_flat(reading, phrases)
         phrases = with_shared_sizes(reading, measures, phrases)
         own = [room_for_building(reading, phrase) for phrase in give_measures(reading, measures, phrases)]
-        self.phrases = [told_by_its_words(reading, phrase) for phrase in own]
+        self.phrases = by_what_else_is_named([told_by_its_words(reading, phrase) for phrase in own])
         one_of_several = told_by_size(reading, with_bare_areas(reading, self.phrases))
         self.phrases = sized(reading, one_of_several.phrases, self.building)
         reading.go_on()
@@ -273,7 +277,8 @@ class _Reader:
                 continue
             category, _ = furniture_of(reading.words(phrase.begin, phrase.noun_end))
             before = self.phrases[number - 1] if number else None
-            listed = fitted.get(reading.sentence[phrase.first], phrase.first) < phrase.first
+            fit = fitted.get(reading.sentence[phrase.first], phrase.first)
+            listed = fit < phrase.first and (",", "plus") not in itertools.pairwise(reading.words(fit, phrase.first))
             locker = phrase.name == "locker" and before is not None and self._is_locker(before, phrase)
             counter = before is not None and self._is_counter_of(before, phrase)
             if counter or (
@@ -292,9 +297,10 @@ class _Reader:
         )
 
     def _is_counter_of(self, room: Phrase, phrase: Phrase) -> bool:
-        """Whether "a taproom with its long bar" speaks of the counter of a room that is a bar itself."""
+        """Whether "a taproom with its long bar" speaks of the counter of a room where drinks are served."""
         between = self.reading.words(room.last, phrase.begin)
-        return phrase.name == "bar" == room.room_type and between in (("with", "its"), ("and", "its"), ("with", "a"))
+        counter = phrase.name == "bar" and room.head == "room" and room.room_type in _ROOMS_WITH_BARS
+        return counter and between in (("with", "its"), ("and", "its"), ("with", "a"), ("with",))
 
     def _is_locker(self, before: Phrase, phrase: Phrase) -> bool:
         """Whether "eight lockers" and "a bed and a locker" are furniture: those counted, or named with furniture."""
@@ -338,6 +344,9 @@ class _Reader:
             if named is not None and phrase.head == "building" and self._is_alone(phrase):
                 self.phrases[number] = replace(phrase, head="unknown")  # "Modern farmhouse." is how it looks
                 continue
+            if self._is_of_trade(phrase):
+                self.phrases[number] = replace(phrase, head="unknown")  # "over the shop we live ourselves"
+                continue
             if phrase.determiner == "the" and not phrase.areas and phrase.name in _HOMES:
                 self.phrases[number] = replace(phrase, head="unknown")  # "all over the house"
                 continue
@@ -367,6 +376,11 @@ class _Reader:
             same_family = buildings[phrase.building].family == buildings[named.building].family
             if same_family or phrase.first < named.first:
                 self.phrases[number] = replace(phrase, head="unknown")
+
+    def _is_of_trade(self, phrase: Phrase) -> bool:
+        """Whether "the shop" of who sells something is the building, or what is below, rather than another room."""
+        trades = {kind for kind, _ in self.facts.trades}
+        return phrase.determiner == "the" and phrase.name == "shop" and phrase.building in trades
 
     def _stands_in_apposition(self, phrase: Phrase, named: Phrase) -> bool:
         """Whether a home named right after the building, with no article and between commas, is the building again."""
@@ -621,6 +635,9 @@ _ENOUGH = frozenset({"suffice", "sufficient", "enough", "do"})
 
 _HOMES = frozenset({"house", "home", "building", "villa", "cottage", "cabin", "bungalow"})
 """Nouns that with "the" mean the whole building."""
+
+_ROOMS_WITH_BARS = frozenset({"bar", "lounge", "common_room", "nightclub_floor"})
+"""Rooms whose bar is the counter in them: a club room with a bar."""
 
 _FIXTURES = frozenset({"shower", "bath", "walk_in_shower", "loo"})
 _BATHROOMS = frozenset({"bathroom", "ensuite_bathroom", "accessible_toilet"})

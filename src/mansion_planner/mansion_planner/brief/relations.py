@@ -67,6 +67,7 @@ _BESIDE = [
     ("adjoining", "with"),
     ("touch", "with"),
     ("next", "of"),
+    *[(noun, to) for noun in ("side", "hatch") for to in ("to", "into", "towards", "toward")],
     ("common", "wall", "with"),
     ("wall", "in", "common", "with"),
     ("wall", "to", "wall", "with"),
@@ -150,6 +151,7 @@ _MUTUAL = [
         for other in (("each", "other"), ("one", "another"), ("to", "each", "other"))
     ],
     ("next", "door"),
+    *[("meet", to, article, "corner") for to in ("at", "in") for article in ("the", "a", "one")],
     ("at", "its", "side"),
     ("at", "the", "side"),
     ("common", "wall"),
@@ -174,7 +176,9 @@ def _by_first(patterns: list[tuple[str, ...]]) -> dict[str, list[tuple[str, ...]
 
 
 _BESIDE_AT, _APART_AT, _MUTUAL_AT = _by_first(_BESIDE), _by_first(_APART), _by_first(_MUTUAL)
-_LEADS = frozenset({"between", "wall", "each", "to", "of", *(words[0] for words in (*_BESIDE, *_APART, *_MUTUAL))})
+_LEADS = frozenset(
+    {"between", "wall", "each", "to", "of", "from", *(words[0] for words in (*_BESIDE, *_APART, *_MUTUAL))}
+)
 """Words that a relation can begin with."""
 _NEGATIONS = frozenset({"none", "nothing", "not", "no", "never", "neither", "nor", "without", "nowhere", "avoid"})
 _PRONOUNS = frozenset({"it", "them", "this", "that", "which", "these", "those"})
@@ -255,6 +259,8 @@ def _relation_at(reading: Reading, phrases: list[Phrase], rooms: list[int], inde
         return None
     if reading.word(index) == "between" and index not in reading.taken:
         return _between(reading, phrases, rooms, index)
+    if reading.word(index) == "from":
+        return _reached_from(reading, phrases, rooms, index)
     if reading.words(index, index + 2) == ("wall", "between"):
         return _wall_between(reading, phrases, rooms, index)
     if reading.words(index, index + 3) == ("each", "leading", "into") or reading.words(index, index + 3) == (
@@ -302,6 +308,40 @@ def _relation_at(reading: Reading, phrases: list[Phrase], rooms: list[int], inde
     return _directed(reading, phrases, rooms, index, index + len(beside), apart=apart is not None)
 
 
+def _reached_from(reading: Reading, phrases: list[Phrase], rooms: list[int], index: int) -> tuple[Relation, int] | None:
+    """Read "from the kitchen one enters the pantry" and "a corridor; from it open all rooms: a kitchen, a bath"."""
+    before = [n for n in rooms if phrases[n].last <= index]
+    following = _in_sentence(reading, phrases, rooms, index, before=False)
+    if reading.word(index + 1) in ("it", "which", "there", "this") and before:
+        origin, at = before[-1], index + 2
+    elif following and phrases[following[0]].begin - index <= 2:
+        origin, at = following[0], phrases[following[0]].last
+    else:
+        return None
+    verb = next((i for i in range(at, at + 4) if reading.word(i) in _WAYS_IN), None)
+    if verb is None or any(reading.kind(i) == "mark" or reading.word(i) == "and" for i in range(at, verb)):
+        return None
+    if not (_NEGATIONS | {"cannot"}).isdisjoint(reading.words(index - 2, verb)):
+        return None
+    reached, last = [], verb + 1
+    for number in (n for n in following if phrases[n].begin > verb):
+        if not _LISTING.issuperset(reading.words(last, phrases[number].first)):
+            break
+        reached.append(number)
+        last = phrases[number].last
+    if not reached:
+        return None
+    return Relation((origin,) * len(reached), tuple(reached), False, index, verb + 1), last
+
+
+_WAYS_IN = frozenset("enter enters go goes open opens lead leads reach reaches get gets branch access".split())
+"""Verbs of who goes from a room into another, and of rooms that lie off one."""
+_LISTING = frozenset(
+    "in into to off away also directly the a an all room our and as well plus , : one each own separate".split()
+)
+"""Words between the rooms that are reached from another."""
+
+
 def _follows_unknown(reading: Reading, index: int) -> bool:
     """Whether a relation is said of a noun that nothing is read of: "sterilizers between two of the surgeries"."""
     token = reading.tokens[index - 1] if index else None
@@ -340,7 +380,7 @@ def _closes(reading: Reading, last: int, phrases: list[Phrase], rooms: list[int]
     """Whether nothing that could be the second room follows before the clause ends."""
     return reading.breaks(last) or reading.word(last) in (
         *(",", ")", "and", "on", "in", "at", ":", "if", "to"),
-        *("go", "is", "are", "but", "plus", "which", "take", "occupy"),
+        *("go", "is", "are", "but", "plus", "which", "take", "occupy", "so"),
     )
 
 
@@ -566,6 +606,13 @@ def _wall_between(reading: Reading, phrases: list[Phrase], rooms: list[int], ind
     """Read "no common wall between the bedroom and the kitchen"; a wall that is not shared only parts the two."""
     if reading.word(index - 1) not in ("common", "shared", "party"):
         return None
+    them = reading.word(index + 2) in ("them", "both") or reading.words(index + 2, index + 4) in _THE_TWO
+    if them:
+        named = _in_sentence(reading, phrases, rooms, index, before=True)[-2:]
+        last = index + 3 + (reading.word(index + 3) == "two")
+        if len(named) < 2:
+            return None
+        return Relation((named[0],), (named[1],), _negated(reading, phrases, rooms, index - 1), index - 1, last), last
     pair = _in_sentence(reading, phrases, rooms, index, before=False)[:2]
     if len(pair) < 2 or phrases[pair[0]].begin - index > 4:
         return None
@@ -573,6 +620,10 @@ def _wall_between(reading: Reading, phrases: list[Phrase], rooms: list[int], ind
         return None
     negated = _negated(reading, phrases, rooms, index - 1)
     return Relation((pair[0],), (pair[1],), negated, index - 1, index + 2), phrases[pair[1]].last
+
+
+_THE_TWO = (("the", "two"), ("these", "two"), ("those", "two"))
+"""Words for two rooms that are named before."""
 
 
 def _between_them(phrases: list[Phrase], before: list[int], index: int, last: int) -> tuple[Relation, int] | None:

@@ -386,6 +386,8 @@ class _Entry:
             return True  # "an apartment of Paris with 62 m2"
         if word in PLAIN or word.endswith(("ly", "ed")) or word in _NO_ROOMS:
             return True
+        if word in _WHOLES and PLAIN.issuperset(self.reading.words(self.begin, self.end - 1)):
+            return True  # "a café in a building of 170 m2"
         if word in _STRENGTHS and self.end - self.begin == 1:
             return True  # "on the second floor right next to the archive"
         return any(m.style and (m.first, m.last) == (self.begin, self.end) for m in self.reading.mentions)
@@ -414,6 +416,9 @@ _NO_ROOMS = frozenset(
     opportunity potential
     """.split()
 )
+
+_WHOLES = frozenset({"building", "premise", "property", "structure"})
+"""Nouns of all that is built."""
 
 _STRENGTHS = frozenset({"right", "immediately", "close", "close-by", "hard"})
 """Adverbs that only strengthen where something is."""

@@ -118,6 +118,8 @@ def with_users(reading: Reading, phrases: list[Phrase]) -> list[Phrase]:
         if phrase.first < end:
             continue
         parts = _by_users(reading, phrase, names)
+        ends = {part.last for part in parts}
+        found = [other for other in found if other.head != "people" or other.last not in ends]  # whose rooms they are
         if parts != [phrase]:
             end = max(part.last for part in parts)
         found += parts
@@ -138,11 +140,14 @@ def _by_users(reading: Reading, phrase: Phrase, names: Mapping[str, int]) -> lis
     one_of_several = names[phrase.name] > 1 and not phrase.plural
     if reading.word(last) in _SEXES and one_of_several and not phrase.plural:
         return [_of_users(reading, phrase, last)]  # "vestiary feminine"
+    owners = _owners_before(reading, phrase)
+    if owners:
+        return [_of_owner(reading, phrase, owner) for owner in owners]
     led = reading.word(last) in ("for", "of")
     users, end = _users(reading, phrase)
-    if led and len(users) == 1 and reading.word(users[0]) in _SEXES and one_of_several:
+    if led and len(users) == 1 and reading.word(users[0]) in _SEXES and (one_of_several or _is_one_of(phrase, names)):
         return [_of_users(reading, phrase, users[0])]
-    if led and len(users) == 1 and _is_accessible(reading, phrase, users[0]) and not phrase.plural:
+    if led and len(users) == 1 and _is_accessible(reading, phrase, users[0]) and not (phrase.plural and phrase.counted):
         reading.take(last, end)
         return [replace(_of_user(reading, phrase, users[0]), first=phrase.first, begin=phrase.begin, last=end)]
     if len(users) < 2 or (phrase.counted and phrase.count not in (1, len(users))):
@@ -152,6 +157,43 @@ def _by_users(reading: Reading, phrase: Phrase, names: Mapping[str, int]) -> lis
     rooms[0] = replace(rooms[0], first=phrase.first, begin=phrase.begin, noun_end=phrase.noun_end)
     rooms[-1] = replace(rooms[-1], last=end)
     return rooms
+
+
+def _is_one_of(phrase: Phrase, names: Mapping[str, int]) -> bool:
+    """Whether a plural is of what stands in one room of several: "toilets for girls and toilets for boys"."""
+    return (
+        phrase.room_type in _TOILETS | {"changing_room", "shower_area"}
+        and not phrase.counted
+        and names[phrase.name] > 1
+    )
+
+
+def _owners_before(reading: Reading, phrase: Phrase) -> list[int]:
+    """Return the tokens of the two that have a room each: "dogs and cats recover in wards of their own"."""
+    end = phrase.last + 3
+    if not phrase.plural or reading.words(phrase.last, end) != ("of", "their", "own") or phrase.count not in (None, 2):
+        return []
+    start = reading.sentence.index(reading.sentence[phrase.first])
+    for at in range(max(start, phrase.first - 6), phrase.first - 3):
+        opens = at == start or reading.word(at - 1) in ("the", ",", ";", ":")
+        if opens and reading.word(at + 1) == "and":
+            other = at + 2 + (reading.word(at + 2) == "the")
+            if reading.plural(at) and reading.plural(other):
+                reading.take(at, other + 1)
+                reading.take(phrase.last, end)
+                return [at, other]
+    return []
+
+
+def _of_owner(reading: Reading, phrase: Phrase, owner: int) -> Phrase:
+    """Return the room of one of two kinds of owners, of the kind that the lexicon has under their name."""
+    who = _SEXES.get(reading.word(owner), reading.word(owner))
+    named = lexicon_of(reading.knowledge).phrases.get((who, *phrase.name.split("_")))
+    room = one_of(phrase, owner, owner + 1)
+    kind = named.room if named is not None and named.room else phrase.room_type
+    return replace(
+        room, name=f"{who}_{phrase.name}"[:60], label=f"{who} {singular(phrase.label.lower())}", room_type=kind
+    )
 
 
 def _users(reading: Reading, phrase: Phrase) -> tuple[list[int], int]:
@@ -215,4 +257,5 @@ def _of_users(reading: Reading, phrase: Phrase, user: int) -> Phrase:
     who = _SEXES[reading.word(user)]
     reading.take(phrase.last, user + 1)
     label = f"{who}'s {singular(phrase.label.lower())}"
-    return replace(phrase, name=f"{who}_{phrase.name}"[:60], label=label, last=user + 1)
+    named = replace(phrase, name=f"{who}_{phrase.name}"[:60], label=label, last=user + 1)
+    return replace(named, count=1, plural=False) if phrase.plural else named

@@ -52,7 +52,7 @@ HEAD_TYPES = {
     "gym": "gym", "school": "classroom", "wash": "laundry_room", "helpdesk": "open_office",
     "cellar": "storage", "depot": "storage", "post": "security_room",
     "atelier": "art_room", "reserve": "storage", "arena": "sports_hall", "wing": "common_room",
-    "vault": "vault", "nook": "lounge", "garden": "greenhouse", "pool": "indoor_pool",
+    "vault": "vault", "nook": "lounge", "garden": "greenhouse", "pool": "indoor_pool", "deposit": "storage",
 }  # fmt: skip
 
 

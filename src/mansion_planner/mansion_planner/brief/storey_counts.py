@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 
+from mansion_planner.brief.cellars import keeps_goods
 from mansion_planner.brief.facts import FloorRef, Quantity
 from mansion_planner.brief.furniture_words import furniture_of
 from mansion_planner.brief.phrase import PLAIN
@@ -455,6 +456,8 @@ class StoreyCounts:
 
     def _basement_count(self, index: int) -> int:
         reading = self.reading
+        if reading.word(index + 2) == "cellar" and keeps_goods(reading, index + 2):
+            return index
         described = index + 2 + (reading.word(index + 2) not in ("basement", "cellar"))
         if (
             reading.word(index) in ("over", "above", "plus", "and", "with")

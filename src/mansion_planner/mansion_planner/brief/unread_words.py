@@ -51,6 +51,11 @@ def _is_content(reading: Reading, index: int) -> bool:
     grounded = reading.word(index + 1) in ("ground", "grade") or reading.kind(index + 1) in ("number", "unit")
     if token.text == "building" and any(mention.building and mention.last == index for mention in reading.mentions):
         return False  # "a bakery building"
+    told = reading.facts.building or reading.facts.building_span
+    said = index - 1 in reading.taken or _has_measure(reading, index)
+    said = said and not any(mention.room and mention.last == index for mention in reading.mentions)
+    if token.text == "building" and told and said and not token.plural:
+        return False  # "a clinic in a building of 170 m2", "an entire seven-storey building"
     if token.kind == "ordinal" or (token.text in _RELATING and not grounded):
         return True
     if reading.word(index - 1) == "(" and reading.word(index + 1) == ")" and token.text in PLAIN:

@@ -149,6 +149,10 @@ def _infer_building(facts: BriefFacts, knowledge: KnowledgeBase) -> str:
         hint = _PEOPLE_HINTS.get(occupants.noun, "")
         if hint:
             votes[hint] = votes.get(hint, 0.0) + 3.0
+    if facts.trades:  # who works at home lives there too: the trade tells more than a bedroom
+        trade = facts.trades[0][0]
+        votes = {name: votes[name] for name in votes if knowledge.buildings[name].family != "home"}
+        votes[trade] = votes.get(trade, 0.0) + 3.0
     if votes:
         return max(votes, key=lambda name: (votes[name], name))
     if any(word == "high_rise" for word, _ in facts.size) or any(q.value >= 4 for q in facts.floors):

@@ -205,6 +205,8 @@ def _settled_types(facts: Iterable[RoomFact], decisions: Decisions, knowledge: K
             if fact.count > 1:
                 settled.update(_same_head(fact.name, knowledge))
                 settled.update(_LEAVES_OUT.get(kind.name, ()))
+            if fact.name == "bedroom" and fact.count > 1:
+                settled |= _GUESTS_ROOMS - asked  # a hotel with twenty bedrooms has no other rooms to sleep in
     return frozenset(settled)
 
 
@@ -239,6 +241,9 @@ _LEAVES_OUT = {
     "living_room": frozenset({"lounge"}),
 }
 """Room types that a storey adds none of where the brief counts rooms, or gives to units, of another."""
+
+_GUESTS_ROOMS = frozenset({"hotel_room", "hotel_suite", "resident_room", "patient_room", "dorm_room", "hostel_dorm"})
+"""Rooms for those who sleep in a building that is no home; a brief may call them bedrooms."""
 
 _GENERAL_HEADS = frozenset({"room", "hall", "area", "store", "storage", "space", "centre", "center", "section"})
 
