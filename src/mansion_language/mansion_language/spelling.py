@@ -58,7 +58,7 @@ class Speller:
                 if len(word) < 5 and candidate not in self.favoured:
                     continue
                 distance = _edit_distance(word, candidate, limit)
-                if (distance, *self._order(candidate)) < (best_distance, *self._order(best)):
+                if (distance, *self._order(word, candidate)) < (best_distance, *self._order(word, best)):
                     best, best_distance = candidate, distance
         return best
 
@@ -81,8 +81,10 @@ class Speller:
         found = longer & self.words or longer & self.favoured
         return found.pop() if len(found) == 1 else word
 
-    def _order(self, word: str) -> tuple[bool, bool, str]:
-        return word not in self.own, word not in self.favoured, word
+    def _order(self, word: str, candidate: str) -> tuple[bool, bool, bool, str]:
+        """Return what candidates at the same distance go by: the same letters in another order are the likeliest."""
+        swapped = sorted(word) == sorted(candidate)
+        return not swapped, candidate not in self.own, candidate not in self.favoured, candidate
 
 
 def _deletions(word: str) -> list[str]:

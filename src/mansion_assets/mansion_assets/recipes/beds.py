@@ -155,6 +155,13 @@ def _crib_sides(b: Builder, low: float, frame: str) -> None:
             b.rod((x, y, low), (x, y, h - 0.02), 0.007, frame, "bars", 6)
 
 
+@receptacles("pet_bed")
+def _pet_cushion(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
+    """Return the cushion within the ring."""
+    w, d, h = size
+    return [surface("mattress", (-w * 0.36, w * 0.36, -d * 0.36, d * 0.36), h * 0.5)]
+
+
 @recipe("pet_bed")
 def pet_bed(b: Builder) -> None:
     """Padded ring around a cushion."""

@@ -128,7 +128,8 @@ class Changing(Wishes, Moving, Sizes):
         found = self._predicate(item, end, at)
         if found is not None:
             return found
-        kind = self.kind_of_room(end) if item.phrase.noun.kind in ("room", "both") else None
-        if kind is not None:
+        it = item.phrase.refers == "last" and not item.phrase.noun.words and not item.phrase.plural
+        kind = self.kind_of_room(end) if it or item.phrase.noun.kind in ("room", "both") else None
+        if kind is not None and not (it and self.lexicon.is_object(tuple(kind[0].split()))):
             return [Furnish(rooms=item.rooms(), kind=kind[0], quote=self.quote(at, kind[1]))], kind[1]
         raise NotUnderstood(at, self.boundary(at))

@@ -87,8 +87,10 @@ class Keeping(Staying, Wishes, TooMany, Arranging, Removing):
         if self.text(stated) in STATE_WORDS and (stated == end or self.phrase(stated + 1) is None):
             end = stated
             state, value = STATE_WORDS[self.text(end)]
-            quote = self.quote(at, end + 1)
-            return [self._state_of(items, i, state, (), quote, value=value) for i in items], end + 1
+            where, stop = self.places(end + 1)
+            quote = self.quote(at, stop)
+            placed = [Item(i.phrase, (*i.places, *where), stop) for i in items]
+            return [self._state_of(placed, i, state, (), quote, value=value) for i in placed], stop
         alone = end
         while self.text(alone) in KEPT_AS_IT_IS:
             alone += 1

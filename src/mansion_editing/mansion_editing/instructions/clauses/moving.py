@@ -32,9 +32,14 @@ class Moving(Shifting):
         if shifted is not None:
             return shifted
         items = self.items(place)
-        end = items[-1].end
+        end, besides = self.exceptions(items[-1].end)
         if any(item.is_room for item in items):
             raise NotUnderstood(place, end)
+        if besides:
+            further, end = self.places(end + (self.text(end) == ","))
+            if not further:
+                raise NotUnderstood(place, end)
+            items = [*items[:-1], Item(items[-1].phrase, (*items[-1].places, *further), end)]
         if (
             self.text(end) in ("and", ",", "then")
             and read_place(self.words, end + 1, self.lexicon, self.floors) is not None
@@ -54,6 +59,8 @@ class Moving(Shifting):
             things = item.phrase.things()
             if source != Place():
                 things = with_place(things, source)
+            spared = tuple(msgspec.structs.replace(one, noun=one.noun or things.noun) for one in besides)
+            things = msgspec.structs.replace(things, beside=spared)
             if self._comes_beside(item, own, goal):
                 goal = msgspec.structs.replace(goal, relation="beside")
             out.append(Move(things=self._all_if_plural(things), place=goal, quote=quote))

@@ -96,6 +96,8 @@ class Outcomes(Sentence):
         item, items = self._from_where_all_are(items, item)
         goal, each = self._framed(self._shared_goal(items, item))
         phrase = item.phrase
+        if self._joins(item, goal):
+            goal = msgspec.structs.replace(goal, relation="beside")  # "one more chair to each table"
         if goal.relation == "above" and self.lexicon.is_loose(phrase.noun.words):
             goal = msgspec.structs.replace(goal, relation="on")  # "a blanket over the armchair"
         shared = item.places or not any(other.places for other in items)
@@ -127,6 +129,15 @@ class Outcomes(Sentence):
         if source != Place():
             things = with_place(things, self._framed((source, False))[0] if source.rooms is None else source)
         return Move(things=things, place=goal, or_new=source == Place() and not phrase.refers, quote=quote)
+
+    def _joins(self, item: Item, goal: Place) -> bool:
+        """Whether furniture comes ``to`` other furniture that it cannot stand on, and so beside it."""
+        noun = item.phrase.noun.words
+        holder = () if goal.anchor is None else tuple(goal.anchor.noun.split())
+        mark = next((p for p in item.places if p.place.anchor is not None and not p.source), None)
+        bare = mark is not None and self.text(mark.start) == "to" and goal.relation in ("on", "")
+        stands = bool(holder) and self.lexicon.stands(holder) and not self.lexicon.is_loose(noun)
+        return bare and stands and self.lexicon.stands(noun)
 
     def _from_where_all_are(self, items: Sequence[Item], item: Item) -> tuple[Item, Sequence[Item]]:
         """Return a thing of a list with the places of its last one, where all come from: ``A and B from C into D``."""

@@ -302,6 +302,9 @@ class Predicates(States, Colours, Ways):
             if rubbish:
                 gone = self._within_frame(item.things())
                 return [Remove(things=self._all_if_plural(gone), quote=self.quote(at, rubbish))], rubbish
+            exchanged = self._goes_for(item, place + 1, at) if word == "go" else None
+            if exchanged is not None:
+                return exchanged
             left = self.item(place + 1) if word == "leave" else None
             if left is not None and left.is_room:
                 gone = with_place(item.things(), Place(rooms=left.rooms()))
@@ -325,6 +328,22 @@ class Predicates(States, Colours, Ways):
             if places:
                 return [self._brought(item, places, self.quote(at, end))], end
         return None
+
+    def _goes_for(self, item: Item, at: int, start: int) -> tuple[list[Statement], int] | None:
+        """Read ``the armchair goes for a beanbag``: something new comes in its place.
+
+        Raises
+        ------
+        NotUnderstood
+            Where it goes for what is there: whether that moves too is not told.
+        """
+        new = self.phrase(at + 1) if self.text(at) == "for" else None
+        if new is None or new.noun.kind != "object" or new.noun.unknown or item.is_room:
+            return None
+        if new.definite or new.refers or new.amount.kind != "some":
+            raise NotUnderstood(start, new.end)
+        gone = self._all_if_plural(self._within_frame(item.things()))
+        return [Replace(things=gone, by=new.things(), quote=self.quote(start, new.end))], new.end
 
     def _ends_with_out(self, at: int) -> bool:
         """Whether a clause ends with ``out``: ``the desk and the chair go out``."""

@@ -420,6 +420,8 @@ class Sentence(ABC):
             if item.phrase.noun.kind == "object":
                 self.last_noun = item.phrase.noun
             return item
+        if not last.words:  # "replace it by a bigger one"
+            raise NotUnderstood(item.phrase.start, item.end)
         told = item.phrase.noun.words[:-1]
         words = (*told, last.words[-1]) if told else last.words
         if told and not self.lexicon.is_object(words):
@@ -475,11 +477,17 @@ class Sentence(ABC):
         if word in MODALS or word in PREDICATE_VERBS or turns:
             return True
         if word in STATE_WORDS:
-            nominal = word in ("on", "off") and self.phrase(at + 1) is not None
-            return not nominal
+            return not self.is_preposition(at)
         if word in ("switched", "turned", "left", "kept", "powered") and self.text(at + 1) in STATE_WORDS:
             return True
         return self._participle(at) is not None
+
+    def is_preposition(self, at: int) -> bool:
+        """Whether ``on`` or ``off`` begins a place, and is no state: ``on the desk``, ``on the upper floor``."""
+        if self.text(at) not in ("on", "off"):
+            return False
+        place = read_place(self.words, at, self.lexicon, self.floors)
+        return self.phrase(at + 1) is not None or (place is not None and place.end > at + 1)
 
     def bothers(self, at: int) -> bool:
         """Whether ``in the way`` stands at a place, which only says that something bothers."""
@@ -626,10 +634,13 @@ class Sentence(ABC):
         return self._all(things) if things.plural else things
 
     def _within_frame(self, things: Things) -> Things:
-        """Return things that are in the room that the sentence began with, where they are in no other."""
+        """Return things that are in the room that the sentence began with, where they are in no other.
+
+        A room of their own is on the storey that the sentence began with.
+        """
         rooms = self.frame.rooms
         own = things.place is not None and things.place.rooms is not None
-        return things if rooms is None or own else with_place(things, Place(rooms=rooms))
+        return things if rooms is None or (own and rooms.words) else with_place(things, Place(rooms=rooms))
 
     def _framed(self, goal: tuple[Place, bool]) -> tuple[Place, bool]:
         """Return a place with what the sentence began with."""

@@ -129,7 +129,7 @@ class States(RoomChanges, Turning):
             return [self._state_of([whole], whole, "on", (), quote, value=False)], stop
         if self.text(place) not in STATE_WORDS:
             return None
-        if self.text(place) in ("on", "off") and self.phrase(place + 1) is not None:
+        if self.is_preposition(place):
             return None
         state, value = STATE_WORDS[self.text(place)]
         where, stop = self.places(place + 1)

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import msgspec
 
-from mansion_editing.instructions.clauses.items import Item, joined_places
+from mansion_editing.instructions.clauses.items import Item, NotUnderstood, joined_places
 from mansion_editing.instructions.clauses.wanting import Lacks
 from mansion_editing.instructions.phrases.loads import end_of_load
 from mansion_editing.instructions.phrases.places import ReadPlace
@@ -222,6 +222,7 @@ class Subjects(Lacks):
                 return [*there, Clear(place=goal, spare=kept, quote=quote)], end
         spare: tuple[Things, ...] = ()
         place, spare = self.exceptions(place + (self.text(place) == "else"))
+        bare = place == at + 1
         while (
             self.text(place) in MODALS
             or self.text(place) in BE
@@ -229,6 +230,8 @@ class Subjects(Lacks):
         ):
             place += 1
         places, end = self.places(place)
+        if bare and place == at + 1 and self.follows and places:
+            raise NotUnderstood(at, end)  # "put two eggs in the fridge and nothing in the sink" empties nothing
         if not places:
             return None
         if not spare:

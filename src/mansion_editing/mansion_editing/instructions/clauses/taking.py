@@ -57,13 +57,22 @@ class Taking(Adding, Removing):
         if self.text(at) == "get":
             items = self.items(place)
             places = items[-1].places
-            leaving = self.comes_from_furniture(places) and self.text(places[0].start) in ("off", "out")
+            stated = self._states_after(items, items[-1].end, at) if self._are_known(items) else None
+            if stated is not None:
+                return stated
+            leaving = self._leaves(places) and self.text(places[0].start) in ("off", "out")
             kinds = {item.phrase.amount.kind for item in items}
-            known = all(item.phrase.definite or item.phrase.refers for item in items) or "all" in kinds
-            if leaving and known and not self._goes_on_with_it(items[-1].end):
-                return self._remove(at, place)
+            known = self._are_known(items) or "all" in kinds
+            end = items[-1].end
+            onward = self.text(end) in ("and", ",", "then") and bool(self.places(end + 1)[0])
+            if leaving and known and not self._goes_on_with_it(end):
+                return self._move(at, place) if onward else self._remove(at, place)
         source = self._fetched_from(at, place)
         return source or self._add(at, place)
+
+    def _are_known(self, items: Sequence[Item]) -> bool:
+        """Whether things are told as those that are there already."""
+        return all(item.phrase.definite or item.phrase.refers for item in items)
 
     def _fetched_from(self, at: int, place: int) -> tuple[list[Statement], int] | None:
         """Read ``fetch one of the mugs off the shelf in the kitchen and ... it``: the room is where the shelf is."""
@@ -81,6 +90,12 @@ class Taking(Adding, Removing):
             return self._taken_and_put(at, items, item.end)
         self.topic = item.things()
         return [Mention(quote=self.quote(at, item.end))], item.end
+
+    def _leaves(self, places: Sequence[ReadPlace]) -> bool:
+        """Whether places are furniture or a room that something comes from, and nothing that it goes to."""
+        rooms = places[0].place.rooms if len(places) == 1 and places[0].source else None
+        only_room = rooms is not None and bool(rooms.words) and places[0].place.anchor is None
+        return self.comes_from_furniture(places) or only_room
 
     def comes_from_furniture(self, places: Sequence[ReadPlace]) -> bool:
         """Whether places are furniture that something comes from, and at most the room which that is in."""

@@ -38,7 +38,13 @@ class TooMany(Outcomes):
         return self._told(at, item, place, after)
 
     def _has_too_many(self, at: int) -> tuple[list[Statement], int] | None:
-        """Read ``the art room has too many stools``."""
+        """Read ``the art room has too many stools``, ``we've got too many stools in the art room``."""
+        ours = self._past_our_having(at)
+        many = self._past_too_many(ours) if ours else 0
+        item = self.item(many) if many else None
+        if item is not None and not item.is_room:
+            place, end = self._where(item, item.end)
+            return self._told(at, item, place, end)
         owner = self.item(at)
         if owner is None or not owner.is_room or self.text(owner.end) not in _HAVING:
             return None
@@ -47,6 +53,15 @@ class TooMany(Outcomes):
         if item is None or item.is_room or item.places:
             return None
         return self._told(at, item, Place(rooms=owner.rooms()), item.end)
+
+    def _past_our_having(self, at: int) -> int:
+        """Return the place after ``we have``, ``we've got``; 0 where no such words stand there."""
+        if self.text(at) not in ("we", "i"):
+            return 0
+        end = at + 1
+        while self.text(end) in _HAVING:
+            end += 1
+        return end if end > at + 1 or self.words[at].raw.endswith("'ve") else 0
 
     def _not_so_many(self, at: int) -> tuple[list[Statement], int] | None:
         """Read ``we do not need six easels in the art room`` before ``four are enough``."""

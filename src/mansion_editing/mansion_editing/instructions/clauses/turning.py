@@ -1,5 +1,7 @@
 """Things that turn: by degrees, or to face something."""
 
+from typing import Final
+
 from mansion_editing.instructions.clauses.items import Item, NotUnderstood, joined_places
 from mansion_editing.instructions.clauses.outcomes import Outcomes
 from mansion_editing.instructions.phrases.places import ReadPlace, read_place, with_place
@@ -7,6 +9,10 @@ from mansion_editing.instructions.phrases.word_sets import TOWARDS
 from mansion_editing.instructions.statements import Statement, Turn
 
 __all__ = ["Turning"]
+
+_ROUND: Final = frozenset("around round about".split())
+_WHOLLY: Final = frozenset("right all the way completely fully".split())
+"""Words before ``around`` that a half turn is told by."""
 
 
 class Turning(Outcomes):
@@ -19,6 +25,9 @@ class Turning(Outcomes):
             raise NotUnderstood(at, self.boundary(at))
         where, end = self._places_before_turn(item)
         things = Item(item.phrase, where, end).things()
+        about = self._end_of_half_turn(end)
+        if about:
+            return [Turn(things=self._within_frame(things), degrees=180.0, quote=self.quote(at, about))], about
         while self.text(end) in ("by", "around", "through", "about", "round"):
             degrees = self._degrees(end + 1) or self._degrees(end + 2)
             if self.text(end) == "around" and degrees is None:
@@ -37,6 +46,23 @@ class Turning(Outcomes):
         if goal is None or goal.is_room:
             raise NotUnderstood(at, self.boundary(at))
         return [Turn(things=self._within_frame(things), facing=goal.things(), quote=self.quote(at, goal.end))], goal.end
+
+    def _end_of_half_turn(self, at: int) -> int:
+        """Return the end of ``right around so that it faces the other way``, ``the other way round``; 0 for others."""
+        end = at
+        while self.text(end) in _WHOLLY:
+            end += 1
+        turned = self.text(end) in _ROUND
+        end += turned
+        facing = end
+        while self.text(facing) in TOWARDS | {"look", "point", "and", "also"}:
+            facing += 1
+        facing += self.text(facing) == "the"
+        if self.text(facing) not in ("other", "opposite") or self.text(facing + 1) not in ("way", "direction"):
+            ends = turned and end > at + 1 and (end >= len(self.words) or self.words[end].kind == "mark")
+            return end if ends else 0
+        end = facing + 2
+        return end + (self.text(end) in _ROUND)
 
     def _places_before_turn(self, item: Item) -> tuple[tuple[ReadPlace, ...], int]:
         found: list[ReadPlace] = []

@@ -231,6 +231,8 @@ class Wishes(Subjects, Negations):
         """Read ``the nurse must be able to walk from the lobby to the lab``."""
         if self.text(at) in ("there", "make", "check", "ensure", "verify"):
             return None
+        if self.text(at) == "one" and self.text(at + 1) == "go":
+            return None  # "two chairs stay, one goes to the hall"
         subject = self.item(at)
         if subject is not None and subject.phrase.noun.kind == "object" and not self._is_way(subject.phrase):
             rolls = not subject.phrase.definite and subject.phrase.noun.words[-1] in ROLLING and not subject.places
@@ -301,6 +303,9 @@ class Wishes(Subjects, Negations):
         door = self._door_between(at, place)
         if door is not None:
             return door
+        painted = self._surface_wanted(at, place)
+        if painted is not None:
+            return painted
         if self.text(place) == "nothing":
             nothing = self._nothing(place)
             if nothing is not None:
@@ -353,6 +358,19 @@ class Wishes(Subjects, Negations):
             else:
                 out.append(self._added(items, each, self.quote(at, end)))
         return out, end
+
+    def _surface_wanted(self, at: int, place: int) -> tuple[list[Statement], int] | None:
+        """Read ``the walls in the study to be light green``, ``the floor of the hall in oak``."""
+        surface = self.surface(place)
+        if surface is None:
+            return None
+        end = surface[1] + (self.text(surface[1]) == "to")
+        while self.text(end) in ("be", "painted", "done", "look", "have"):
+            end += 1
+        colour = self.colour_at(end)
+        if colour is None:
+            return None
+        return self._painted(surface[0], colour[0], colour[1], self.quote(at, colour[2])), colour[2]
 
     def _points_at(self, at: int) -> bool:
         """Whether ``that`` belongs to a thing ("I want that lamp on the desk") and begins no clause."""

@@ -81,6 +81,8 @@ def carry(statement: Statement, state: SceneState, context: Context) -> Generato
     if isinstance(statement, Keep):
         if _is_bare(statement.things, state, context):
             return Done("nothing to leave as it was", context)
+        if statement.things.refers == "others" and not things_of(state, statement.things, context):
+            return Done("nothing else to leave as it was", context)
         kept = things_meant(state, statement.things, replace(context, kept=frozenset()))
         rooms = tuple(dict.fromkeys(item.room for item in kept))
         reply = f"{listed(kept)} left as {'it was' if len(kept) == 1 else 'they were'}"

@@ -1,7 +1,8 @@
 """Move, Swap and Turn: things that are there go to another place, or turn where they stand."""
 
 import math
-from collections.abc import Generator, Sequence
+from collections.abc import Generator, Sequence, Set
+from dataclasses import replace
 from typing import Any
 
 import msgspec
@@ -31,6 +32,7 @@ __all__ = ["facing_rotation", "move", "swap", "turn"]
 
 def move(statement: Move, state: SceneState, context: Context) -> Work:
     """Bring things that are there to a place; new ones only where words allow it and none is in the building."""
+    statement = _of_another(statement, context)
     things, place = statement.things, statement.place
     found = things_of(state, things, context)
     if place == Place():
@@ -47,7 +49,8 @@ def move(statement: Move, state: SceneState, context: Context) -> Work:
             none = f"there is no {thing_words(msgspec.structs.replace(things, definite=False))}"
             said = f"{none}, and {listed(arrived)} {_is([i.id for i in arrived])} there already"
             rooms = tuple(dict.fromkeys(item.room for item in arrived))
-            return Done(said, context.followed([item.id for item in arrived], rooms, things.noun))
+            after = context.followed([item.id for item in arrived], rooms, things.noun)
+            return Done(said, replace(after, assumed=frozenset(item.id for item in arrived)))
     place = at_home(state, things, place, context)
     place, context = _on_other_storey(state, things, place, context)
     targets = _targets(state, place, context, found if len(found) == 1 else ())
@@ -63,6 +66,7 @@ def move(statement: Move, state: SceneState, context: Context) -> Work:
         rooms = tuple(dict.fromkeys(item.room for item in found if item.id in there))
         return Done(said, context.followed(sorted(there), rooms, things.noun))
     chosen = _to_move(state, statement, away, targets, context)
+    _refuse_guesses(statement, chosen, reached, context)
     before = [(item, whereabouts(item).removeprefix("in ")) for item in chosen]
     ids: list[str] = []
     replies = []
@@ -73,7 +77,35 @@ def move(statement: Move, state: SceneState, context: Context) -> Work:
         name = item.id if new == item.id else f"{item.id} (now {new})"
         replies.append(f"{name} moved from {where} to {whereabouts(now).removeprefix('in ')}")
     rooms = tuple(dict.fromkeys(item.room for item in live(state, ids)))
+    source = tuple(dict.fromkeys(item.room for item in chosen))
+    context = context.followed((), source, "") if len(source) == 1 else context
     return Done("; ".join(replies), context.followed(ids, rooms, things.noun))
+
+
+def _refuse_guesses(statement: Move, chosen: list[SceneObject], reached: Set[str], context: Context) -> None:
+    """Refuse to move what is elsewhere than words say, and to bring one thing to each of several rooms.
+
+    Raises
+    ------
+    Unmet
+    """
+    things, rooms = statement.things, statement.place.rooms
+    assumed = [item for item in chosen if item.id in context.assumed and things.refers == "last"]
+    if assumed:
+        raise Unmet(f"{listed(assumed)} {_is([i.id for i in assumed])} elsewhere than was told: say which is meant")
+    own = things.place is not None and things.place.rooms == rooms
+    if rooms is not None and rooms.every and not own and len(chosen) < len(reached):
+        raise Unmet(f"{listed(chosen)} cannot go to each of {len(reached)} rooms: say what goes where")
+
+
+def _of_another(statement: Move, context: Context) -> Move:
+    """Return ``another one`` after some went as one of those that are still where these came from."""
+    things = statement.things
+    if things.amount.kind != "more" or things.place is not None or things.refers or not context.earlier:
+        return statement
+    source = Place(rooms=Rooms(words=context.earlier[-1]))
+    other = msgspec.structs.replace(things, amount=Amount(number=things.amount.number), place=source)
+    return msgspec.structs.replace(statement, things=other)
 
 
 def _of_own_room(item: SceneObject, statement: Move, targets: list[Target]) -> list[Target]:

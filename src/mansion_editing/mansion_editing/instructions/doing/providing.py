@@ -1,8 +1,9 @@
 """Add, Ensure and Replace: new things where words want them, with the fewest of them."""
 
+import re
 from collections.abc import Generator, Sequence, Set
 from dataclasses import replace
-from typing import Any
+from typing import Any, Final
 
 import msgspec
 
@@ -37,6 +38,9 @@ __all__ = ["add", "at_target", "ensure", "place_at", "replace_things", "wishes_o
 
 MOST_NEW = 100
 """Greatest number of new things of a kind for one place."""
+
+_WHOLE: Final = re.compile(r"\b(all|each|every|any|both|whatever)\b", re.IGNORECASE)
+"""Words for things of which each is replaced by one; ``the two chairs`` are replaced by ``a bench`` together."""
 
 Made = Generator[Action, Outcome, list[str]]
 """Ends with the ids of new objects."""
@@ -213,6 +217,8 @@ def _new_carrier(place: Place, state: SceneState, context: Context) -> Generator
     anchor = place.anchor
     known = place.rooms is not None and len(rooms_of(state, place.rooms, context)) == 1
     told = anchor is not None and anchor.definite and not (known and place.relation in ("on", "in"))
+    told = told or (anchor is not None and anchor.definite and _is_another_there(anchor, place, state, context))
+    told = told or (anchor is not None and anchor.each)
     if anchor is None or told or anchor.refers or "/" in anchor.noun or place.relation == "between":
         raise Unmet(
             f"there is nothing {place_words(place)}" if anchor is None else f"there is no {_kind(anchor, place)}"
@@ -227,6 +233,13 @@ def _new_carrier(place: Place, state: SceneState, context: Context) -> Generator
     made = yield from furnish(ObjectDescription(anchor.noun, 1, anchor.colour), Scope("room", "", rooms), state)
     item = live(state, [made])[0]
     return Target(item.room, item)
+
+
+def _is_another_there(anchor: Things, place: Place, state: SceneState, context: Context) -> bool:
+    """Whether a room has such furniture, only not as words tell it: its table is not ``the table by the window``."""
+    alike = Things(noun=anchor.noun, amount=Amount(kind="all", number=0), plural=True, place=Place(rooms=place.rooms))
+    told = anchor.place is not None or anchor.colour or anchor.material or anchor.ordinal or anchor.size
+    return bool(told) and bool(things_of(state, alike, context))
 
 
 def _kind(anchor: Things, place: Place) -> str:
@@ -418,7 +431,8 @@ def replace_things(statement: Replace, state: SceneState, context: Context) -> W
     """Take things away and put new ones where they stood."""
     olds = things_meant(state, statement.things, context)
     by = statement.by
-    one_by_one = by.plural or statement.things.amount.kind == "all" or len(olds) == 1
+    each = bool(_WHOLE.search(statement.quote)) or len({old.room for old in olds}) > 1
+    one_by_one = by.plural or len(olds) == 1 or (statement.things.amount.kind == "all" and each)
     number = new_number(by) if by.amount.number > 1 or not one_by_one else len(olds)
     gone: list[str] = []
     made: list[str] = []

@@ -45,8 +45,9 @@ def live(state: SceneState, ids: Iterable[str]) -> list[SceneObject]:
 
 
 def whereabouts(item: SceneObject) -> str:
-    """Return where an object is: on or in what, and in which room."""
+    """Return where an object is: on, in or under what, and in which room."""
     if item.parent is not None:
-        return f"{'in' if item.mount == 'inside' else 'on'} {item.parent}"
+        relation = {"inside": "in", "floor": "under"}.get(item.mount, "on")
+        return f"{relation} {item.parent}"
     hangs = {"wall": "on a wall in ", "ceiling": "on the ceiling in "}.get(item.mount, "in ")
     return f"{hangs}{item.room}"

@@ -220,7 +220,8 @@ def _the_one(
     preferred = [item for item in found if prefer is not None and prefer(item)]
     if len(found) > 1 and len({item.room for item in found}) == 1 and _names_lights(things):
         return [item for item in found if item.mount == "ceiling"] or found
-    here = [item for item in found if item.room in context.rooms]
+    near = context.nearest([item.room for item in found])
+    here = [item for item in found if item.room in near]
     found = preferred if len(preferred) == 1 else here if len(here) == 1 else found
     if len(found) > 1:
         raise ambiguous(thing_words(things), [title_of(None, item) for item in found], [item.id for item in found])

@@ -29,6 +29,11 @@ class Context:
     holders : tuple of str
         Ids of what was mentioned last to put things on, in or under, or to take them from; where it is empty, that is
         what carries `things`.
+    assumed : frozenset of str
+        Ids of things that are where others, which are not where they were told to be, shall go: taken for those that
+        went there before.
+    earlier : tuple of str
+        Ids of single rooms that were mentioned before `rooms`, the last one last.
     """
 
     things: tuple[str, ...] = ()
@@ -36,18 +41,29 @@ class Context:
     noun: str = ""
     kept: frozenset[str] = frozenset()
     holders: tuple[str, ...] = ()
+    assumed: frozenset[str] = frozenset()
+    earlier: tuple[str, ...] = ()
 
     def followed(
         self, things: Sequence[str], rooms: Sequence[str], noun: str, holders: Sequence[str] = ()
     ) -> "Context":
         """Return the context after something else was mentioned; what was not stays."""
+        left = self.rooms if rooms and len(self.rooms) == 1 and tuple(rooms) != self.rooms else ()
         return Context(
             tuple(things) or self.things,
             tuple(rooms) or self.rooms,
             noun or self.noun,
             self.kept,
             tuple(holders) or (() if things else self.holders),
+            self.assumed,
+            (*self.earlier, *left),
         )
+
+    def nearest(self, rooms: Sequence[str]) -> frozenset[str]:
+        """Return the room, of several that are candidates, that was mentioned last; all of `rooms` where none was."""
+        here = frozenset(rooms) & frozenset(self.rooms)
+        before = next((room for room in reversed(self.earlier) if room in rooms), None)
+        return here or (frozenset(rooms) if before is None else frozenset([before]))
 
 
 def ambiguous(words: str, candidates: Sequence[str], ids: Sequence[str]) -> Ambiguous:

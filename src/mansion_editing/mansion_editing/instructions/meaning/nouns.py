@@ -7,6 +7,7 @@ from typing import Final
 
 from mansion_assets.catalogue.vocabulary import stems, vocabulary_of
 from mansion_editing.instructions.phrases.lexicon import LIGHTS
+from mansion_editing.instructions.phrases.nouns import HOLDERS
 from mansion_editing.state import SceneState
 from mansion_language.colours import COLOUR_WORDS, colour_of
 from mansion_msgs_py.scene import SceneObject
@@ -151,8 +152,11 @@ def called(state: SceneState, items: Iterable[SceneObject], noun: str, *, many: 
         alike = [item for item in alike if item.mount != "ceiling"] or alike
     if not alike and words:
         vocabulary = vocabulary_of(state.catalogue)
-        synonymous = vocabulary.synonymous(stems(noun)) or vocabulary.ending(stems(noun))
+        holder = words in HOLDERS and words.replace(" ", "_") in vocabulary.exact(stems(noun))  # no yogurt cups
+        synonymous = vocabulary.synonymous(stems(noun)) or ([] if holder else vocabulary.ending(stems(noun)))
         alike = [item for item in pool if item.category in synonymous]
+    if not alike and words:
+        alike = _by_another_name(state, pool, noun)
     if not alike and words in _AT_BEDS:
         alike = [item for item in pool if item.category == "side_table" and _sleeps_in(state, item.room)]
     if alike and not many:
@@ -161,6 +165,20 @@ def called(state: SceneState, items: Iterable[SceneObject], noun: str, *, many: 
     if alike or vocabulary_of(state.catalogue).nouns(noun):
         return alike
     return [item for item in pool if ranks[item.id] == 1]
+
+
+def _by_another_name(state: SceneState, pool: Iterable[SceneObject], noun: str) -> list[SceneObject]:
+    """Return what the other names of a kind, of one word each, mean: the telly is the TV, and so is one on the wall."""
+    vocabulary = vocabulary_of(state.catalogue)
+    names = {
+        name
+        for kind in vocabulary.exact(stems(noun))
+        for asset in state.catalogue.by_category(kind)[:1]
+        for name in asset.synonyms
+        if " " not in name
+    }
+    kinds = {kind for name in names for kind in vocabulary.nouns(name)}
+    return [item for item in pool if item.category in kinds]
 
 
 def _sleeps_in(state: SceneState, room: str) -> bool:

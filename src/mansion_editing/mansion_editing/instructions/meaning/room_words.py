@@ -8,7 +8,7 @@ from shapely import Polygon
 
 from mansion_assets.catalogue.vocabulary import stems
 from mansion_editing.state import SceneState
-from mansion_knowledge import interchangeable_names
+from mansion_knowledge import default_knowledge, interchangeable_names
 from mansion_msgs_py.scene import SceneRoom
 
 __all__ = ["adjoining", "best_named", "room_order", "room_title"]
@@ -66,7 +66,8 @@ def _rank(room: SceneRoom, name: str, number: str | None) -> int:
     bare = tuple(word for word in wanted if word != "room")
     if bare and bare == tuple(word for word in kind if word != "room"):
         return 4
-    if _is_synonym(wanted, kind) or any(_is_synonym(wanted, text) for text in own):
+    other = wanted in _names_of_kind(room.room_type)
+    if other or _is_synonym(wanted, kind) or any(_is_synonym(wanted, text) for text in own):
         return 3
     if bare and (kind[-len(bare) :] == bare or any(text[-len(bare) :] == bare for text in own)):
         return 2
@@ -89,6 +90,13 @@ def _names_like(wanted: tuple[str, ...]) -> frozenset[tuple[str, ...]]:
     groups = interchangeable_names()
     group = groups.get(" ".join(wanted)) or next((names for name, names in groups.items() if stems(name) == wanted), ())
     return frozenset(stems(name) for name in group)
+
+
+@lru_cache(maxsize=512)
+def _names_of_kind(room_type: str) -> frozenset[tuple[str, ...]]:
+    """Return the other names of a kind of room, in stems: an operating theatre is an operating room."""
+    entry = default_knowledge().rooms.get(room_type)
+    return frozenset() if entry is None else frozenset(stems(name) for name in entry.synonyms)
 
 
 def room_order(room: SceneRoom) -> tuple[str, ...]:

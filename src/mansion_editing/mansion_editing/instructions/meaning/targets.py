@@ -111,7 +111,8 @@ def _alike(
     last = [item for item in found if item.id in context.things]
     if last:
         return last if place.relation in ("on", "in") else last[:1]
-    found = [item for item in found if item.room in context.rooms] or found
+    near = context.nearest([item.room for item in found])
+    found = [item for item in found if item.room in near]
     own = {item.id for item in found if _is_of_its_room(state, item, anchor.noun)}
     found = [item for item in found if item.id in own] or found
     kinds = {(item.room, item.category) for item in found}

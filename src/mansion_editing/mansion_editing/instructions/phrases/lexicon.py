@@ -8,7 +8,7 @@ from mansion_assets.catalogue.vocabulary import stems, vocabulary_of
 from mansion_editing.instructions.phrases.verb_words import VERB_WORDS
 from mansion_editing.instructions.phrases.words import FUNCTION_WORDS, VAGUE
 from mansion_editing.state import SceneState
-from mansion_knowledge import interchangeable_names
+from mansion_knowledge import default_knowledge, interchangeable_names
 from mansion_knowledge.common_words import common_words
 from mansion_language.spelling import Speller
 
@@ -61,7 +61,9 @@ class Lexicon:
 
     @cached_property
     def _room_names(self) -> frozenset[tuple[str, ...]]:
-        return self._whole_room_names | {name[:-1] for name in self._whole_room_names if _may_be_shortened(name)}
+        shortened = {name[:-1] for name in self._whole_room_names if _may_be_shortened(name)}
+        kinds = {room.room_type for _, room in self._state.rooms()}
+        return self._whole_room_names | shortened | {name for kind in kinds for name in _names_of_kind(kind)}
 
     @cached_property
     def _whole_room_names(self) -> frozenset[tuple[str, ...]]:
@@ -78,6 +80,11 @@ class Lexicon:
     def is_own_room(self, words: tuple[str, ...]) -> bool:
         """Whether words name a room that this building has."""
         return words in self._room_names
+
+    def means_own_room(self, words: tuple[str, ...]) -> bool:
+        """Whether words name a room that this building has, or are what people say for the name of one: the loo."""
+        names = interchangeable_names().get(" ".join(words), ())
+        return self.is_own_room(words) or any(self.is_own_room(stems(name)) for name in names)
 
     def is_short_for_room(self, words: tuple[str, ...]) -> bool:
         """Whether words name a room only without their last one, and may mean a thing: the computer (room)."""
@@ -206,6 +213,12 @@ def _names_of_rooms(state: SceneState) -> Iterator[tuple[str, ...]]:
             yield name
             if len(name) > 1 and name[-1].isdecimal():
                 yield name[:-1]
+
+
+def _names_of_kind(room_type: str) -> frozenset[tuple[str, ...]]:
+    """Return the other names of several words of a kind of room; a single word may name a thing as well."""
+    entry = default_knowledge().rooms.get(room_type)
+    return frozenset() if entry is None else frozenset(stems(name) for name in entry.synonyms if " " in name)
 
 
 def _may_be_shortened(name: tuple[str, ...]) -> bool:

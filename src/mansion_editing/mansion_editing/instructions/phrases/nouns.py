@@ -10,7 +10,7 @@ from mansion_editing.instructions.phrases.runs import SHADES, end_of_run
 from mansion_editing.instructions.phrases.words import ADVERBS, PERSONS, STATE_WORDS, VAGUE, Word
 from mansion_language.colours import COLOUR_WORDS
 
-__all__ = ["MATERIALS", "Noun", "read_noun"]
+__all__ = ["HOLDERS", "MATERIALS", "Noun", "read_noun"]
 
 MATERIALS: Final = {
     "wooden": "wood", "wood": "wood", "oak": "wood", "metal": "metal", "steel": "metal", "leather": "leather",
@@ -23,11 +23,11 @@ MATERIALS: Final = {
 """Words for materials, and the family that a palette has for each."""
 
 
-_HOLDERS: Final = frozenset(
+HOLDERS: Final = frozenset(
     "cup mug glass bottle can bowl plate jar box bag basket carton pot jug tin tray vase packet loaf slice bunch stack "
     "pile pair piece set couple row group roll".split()
 )
-
+"""Words by which what something holds, or is a number of, may be named: a cup of yogurt."""
 
 _COLLECTIONS: Final = frozenset("loaf slice bunch stack pile pair piece set couple row group roll".split())
 
@@ -84,7 +84,7 @@ def read_noun(words: Sequence[Word], start: int, end: int, lexicon: Lexicon) -> 
 def _of_phrase(words: Sequence[Word], run: list[Word], of: int, lexicon: Lexicon) -> tuple[Noun | None, int] | None:
     """Read ``cup of coffee``, ``vase of flowers``, ``bottle of wine``, ``pile of books``."""
     head = run[-1]
-    if head.text not in _HOLDERS:
+    if head.text not in HOLDERS:
         return None
     stop = end_of_run(words, of + 1, lexicon)
     tail = [w for w in words[of + 1 : stop] if w.text not in VAGUE]
@@ -203,7 +203,7 @@ def _owner(rest: list[Word], lexicon: Lexicon) -> tuple[str, tuple[str, ...]]:
         return " ".join(texts), ()
     if len(texts) > 1 and texts[-1].isdecimal() and lexicon.is_room(texts[:-1]):
         return " ".join(texts), ()
-    if lexicon.is_object(texts):
+    if lexicon.is_object(texts) and lexicon.is_here(" ".join(texts)):
         return " ".join(texts), ()
     if len(texts) == 1 and lexicon.is_own_room((*texts, "room")):
         return f"{texts[0]} room", ()  # "every guest bed"

@@ -151,6 +151,8 @@ def _unbracketed(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Seque
         if text_at(words, at + 1) in _EXISTENCE or words[at].raw in ("there's", "theres"):
             return None
         return ReadPlace(Place(rooms=Rooms(same=True)), at, at + 1, goal=onwards)
+    if text_at(words, at) == "everywhere" and text_at(words, at + 1) != "else":
+        return ReadPlace(Place(rooms=Rooms(every=True)), at, at + 1)
     if text_at(words, at) in ("upstairs", "downstairs") or (at < len(words) and words[at].kind == "level"):
         return _storey(words, at, at, floors)
     if text_at(words, at) in ("ground", "first", "second", "third", "top") or (
@@ -424,7 +426,7 @@ def _at_noun(
         return ReadPlace(Place(rooms=Rooms(words=noun.owned), spot=spot), start, target.end, goal, source)
     inward = relation in ("in", "") or phrase[0] in ("at", "throughout", "across")
     inward = inward or (relation in ("above", "under") and text_at(words, start - 1) == "room")
-    room = noun.kind == "room" or (noun.kind == "both" and inward and lexicon.is_own_room(noun.words))
+    room = noun.kind == "room" or (noun.kind == "both" and inward and lexicon.means_own_room(noun.words))
     if (
         noun.kind == "both"
         and not inward

@@ -26,6 +26,7 @@ _MONTHS: Final = frozenset("january february march april june july august septem
 _SPANS: Final = frozenset("week month year term semester season weekend morning afternoon evening night".split())
 _MOMENTS: Final = frozenset("tomorrow today tonight noon midnight".split())
 _WHICH: Final = frozenset("next this coming following".split())
+_DURING: Final = frozenset("for over during through throughout".split())
 _SINCE: Final = frozenset("from starting until till by".split())
 _OWNERS: Final = frozenset("the my our your his her their".split())
 _KIN: Final = frozenset(
@@ -93,6 +94,8 @@ def _end_of_time(words: Sequence[Word], at: int) -> int:
         place += 2
     elif text_at(words, place) in _SINCE:
         place += 1 + (text_at(words, place + 1) in ("from", "with"))
+    elif text_at(words, place) in _DURING and text_at(words, place + 1) in ("the", *_WHICH) and place:
+        return place + 3 if text_at(words, place + 2) in _SPANS and _ends(words, place + 3) else 0
     else:
         return 0
     which = text_at(words, place) in _WHICH

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import takewhile
 from typing import Final
 
 from mansion_editing.instructions.phrases.words import DETERMINERS, PREPOSITIONS, PRONOUNS, Word, next_mark, text_at
@@ -19,6 +20,7 @@ _PHRASES: Final[dict[tuple[str, ...], tuple[str, ...]]] = {
     ("for", "that", "reason"): ("so",),
     ("in", "between"): ("between",),
     ("must", "to", "be"): ("must", "be"),
+    ("need", "to", "go"): ("must", "go"),
     ("should", "to", "be"): ("should", "be"),
     ("not", "need", "no", "more"): ("not", "need", "anymore"),
     ("not", "needed", "no", "more"): ("not", "needed", "anymore"),
@@ -113,6 +115,9 @@ _LATER: Final = frozenset("afterwards afterward".split())
 _LONGEST: Final = max(map(len, _PHRASES))
 _TURNING: Final = frozenset("switch turn power".split())
 _OUT: Final = frozenset("in into on onto".split())
+_GETTING: Final = frozenset("get set".split())
+_GOING: Final = frozenset("going started working".split())
+_OBLIGING: Final = frozenset("must should shall has have needs need".split())
 _RESTING: Final = frozenset("sit stand lie hang".split())
 _ARTICLES: Final = frozenset("the a an my our".split())
 _CARRYING: Final = frozenset("carry bring take move get put".split())
@@ -120,7 +125,7 @@ _CARRYING: Final = frozenset("carry bring take move get put".split())
 
 def reworded(words: Sequence[Word]) -> list[Word]:
     """Return words with set phrases as their plain equivalents; each new word stands where the phrase stood."""
-    words = _exceptions_first(words)
+    words = _in_running_order(_half_dozens(_exceptions_that_stay(_exceptions_first(_excepting(words)))))
     out: list[Word] = []
     at = 0
     while at < len(words):
@@ -174,11 +179,16 @@ def _end_of_order(words: Sequence[Word], at: int) -> int:
 
 
 def _exceptions_first(words: Sequence[Word]) -> Sequence[Word]:
-    """Return ``all but one of the bags in the hall`` for ``all bags in the hall but one``."""
+    """Return ``all but one of the bags in the hall`` for ``all bags in the hall but one``, ``..., except for one``."""
     for at in range(2, len(words) - 1):
-        number = text_at(words, at + 1)
-        if words[at].text != "but" or number not in _FEW or not _is_edge(words, 0, at + 2):
+        said = (text_at(words, at), text_at(words, at + 1))
+        length = 2 if said in (("except", "for"), ("apart", "from"), ("save", "for")) else said[0] in ("but", "except")
+        number = text_at(words, at + length)
+        if not length or number not in _FEW or not _is_edge(words, 0, at + length + 1):
             continue
+        joined = text_at(words, at - 1) == ","
+        words = [*words[: at - joined], replace(words[at], text="but"), *words[at + length :]]
+        at -= joined
         start = next(
             (k for k in range(at - 2, -1, -1) if words[k].text in ("all", "every") or words[k].kind == "mark"), -1
         )
@@ -189,6 +199,72 @@ def _exceptions_first(words: Sequence[Word]) -> Sequence[Word]:
         joint = [replace(words[at + 1], text=text, raw=text) for text in (("of", "the") if bare else ("of",))]
         return [*words[: start + 1], *words[at : at + 2], *joint, *words[after:at], *words[at + 2 :]]
     return words
+
+
+def _exceptions_that_stay(words: Sequence[Word]) -> Sequence[Word]:
+    """Return ``except the lamp, the lamp must stay on`` for ``except the lamp, which must stay on``."""
+    for at in range(2, len(words) - 1):
+        verb = at + 1 + (text_at(words, at + 1) in _OBLIGING) + (text_at(words, at + 2) == "to")
+        if words[at].text not in ("which", "that") or text_at(words, verb) not in ("stay", "remain"):
+            continue
+        end = at - (words[at - 1].text == ",")
+        start = next((k for k in range(end - 1, 0, -1) if words[k].kind == "mark" or _excepts(words, k)), 0)
+        spared = words[start:end]
+        if start and spared and spared[0].text in DETERMINERS and _excepts(words, start):
+            comma = replace(words[at], text=",", raw=",", kind="mark", start=words[end - 1].end, end=words[end - 1].end)
+            return [*words[:end], comma, *spared, *words[at + 1 :]]
+    return words
+
+
+def _excepting(words: Sequence[Word]) -> Sequence[Word]:
+    """Return ``all chairs except those at the table`` for ``all chairs which are not at the table``."""
+    out: list[Word] = []
+    at = 0
+    while at < len(words):
+        contracted = text_at(words, at + 1) == "not" and words[at + 1].raw != "not"
+        denied = at + 2 - contracted
+        told = text_at(words, at) in ("which", "that") and text_at(words, denied) == "not"
+        clause = {word.text for word in takewhile(lambda word: word.kind != "mark", reversed(out))}
+        whole = clause & {"all", "every", "each"}
+        being = contracted or text_at(words, at + 1) in ("is", "are")
+        if not (told and whole and being and text_at(words, denied + 1) in ("on", "in", "at", "under", "by", "inside")):
+            out.append(words[at])
+            at += 1
+            continue
+        out += _in_place_of(words[at : denied + 1], ("except", "those"))
+        at = denied + 1
+    return out
+
+
+def _excepts(words: Sequence[Word], at: int) -> bool:
+    """Whether the words before a place begin an exception."""
+    return text_at(words, at - 1) in ("except", "but", "excluding", "besides") or (
+        (text_at(words, at - 2), text_at(words, at - 1))
+        in (("apart", "from"), ("aside", "from"), ("except", "for"), ("save", "for"), ("other", "than"))
+    )
+
+
+def _half_dozens(words: Sequence[Word]) -> Sequence[Word]:
+    """Return ``six mugs`` for ``half a dozen mugs``, ``a half dozen mugs``."""
+    out: list[Word] = []
+    for word in words:
+        before = [other.text for other in out[-2:]]
+        half = 2 if before in (["half", "a"], ["a", "half"]) else 1 if before[-1:] == ["half"] else 0
+        if word.text != "dozen" or not half:
+            out.append(word)
+            continue
+        out[-half:] = [replace(word, text="six", raw="six", kind="number", value=6.0, start=out[-half].start)]
+    return out
+
+
+def _in_running_order(words: Sequence[Word]) -> Sequence[Word]:
+    """Return ``get the fan running`` for ``get the fan going``, ``get the fan started``."""
+    out = list(words)
+    for at, word in enumerate(words):
+        get = next((k for k in range(at - 1, -1, -1) if words[k].kind == "mark" or words[k].text in _GETTING), -1)
+        if word.raw in _GOING and get >= 0 and text_at(words, get + 1) in DETERMINERS | PRONOUNS and at > get + 1:
+            out[at] = replace(word, text="running", raw="running")
+    return out
 
 
 def _in_place_of(phrase: Sequence[Word], texts: Sequence[str]) -> list[Word]:

@@ -36,7 +36,8 @@ ENDS_RUN: Final = (
         "not there please to thanks it them i we you she he they do than because since switched turned powered "
         "painted removed gone moved taken brought carried replaced empty emptied cleared closed shut opened open "
         "running lit already too instead again "
-        "somewhere anywhere here now also as if so that facing exactly which upstairs downstairs each both all every "
+        "somewhere anywhere everywhere here now also as if so that facing exactly which upstairs downstairs each both "
+        "all every "
         "ajar deleted reachable accessible where belong sit lie apart rather wherever whose whatever died broke fell "
         "short away does did come look seem anew afresh want visible go disappear vanish put exceed trade untouched "
         "alone starting next either if unless half closer nearer further farther forward forwards backward backwards "
@@ -143,7 +144,8 @@ def _starts_noun(words: Sequence[Word], end: int, at: int, lexicon: Lexicon) -> 
 
 def _is_last_of_run(words: Sequence[Word], end: int, at: int, lexicon: Lexicon) -> bool:
     """Whether ``one`` stands for a noun ("the red one"), and does not begin the next phrase ("the sofa one more")."""
-    return not _is_named(words, at, end, lexicon) and not _starts_noun(words, end + 1, end + 1, lexicon)
+    named = words[end - 1].text not in COLOUR_WORDS and _is_named(words, at, end, lexicon)
+    return not named and not _starts_noun(words, end + 1, end + 1, lexicon)
 
 
 def _ends_before_verb(words: Sequence[Word], end: int, at: int, lexicon: Lexicon) -> bool:
@@ -166,6 +168,8 @@ def _names_number(words: Sequence[Word], end: int, lexicon: Lexicon, at: int) ->
     called = own and text_at(words, at - 1) == "the" and lexicon.is_own_room((*before, word.raw))
     if called and following is not None and lexicon.is_object((following.text,)):
         return True  # "the bedroom 2 dresser"
+    shaded = text_at(words, end + 1) in SHADES and text_at(words, end + 2) in COLOUR_WORDS
     counts = following is not None and (following.kind == "unit" or lexicon.is_object((following.text,)))
+    counts = counts and not shaded
     ends = own or following is None or following.kind == "mark" or following.text in PREPOSITIONS
     return rooms and ends and not counts

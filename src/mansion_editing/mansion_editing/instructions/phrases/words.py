@@ -126,7 +126,9 @@ VAGUE: Final = frozenset(
     "bright stylish random correct appropriate several whole entire more other further free available ripe "
     "unused used broken cold chilled cool iced refrigerated favourite favorite old-fashioned possible actual "
     "round rectangular particular required necessary freestanding stray second-hand visible "
-    "matching useless unneeded unnecessary remaining respective".split()
+    "matching useless unneeded unnecessary remaining respective "
+    "awful ugly horrible hideous terrible dreadful ghastly nasty tacky silly stupid damn bloody wretched boring "
+    "folded gorgeous wonderful charming favourite precious trusty".split()
 )
 BREAKS: Final = frozenset([",", ";", ".", ":", "!", "?", "\n", "-", "(", ")", '"', "*", "/", "=", "#", "|", "[", "]"])
 FUNCTION_WORDS: Final = (

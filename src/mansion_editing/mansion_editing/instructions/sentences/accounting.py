@@ -125,7 +125,10 @@ def _is_left_out(said: Sequence[Word], at: int, group: Sequence[Statement], told
         several = told.flags & {"each", "every"} or told.kinds & {"all", "all_but", "none", "half"}
         return not (several or (text == "both" and (2.0 in told.numbers or len(group) > 1)) or len(group) > 1)
     if text in _OTHERS:
-        return not (told.flags & {"others", "spare"} or told.kinds & {"all_but", "more", "exactly", "half"})
+        turned = text_at(said, at + 1) in ("way", "direction") and 180.0 in told.numbers
+        return not turned and not (
+            told.flags & {"others", "spare"} or told.kinds & {"all_but", "more", "exactly", "half"}
+        )
     if text in COLOUR_WORDS:
         return COLOUR_WORDS[text] not in told.words and text not in SHADES
     if text in ("off", "open", "closed", "shut") and word.kind == "word":

@@ -41,7 +41,13 @@ _FORMS_OF_WHERE: Final = (
     rf"(?:but )?(?:not|except) {_WHERE_ONE_IS}",
     rf"(?:but )?(?:do )?not (?:add|put|place|bring|give) {_SECOND} {_WHERE_ONE_IS}",
 )
+_THEIRS: Final = (
+    r"(?:(?:the )?{noun}(?: (?:number )?\d+)?(?:(?: and| ,|,)? (?:{noun} )?\d+)*|some|most|{those}|it|they)"
+    r"(?: of them)?(?: already)? (?:have|has)(?: got)?"
+    r" (?:theirs|(?:its|the|their) own(?: one)?|one of (?:its|the|their) own)(?: already| there)*"
+).replace("{those}", _THOSE)
 _FORMS_OF_WHICH: Final = (
+    _THEIRS,
     rf"(?:leave|skip|spare|omit) {_THOSE} {_HAVING}{_AS_IT_IS}",
     rf"{_THOSE} {_HAVING} (?:(?:can |may |should )?(?:stay|remain){_AS_IT_IS}|(?:is|are) fine|{_NONE_MORE})",
 )

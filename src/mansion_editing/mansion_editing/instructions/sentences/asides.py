@@ -6,29 +6,43 @@ from typing import Any, Final
 
 import msgspec
 
+from mansion_editing.instructions.clauses.items import Item
 from mansion_editing.instructions.clauses.outcomes import everything_at
 from mansion_editing.instructions.clauses.reader import ClauseReader
 from mansion_editing.instructions.phrases.verbs import verb_at
-from mansion_editing.instructions.phrases.word_sets import PEOPLE, RELATIVES, TELLING_WHERE
-from mansion_editing.instructions.phrases.words import PERSONS, Word
+from mansion_editing.instructions.phrases.word_sets import BEFORE_VERBS, PEOPLE, RELATIVES, TELLING_WHERE
+from mansion_editing.instructions.phrases.words import BE, MODALS, PERSONS, Word, text_at
 from mansion_editing.instructions.sentences.already_there import spares_those_with_one
 from mansion_editing.instructions.sentences.bystanding import (
     asks_for_nothing,
     begins_with_state,
     fills_gaps,
+    gives_up_room,
     is_exclamation,
     is_habit,
     is_purpose,
     is_regret,
     is_rhetorical,
+    lacks_a_place,
     needs_the_space,
     stands_wrong,
+    tells_whose,
 )
 from mansion_editing.instructions.sentences.circumstances import is_circumstance
 from mansion_editing.instructions.sentences.lacking import given_where_none_is
 from mansion_editing.instructions.sentences.progress import Progress
 from mansion_editing.instructions.sentences.taking_up import listed_in, with_list_for_pronoun
-from mansion_editing.instructions.statements import Add, Amount, Ensure, Mention, Place, Remove, Statement, Things
+from mansion_editing.instructions.statements import (
+    Add,
+    Amount,
+    Ensure,
+    Mention,
+    Place,
+    Remove,
+    Rooms,
+    Statement,
+    Things,
+)
 
 __all__ = ["Asides"]
 
@@ -40,6 +54,9 @@ _RELATIVE: Final = frozenset("where which whose".split())
 _EXCEPTING: Final = frozenset("apart except excluding save besides without but not unless".split())
 """Words that begin an exception, which is no remark whatever follows."""
 
+_ALIKE: Final = frozenset("neither nor likewise same ditto".split())
+"""Words that ask the same of something else: ``neither is the notebook``."""
+
 _MOST_CUTS: Final = 8
 """In longer sentences only beginnings and ends are tried."""
 
@@ -50,7 +67,7 @@ _TAKING_UP: Final = frozenset("it its them they one there that this those these 
 """Words by which a sentence goes on with what the one before it told of."""
 
 
-_TELLING_OF_ONE: Final = frozenset("one another second".split())
+_TELLING_OF_ONE: Final = frozenset("one another second theirs own".split())
 """Words without which nothing is said of what has one already."""
 
 
@@ -79,6 +96,9 @@ class Asides(Progress):
             The sentence after it, which may go on with what this one tells of.
         """
         first = self._so_far()
+        if self._gives_up_what_becomes_another(words, later):
+            self._pass_over(words, later)
+            return
         self._read_sentence(words, marked=marked)
         if len(self.unknown) == len(first["unknown"]) or self.undecided:
             return
@@ -121,6 +141,13 @@ class Asides(Progress):
                 return
         self._go_back(whole)
 
+    def _gives_up_what_becomes_another(self, words: Sequence[Word], later: Sequence[Word]) -> bool:
+        """Whether a room is told to be needed no longer before ``turn it into an office``."""
+        verb = verb_at(later, 0, self.lexicon)
+        if verb is None or verb[0] not in ("furnish", "switch", "make", "change"):
+            return False
+        return text_at(later, verb[1]) in ("it", "that", "this") and gives_up_room(_trimmed(words), self.lexicon)
+
     def _stands_wrong(self, words: Sequence[Word], later: Sequence[Word]) -> bool:
         """Whether words only tell why something shall be turned or moved: ``it is the wrong way round``."""
         subject = stands_wrong(_trimmed(words))
@@ -138,7 +165,9 @@ class Asides(Progress):
         words = _trimmed(words)
         if words and (words[0].text in _RELATIVE | _EXCEPTING or begins_with_state(words) or _corrects(words)):
             return False
-        joints = [at for at, word in enumerate(words) if at and word.text in _CUTS | _JOINTS | {"then", "or"}]
+        if words and (words[0].text in _ALIKE or (words[0].text == "so" and text_at(words, 1) in BE | MODALS | {"do"})):
+            return False
+        joints = [at for at, word in enumerate(words) if word.text in _CUTS | _JOINTS | BEFORE_VERBS | {"or"}]
         if any(verb_at(words, at + 1, self.lexicon) is not None for at in joints):
             return False
         if marked or is_rhetorical(words):
@@ -146,6 +175,10 @@ class Asides(Progress):
         last = words[-1].end if words else 0
         called = self.text[last : last + 1] == "!" and is_exclamation(words, self.lexicon)
         if is_habit(words) or needs_the_space(words) or (followed and is_regret(words)):
+            return True
+        if followed and gives_up_room(words, self.lexicon):
+            return True
+        if tells_whose(words) or lacks_a_place(words, self.lexicon):
             return True
         if called or is_purpose(words, self.lexicon) or asks_for_nothing(words, self.lexicon, followed=followed):
             return True
@@ -162,6 +195,8 @@ class Asides(Progress):
         if taken_up and named:
             self.topic = self._told_of(words, named[0]) if named[0].noun else self._lacking(words)
             rooms = None if named[0].noun or named[0].place is None else named[0].place.rooms
+        own = _own_rooms(self._reader(words)) if taken_up and not nouns else []
+        rooms = own[0] if len(own) == 1 else rooms
         quote = self._quote(words, 0, len(words))
         untouched = () if taken_up else named
         where = [things for things in named if not things.noun and things.place is not None]
@@ -170,18 +205,26 @@ class Asides(Progress):
             untouched = tuple(things for things in untouched if things is not where[0])
         self.statements.append(Mention(quote=quote, rooms=rooms, passed_over=True, untouched=untouched))
 
-    def _take_up_what_is_told(self, words: Sequence[Word]) -> None:
-        """Make the one thing that a remark names what ``it`` means next, where nothing was asked for before."""
+    def _take_up_what_is_told(self, words: Sequence[Word]) -> Rooms | None:
+        """Make the one thing that a remark names what ``it`` means next, where nothing was asked for before.
+
+        Return the one room that it names where it names no thing.
+        """
         named = [things for things in _named(self._reader(words)) if things.noun]
         if len(named) == 1 and all(isinstance(statement, Mention) for statement in self.statements):
             self.topic = self._told_of(words, named[0])
+        rooms = _own_rooms(self._reader(words))
+        return rooms[0] if len(rooms) == 1 and not named else None
 
     def _told_of(self, words: Sequence[Word], named: Things) -> Things:
         """Return what a clause names first as it says it: one thing, and not all of its kind."""
         reader = self._reader(words)
-        items = (reader.item(at) for at in range(len(words)))
-        said = (item.things() for item in items if item is not None and item.phrase.definite and not item.is_room)
-        return next((things for things in said if things.noun == named.noun and not things.plural), named)
+        items = ((at, reader.item(at)) for at in range(len(words)))
+        known = (item for at, item in items if item is not None and (item.phrase.definite or _is_bare(item, at)))
+        said = (msgspec.structs.replace(item.things(), definite=True) for item in known if not item.is_room)
+        whole = Amount(number=0)
+        one = next((things for things in said if things.noun == named.noun and not things.plural), named)
+        return one if one is named or one.amount.number != 1 else msgspec.structs.replace(one, amount=whole)
 
     def _with_listed(self, words: Sequence[Word]) -> Sequence[Word]:
         """Return words in which the list that the clause before told of stands for its pronoun."""
@@ -274,6 +317,17 @@ def _nouns_of(place: Place) -> frozenset[str]:
     return frozenset(word for said in told for word in (said, *said.split()) if word)
 
 
+def _is_thing(item: Item) -> bool:
+    return item.phrase.noun.kind == "object"
+
+
+def _is_bare(item: Item, at: int) -> bool:
+    """Whether notes name one thing that is there, at the beginning and with its room: ``laptop in room 2 was lost``."""
+    phrase = item.phrase
+    rooms = any(place.place.rooms is not None for place in item.places)
+    return at == 0 and rooms and len(phrase.noun.words) == phrase.end - phrase.start and not phrase.noun.plural
+
+
 def _corrects(words: Sequence[Word]) -> bool:
     """Whether words put something else for what was said: ``I meant the kitchen``."""
     return any(word.raw in ("mean", "meant", "mistake", "correction") for word in words)
@@ -299,6 +353,19 @@ def _trimmed(words: Sequence[Word]) -> Sequence[Word]:
     return words[start:end]
 
 
+def _own_rooms(reader: ClauseReader) -> list[Rooms]:
+    """Return the rooms of the building that words name, whether or not a thing may be called so too."""
+    found: list[Rooms] = []
+    at = 0
+    while at < len(reader.words):
+        item = reader.item(at)
+        if item is not None and item.end > at and reader.lexicon.is_own_room(item.phrase.noun.words):
+            rooms = item.rooms()
+            found += [rooms] if item.phrase.definite or rooms.words.rpartition(" ")[2].isdecimal() else []
+        at = at + 1 if item is None or item.end <= at else item.end
+    return found
+
+
 def _named(reader: ClauseReader) -> tuple[Things, ...]:
     """Return the things and rooms that words name as those that are there."""
     found: list[Things] = []
@@ -313,7 +380,7 @@ def _named(reader: ClauseReader) -> tuple[Things, ...]:
             continue
         if item.is_room:
             found.append(everything_at(Place(rooms=item.rooms())))
-        elif item.phrase.definite and not item.phrase.refers and item.phrase.noun.kind == "object":
+        elif (item.phrase.definite or _is_bare(item, at)) and not item.phrase.refers and _is_thing(item):
             whole = Amount(kind="all", number=0)
             found.append(msgspec.structs.replace(item.things(), amount=whole, plural=True))
         at = item.end

@@ -25,21 +25,24 @@ __all__ = [
     "asks_for_nothing",
     "begins_with_state",
     "fills_gaps",
+    "gives_up_room",
     "is_exclamation",
     "is_habit",
     "is_purpose",
     "is_regret",
     "is_rhetorical",
+    "lacks_a_place",
     "needs_the_space",
     "stands_wrong",
     "tells_what_becomes",
+    "tells_whose",
 ]
 
 _ASKING: Final = MODALS | NEED | frozenset(
     "please let make wish prefer like love fancy expect missing belong deserve instead only just another more less "
     "fewer exactly least most each every all both half either or to too longer anymore if unless when until except "
     "wrong same supposed due ready nice good great better best ask demand than unwanted superfluous surplus "
-    "unnecessary redundant enough".split()
+    "unnecessary redundant enough insist suggest recommend propose beg urge".split()
 )  # fmt: skip
 """Words of clauses that may ask for something, though their form only tells."""
 
@@ -49,6 +52,7 @@ _LACKING: Final = frozenset("no none nothing not never without broken defective 
 _NOT_OURS: Final = frozenset("a an part my mine ours hers his theirs yours concerned affected involved".split())
 _OTHERS: Final = PEOPLE | frozenset("people nobody everyone everybody somebody child kid".split())
 _THOSE: Final = frozenset("it them those these that this".split())
+_OWN: Final = frozenset("mine yours his hers ours theirs".split())
 _FILLING: Final = frozenset("add put place give bring supply provide fill".split())
 _OF_GAPS: Final = _FILLING | frozenset(
     "in up to one ones it them a new only just where wherever whatever what those that which is are be missing lacking "
@@ -263,6 +267,40 @@ def needs_the_space(words: Sequence[Word]) -> bool:
     after = texts[needing + 1 : needing + 4]
     plain = all(word.kind == "word" for word in _bare(words)) and not {*texts} & {"more", "from", "in", "not"}
     return somebody and plain and after[:2] == ["the", "space"] and after[2:] in ([], ["for"])
+
+
+def tells_whose(words: Sequence[Word]) -> bool:
+    """Whether words only say whose something is: ``it's Ann's``, ``the umbrella is mine``, ``they are the guests'``."""
+    words = _bare(words)
+    if len(words) < 2 or words[0].text not in _THOSE | {"the", "they", "one"}:
+        return False
+    owner = words[-1]
+    being = words[0].raw.endswith(("'s", "'re")) or any(word.raw in ("is", "are") for word in words[1:-1])
+    plain = all(word.kind == "word" and word.text not in PREPOSITIONS | {"not"} for word in words)
+    return being and plain and len(words) <= 6 and (owner.genitive or owner.raw in _OWN)
+
+
+def lacks_a_place(words: Sequence[Word], lexicon: Lexicon) -> bool:
+    """Whether words say that something cannot be done somewhere: ``there is nowhere to sit in there``."""
+    texts = [word.text for word in _bare(words)]
+    verb = next((k for k in (1, 2) if texts[k : k + 1] and texts[k] in ("nowhere", "no")), 0)
+    end = verb + 1 + (texts[verb : verb + 1] == ["no"])
+    lacking = texts[verb:end] == ["nowhere"] or texts[verb + 1 : end] in (["place"], ["space"], ["room"])
+    told = texts[:1] == ["there"] and verb > 0 and lacking and texts[end : end + 1] == ["to"]
+    plain = all(word.kind == "word" for word in _bare(words)) and not {*texts} & {"and", "but", "not", "so"}
+    thing = any(lexicon.is_object((text,)) and not lexicon.is_own_room((text,)) for text in texts[end + 2 :])
+    return told and plain and len(texts) > end + 1 and not thing
+
+
+def gives_up_room(words: Sequence[Word], lexicon: Lexicon) -> bool:
+    """Whether words say that a room is needed no longer: ``the box room can go``, ``we no longer need the study``."""
+    words = _bare(words)
+    texts = [word.text for word in words]
+    going = texts[-2:] in (["can", "go"], ["may", "go"], ["must", "go"], ["has", "go"])
+    needed = {"longer", "anymore"} & {*texts} and {"need", "needed", "use", "used"} & {*texts, *(w.raw for w in words)}
+    plain = all(word.kind in ("word", "number", "ordinal") for word in words) and not {*texts} & {"and", "but", "if"}
+    rooms = [k for k in range(len(texts)) for n in (1, 2, 3) if lexicon.is_own_room(tuple(texts[k : k + n]))]
+    return plain and bool(rooms) and (going or bool(needed))
 
 
 def is_rhetorical(words: Sequence[Word]) -> bool:

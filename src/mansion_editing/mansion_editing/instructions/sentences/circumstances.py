@@ -30,7 +30,9 @@ from mansion_language.colours import COLOUR_WORDS
 
 __all__ = ["is_circumstance"]
 
-_OBLIGING: Final = frozenset("should must shall ought would might please let supposed rather".split())
+_OBLIGING: Final = frozenset(
+    "should must shall ought would might please let supposed rather insist suggest recommend propose beg urge".split()
+)
 """Words by which something is asked for, whoever the subject is."""
 
 _WISHING: Final = frozenset(

@@ -9,6 +9,7 @@ import msgspec
 
 from mansion_assets.catalogue.descriptions import hypernyms_of
 from mansion_editing.instructions.clauses.items import NotUnderstood, TwoReadings
+from mansion_editing.instructions.clauses.outcomes import everything_at
 from mansion_editing.instructions.clauses.reader import ClauseReader, of_each_room
 from mansion_editing.instructions.phrases.lexicon import HYPERNYMS
 from mansion_editing.instructions.phrases.places import merged, read_place
@@ -23,9 +24,11 @@ from mansion_editing.instructions.sentences.clearing import with_takings_first
 from mansion_editing.instructions.sentences.conditions import Condition, begins_condition, else_at
 from mansion_editing.instructions.sentences.correcting import Correcting
 from mansion_editing.instructions.sentences.depending import Depending
+from mansion_editing.instructions.sentences.former_places import with_former_places
 from mansion_editing.instructions.sentences.headings import Headings
 from mansion_editing.instructions.sentences.lacking_some import LackingSome
 from mansion_editing.instructions.sentences.lids import opened_as_whole
+from mansion_editing.instructions.sentences.old_ones import with_last_of_them_first, with_old_ones_first
 from mansion_editing.instructions.sentences.owners import owners_named
 from mansion_editing.instructions.sentences.questions import read_question
 from mansion_editing.instructions.sentences.recounting import Recounting
@@ -35,9 +38,13 @@ from mansion_editing.instructions.sentences.refinement import (
     counted_by,
     counts_those_brought,
     exactly,
+    goes_as_well,
+    goes_while_others_stay,
     in_place_of,
     is_everything,
+    is_only_fetched,
     is_surplus,
+    left_where_brought,
     moved_on,
     moves_it,
     must_contain,
@@ -57,6 +64,7 @@ from mansion_editing.instructions.sentences.refinement import (
 from mansion_editing.instructions.sentences.repeating import Repeating
 from mansion_editing.instructions.sentences.scene_setting import SceneSetting
 from mansion_editing.instructions.sentences.tails import Tails
+from mansion_editing.instructions.sentences.taken_off import taken_off
 from mansion_editing.instructions.sentences.telling import Telling
 from mansion_editing.instructions.statements import (
     Add,
@@ -67,6 +75,7 @@ from mansion_editing.instructions.statements import (
     Keep,
     Mention,
     Move,
+    Paint,
     Place,
     Remove,
     Rename,
@@ -110,6 +119,7 @@ class _Reader(
 
     def read(self) -> Instruction:
         """Read all sentences in order."""
+        self.words = list(with_former_places(self.words, self._reader(self.words)))
         sentences = list(split_sentences(self.words))
         for number, (own, marked) in enumerate(sentences):
             self.is_last = number + 1 == len(sentences)
@@ -136,7 +146,8 @@ class _Reader(
         topics = [word for word, following in pairwise(self.words) if word.text in TOPICS and following.text in PRINTED]
         plain = [*(word for word in self.words if word.text in UNRECORDED), *topics]
         ignored = list(dict.fromkeys(w.raw for w in plain if not re.search(rf'"noun":"[^"]*\b{w.text}\b', told)))
-        statements = turned_by_list(with_storeys(with_takings_first(self.statements, self.lexicon)), self.text)
+        ordered = with_takings_first(with_last_of_them_first(with_old_ones_first(self.statements)), self.lexicon)
+        statements = turned_by_list(with_storeys(ordered), self.text)
         statements = sets_as_one(sparing_what_goes(statements), self.lexicon)
         return Instruction(statements=statements, not_understood=self.unknown, ignored=ignored)
 
@@ -357,8 +368,8 @@ class _Reader(
                 return told
             only_told = verb_at(words, at, self.lexicon) is None and is_told(words[at:stop], self._is_named)
             if only_told or is_background(words[at:stop]) or self._is_label(words, at, stop):
-                self._take_up_what_is_told(words[at:stop])
-                self.statements.append(Mention(quote=self._quote(words, at, stop)))
+                rooms = self._take_up_what_is_told(words[at:stop])
+                self.statements.append(Mention(rooms=rooms, quote=self._quote(words, at, stop)))
             else:
                 start = min(fault.start, at) if fault.start < len(words) else at
                 self.unknown.append(self._quote(words, start, stop))
@@ -391,15 +402,34 @@ class _Reader(
             if self.spared and isinstance(statement, Clear):
                 statement = msgspec.structs.replace(statement, spare=(*statement.spare, *self.spared))
                 self.spared = ()
+            if isinstance(statement, Keep):
+                statement = left_where_brought(statement, last) or self._of_the_kind(statement)
+            if isinstance(statement, SetState | Remove | Paint | Move):
+                statement = self._those_elsewhere(statement)
+            if isinstance(statement, Remove):
+                statement, self.statements[:] = taken_off(statement, self.statements, self._reader_of)
+                last = self.statements[-1] if self.statements else None
             if _says_again(statement, last):
                 continue
-            if isinstance(statement, Keep):
-                statement = self._of_the_kind(statement)
             if isinstance(statement, Remove) and isinstance(last, Add | Ensure | Move) and last.things.noun:
                 statement = _one_of_its_kind(statement, last.things)
             readers = (self._extends, self._spares, self._moves_on, self._tells_of_rest)
             if not any(reads(statement, last) for reads in readers):
-                self.statements.append(statement)
+                self.statements += self._room_and_thing(statement)
+
+    def _room_and_thing(self, statement: Statement) -> list[Statement]:
+        """Return what shall be left alone as the thing and the room that are called so: the bar, the kennel."""
+        if not isinstance(statement, Keep) or statement.things.place is not None or statement.things.refers:
+            return [statement]
+        noun = tuple(statement.things.noun.split())
+        if not noun or statement.things.plural or not self.lexicon.is_own_room(noun):
+            return [statement]
+        room = Place(rooms=Rooms(words=statement.things.noun))
+        whole = Keep(things=everything_at(room), quote=statement.quote)
+        return [statement, whole] if self.lexicon.is_here(statement.things.noun) else [whole]
+
+    def _reader_of(self, quote: str) -> ClauseReader:
+        return self._reader(self._words_of(quote))
 
     def _extends(self, statement: Statement, last: Statement | None) -> bool:
         """Read more of what the last statement clears or brings; return whether that is all."""
@@ -452,7 +482,7 @@ class _Reader(
             quote = self._from_to(listed[0], statement)
             moved_all = [Move(things=gone.things, place=statement.place, quote=quote) for gone in listed]
             self.statements[-len(listed) :] = moved_all
-        elif isinstance(last, Remove) and last.things.noun and moves_it(statement):
+        elif (isinstance(last, Remove) or is_only_fetched(last)) and last.things.noun and moves_it(statement):
             moved = Move(things=last.things, place=statement.place, quote=self._from_to(last, statement))
             self.statements[-1] = moved
         else:
@@ -464,6 +494,13 @@ class _Reader(
         if isinstance(last, Ensure) and isinstance(statement, Move | Remove) and is_surplus(statement, last):
             rest = surplus_of(last, statement.things)
             self.statements[-1] = msgspec.structs.replace(statement, things=rest)
+            return True
+        shared = goes_while_others_stay(statement, last)
+        if shared is not None:
+            self.statements[-1] = shared
+            return True
+        if goes_as_well(statement, last):
+            self.unknown.append(statement.quote)  # another one, or the same one further on
             return True
         if tells_of_surplus(statement):
             self.undecided = True
@@ -493,6 +530,18 @@ class _Reader(
             return keep
         named = msgspec.structs.replace(things, noun=before.noun, refers="", definite=True, plural=True)
         return msgspec.structs.replace(keep, things=named)
+
+    def _those_elsewhere(self, statement: SetState | Remove | Paint | Move) -> SetState | Remove | Paint | Move:
+        """Return ``those in the study`` as things of the kind that was named before: ``the lights here off, ...``."""
+        things = statement.things
+        rooms = None if things.place is None else things.place.rooms
+        bare = things.refers == "last" and not things.noun and things.plural and not things.amount.number
+        if not bare or rooms is None or not rooms.words or not re.search(r"\bthose\b", statement.quote.lower()):
+            return statement
+        told = (getattr(before, "things", None) for before in reversed(self.statements))
+        noun = next((before.noun for before in told if isinstance(before, Things) and before.noun), "")
+        named = things if not noun else msgspec.structs.replace(things, noun=noun, refers="")
+        return msgspec.structs.replace(statement, things=named)
 
     def _reads_question(self, reader: ClauseReader, words: Sequence[Word], at: int, *, marked: bool) -> bool:
         try:
@@ -538,6 +587,8 @@ class _Reader(
                 reader.frame = Place(rooms=rooms)
                 return end + 1
         first = read_place(reader.words, at, self.lexicon, self.floors)
+        if reader.text(at) == "of":  # "instead of the lamp put a vase"
+            return at
         if first is None or reader.text(at + 1) in ("most", "least"):  # "at most one" is an amount
             return at
         places, end = reader.places(at)

@@ -162,7 +162,7 @@ class Referring(Progress):
                 if topic.amount.kind == "more":  # told to be missing
                     where = where if where.rooms or rooms is None else msgspec.structs.replace(where, rooms=rooms)
                     return Add(things=msgspec.structs.replace(topic, place=None), place=where, quote=value.quote)
-                return msgspec.structs.replace(value, things=topic, place=where, or_new=True)
+                return msgspec.structs.replace(value, things=topic, place=where, or_new=not topic.amount.of)
             if isinstance(value, Rooms) and value.same and not value.words and rooms:
                 return rooms
             if isinstance(value, Things) and value.refers == "last" and not value.noun:

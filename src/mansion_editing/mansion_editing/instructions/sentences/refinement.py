@@ -2,7 +2,7 @@
 
 import re
 from collections.abc import Sequence
-from typing import Any, Final
+from typing import Any, Final, TypeGuard
 
 import msgspec
 
@@ -31,11 +31,15 @@ __all__ = [
     "counting_those_there",
     "counts_those_brought",
     "exactly",
+    "goes_as_well",
+    "goes_while_others_stay",
     "held_there",
     "in_place_of",
     "is_everything",
+    "is_only_fetched",
     "is_open",
     "is_surplus",
+    "left_where_brought",
     "moved_on",
     "moves_it",
     "must_contain",
@@ -322,6 +326,45 @@ def is_everything(things: Things) -> bool:
 def moves_it(statement: Move) -> bool:
     """Whether a statement moves only what was mentioned last."""
     return statement.things.refers == "last" and not statement.things.noun
+
+
+def goes_while_others_stay(statement: Statement, last: Statement | None) -> Move | None:
+    """Return ``one goes to the hall`` after ``two stay`` as one of three that are there; None for other words."""
+    if not isinstance(statement, Move) or not isinstance(last, Ensure) or not _counts_bare(statement.things):
+        return None
+    staying = re.search(r"\b(stays?|remains?)\b", last.quote) and last.things.amount.kind == "exactly"
+    if not staying or last.place == Place():
+        return None
+    number = statement.things.amount.number
+    whole = Amount(number=number, of=number + last.things.amount.number)
+    things = msgspec.structs.replace(last.things, amount=whole, plural=number > 1, place=last.place)
+    return Move(things=things, place=statement.place, quote=statement.quote)
+
+
+def goes_as_well(statement: Statement, last: Statement | None) -> bool:
+    """Whether a further number goes somewhere else after some of those that are there went: ``one goes to the bar``."""
+    counted = isinstance(last, Move) and last.things.amount.of > 0
+    return isinstance(statement, Move) and counted and _counts_bare(statement.things)
+
+
+def _counts_bare(things: Things) -> bool:
+    """Whether words are only a number: ``one``, ``two``."""
+    bare = things.refers == "last" and not things.noun and not things.definite and things.place is None
+    return bare and things.amount.kind == "some" and things.amount.number > 0 and not things.amount.of
+
+
+def is_only_fetched(last: Statement | None) -> TypeGuard[Move]:
+    """Whether a statement only tells where something comes from: ``bring one of the cases up from the cellar``."""
+    return isinstance(last, Move) and last.place == Place() and last.things.place is not None
+
+
+def left_where_brought(statement: Keep, last: Statement | None) -> Move | None:
+    """Return ``leave them in the lounge`` after what was only fetched as where it goes; None for what stays."""
+    things = statement.things
+    bare = things.refers == "last" and not things.noun and things.place is not None and not things.place.outside
+    if not (is_only_fetched(last) and bare) or things.place is None:
+        return None
+    return Move(things=msgspec.structs.replace(things, place=None), place=things.place, quote=statement.quote)
 
 
 def must_contain(reader: ClauseReader, at: int) -> bool:

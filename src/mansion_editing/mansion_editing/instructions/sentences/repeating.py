@@ -156,6 +156,8 @@ class Repeating(Progress):
         before = last.things.place
         if not places or before is None or before.anchor is not None or before.rooms is None or before.outside:
             return None
+        if isinstance(last, Remove) and any(read.goal for read in places):
+            return None  # "out of the hall and into the study"
         place, _ = joined_places(places)
         counted = last.things.amount.number > 0 and not last.things.definite
         plain = place.anchor is None and place.rooms is not None and bool(place.rooms.words) and not place.outside
@@ -189,10 +191,13 @@ class Repeating(Progress):
         return end
 
     def _surface_too(self, reader: ClauseReader, words: Sequence[Word], at: int, last: Finish) -> int | None:
-        """Read ``and the walls green`` after the ceiling of a room was painted."""
+        """Read ``and the walls green`` after the ceiling of a room was painted, ``and the hall white`` after walls."""
         frame, reader.frame = reader.frame, Place(rooms=last.rooms)
         surface = reader.surface(at)
         reader.frame = frame
+        room = reader.item(at) if surface is None and last.part == "walls" else None
+        if room is not None and room.is_room and not room.rooms().same:
+            surface = ("walls", room.rooms()), room.end
         colour = None if surface is None else reader.colour_at(surface[1])
         if surface is None or colour is None:
             return None

@@ -117,8 +117,10 @@ class SceneSetting(Progress):
         for at in range(1, min(len(words), _MOST)):
             place = at + (words[at].raw in _LIVING)
             titled = words[0].text in _TITLES or {word.text for word in words[:at]} & _PERSON
-            if text_at(words, place) != "in" or not titled:
+            if text_at(words, place) != "in" or not titled or words[at].raw in _LEFT:
                 continue
+            if any(word.raw in _LEFT for word in words[1:at]):
+                return []  # what somebody left is in the room, not he
             places, end = reader.places(place)
             rooms = joined_places(list(places))[0] if places else Place()
             if rooms.rooms is not None and rooms.rooms.words and rooms.anchor is None and not rooms.rooms.every:

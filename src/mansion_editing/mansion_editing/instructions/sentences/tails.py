@@ -19,6 +19,7 @@ from mansion_editing.instructions.phrases.words import (
     STATE_WORDS,
     Word,
     next_mark,
+    text_at,
 )
 from mansion_editing.instructions.sentences.background import end_of_background
 from mansion_editing.instructions.sentences.conditions import on_condition, read_condition
@@ -28,6 +29,7 @@ from mansion_editing.instructions.sentences.resulting import Resulting
 from mansion_editing.instructions.statements import (
     Add,
     Amount,
+    Clear,
     Ensure,
     Furnish,
     Keep,
@@ -45,6 +47,9 @@ from mansion_editing.instructions.statements import (
 )
 
 __all__ = ["Tails"]
+
+_OF_EACH_HAVING: Final = frozenset("so that each every all of them has have get one its their own a an the".split())
+"""Words of ``so that each of them has its own``, besides the names of what is given and where."""
 
 _EVERY_ONE: Final = (("every", "single", "one"), ("all", "of", "them"), ("each", "of", "them"), ("from", "now", "on"))
 _BEFORE_ASIDES: Final = frozenset("for before after when while until".split())
@@ -111,7 +116,8 @@ class Tails(Resulting, Counting):
             if untouched:
                 end = untouched
                 continue
-            told = end_of_presence(reader, end) or self._where_none_is(reader, end)
+            told = end_of_presence(reader, end) or self._where_none_is(reader, end) or self._so_each_has_one(words, end)
+            told = told or self._and_nothing_else(words, end)
             if told:
                 self.statements.append(Mention(quote=self._quote(words, end, told)))
                 end = told
@@ -296,6 +302,36 @@ class Tails(Resulting, Counting):
             return 0
         self.clause = [*given]
         return end
+
+    def _so_each_has_one(self, words: Sequence[Word], at: int) -> int:
+        """Read ``so that each table has one`` after what each is given; return its end, 0 for others."""
+        start = at + (words[at].text == ",")
+        end = next_mark(words, start)
+        given = given_where_none_is(self.clause)
+        if given is None or [word.text for word in words[start : start + 1]] != ["so"]:
+            return 0
+        holders = {noun for s in given if (anchor := s.place.anchor) is not None for noun in anchor.noun.split()}
+        rooms = {noun for s in given if s.place.rooms is not None for noun in s.place.rooms.words.split()}
+        things = {noun for s in given for noun in s.things.noun.split()}
+        said = {word.text for word in words[start:end]} - _OF_EACH_HAVING - holders - rooms - things
+        whole = {"each", "every", "all"} & {word.text for word in words[start:end]}
+        if said or not whole or not {"one", "own", *things} & {word.text for word in words[start:end]}:
+            return 0
+        self.clause = [*given]
+        return end
+
+    def _and_nothing_else(self, words: Sequence[Word], at: int) -> int:
+        """Read ``and nothing else`` after what changes nothing else anyway; return its end, 0 for others.
+
+        After what is put somewhere it may mean that all else there goes.
+        """
+        joined = at + (words[at].text in (",", "and", "-", "but"))
+        joined += text_at(words, joined) == "and"
+        said = (text_at(words, joined), text_at(words, joined + 1))
+        plain = all(isinstance(s, SetState | Remove | Paint | Swap | Clear | Keep) for s in self.clause)
+        if joined == at or said not in (("nothing", "else"), ("nothing", "more")) or not plain:
+            return 0
+        return joined + 2 if next_mark(words, joined) == joined + 2 else 0
 
     def _end_of_intent(self, words: Sequence[Word], at: int) -> int:
         """Return the end of ``as a welcome``, ``as a surprise for Ann``; 0 for words that ask for something."""

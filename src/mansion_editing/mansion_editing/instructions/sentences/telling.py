@@ -40,7 +40,7 @@ _WISHING: Final = frozenset(
 _BEFORE_OCCASIONS: Final = frozenset("for after before during given despite until".split())
 
 _I: Final = frozenset(["i", "we", "i'd", "we'd"])
-_ABLE: Final = frozenset("i we he she you everyone everybody people anyone".split())
+_ABLE: Final = frozenset("i we he she you it they everyone everybody people anyone".split())
 _COUNTING: Final = frozenset("it there is are a we have has got still about they that".split())
 _TAKING_UP: Final = frozenset("it one ones them that this those these".split())
 _BECOMING: Final = frozenset("go stay remain disappear vanish".split())
@@ -202,9 +202,8 @@ class Telling(Progress):
         said = [word.text for word in words[at : at + 4]]
         end = next_mark(words, at)
         able = said[:1] == ["so"] and said[1:2] and said[1] in _ABLE and said[2:3] in (["can"], ["could"])
-        plain = all(word.kind == "word" for word in words[at:end]) and not {"not", "and"} & {
-            w.text for w in words[at:end]
-        }
+        plain = all(word.kind == "word" for word in words[at:end])
+        plain = plain and not {"not", "and", *STATE_WORDS} & {w.text for w in words[at:end]}
         if not able or not plain or self._names_anything(words[at + 3 : end]):
             return 0
         self.statements.append(Mention(quote=self._quote(words, at, end)))

@@ -1,0 +1,62 @@
+"""Things that go before others come or are counted: ``put a new bin in the hall and remove the old one``."""
+
+import re
+from collections.abc import Sequence
+from typing import Final
+
+import msgspec
+
+from mansion_editing.instructions.statements import Add, Ensure, Mention, Move, Place, Remove, Statement
+
+__all__ = ["with_last_of_them_first", "with_old_ones_first"]
+
+_OLD: Final = re.compile(r"\bthe (?:old|existing|previous|former|current|present)\b", re.IGNORECASE)
+
+
+def with_old_ones_first(statements: Sequence[Statement]) -> list[Statement]:
+    """Return statements in which ``the old one`` goes, from where the new one comes to, before that is there."""
+    out = list(statements)
+    for at, new in enumerate(out):
+        old = next((k for k in range(at + 1, len(out)) if not isinstance(out[k], Mention)), at)
+        goes = out[old]
+        if not isinstance(new, Add | Ensure) or not isinstance(goes, Remove | Move) or not _is_old_one(goes, new):
+            continue
+        place = None if new.place == Place() else new.place
+        things = msgspec.structs.replace(goes.things, place=place) if _is_there(goes.things.place) else goes.things
+        first = msgspec.structs.replace(goes, things=things)
+        first = msgspec.structs.replace(first, or_new=False) if isinstance(first, Move) else first
+        brought = Add(things=new.things, place=new.place, each=new.each, quote=new.quote)
+        return [*out[:at], first, brought, *out[at + 1 : old], *with_old_ones_first(out[old + 1 :])]
+    return out
+
+
+def with_last_of_them_first(statements: Sequence[Statement]) -> list[Statement]:
+    """Return removals of one clause that count things with the greatest place first: ``the second and the third``."""
+    out = list(statements)
+    counted = [at for at, s in enumerate(out) if isinstance(s, Remove) and s.things.ordinal > 0]
+    for quote in {out[at].quote for at in counted}:
+        places = [at for at in counted if out[at].quote == quote]
+        ordered = sorted((out[at] for at in places), key=_ordinal, reverse=True)
+        for at, statement in zip(places, ordered, strict=True):
+            out[at] = statement
+    return out
+
+
+def _ordinal(statement: Statement) -> int:
+    return statement.things.ordinal if isinstance(statement, Remove) else 0
+
+
+def _is_there(place: Place | None) -> bool:
+    """Whether nothing is said of where something is, or only that it is where the new one comes: ``from it``."""
+    return place is None or (place.anchor is not None and place.anchor.refers == "last" and not place.anchor.noun)
+
+
+def _is_old_one(goes: Remove | Move, new: Add | Ensure) -> bool:
+    """Whether what goes was there before something new of its kind comes."""
+    things, place = goes.things, new.place
+    named = things.definite and bool(things.noun) and things.noun == new.things.noun and not things.refers
+    refers = place.anchor is not None and bool(place.anchor.refers)
+    same = place.rooms is not None and place.rooms.same
+    return (
+        named and bool(_OLD.search(goes.quote)) and not (refers or same) and new.things.amount.kind in ("some", "more")
+    )
