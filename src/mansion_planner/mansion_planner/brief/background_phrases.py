@@ -71,6 +71,17 @@ def _is_given_up(reading: Reading, phrase: Phrase) -> bool:
     return traded or verb in _PARTS_WITH
 
 
+def _is_destination(reading: Reading, phrase: Phrase) -> bool:
+    """Whether a phrase is where people are sent, away from the building: "we send the people to the hospital"."""
+    lead = reading.words(max(phrase.begin - 6, 0), phrase.begin)
+    to = lead[-2:] in (("to", "the"), ("to", "a"), ("to", "another"))
+    who = any(lead[at] in ("we", "i", "they") and lead[at + 1] in _SENDING for at in range(len(lead) - 1))
+    return to and who and bool(phrase.building)
+
+
+_SENDING = frozenset({"send", "refer", "bring", "drive"})
+
+
 def _is_new_home(reading: Reading, phrases: list[Phrase], number: int) -> bool:
     """Whether a home is where an organisation is to be: "our practice needs a new home", "a home for our school"."""
     phrase = phrases[number]
@@ -125,7 +136,7 @@ def _is_bystander(reading: Reading, phrase: Phrase, sites: set[int]) -> bool:
     )
     fled = not {"leaving", "fleeing", "escaping"}.isdisjoint(reading.words(max(phrase.begin - 2, 0), phrase.noun_end))
     tried = _is_tried(reading, phrase) or _is_predicate(reading, phrase)
-    owned = _is_given_up(reading, phrase)
+    owned = _is_given_up(reading, phrase) or _is_destination(reading, phrase)
     made = reading.word(phrase.last) in MADE_INTO and reading.word(phrase.last + 1) in ("into", "to")
     return (
         made

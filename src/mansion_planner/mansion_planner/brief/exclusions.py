@@ -6,6 +6,7 @@ from dataclasses import replace
 from mansion_planner.brief.absences import absence_end, time_end
 from mansion_planner.brief.phrase import FUNCTION_WORDS, Phrase
 from mansion_planner.brief.reading import Place, Reading
+from mansion_planner.brief.refusals import refusal_after, refused_before
 
 __all__ = ["negated_phrases", "read_completeness"]
 
@@ -36,6 +37,12 @@ _PHRASES = (
     ("no", "necessity", "of"),
     *[("not", participle, ":") for participle in ("needed", "wanted", "required", "necessary", "included")],
     ("not", "necessary"),
+    *[
+        (*lead, word, ":")
+        for lead in (("express",), ("explicit",), ("specific",), ())
+        for word in ("excluded", "exclusion", "omitted", "omission", "waived")
+    ],
+    *[(*words, "scope", ":") for words in (("out", "of"), ("outside",), ("not", "in"), ("outside", "the"))],
 )
 _AFTER = (
     ("not", "needed"),
@@ -158,11 +165,13 @@ def negated_phrases(reading: Reading, phrases: list[Phrase]) -> dict[int, tuple[
             said = next((p for p in _AFTER if reading.words(phrase.last + 1, phrase.last + 1 + len(p)) == p), ())
             after = (reading.word(phrase.last), *said) if said else None
         end = phrase.last + len(after) if after is not None else absence_end(reading, phrase.last)
+        end = max(end, refusal_after(reading, phrase.last))
         if end > phrase.last:
             found[number] = (phrase.first, end)
             reading.take(phrase.last, end)
             for earlier in _joined_before(reading, phrases, number):
                 found[earlier] = (phrases[earlier].first, end)
+    found |= refused_before(reading, phrases)
     for index in range(len(reading.tokens)):
         refused = _refused(reading, phrases, index)
         if refused is not None:
