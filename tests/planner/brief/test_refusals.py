@@ -73,7 +73,7 @@ def test_a_lift_is_refused_like_a_room(words: str) -> None:
 )
 def test_furniture_is_refused_like_a_room(words: str, category: str) -> None:
     facts = read(f"A school with a lobby. {words}")
-    assert [(thing.category, thing.excluded) for thing in facts.objects] == [(category, True)]
+    assert [(thing.category, thing.room, thing.excluded) for thing in facts.objects] == [(category, "", True)]
     assert facts.unread == []
 
 
@@ -102,8 +102,7 @@ def test_what_may_be_meant_of_several_rooms_refuses_none() -> None:
 
 
 @pytest.mark.parametrize(
-    "words",
-    ["We send the people to the hospital.", "We refer patients to the hospital.", "We drive them to the school"],
+    "words", ["We send the people to the hospital.", "We refer patients to the hospital.", "We drive them to a school"]
 )
 def test_where_people_are_sent_is_no_room(words: str) -> None:
     facts = read(f"A clinic with a pharmacy. {words}")

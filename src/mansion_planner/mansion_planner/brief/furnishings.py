@@ -61,8 +61,9 @@ def read_furnishings(
             generic = phrases[owner].determiner in ("a", "an") and (phrases[same[owner]].count or 2) > 1
             owner, each = same[owner], each or generic  # "a bedroom has a bed and a recliner"
         room = phrases[owner] if owner is not None else None
-        if room is not None and owner in negated and number not in negated:
-            room = None
+        listed = owner is not None and reading.word(phrases[owner].last) in (",", "and", "or", "nor", ";")
+        if room is not None and owner in negated and (number not in negated or listed):
+            room = None  # "excluded: a bar, televisions" are none of each
         if room is not None and number in negated and _replaced(reading, phrases, negated, number):
             room, each = None, False
         each = each or (room is not None and owner in attached and attached[owner].each)
