@@ -20,7 +20,7 @@ _GLUE = frozenset(
     """
     is are be goes go stay stays sit sits lie lies located situated placed both all only right directly up that
     which become stand kept share should must will shall belong take takes occupy occupies fills fill come found needed
-    wanted can could may might down ,
+    wanted can could may might down shown housed displayed ,
     on in at to entirely mostly alone as well too also each one apiece most much of occupy therefore be well
     """.split()
 )
