@@ -287,11 +287,10 @@ class _Walk:
         return size if size <= most else 0
 
     def _goes_on(self, place: Place) -> bool:
-        """Whether what follows a place shares it: "on the first floor together with the foyer", "upstairs, where ..."."""
+        """Whether what follows a place shares it: "on the first floor together with the foyer", "upstairs, where"."""
         following = self.reading.words(place.last, place.last + 2)
-        if "where" in following:
-            return True
-        return following in (("together", "with"), ("along", "with")) or (following[0] == "with" and not place.led)
+        together = following in (("together", "with"), ("along", "with")) or "where" in following
+        return together or (following[0] == "with" and not place.led)
 
     def _closes(self, place: Place) -> bool:
         """Whether a reference after a comma ends its clause, so that it can only belong to what stands before it."""

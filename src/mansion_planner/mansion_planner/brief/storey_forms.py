@@ -261,7 +261,7 @@ class _Forms:
         return None
 
     def _side(self, index: int) -> _Found | None:
-        """Read "Low level: ...", "in the low floor" and "the two high floors" as the ground floor and the upper ones."""
+        """Read "Low level: ...", "in the low floor", "the two high floors" as the ground floor and the upper ones."""
         side = {"low": "ground", "high": "upper"}.get(self._word(index), "")
         if not side or self._word(index + 1) not in ("level", "floor", "storey"):
             return None
