@@ -113,3 +113,41 @@ def test_a_building_may_be_shaped_like_a_letter(brief: str) -> None:
 
 def test_a_room_shaped_like_a_letter_tells_no_outline() -> None:
     assert not read_brief("A house; shape the kitchen like an L.", default_knowledge()).shapes
+
+
+@pytest.mark.parametrize(
+    ("brief", "expected"),
+    [
+        ("Two flats, one above the other and alike to the last cupboard. Each flat has two bedrooms.", {1: 1, 2: 1}),
+        (
+            "Three apartments, one on top of the other. Each apartment has a kitchen on its own floor.",
+            {1: 1, 2: 1, 3: 1},
+        ),
+        ("A house with two flats one over the other, each with two bedrooms.", {1: 1, 2: 1}),
+    ],
+)
+def test_flats_one_above_the_other_are_storeys_with_one_each(brief: str, expected: dict[int, int]) -> None:
+    assert storeys_of(brief, "apartment" if "apartments" in brief else "flat") == expected
+
+
+def test_stacked_flats_that_are_alike_make_equal_storeys() -> None:
+    assert read_brief("Two flats, one above the other and alike. Each has a bath.", default_knowledge()).copies
+    assert not read_brief("Two flats, one above the other. Each has a bath.", default_knowledge()).copies
+
+
+@pytest.mark.parametrize(
+    ("brief", "floors"),
+    [
+        ("Two flats, one beside the other.", []),
+        ("House of three storeys with two flats, one above the other.", [3.0]),
+        ("A ground-floor shop and two flats, one above the other.", []),
+        ("Two ovens, one above the other, in the kitchen of a flat.", []),
+    ],
+)
+def test_flats_elsewhere_or_other_things_one_above_the_other_are_no_storeys(brief: str, floors: list[float]) -> None:
+    assert [quantity.value for quantity in read_brief(brief, default_knowledge()).floors] == floors
+
+
+def test_a_room_in_a_basement_that_a_clause_tells_more_of_lies_there() -> None:
+    brief = "House of two storeys. Ground floor: kitchen. The laundry is in the basement, where the boiler stands."
+    assert storeys_of(brief, "laundry") == {0: 1}

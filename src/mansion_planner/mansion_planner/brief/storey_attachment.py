@@ -42,7 +42,7 @@ _JOINTS = frozenset(
 _AND = frozenset({"and", "&", "+"})
 
 
-_PLACED = frozenset({"shown", "housed", "displayed", "located", "situated", "placed", "kept"})
+_PLACED = frozenset({"shown", "housed", "displayed", "located", "situated", "placed", "kept", "is", "are"})
 """What is said of a room before its storey: "temporary exhibitions are shown upstairs, where ..."."""
 _ASIDES = frozenset({"being", "which", "because", "since", "as"})
 """Words that open a reason or a remark between a room and what is said of it: "the archive, being heavy, belongs"."""
