@@ -12,6 +12,9 @@ __all__ = ["reworded"]
 _GLAD: Final = (("appreciate",), ("appreciate", "it"), ("be", "happy"), ("be", "glad"), ("be", "grateful"))
 _PHRASES: Final[dict[tuple[str, ...], tuple[str, ...]]] = {
     **{(who, "would", *glad, "if"): ("it", "would", "be", "good", "if") for who in ("i", "we") for glad in _GLAD},
+    **{(who, "from", "now", "on"): (who,) for who in ("i", "we", "you", "please")},
+    ("change", "its", "name", "to"): ("rename", "it", "to"),
+    ("change", "its", "name", "into"): ("rename", "it", "to"),
     ("which", "is", "why"): ("so",),
     ("that", "is", "why"): ("so",),
     ("that", "why"): ("so",),
