@@ -48,6 +48,9 @@ def _bare(text: str, state: SceneState) -> list[Statement]:
             "Put a vase on the dining table. I mean the kitchen, not the office.",
             "Put a vase on the dining table. Sorry, I meant the kitchen.",
         ),
+        ("In the hall hangs no clock. Add one.", "In the hall there is no clock. Add one."),
+        ("Add a clock in the hall, as in the other rooms.", "Add a clock in the hall."),
+        ("The kitchen needs a wooden floor, could you see to it?", "The kitchen needs a wooden floor, please?"),
         ("sofa: from hall to office", "move sofa from hall to office"),
         ("The sofa: from the hall to the office.", "Move the sofa from the hall to the office."),
         ("sofa -> blue, every single one in the building", "sofa -> blue"),
@@ -158,3 +161,7 @@ def test_a_floor_comes_for_the_one_that_was(furnished_state: SceneState, former:
 
 def test_a_rug_is_no_floor_that_was(furnished_state: SceneState) -> None:
     assert read_instruction("The kitchen gets a wooden floor instead of the rug.", furnished_state).not_understood
+
+
+def test_things_that_shall_stand_like_others_are_not_understood(furnished_state: SceneState) -> None:
+    assert read_instruction("Move the sofa in the hall like in the other room.", furnished_state).not_understood

@@ -1,4 +1,4 @@
-"""Terse notation, written out in words: ``chairs 3 -> 4``, ``A <-> B``, ``w/o``, ``remove: A, B``, ``lamp: from A to B``."""
+"""Terse notation, written out: ``chairs 3 -> 4``, ``A <-> B``, ``w/o``, ``remove: A, B``, ``lamp: from A to B``."""
 
 import re
 from collections.abc import Sequence

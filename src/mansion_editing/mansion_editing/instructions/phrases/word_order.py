@@ -1,4 +1,4 @@
-"""Sentences in another order than the usual one, read in that: ``Between A and B I want a door``, ``The hall I mean``."""
+"""Sentences in an uncommon order, put in the usual one: ``Between A and B I want a door``, ``The hall I mean``."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
@@ -18,6 +18,9 @@ _SUMS: Final = (("the", "lot"), ("all", "of", "it"), ("the", "whole", "lot"), ("
 """What a list ends with that names all there is."""
 _EMPTYING: Final = frozenset("clear empty clean".split())
 _LONGEST_NAME: Final = 5
+_LYING: Final = frozenset("left lying standing on in".split())
+_RESTING: Final = frozenset("hangs stands lies sits hang stand lie sit".split())
+_ADDING: Final = frozenset("add install".split())
 
 
 def in_usual_order(words: Sequence[Word]) -> list[Word]:
@@ -52,6 +55,34 @@ def _door_first(words: list[Word]) -> list[Word]:
     if text_at(words, door) not in _DOORS or not ends or not joined:
         return words
     return [*words[:start], *_over(words[start : door + 1], [*words[begin : door + 1], *rooms]), *words[door + 1 :]]
+
+
+def _lacking_first(words: list[Word]) -> list[Word]:
+    """Return ``in the hall there is no clock`` for ``in the hall hangs no clock``."""
+    start = _after_mark(words)
+    rests = next(
+        (k for k in range(start + 2, len(words) - 1) if words[k].raw in _RESTING or words[k].kind == "mark"), 0
+    )
+    if text_at(words, start) not in ("in", "on", "at") or text_at(words, rests + 1) != "no" or not rests:
+        return words
+    if words[rests].kind == "mark":
+        return words
+    there = [replace(words[rests], text=text, raw=text) for text in ("there", "is")]
+    return [*words[:rests], *there, *words[rests + 1 :]]
+
+
+def _without_likeness(words: list[Word]) -> list[Word]:
+    """Leave out ``like in the other rooms`` after one thing that is added, which only says that others have it."""
+    start = _after_mark(words)
+    like = next((k for k in range(start + 2, len(words)) if words[k].text in ("like", "as")), 0)
+    said = [word.text for word in words[like + 1 : like + 4]]
+    end = next_mark(words, like)
+    added = text_at(words, start) in _ADDING and text_at(words, start + 1) in ("one", "a", "an")
+    plain = end - like <= _LONGEST_NAME + 2 and all(word.text != "and" for word in words[like:end])
+    if not (like and added and plain) or said != ["in", "the", "other"] or end + 1 < len(words):
+        return words
+    kept = words[: like - (text_at(words, like - 1) == ",")]
+    return [*kept[:-1], replace(kept[-1], end=words[end - 1].end), *words[end:]]
 
 
 def _meaning_first(words: list[Word]) -> list[Word]:
@@ -120,9 +151,6 @@ def _with_what_comes_too(words: list[Word]) -> list[Word]:
     return [*words[:start], *_over(words[start : too + 2], whole), *words[too + 2 :]]
 
 
-_LYING: Final = frozenset("left lying standing on in".split())
-
-
 def _without_summed_list(words: list[Word]) -> list[Word]:
     """Leave out what is on furniture that is cleared of all of it: ``clear the desk: books, pens, the lot``."""
     colon = next((k for k in range(2, len(words)) if words[k].text in (":", "-", "(")), 0)
@@ -137,6 +165,8 @@ def _without_summed_list(words: list[Word]) -> list[Word]:
 
 _READINGS: Final[tuple[Callable[[list[Word]], list[Word]], ...]] = (
     _door_first,
+    _lacking_first,
+    _without_likeness,
     _meaning_first,
     _without_ones_named,
     _with_what_comes_too,

@@ -267,10 +267,18 @@ class _Reader(
                 self.statements.append(Mention(quote=self._quote(words, at, end)))
                 at = end
                 continue
+            start = at
             at = self._goes_to_rest(reader, at) or self._read_clause(reader, words, at)
-            last = self.statements[-1] if self.statements else None
-            if reader.text(at) == ":" and isinstance(last, Mention) and last.rooms and reader.frame == Place():
-                reader.frame = Place(rooms=last.rooms)  # "tidy the office: ..." tells where all of it is
+            if reader.text(at) == ":":
+                self._tidied_before(reader, start)
+
+    def _tidied_before(self, reader: ClauseReader, start: int) -> None:
+        """Let ``tidy the office:`` tell where all of it is that comes after the colon."""
+        verb = verb_at(reader.words, start, self.lexicon)
+        last = self.statements[-1] if self.statements else None
+        told = isinstance(last, Mention) and last.rooms is not None and reader.frame == Place()
+        if told and verb is not None and verb[0] == "tidy" and isinstance(last, Mention):
+            reader.frame = Place(rooms=last.rooms)
 
     def _begin(self, reader: ClauseReader, words: Sequence[Word]) -> int:
         """Return the place after what a sentence only begins with: ``no, wait``, ``from now on``."""
