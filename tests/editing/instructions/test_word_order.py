@@ -51,6 +51,11 @@ def _bare(text: str, state: SceneState) -> list[Statement]:
         ("In the hall hangs no clock. Add one.", "In the hall there is no clock. Add one."),
         ("Add a clock in the hall, as in the other rooms.", "Add a clock in the hall."),
         ("The kitchen needs a wooden floor, could you see to it?", "The kitchen needs a wooden floor, please?"),
+        (
+            "Stools instead of chairs around the dining table in the kitchen: remove the chairs, put two stools there.",
+            "Around the dining table in the kitchen: remove the chairs, put two stools there.",
+        ),
+        ("Lamp instead of vase: remove the vase in the hall, add a lamp.", "Remove the vase in the hall, add a lamp."),
         ("sofa: from hall to office", "move sofa from hall to office"),
         ("The sofa: from the hall to the office.", "Move the sofa from the hall to the office."),
         ("sofa -> blue, every single one in the building", "sofa -> blue"),
@@ -165,3 +170,8 @@ def test_a_rug_is_no_floor_that_was(furnished_state: SceneState) -> None:
 
 def test_things_that_shall_stand_like_others_are_not_understood(furnished_state: SceneState) -> None:
     assert read_instruction("Move the sofa in the hall like in the other room.", furnished_state).not_understood
+
+
+def test_a_headline_that_asks_for_other_things_is_not_left_out(furnished_state: SceneState) -> None:
+    text = "Stools instead of chairs around the dining table: remove the lamp."
+    assert read_instruction(text, furnished_state).not_understood

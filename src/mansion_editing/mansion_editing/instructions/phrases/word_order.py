@@ -85,6 +85,21 @@ def _without_likeness(words: list[Word]) -> list[Word]:
     return [*kept[:-1], replace(kept[-1], end=words[end - 1].end), *words[end:]]
 
 
+def _without_headline(words: list[Word]) -> list[Word]:
+    """Return ``around the table: ...`` for ``Stools instead of chairs around the table: ...`` that names both again."""
+    start = _after_mark(words)
+    colon = next_mark(words, start)
+    joint = next((k for k in range(start, colon) if words[k].text == "instead" and text_at(words, k + 1) == "of"), 0)
+    end = next((k for k in range(joint + 2, colon) if words[k].text in FUNCTION_WORDS - DETERMINERS), colon)
+    new, old = words[start:joint], words[joint + 2 : end]
+    later = {word.text for word in words[colon + 1 :]}
+    plain = all(w.kind == "word" and w.text not in FUNCTION_WORDS - DETERMINERS for w in [*new, *old])
+    short = new and old and max(len(new), len(old)) <= _LONGEST_NAME
+    if not joint or not plain or not short or text_at(words, colon) != ":" or not {new[-1].text, old[-1].text} <= later:
+        return words
+    return [*words[:start], *words[end + (end == colon) :]]
+
+
 def _meaning_first(words: list[Word]) -> list[Word]:
     """Return ``I mean the hall`` for ``The hall I mean``."""
     start = _after_mark(words)
@@ -166,6 +181,7 @@ def _without_summed_list(words: list[Word]) -> list[Word]:
 _READINGS: Final[tuple[Callable[[list[Word]], list[Word]], ...]] = (
     _door_first,
     _lacking_first,
+    _without_headline,
     _without_likeness,
     _meaning_first,
     _without_ones_named,
