@@ -32,3 +32,16 @@ def test_a_cellar_for_goods_is_a_room_of_the_storey_that_lists_it(brief: str, na
 def test_a_cellar_that_holds_rooms_is_a_storey(brief: str) -> None:
     facts = read_brief(brief, default_knowledge())
     assert any(ref.kind == "basement" for fact in facts.rooms for ref in fact.floors)
+
+
+@pytest.mark.parametrize("place", ["underneath", "beneath", "below"])
+def test_what_tells_where_a_basement_lies_is_neither_a_room_nor_unread(place: str) -> None:
+    brief = f"A plot in a terrace for a three-storey house, with a kitchen, and a basement {place}."
+    facts = read_brief(brief, default_knowledge())
+    assert facts.basements
+    assert place not in {fact.name for fact in facts.rooms} | {span.words for span in facts.unread}
+
+
+def test_what_lies_beneath_a_room_is_not_passed_over() -> None:
+    facts = read_brief("A house with a kitchen and a bedroom. The kitchen is underneath.", default_knowledge())
+    assert any("underneath" in span.words for span in facts.unread)

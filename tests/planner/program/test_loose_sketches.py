@@ -5,7 +5,7 @@ import pytest
 from mansion_knowledge import default_knowledge
 from mansion_planner.brief.facts import RoomFact, Span
 from mansion_planner.program.model import Corridor, Placement, PlannedRoom, Sketch, loosened
-from mansion_planner.program.storey_rooms import planned_room
+from mansion_planner.program.planned_rooms import planned_room
 
 
 def room(name: str, area: float | None = None) -> PlannedRoom:

@@ -1,5 +1,7 @@
 """Buildings as large as the rooms that a brief counts."""
 
+import re
+
 import pytest
 
 from mansion_knowledge import default_knowledge
@@ -56,3 +58,22 @@ def test_a_storey_is_as_large_as_its_share() -> None:
 def test_a_size_in_the_request_leaves_the_usual_number_of_storeys(given: dict[str, float]) -> None:
     program = plan_building(BuildRequest(description="A hotel with 12 rooms", **given)).program
     assert len(program.floors) >= KNOWLEDGE.buildings["hotel"].floors[0]
+
+
+@pytest.mark.parametrize(
+    ("brief", "storeys"),
+    [
+        ("an office of 200 m2", 1),
+        ("a garden annexe of 55 m2 for one person", 1),
+        ("a house of 90 m2", 1),
+        ("a house of 120 m2", 2),
+        ("an office of 600 m2", 2),
+        ("a townhouse of 90 m2", 2),
+        ("a house of 90 m2 on two floors", 2),
+    ],
+)
+def test_a_stated_area_is_divided_over_storeys_that_have_room_beside_a_stair(brief: str, storeys: int) -> None:
+    program = plan_building(BuildRequest(description=brief)).program
+    assert len(program.floors) == storeys
+    stated = float(re.search(r"(\d+) m2", brief).group(1))  # type: ignore[union-attr]
+    assert sum(floor.gross_floor_area for floor in program.floors) == pytest.approx(stated, rel=0.1)

@@ -9,8 +9,8 @@ import pytest
 from mansion_knowledge import default_knowledge
 from mansion_planner.program.bands import Block, Segment
 from mansion_planner.program.model import PlannedRoom
+from mansion_planner.program.planned_rooms import planned_room
 from mansion_planner.program.separation import keep_apart, parted
-from mansion_planner.program.storey_rooms import planned_room
 
 
 def block(name: str, area: float = 12.0) -> Block:

@@ -3,11 +3,10 @@
 import pytest
 
 from mansion_knowledge import default_knowledge
-from mansion_msgs_py.request import BuildRequest
 from mansion_planner.brief.facts import RoomFact, Span
-from mansion_planner.plan import plan_building
 from mansion_planner.program.model import PlannedRoom
-from mansion_planner.program.storey_rooms import fit_areas, name_rooms, planned_room
+from mansion_planner.program.planned_rooms import planned_room
+from mansion_planner.program.storey_rooms import fit_areas, name_rooms
 
 
 def rooms(*names: str) -> list[PlannedRoom]:
@@ -51,48 +50,3 @@ def test_the_rooms_of_a_suite_are_named_with_the_others() -> None:
     suites = rooms("hotel_room", "hotel_room")
     names = [part.id for room in name_rooms(suites, "corridor") for part in room.each()]
     assert len(suites[0].each()) > 1 and len(set(names)) == len(names)
-
-
-def types(brief: str) -> list[str]:
-    program = plan_building(BuildRequest(description=brief)).program
-    return [room.room_type for floor in program.floors for room in floor.rooms]
-
-
-def test_who_wants_no_cafeteria_gets_no_cafe_either() -> None:
-    assert "cafe" in types("A museum of two floors")
-    assert not {"cafe", "cafeteria", "restaurant"} & set(types("A museum of two floors. We do not want cafeteria."))
-
-
-def test_counted_bathrooms_leave_no_room_for_other_toilets() -> None:
-    found = types("A language school on one floor of 290 m2 with 4 classrooms and 2 bathrooms")
-    assert (found.count("bathroom"), {"restroom", "toilet"} & set(found)) == (2, set())
-
-
-def test_rooms_that_others_have_for_themselves_are_not_added_again() -> None:
-    found = types("A courthouse of two storeys with two courtrooms, each with its own judge's chamber")
-    assert found.count("judges_chamber") == 2
-
-
-@pytest.mark.parametrize(
-    ("brief", "label"),
-    [
-        ("a townhouse with 2 bedrooms", "bedroom"),
-        ("a school with six music practice rooms", "music practice room"),
-        ("a home with one Guest Room", "guest room"),
-    ],
-)
-def test_one_of_several_rooms_is_labelled_as_one(brief: str, label: str) -> None:
-    program = plan_building(BuildRequest(description=brief)).program
-    labels = {room.name.lower() for floor in program.floors for room in floor.rooms if room.name}
-    assert label in labels and f"{label}s" not in labels
-
-
-@pytest.mark.parametrize(
-    ("brief", "kind", "count"),
-    [
-        ("A kindergarten with three group rooms, each with a nap room.", "nap_room", 3),
-        ("A one-storey hotel with four guest rooms, each with a bathroom, and a sauna.", "sauna", 1),
-    ],
-)
-def test_rooms_that_each_of_a_group_has_are_not_added_to(brief: str, kind: str, count: int) -> None:
-    assert types(brief).count(kind) == count

@@ -10,7 +10,7 @@ _BENT = frozenset("bent folded wrapped laid arranged built shaped planned bends 
 _NEGATIONS = frozenset({"no", "without", "not", "never"})
 _EQUAL = frozenset(
     """
-    identical same repeat repeated alike equal clone copy duplicate mirror
+    identical identically same repeat repeated alike equal clone copy duplicate mirror
     """.split()
 )
 
@@ -87,7 +87,7 @@ _BUILT = frozenset({"shaped", "plan", "building", "footprint"})
 """Words that a letter after them tells the outline of, where it is called one."""
 _FORM_LINKS = frozenset(
     """
-    of a an the letter latin capital like is as in : = " should must be have has building its house plan
+    of a an the letter latin capital like it is as in : = " should must be have has building its house plan
     """.split()
 )
 

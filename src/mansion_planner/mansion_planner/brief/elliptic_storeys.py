@@ -14,6 +14,8 @@ _EDGES = {
     "middle": FloorRef("middle"),
 }
 _SUPERLATIVES = frozenset("lowest bottommost lowermost uppermost topmost highest".split())
+_TITLE = 4
+"""Words of a title before a storey, at most."""
 _VERBS = frozenset(
     """
     is are be has have hold contain house carry take get keep go stay belong comprise accommodate offer include feature
@@ -23,6 +25,7 @@ _OPENS_LIST = frozenset({"a", "an", "the", "there", "with", "for", "we", "our", 
 _PLACING = frozenset({"take", "occupy", "fill", "share", "on", "in", "at", "to"})
 _ARRIVING = frozenset({"arrive", "enter", "come", "walk", "step"})
 _BETWEEN = frozenset({"between", "in-between"})
+_BOTH = frozenset({"them", "these", "those", "both", "the"})
 
 
 class EllipticStoreys:
@@ -65,6 +68,8 @@ class EllipticStoreys:
             return [ref], index + 5  # "on the lower of the two floors"
         if reading.starts(index) and (reading.word(last) in (":", "=") or (reading.word(last) == "-" and not one)):
             return [ref], last
+        if reading.word(index) in _SUPERLATIVES and reading.word(last) == ":" and self._follows_title(index):
+            return [ref], last
         if one and reading.word(last) == ":" and reading.word(index - 1) == ",":
             return [ref], last
         lead = index - 1 - (reading.word(index - 1) == "very")
@@ -79,6 +84,13 @@ class EllipticStoreys:
         if (opens and goes_on and following != ",") or (placed and (goes_on or following in CLOSERS | {"and"})):
             return [ref], last
         return None
+
+    def _follows_title(self, index: int) -> bool:
+        """Whether only a title of what a storey is for stands before a token: "Quiet functions topmost: ..."."""
+        first = index
+        while not self.reading.starts(first) and self.reading.kind(first - 1) == "word" and index - first < _TITLE:
+            first -= 1
+        return first < index and self.reading.starts(first)
 
     def _ordinal(self, index: int) -> tuple[list[FloorRef], int] | None:
         """Read "first one: ...", "they take the second."; storeys that count from the ground are no concern here."""
@@ -167,10 +179,11 @@ class EllipticStoreys:
         return [_GROUND], at
 
     def _between(self, index: int, previous: FloorRef | None) -> tuple[list[FloorRef], int] | None:
-        """Read "between them a storey with ...", "between them there are four storeys", "the storey in between"."""
+        """Read "between them a storey with ...", "in between come two floors", "the storey in between"."""
         reading = self.reading
-        if reading.word(index) in _BETWEEN and reading.word(index + 1) in ("them", "these", "those", "both", "the"):
-            at = index + 2 + (reading.word(index + 2) in ("two", "both"))
+        opens = reading.words(index, index + 2) == ("in", "between") and reading.starts(index)
+        if opens or (reading.word(index) in _BETWEEN and reading.word(index + 1) in _BOTH):
+            at = index + 2 + (not opens and reading.word(index + 2) in ("two", "both"))
             while reading.word(at) in _THERE_ARE and at - index < 6:
                 at += 1
             counted = reading.kind(at) == "number"
@@ -185,7 +198,6 @@ class EllipticStoreys:
             at = index + 1 + (reading.word(index + 1) == "in")
             if reading.word(at) == "between" and reading.word(at + 1) in CLOSERS | _VERBS | {"with", "them", "these"}:
                 return [FloorRef("middle")], at + 1 + (reading.word(at + 1) in ("them", "these"))
-        opens = reading.words(index, index + 2) == ("in", "between") and reading.starts(index)
         if opens and reading.word(index + 2) in (":", ",", "="):
             return [FloorRef("middle")], index + 2
         return None

@@ -226,7 +226,13 @@ class NumberedStoreys:
         last = index + 1
         while self.reading.word(last) in (",", "and", "&", "–", "to", "through") and last - index < 12:
             last += 2
-        return self.reading.word(last) == ":"
+        return self._leads_list(last)
+
+    def _leads_list(self, index: int) -> bool:
+        """Whether a colon stands at a token, or after a bracket there that says storeys are alike: "(typical):"."""
+        reading = self.reading
+        alike = reading.word(index) == "(" and reading.word(index + 1) in _ALIKE
+        return reading.word(index + 3 * (alike and reading.word(index + 2) == ")")) == ":"
 
     def _is_code(self, index: int) -> bool:
         """Whether a number of two digits that begins with 0 opens a line: "00 reception", "01-04 offices"."""
@@ -249,7 +255,7 @@ class NumberedStoreys:
             else:
                 numbers.append(int(reading.value(last + 1)))
             last += 2
-        marked = self.numbered_headings + self.headings_above > 1 and reading.word(last) == ":"
+        marked = self.numbered_headings + self.headings_above > 1 and self._leads_list(last)
         alike = len(numbers) > 1 and self.has_floors and reading.word(last) in _ALIKE
         if not (marked or alike or coded) or max(numbers) > 200:
             return None

@@ -12,7 +12,9 @@ from mansion_planner.brief.facts import BriefFacts, FloorRef, Quantity, Span
 from mansion_planner.brief.flat_types import flat_types
 from mansion_planner.brief.furniture_words import furniture_vocabulary
 from mansion_planner.brief.lexicon import Mention, lexicon_of
+from mansion_planner.brief.relative_areas import relative_areas
 from mansion_planner.brief.spelling import corrected
+from mansion_planner.brief.stacked_flats import stacked_flats
 from mansion_planner.brief.storey_forms import storey_forms
 from mansion_planner.brief.storey_tables import storey_tables
 from mansion_planner.brief.storeys_by_use import storeys_by_use
@@ -193,6 +195,7 @@ def start_reading(text: str, knowledge: KnowledgeBase, cancelled: Callable[[], b
     tokens = flat_types(count_forms(storeys_by_use(storey_forms(text, tokens), FLOOR_WORDS)))
     tokens = compounds(corrected(tokens, lexicon.words, furniture_vocabulary()), lexicon.words)
     tokens = workplaces(foreign_storeys(open_decks(kinds_of_area(gross_areas(metering(tokens))))))
+    tokens = stacked_flats(relative_areas(tokens), FLOOR_WORDS)
     tokens = capacities(owned_by_each(upward_ranges(tokens, FLOOR_WORDS)), lexicon.heads)
     mentions = lexicon.find(tokens)
     reading = Reading(

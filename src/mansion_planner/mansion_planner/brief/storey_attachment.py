@@ -20,7 +20,7 @@ _GLUE = frozenset(
     """
     is are be goes go stay stays sit sits lie lies located situated placed both all only right directly up that
     which become stand kept share should must will shall belong take takes occupy occupies fills fill come found needed
-    wanted can could may might down ,
+    wanted can could may might down shown housed displayed ,
     on in at to entirely mostly alone as well too also each one apiece most much of occupy therefore be well
     """.split()
 )
@@ -40,6 +40,21 @@ _JOINTS = frozenset(
 )
 
 _AND = frozenset({"and", "&", "+"})
+
+
+_PLACED = frozenset({"shown", "housed", "displayed", "located", "situated", "placed", "kept", "is", "are"})
+"""What is said of a room before its storey: "temporary exhibitions are shown upstairs, where ..."."""
+_ASIDES = frozenset({"being", "which", "because", "since", "as"})
+"""Words that open a reason or a remark between a room and what is said of it: "the archive, being heavy, belongs"."""
+_LONGEST_ASIDE = 8
+
+
+def _aside(gap: tuple[str, ...]) -> int:
+    """Return how many words a remark between commas has that opens a gap, or 0."""
+    if gap[:1] != (",",) or gap[1:2] == () or gap[1] not in _ASIDES or "," not in gap[2:]:
+        return 0
+    end = gap.index(",", 2) + 1
+    return end if end <= _LONGEST_ASIDE and gap[end:] else 0
 
 
 def _several(place: Place) -> bool:
@@ -228,10 +243,12 @@ class _Walk:
         )
 
     def _trails(self, place: Place, left: list[int]) -> bool:
-        if not left or place.heading or "where" in self.reading.words(place.last, place.last + 2):
+        if not left or place.heading:
             return False
         phrase = self.phrases[left[-1]]
         gap = self.reading.words(phrase.last, place.first)
+        if "where" in self.reading.words(place.last, place.last + 2) and _PLACED.isdisjoint(gap):
+            return False
         if (
             self.reading.word(place.last) in ("has", "have", "hold", "house", "contain", ":", "get", "carry", "host")
             and self.reading.word(place.first - 1) in _OPENERS
@@ -241,6 +258,7 @@ class _Walk:
             return False  # "the family upstairs with three bedrooms"
         if gap[:1] == ("(",) and ")" in gap:
             gap = gap[gap.index(")") + 1 :]  # "two toilets (m/f) on each level"
+        gap = gap[_aside(gap) :]
         gap = gap[self._capacity(phrase.last, len(gap)) :]
         after = phrase.last + len(self.reading.words(phrase.last, place.first)) - len(gap)
         sized = {k for k in range(len(gap)) if self.reading.kind(after + k) in ("number", "unit")}
@@ -269,9 +287,10 @@ class _Walk:
         return size if size <= most else 0
 
     def _goes_on(self, place: Place) -> bool:
-        """Whether what follows a place shares it: "on the first floor together with the foyer", "below with ..."."""
+        """Whether what follows a place shares it: "on the first floor together with the foyer", "upstairs, where"."""
         following = self.reading.words(place.last, place.last + 2)
-        return following in (("together", "with"), ("along", "with")) or (following[0] == "with" and not place.led)
+        together = following in (("together", "with"), ("along", "with")) or "where" in following
+        return together or (following[0] == "with" and not place.led)
 
     def _closes(self, place: Place) -> bool:
         """Whether a reference after a comma ends its clause, so that it can only belong to what stands before it."""
@@ -287,6 +306,8 @@ class _Walk:
         if not opened and not titled:
             below = place.refs[0].kind == "basement" or self.reading.word(place.last) == ","
             return left[-1:] if self._asyndetic(left) and (below or not place.led) else left
+        if len(left) > 1 and self._is_bracketed(left[-1]):
+            return [left[-1], *self._claimed(place, left[:-1], opened=opened)]
         chosen = [left[-1]]
         joined = False
         for number in reversed(left[:-1]):
@@ -304,6 +325,12 @@ class _Walk:
                 break
             chosen.append(number)
         return chosen
+
+    def _is_bracketed(self, number: int) -> bool:
+        """Whether a phrase stands in a bracket behind another one: "the living room (with a fireplace)"."""
+        phrase, reading = self.phrases[number], self.reading
+        before = self.phrases[number - 1].last if number else 0
+        return "(" in reading.words(before, phrase.first) and reading.word(phrase.last) == ")"
 
     def _list_before(self, place: Place, left: list[int]) -> list[int]:
         """Return the rooms of a clause that its storey ends, where the next clause tells another storey.

@@ -40,6 +40,7 @@ ANAPHORS = frozenset({"it", "that", "them", "this", "these", "those"})
 HOLDING = frozenset({"with", "holding", "containing", "housing", "for"})
 """Words between a basement and the rooms that lie in it."""
 
+_WISHES = frozenset({"want", "need", "make", "build", "dig", "have", "require"})
 _BELOW = frozenset({"underground", "basement", "subterranean", "below"})
 CLOSERS = frozenset({"", ".", ",", ";", ":", "\n", ")", "!", "?", "=", "-"})
 
@@ -523,6 +524,12 @@ class StoreyCounts:
             ref = FloorRef("basement", span=self.reading.span(first, last))
             self.places.append(Place(first, last, (ref,), led=False))
 
+    def _is_refused(self, index: int) -> bool:
+        """Whether "we do not make" stands at a token: the storey before it is not to be."""
+        reading = self.reading
+        who, denied, verb = reading.words(index, index + 3) if reading.word(index + 2) else ("", "", "")
+        return who in ("we", "i", "they") and denied == "not" and verb in _WISHES
+
     def _unwanted_basement(self, index: int) -> int:
         """Read "no garage or basement" and "a cellar is not needed"; return where it ends, or 0."""
         reading = self.reading
@@ -545,10 +552,11 @@ class StoreyCounts:
             ("not", "required"),
             ("not", "necessary"),
         )
-        if before <= index - 8 and not after:
+        refused = last == index + 1 and self._is_refused(last)
+        if before <= index - 8 and not (after or refused):
             return 0
         first = before if before > index - 8 else index
-        last = last + 2 if after else index + 1
+        last += 3 if refused else 2 if after else index + 1 - last
         if self._is_left_out_of_area(first, index):
             reading.take(first, last)
             return last

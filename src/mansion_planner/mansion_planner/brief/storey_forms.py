@@ -261,13 +261,22 @@ class _Forms:
         return None
 
     def _side(self, index: int) -> _Found | None:
-        """Read "Low level: ..." and "High level: ..." as the ground floor and the upper one."""
+        """Read "Low level: ...", "in the low floor", "the two high floors" as the ground floor and the upper ones."""
         side = {"low": "ground", "high": "upper"}.get(self._word(index), "")
-        if not side or self._word(index + 1) not in ("level", "floor") or not self._opens(index):
+        if not side or self._word(index + 1) not in ("level", "floor", "storey"):
             return None
-        if self._word(index + 2) not in _MARKS:
+        heads = self._opens(index) and self._word(index + 2) in _MARKS
+        if not (heads or self._is_the_side(index)):
             return None
         return [replace(self.tokens[index], text=side), self.tokens[index + 1]], index + 2
+
+    def _is_the_side(self, index: int) -> bool:
+        """Whether "in the low floor" and "the two high floors" tell storeys by their place."""
+        counted = self.tokens[index - 1].kind == "number" and index > 1
+        several = self.tokens[index + 1].plural
+        if self._word(index - 1 - counted) != "the" or (several and self._word(index) == "low"):
+            return False
+        return several or self._word(index - 2) in ("in", "on", "at")
 
     def _letter(self, index: int) -> _Found | None:
         """Read "Level G: ..." as level 0, "planta alta" as the upper floor, and "floor plate" as the footprint."""

@@ -14,6 +14,7 @@ _THAT = frozenset({"that", "this", "it", "these", "those", "them", "which"})
 _PLACED = frozenset("ground top upper lower next first last other every each all any middle bottom entrance".split())
 """Words that tell a storey by themselves, whatever stands after it."""
 _OPENERS = frozenset({",", ":", ";", "and", "then", "-", "–", "("})
+_MORE = frozenset({"also", "likewise", "too", "additionally", "further", "furthermore"})
 _BOTTOM = frozenset({"bottom", "ground", "base"})
 
 
@@ -100,6 +101,8 @@ class StoreySequence:
         base = previous
         if base is None or base.kind not in ("number", "range", "top", "below_top"):
             base = FloorRef("number", 1, 1)
+        if self._is_same_again(index):
+            return [replace(previous) if previous is not None else base], index + 2
         if word in ("up", "down") and reading.word(index + 1) == "there" and previous is not None:
             return [replace(previous)], index + 2
         if reading.words(index, index + 3) == ("one", "flight", "up"):
@@ -113,6 +116,18 @@ class StoreySequence:
                 reading.word(index + 2) in ("up", "above")
             )
         return self._beside(index, base, previous)
+
+    def _is_same_again(self, index: int) -> bool:
+        """Whether "same floor" is that of what was told before: "Also a toilet, at same floor"."""
+        reading = self.reading
+        if reading.word(index) != "same" or reading.word(index + 1) not in FLOOR_WORDS:
+            return False
+        first = index
+        while not reading.starts(first):
+            first -= 1
+        led = not {"on", "at", "in"}.isdisjoint(reading.words(index - 2, index))
+        more = not _MORE.isdisjoint(reading.words(first, index))
+        return led and more and reading.word(index + 2) in CLOSERS
 
     def _beside(self, index: int, base: FloorRef, previous: FloorRef | None) -> tuple[list[FloorRef], int] | None:
         """Read "the floor above", "the one just under the top", "a sleeping storey over it"."""

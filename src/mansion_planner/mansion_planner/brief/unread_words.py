@@ -28,6 +28,9 @@ _RELATING = frozenset(
 )
 """Words that tell where a room is, or what it shares; where no relation was read they are told of."""
 
+_BENEATH = frozenset({"below", "beneath", "underneath"})
+"""Where every basement is."""
+
 _WAYS = frozenset({"through", "from", "via", "by"})
 _LAID = frozenset("wrapped grouped built laid set folded closed clustered".split())
 _YARDS = frozenset({"courtyard", "patio", "yard", "atrium", "cloister"})
@@ -48,6 +51,8 @@ def _is_content(reading: Reading, index: int) -> bool:
         return not (bed or _numbers_line(reading, index))
     if token.text in _SIZES and _has_measure(reading, index):
         return False  # "a gross floor area in the region of 3,200 m2"
+    if token.text in _BENEATH and reading.word(index - 1) in ("basement", "cellar") and index - 1 in reading.taken:
+        return False
     grounded = reading.word(index + 1) in ("ground", "grade") or reading.kind(index + 1) in ("number", "unit")
     if token.text == "building" and any(mention.building and mention.last == index for mention in reading.mentions):
         return False  # "a bakery building"

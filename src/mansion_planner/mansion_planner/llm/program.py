@@ -18,8 +18,8 @@ from mansion_planner.llm.context import ARCHITECT, CLOSING, Context, as_json, nu
 from mansion_planner.llm.cores import core_faults, core_sizes, cores_of, same_cores
 from mansion_planner.llm.palette import Palette
 from mansion_planner.llm.refit import ChosenFloor, ChosenRoom, chosen_of_storey, refit, with_cores
+from mansion_planner.program.allocation import allocate
 from mansion_planner.program.building import PlannedBuilding
-from mansion_planner.program.storey_rooms import allocate
 from mansion_planner.program.storeys import floors_of, make_storeys
 from mansion_planner.solver.preview import png_bytes
 

@@ -15,7 +15,7 @@ from mansion_planner.llm.context import ARCHITECT, CLOSING, Context, as_json, nu
 from mansion_planner.llm.graph_rules import MOST_CHILDREN, access_promoted, graph_faults
 from mansion_planner.llm.palette import Palette
 from mansion_planner.program.building import PlannedBuilding
-from mansion_planner.solver.problem import resolve_zones
+from mansion_planner.solver.room_graph import resolve_zones
 
 __all__ = ["free_region", "plan_model_topology"]
 

@@ -12,6 +12,7 @@ from mansion_knowledge import KnowledgeBase
 from mansion_msgs_py.program import Downgrade
 from mansion_planner.brief.facts import AdjacencyFact
 from mansion_planner.program.aisle_sketch import aisle_massings, plan_price
+from mansion_planner.program.allocation import Allocation
 from mansion_planner.program.decisions import Decisions
 from mansion_planner.program.footprint import free_cores, free_massing, sketch_free
 from mansion_planner.program.massing import MassingWish, choose_massing, gross_area, rectangle_massing
@@ -38,7 +39,7 @@ from mansion_planner.program.plan_quality import (
 from mansion_planner.program.public_toilets import TOILETS, with_public_toilets
 from mansion_planner.program.setbacks import set_back
 from mansion_planner.program.storey_forms import capacity, form_of, sketched
-from mansion_planner.program.storey_rooms import Allocation, fill_storey, fit_areas, hub_area, name_rooms
+from mansion_planner.program.storey_rooms import fill_storey, fit_areas, hub_area, name_rooms
 
 __all__ = [
     "Arrangement",

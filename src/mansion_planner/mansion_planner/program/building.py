@@ -21,6 +21,7 @@ from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.wording import with_article
 from mansion_planner.brief.facts import BriefFacts, MaterialFact
 from mansion_planner.brief_checks import check_total_area
+from mansion_planner.program.allocation import allocate
 from mansion_planner.program.arrangement import Arrangement, best_arrangement, neighbours, unmet_neighbours
 from mansion_planner.program.decisions import Decisions, decide
 from mansion_planner.program.massing import MassingWish, choose_shape, storey_area, typical_room, vertical_method
@@ -29,7 +30,6 @@ from mansion_planner.program.outline import Envelope, Frame, bearing_walls
 from mansion_planner.program.setbacks import setback_record
 from mansion_planner.program.stair_sizes import stair_size, storey_height
 from mansion_planner.program.step_record import Record
-from mansion_planner.program.storey_rooms import allocate
 from mansion_planner.program.storeys import floors_of, is_hall, make_storeys
 from mansion_planner.program.wish_ledger import furniture_of, requested_objects, wishes_of
 

@@ -174,10 +174,15 @@ _BESIDE_LARGEST = 1.4
 """Area of a storey to that of its largest room, at least: the way there, stairs and others are beside it."""
 
 
-def _storeys_to_divide_over(facts: BriefFacts) -> tuple[int, str]:
+_SMALLEST_HOME, _SMALLEST = 0.65, 0.8
+"""Of the least usual area of a storey, what one of a home, and of another building, has when it is divided."""
+
+
+def _storeys_to_divide_over(facts: BriefFacts, building: BuildingType) -> tuple[int, str]:
     """Return over how many storeys the stated area may be divided at most, and why.
 
-    The largest room has its stated area on one of them, and each has the outline that is wanted.
+    The largest room has its stated area on one of them, each has the outline that is wanted, and none is a mere stair
+    with a corridor.
     """
     if not facts.area or facts.floor_area:
         return MOST_FLOORS, ""
@@ -186,8 +191,12 @@ def _storeys_to_divide_over(facts: BriefFacts) -> tuple[int, str]:
     roomy = max(1, int(area / (_BESIDE_LARGEST * largest))) if largest else MOST_FLOORS
     shape = facts.shapes[0][0] if facts.shapes else "rectangle"
     shaped = most_storeys(shape, area, MOST_FLOORS)
+    share = _SMALLEST_HOME if building.family == "home" else _SMALLEST
+    usable = max(1, int(area / (share * building.floor_area[0])))
     return min(
-        (roomy, "so that the largest room fits into one"), (shaped, "so that each has the outline that is wanted")
+        (roomy, "so that the largest room fits into one"),
+        (shaped, "so that each has the outline that is wanted"),
+        (usable, "so that each has room beside its stair"),
     )
 
 
@@ -224,7 +233,7 @@ def _infer_floors(
         count = max(1, usual - 1) if usual > 2 else usual
     elif usual > 2 and generator.random() < 0.3:
         count = usual + 1 if usual < most else usual
-    holding, why = _storeys_to_divide_over(facts)
+    holding, why = _storeys_to_divide_over(facts, building)
     if sized is None and count > holding:
         count, reason = holding, why
     if facts.uses and needed:

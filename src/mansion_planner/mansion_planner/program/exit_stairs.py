@@ -5,9 +5,10 @@ from typing import Final
 
 from mansion_knowledge import KnowledgeBase
 from mansion_knowledge.norms import load_norms
+from mansion_planner.program.allocation import Allocation
 from mansion_planner.program.decisions import Decisions
 from mansion_planner.program.model import Storey
-from mansion_planner.program.storey_rooms import Allocation, base_rooms
+from mansion_planner.program.storey_rooms import base_rooms
 from mansion_planner.program.storeys import entries_of
 
 __all__ = ["second_stair"]

@@ -13,12 +13,13 @@ from mansion_knowledge.norms import load_norms
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.program import Downgrade, TraceEntry
 from mansion_msgs_py.wording import with_article
+from mansion_planner.program.allocation import Allocation
 from mansion_planner.program.decisions import AREA_CAP, Decisions, conflict, note
 from mansion_planner.program.exit_stairs import second_stair
 from mansion_planner.program.model import LIFT, CoreBox, CoreWish, Massing, Storey, Wing
 from mansion_planner.program.shape_sizes import least_area
 from mansion_planner.program.step_record import Record
-from mansion_planner.program.storey_rooms import Allocation, base_rooms, hub_area, listed_area
+from mansion_planner.program.storey_rooms import base_rooms, hub_area, listed_area
 from mansion_planner.program.storeys import entries_of, is_hall
 
 __all__ = [

@@ -7,8 +7,9 @@ import msgspec
 
 from mansion_knowledge import KnowledgeBase
 from mansion_knowledge.norms import load_norms
+from mansion_planner.program.allocation import Allocation
 from mansion_planner.program.model import PlannedRoom, Storey
-from mansion_planner.program.storey_rooms import Allocation, planned_room
+from mansion_planner.program.planned_rooms import planned_room
 
 __all__ = ["TOILETS", "with_public_toilets"]
 

@@ -6,11 +6,12 @@ from dataclasses import replace
 
 from mansion_knowledge import KnowledgeBase
 from mansion_msgs_py.program import TraceEntry
+from mansion_planner.program.allocation import Allocation
 from mansion_planner.program.decisions import Decisions
 from mansion_planner.program.model import Massing, Storey
 from mansion_planner.program.step_record import Record
 from mansion_planner.program.storey_forms import capacity
-from mansion_planner.program.storey_rooms import Allocation, listed_area
+from mansion_planner.program.storey_rooms import listed_area
 
 __all__ = ["set_back", "setback_record"]
 

@@ -11,11 +11,11 @@ from mansion_msgs_py.wishes import Scope, Wish, WishKind, WishValue
 from mansion_planner.brief.bounds import Limit
 from mansion_planner.brief.facts import AdjacencyFact, FloorRef, ObjectFact, RoomFact, Span
 from mansion_planner.brief.sizes import size_bound
+from mansion_planner.program.allocation import MANY
 from mansion_planner.program.decisions import Decisions
 from mansion_planner.program.furniture_areas import usual_number, usually_has
 from mansion_planner.program.household import is_whole
 from mansion_planner.program.model import PlannedRoom, Storey
-from mansion_planner.program.storey_rooms import MANY
 from mansion_planner.program.storeys import floors_of
 
 __all__ = ["furniture_of", "requested_objects", "wishes_of"]

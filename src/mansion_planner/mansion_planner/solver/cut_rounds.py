@@ -15,7 +15,8 @@ from mansion_planner.solver.options import Budget, SolverOptions
 from mansion_planner.solver.partition import Partition
 from mansion_planner.solver.polygons import layout_room, shape_of_cells
 from mansion_planner.solver.preview import render_preview
-from mansion_planner.solver.problem import FloorModel, Goal, breadth_first_parents, planned_shares
+from mansion_planner.solver.problem import FloorModel, Goal, planned_shares
+from mansion_planner.solver.room_graph import breadth_first_parents
 
 __all__ = [
     "RoundsResult",

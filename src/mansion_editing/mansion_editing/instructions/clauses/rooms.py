@@ -28,6 +28,8 @@ class RoomChanges(Giving):
     def _rename(self, at: int, place: int) -> tuple[list[Statement], int]:
         place += self.text(place) == '"'
         item = self.item(place)
+        if item is not None and item.phrase.refers == "last" and not item.phrase.noun.words:
+            return self._rename_it(at, item)
         if item is None or item.phrase.noun.kind not in ("room", "both", "object"):
             raise NotUnderstood(at, self.boundary(at))
         end = item.phrase.end + (self.text(item.phrase.end) == '"')
@@ -43,6 +45,17 @@ class RoomChanges(Giving):
             end += 1
         name, stop = self.name_at(end)
         return [Rename(room=rooms, name=name, quote=self.quote(at, stop))], stop
+
+    def _rename_it(self, at: int, item: Item) -> tuple[list[Statement], int]:
+        """Read ``rename it to "Den"``, ``call it "Den"`` of the room before; names are in quotes or capitals."""
+        end = item.phrase.end
+        while self.text(end) in BEFORE_NAMES and self.text(end) != '"':
+            end += 1
+        named = self.text(end) == '"' or (end < len(self.words) and self.words[end].capital)
+        if not named or item.phrase.plural:
+            raise NotUnderstood(at, self.boundary(at))
+        name, stop = self.name_at(end + (self.text(end) == '"'))
+        return [Rename(room=Rooms(same=True), name=name, quote=self.quote(at, stop))], stop
 
     def name_at(self, at: int) -> tuple[str, int]:
         """Read a name as it is written, up to a mark or the end."""

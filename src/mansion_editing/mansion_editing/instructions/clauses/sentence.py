@@ -569,8 +569,27 @@ class Sentence(ABC):
                 items = self.items(place + len(phrase))
             except NotUnderstood:
                 return at, ()
-            return items[-1].end, tuple(_kind_of_its_own(self._all(item.things())) for item in items)
+            spared = tuple(_kind_of_its_own(self._all(item.things())) for item in items)
+            return self._also_spared(items, spared)
         return at, ()
+
+    def _also_spared(self, items: Sequence[Item], spared: tuple[Things, ...]) -> tuple[int, tuple[Things, ...]]:
+        """Read further rooms of ``those in the office and in the hall``, ``those in the office and the hall``."""
+        named = next((k for k in range(1, len(items)) if items[k].is_room), len(items))
+        last, own = items[named - 1], spared[named - 1]
+        if own.place is None or own.place.rooms is None or own.place.anchor is not None:
+            return items[-1].end, spared
+        rooms = [msgspec.structs.replace(own, place=Place(rooms=item.rooms())) for item in items[named:]]
+        if not all(item.is_room for item in items[named:]):
+            return items[-1].end, spared
+        end = last.end if named == len(items) else items[-1].end
+        while (at := self.conjunction(end)) and self.text(at) == "in":
+            read = read_place(self.words, at, self.lexicon, self.floors)
+            if read is None or read.place.rooms is None or read.place.anchor is not None:
+                break
+            rooms.append(msgspec.structs.replace(own, place=read.place))
+            end = read.end
+        return end, (*spared[:named], *rooms)
 
     def _excepted_rooms(self, at: int) -> tuple[int, tuple[Things, ...]] | None:
         """Read ``the office``, ``in room 3`` and ``rooms 1 and 2`` of an exception: all that is there."""

@@ -1,11 +1,20 @@
-"""Terse notation, written out in words: ``chairs 3 -> 4``, ``A <-> B``, ``w/o``, ``remove: A, B``."""
+"""Terse notation, written out: ``chairs 3 -> 4``, ``A <-> B``, ``w/o``, ``remove: A, B``, ``lamp: from A to B``."""
 
 import re
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import Final
 
-from mansion_editing.instructions.phrases.words import DETERMINERS, PREPOSITIONS, STATE_WORDS, Word, text_at
+from mansion_editing.instructions.phrases.verb_words import VERB_WORDS
+from mansion_editing.instructions.phrases.words import (
+    DETERMINERS,
+    FUNCTION_WORDS,
+    PREPOSITIONS,
+    PRONOUNS,
+    STATE_WORDS,
+    Word,
+    text_at,
+)
 from mansion_language.colours import COLOUR_WORDS
 
 __all__ = ["written_out"]
@@ -17,6 +26,8 @@ _SHAFTS: Final = ("-", "=")
 """Marks that an arrow begins with."""
 _BEFORE_LISTS: Final = frozenset("delete remove add swap exchange discard".split())
 """Verbs after which a colon only begins what they ask for."""
+_ENDS_OF_SENTENCES: Final = frozenset((".", "!", "?", ";", "\n"))
+_LONGEST_NAME: Final = 4
 
 
 def written_out(words: Sequence[Word], text: str) -> list[Word]:
@@ -30,7 +41,8 @@ def written_out(words: Sequence[Word], text: str) -> list[Word]:
     out = _abbreviated(words)
     out = _with_exchanges(out, text)
     out = _with_arrows(out, text)
-    return [word for at, word in enumerate(out) if not _is_colon_of_list(out, at)]
+    out = [word for at, word in enumerate(out) if not _is_colon_of_list(out, at)]
+    return _with_ways(out)
 
 
 def _abbreviated(words: Sequence[Word]) -> list[Word]:
@@ -135,3 +147,27 @@ def _is_colon_of_list(words: Sequence[Word], at: int) -> bool:
     return (
         words[at].text == ":" and text_at(words, at - 1) in _BEFORE_LISTS and text_at(words, at - 2) not in ("to", "we")
     )
+
+
+def _with_ways(words: list[Word]) -> list[Word]:
+    """Write ``stand: from lobby to hall`` as ``move stand from lobby to hall``."""
+    joint = next((at for at in range(1, len(words)) if _is_colon_of_way(words, at)), 0)
+    if not joint:
+        return words
+    start = _start_of_part(words[:joint])
+    moved = [_inserted("move", words[start].start), *words[start:joint]]
+    return [*words[:start], *moved, *_with_ways(words[joint + 1 :])]
+
+
+def _is_colon_of_way(words: Sequence[Word], at: int) -> bool:
+    """Whether a colon stands between a thing and from where to where it goes: ``stand: from lobby to hall``."""
+    if words[at].text != ":" or text_at(words, at + 1) != "from":
+        return False
+    thing = words[_start_of_part(words[:at]) : at]
+    thing = thing[1:] if thing and thing[0].text in DETERMINERS else thing
+    end = next((k for k in range(at + 2, len(words)) if words[k].text in _ENDS_OF_SENTENCES), len(words))
+    goal = next((k for k in range(at + 2, end) if words[k].text == "to" or words[k].kind == "mark"), end)
+    verbs = [k for k in range(at + 2, end) if words[k].text in VERB_WORDS - FUNCTION_WORDS]
+    asked = any(text_at(words, k + 1) in DETERMINERS | PRONOUNS for k in verbs)
+    named = 0 < len(thing) <= _LONGEST_NAME and not any(word.text in FUNCTION_WORDS for word in thing)
+    return named and text_at(words, goal) == "to" and goal > at + 2 and not asked

@@ -12,6 +12,9 @@ __all__ = ["reworded"]
 _GLAD: Final = (("appreciate",), ("appreciate", "it"), ("be", "happy"), ("be", "glad"), ("be", "grateful"))
 _PHRASES: Final[dict[tuple[str, ...], tuple[str, ...]]] = {
     **{(who, "would", *glad, "if"): ("it", "would", "be", "good", "if") for who in ("i", "we") for glad in _GLAD},
+    **{(who, "from", "now", "on"): (who,) for who in ("i", "we", "you", "please")},
+    ("change", "its", "name", "to"): ("rename", "it", "to"),
+    ("change", "its", "name", "into"): ("rename", "it", "to"),
     ("which", "is", "why"): ("so",),
     ("that", "is", "why"): ("so",),
     ("that", "why"): ("so",),
@@ -106,6 +109,8 @@ _MADE: Final[dict[str, tuple[str, ...]]] = {
 
 _AT_EDGES: Final = frozenset(("if", "you", modal) for modal in ("would", "can", "could"))
 """Courtesies at the beginning or the end of a sentence."""
+_SEEING_TO_IT: Final = frozenset((modal, "you", "see", "to", "it") for modal in ("would", "can", "could"))
+"""What a sentence ends with that has said what to see to."""
 
 _FEW: Final = frozenset("one two three four five".split())
 _IN_ORDER: Final = (("after", "that"), ("after", "this"), ("in", "the", "end"), ("at", "the", "end"), ("once", "done"))
@@ -145,9 +150,10 @@ def reworded(words: Sequence[Word]) -> list[Word]:
             out += _in_place_of(words[at : at + supposed], ("if", "there", "is"))
             at += supposed
             continue
-        if tuple(w.text for w in words[at : at + 3]) in _AT_EDGES and _is_edge(words, at, at + 3):
-            out += _in_place_of(words[at : at + 3], ("please",))
-            at += 3
+        courtesy = _courtesy_at(words, at)
+        if courtesy:
+            out += _in_place_of(words[at : at + courtesy], ("please",))
+            at += courtesy
             continue
         ended = _end_of_order(words, at)
         if ended > at:
@@ -276,6 +282,17 @@ def _in_place_of(phrase: Sequence[Word], texts: Sequence[str]) -> list[Word]:
 
 def _is_edge(words: Sequence[Word], start: int, end: int) -> bool:
     return start == 0 or words[start - 1].kind == "mark" or end >= len(words) or words[end].kind == "mark"
+
+
+def _courtesy_at(words: Sequence[Word], at: int) -> int:
+    """Return how many words ``if you could``, ``could you see to it`` are that stand by themselves; 0 for others."""
+    if tuple(w.text for w in words[at : at + 3]) in _AT_EDGES and _is_edge(words, at, at + 3):
+        return 3
+    return 5 if tuple(w.text for w in words[at : at + 5]) in _SEEING_TO_IT and _is_end(words, at + 5) else 0
+
+
+def _is_end(words: Sequence[Word], at: int) -> bool:
+    return at >= len(words) or words[at].kind == "mark"
 
 
 def _turned_off(words: Sequence[Word], at: int) -> Word:

@@ -14,6 +14,7 @@ from mansion_editing.instructions.phrases.storey_counts import counted_from_grou
 from mansion_editing.instructions.phrases.totals import totals_before
 from mansion_editing.instructions.phrases.verb_words import Deed
 from mansion_editing.instructions.phrases.verbs import verb_at
+from mansion_editing.instructions.phrases.word_order import in_usual_order
 from mansion_editing.instructions.phrases.words import Word, split_words
 from mansion_editing.instructions.sentences.bystanding import fills_gaps
 from mansion_editing.instructions.statements import Place, Statement, Things
@@ -30,7 +31,7 @@ class Progress:
         self.lexicon = Lexicon(state)
         self.floors = state.floors
         words = without_times_of_headings(split_words(text, self.lexicon.speller, self.lexicon.kept))
-        plain = reworded(mended(written_out(words, text), self.lexicon))
+        plain = in_usual_order(reworded(mended(written_out(words, text), self.lexicon)))
         self.words = without_remarks(totals_before(limits_before(plain)))
         self.words = counted_from_ground(self.words, text, brief, self.floors)
         self.statements: list[Statement] = []

@@ -70,6 +70,7 @@ from mansion_editing.instructions.statements import (
     Add,
     Clear,
     Ensure,
+    Finish,
     Furnish,
     Instruction,
     Keep,
@@ -266,7 +267,18 @@ class _Reader(
                 self.statements.append(Mention(quote=self._quote(words, at, end)))
                 at = end
                 continue
+            start = at
             at = self._goes_to_rest(reader, at) or self._read_clause(reader, words, at)
+            if reader.text(at) == ":":
+                self._tidied_before(reader, start)
+
+    def _tidied_before(self, reader: ClauseReader, start: int) -> None:
+        """Let ``tidy the office:`` tell where all of it is that comes after the colon."""
+        verb = verb_at(reader.words, start, self.lexicon)
+        last = self.statements[-1] if self.statements else None
+        told = isinstance(last, Mention) and last.rooms is not None and reader.frame == Place()
+        if told and verb is not None and verb[0] == "tidy" and isinstance(last, Mention):
+            reader.frame = Place(rooms=last.rooms)
 
     def _begin(self, reader: ClauseReader, words: Sequence[Word]) -> int:
         """Return the place after what a sentence only begins with: ``no, wait``, ``from now on``."""
@@ -411,11 +423,25 @@ class _Reader(
                 last = self.statements[-1] if self.statements else None
             if _says_again(statement, last):
                 continue
+            if isinstance(statement, Rename) and statement.room == Rooms(same=True):
+                self._rename_it(statement, last)
+                continue
             if isinstance(statement, Remove) and isinstance(last, Add | Ensure | Move) and last.things.noun:
                 statement = _one_of_its_kind(statement, last.things)
             readers = (self._extends, self._spares, self._moves_on, self._tells_of_rest)
             if not any(reads(statement, last) for reads in readers):
                 self.statements += self._room_and_thing(statement)
+
+    def _rename_it(self, statement: Rename, last: Statement | None) -> None:
+        """Rename the room of the statement before; after a colon, the name is all that becomes of it."""
+        if not isinstance(last, Furnish | Finish | Reshape | Mention) or last.rooms is None:
+            self.unknown.append(statement.quote)
+            return
+        between = self._from_to(last, statement)[len(last.quote) : -len(statement.quote)]
+        if isinstance(last, Furnish) and last.kind == statement.name.lower() and between.strip() == ":":
+            statement = msgspec.structs.replace(statement, quote=self._from_to(last, statement))
+            self.statements.pop()
+        self.statements.append(msgspec.structs.replace(statement, room=last.rooms))
 
     def _room_and_thing(self, statement: Statement) -> list[Statement]:
         """Return what shall be left alone as the thing and the room that are called so: the bar, the kennel."""

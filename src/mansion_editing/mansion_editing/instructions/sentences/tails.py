@@ -8,7 +8,7 @@ import msgspec
 from mansion_editing.instructions.clauses.items import NotUnderstood, joined_places
 from mansion_editing.instructions.clauses.reader import ClauseReader, sparing
 from mansion_editing.instructions.phrases.loads import end_of_load
-from mansion_editing.instructions.phrases.places import with_place
+from mansion_editing.instructions.phrases.places import read_place, with_place
 from mansion_editing.instructions.phrases.word_sets import AFTER_CLAUSES, BESIDE_RELATIONS, JOINING, PEOPLE
 from mansion_editing.instructions.phrases.words import (
     COURTESIES,
@@ -25,6 +25,7 @@ from mansion_editing.instructions.sentences.background import end_of_background
 from mansion_editing.instructions.sentences.conditions import on_condition, read_condition
 from mansion_editing.instructions.sentences.counting import Counting
 from mansion_editing.instructions.sentences.lacking import end_of_presence, given_where_none_is, lacking_at
+from mansion_editing.instructions.sentences.purposes import end_of_purpose
 from mansion_editing.instructions.sentences.resulting import Resulting
 from mansion_editing.instructions.statements import (
     Add,
@@ -88,7 +89,10 @@ class Tails(Resulting, Counting):
             comma = words[end].text in (",", "and")
             rest = tuple(w.text for w in words[end + comma : end + comma + 3])
             if rest in _EVERY_ONE:
-                end += comma + 3
+                end = self._past_whole_building(reader, end + comma + 3)
+                continue
+            if self._denies_number(words, end):
+                end, exact = end + 3, True
                 continue
             if rest == ("not", "one", "more"):
                 end, exact = end + comma + 3, True
@@ -117,7 +121,7 @@ class Tails(Resulting, Counting):
                 end = untouched
                 continue
             told = end_of_presence(reader, end) or self._where_none_is(reader, end) or self._so_each_has_one(words, end)
-            told = told or self._and_nothing_else(words, end)
+            told = told or self._and_nothing_else(words, end) or end_of_purpose(words, end, self.clause)
             if told:
                 self.statements.append(Mention(quote=self._quote(words, end, told)))
                 end = told
@@ -154,6 +158,21 @@ class Tails(Resulting, Counting):
             return stop, exact
         self.unknown.append(self._quote(words, end, stop))
         return stop, exact
+
+    def _past_whole_building(self, reader: ClauseReader, at: int) -> int:
+        """Return the end of ``in the building`` after ``every single one``, which leaves nothing out."""
+        read = read_place(reader.words, at, self.lexicon, self.floors)
+        return at if read is None or read.place != Place() else read.end
+
+    def _denies_number(self, words: Sequence[Word], at: int) -> bool:
+        """Whether ``, not four`` ends a clause about another number that shall be there, which is meant exactly."""
+        if [word.text for word in words[at : at + 2]] != [",", "not"] or at + 2 >= len(words):
+            return False
+        number = words[at + 2]
+        ends = at + 3 >= len(words) or words[at + 3].kind == "mark"
+        counted = [s.things.amount for s in self.clause if isinstance(s, Ensure) and s.things.amount.kind == "some"]
+        other = len(counted) == len(self.clause) == 1 and counted[0].number not in (0, number.value)
+        return number.kind == "number" and ends and other
 
     def _ends_clause(self, reader: ClauseReader, at: int) -> bool:
         """Whether a word is the last one of a clause: ``only``, ``each`` of several, ``in`` of what is brought."""
