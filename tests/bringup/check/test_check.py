@@ -1,5 +1,6 @@
 """``mansion check`` finds nothing in a sound building and each kind of planted fault."""
 
+import itertools
 import json
 import math
 import shutil
@@ -8,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from shapely import Polygon
 
 from mansion_bringup.exporting import format_named, write_export
 from mansion_bringup.pipeline.build import build_building
@@ -149,10 +151,19 @@ def missing_room(value: Json) -> None:
     value["rooms"].remove(room)
 
 
+def swollen(room: Json) -> list[list[float]]:
+    """The outline of a room with its right side a metre further out."""
+    right = max(x for x, _ in room["polygon"])
+    return [[x + 1.0 if x == right else x, y] for x, y in room["polygon"]]
+
+
 def swollen_room(value: Json) -> None:
-    room = next(room for room in value["rooms"] if room["kind"] == "Entities")
-    xs = [x for x, _ in room["polygon"]]
-    room["polygon"] = [[x + 1.0 if x == max(xs) else x, y] for x, y in room["polygon"]]
+    room, polygon = next(
+        (room, swollen(room))
+        for room, other in itertools.permutations(value["rooms"], 2)
+        if room["kind"] == "Entities" and Polygon(swollen(room)).intersection(Polygon(other["polygon"])).area > 0.5
+    )
+    room["polygon"] = polygon
 
 
 def gap_in_walls(value: Json) -> None:
