@@ -8,7 +8,7 @@ import typer
 
 from mansion_bringup.cli.console import EXIT_INTERRUPTED, AsJson, check_output_folder, err, out, print_json
 from mansion_bringup.cli.pace import pace_reporter
-from mansion_bringup.cli.world_products import merge, pack, show
+from mansion_bringup.cli.world_products import agents, merge, pack, show
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.wording import counted
 from mansion_world.making import Jobs, Workers
@@ -18,11 +18,13 @@ __all__ = ["need_parquet", "register", "write_parquet_tables"]
 
 def register(app: typer.Typer) -> None:
     """Add the commands to `app`."""
-    group = typer.Typer(help="Worlds of many buildings: make, describe, check, show, pack, join.", no_args_is_help=True)
+    group = typer.Typer(
+        help="Worlds of many buildings: make, check, describe, try, show, pack, join.", no_args_is_help=True
+    )
     group.command("make", no_args_is_help=True)(make)
     group.command("stats", no_args_is_help=True)(stats)
     group.command("check", no_args_is_help=True)(check)
-    for command in (show, pack, merge):
+    for command in (agents, show, pack, merge):
         group.command(command.__name__, no_args_is_help=True)(command)
     app.add_typer(group, name="world")
 
@@ -132,7 +134,7 @@ def stats(
     page: Annotated[bool, typer.Option(help="Also write statistics.html into the folder.")] = True,
     as_json: AsJson = False,
 ) -> None:
-    """Describe a world: its mixture against the asked one, floors, areas, rooms, objects.
+    """Describe a world: its mixture against the asked one, floors, areas, rooms, objects, tasks and how agents did.
 
     Examples:
 

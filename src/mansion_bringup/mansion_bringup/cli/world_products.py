@@ -1,5 +1,6 @@
-"""``mansion world pack|merge|show``: what finished worlds become: shards for training, one world of several, a page."""
+"""``mansion world agents|pack|merge|show``: what finished worlds serve for: trials, shards, a joined world, a page."""
 
+import os
 from pathlib import Path
 from typing import Annotated
 
@@ -8,10 +9,46 @@ import typer
 from mansion_bringup.cli.console import AsJson, check_output_folder, err, out, print_json
 from mansion_msgs_py.wording import counted
 
-__all__ = ["merge", "pack", "show"]
+__all__ = ["agents", "merge", "pack", "show"]
 
 _EVERY = 100
 """Buildings between two lines of progress."""
+
+
+def agents(
+    world: Annotated[Path, typer.Argument(help="Folder that `mansion world make` wrote.")],
+    names: Annotated[
+        str, typer.Option("--agents", "-a", help="Names with commas between them.")
+    ] = "random,explorer,oracle",
+    buildings: Annotated[int, typer.Option("--count", "-n", min=0, help="Only the first so many buildings.")] = 0,
+    seed: Annotated[int, typer.Option(min=0)] = 0,
+    jobs: Annotated[int, typer.Option(min=0, help="Processes, 0: all cores; the result is the same.")] = 0,
+    as_json: AsJson = False,
+) -> None:
+    """Let agents try the tasks of a world: logs in its folder `agents`, a row each in manifest/trials.jsonl.
+
+    An interrupted run goes on where it ended. `mansion world stats` then shows success by difficulty.
+
+    Examples:
+
+      mansion world agents out/world
+
+      mansion world agents out/world --agents explorer -n 50 --jobs 2
+    """
+    from mansion_bringup.cli.bench_agents import chosen_agents, follow_bench, provide_for_agents
+    from mansion_bringup.worlds import trials_of
+    from mansion_tasks.episodes.bench import Bench
+    from mansion_tasks.episodes.results import render
+    from mansion_world.trials import task_sets, write_trials
+    from mansion_world.world_folder import WorldFolder
+
+    folder, chosen = WorldFolder(world), chosen_agents(names)
+    bench = Bench(files=tuple(task_sets(folder, buildings)), agents=chosen, output=world / "agents", seed=seed)
+    provide_for_agents(chosen)
+    result, _ = follow_bench(bench, jobs or os.cpu_count() or 1)
+    write_trials(folder, trials_of(result))
+    print_json(result.summary) if as_json else typer.echo(render(result.summary))
+    err.print(f"{folder.table('trials')}: {counted(len(result.episodes), 'trial')}", highlight=False)
 
 
 def pack(
