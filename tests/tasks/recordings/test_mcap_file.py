@@ -6,7 +6,7 @@ import re
 import pytest
 
 from mansion_msgs_py.errors import MansionError
-from mansion_tasks.recordings.definitions import FIELDS, RULE, message_definition
+from mansion_tasks.recordings.mcap_file import FIELDS, RULE, message_definition
 
 ALIASES = {"double": "float64", "float": "float32", "boolean": "bool", "octet": "byte"}
 
