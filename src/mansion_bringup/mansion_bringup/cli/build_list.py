@@ -9,8 +9,7 @@ import typer
 from rich.table import Table
 from rich.text import Text
 
-from mansion_bringup.cli.console import EXIT_INTERRUPTED, check_output_folder, err, out
-from mansion_bringup.cli.pace import pace_reporter
+from mansion_bringup.cli.console import EXIT_INTERRUPTED, buildings_reporter, check_output_folder, err, out
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.wording import counted
 
@@ -44,7 +43,7 @@ def build_briefs(source: Path, output: Path, defaults: BuildRequest, jobs: int, 
     workers = min(jobs or os.cpu_count() or 1, len(briefs))
     try:
         rows = build_list(
-            briefs, output, workers=world_workers(workers), jobs=workers, formats=formats, report=pace_reporter()
+            briefs, output, workers=world_workers(workers), jobs=workers, formats=formats, report=buildings_reporter()
         )
     except KeyboardInterrupt:
         err.print("interrupted; the same command goes on from the buildings that are done")

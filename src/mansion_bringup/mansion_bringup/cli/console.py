@@ -2,6 +2,7 @@
 
 import os
 import sys
+import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -15,10 +16,12 @@ from mansion_msgs_py.errors import ErrorCode, MansionError
 
 if TYPE_CHECKING:
     from mansion_msgs_py.world import Progress as ProgressPayload
+    from mansion_world.making import WorldProgress
 
 __all__ = [
     "EXIT_INTERRUPTED",
     "AsJson",
+    "buildings_reporter",
     "check_output_file",
     "check_output_folder",
     "complaints",
@@ -86,6 +89,29 @@ def progress_bar() -> Iterator["Callable[[ProgressPayload], None]"]:
         yield show
     finally:
         bar.stop()
+
+
+def buildings_reporter() -> "Callable[[WorldProgress], None]":
+    """Return what prints a line for each change: buildings done, rate, remaining time, what was set aside."""
+    from mansion_world.making import WorldProgress
+
+    started = time.monotonic()
+    last = WorldProgress(0, 0, 0, 0, 0)
+
+    def report(progress: "WorldProgress") -> None:
+        nonlocal last
+        if progress == last:
+            return
+        last = progress
+        made = max(0, progress.done - progress.kept)
+        hours = (time.monotonic() - started) / 3600
+        rate = made / hours if hours else 0.0
+        left = progress.total - progress.done - progress.missing
+        pace = f", {rate:.0f} an hour, {left / rate * 60:.0f} min left" if made and left else ""
+        aside = f", {progress.set_aside} set aside" if progress.set_aside else ""
+        err.print(f"[{progress.done}/{progress.total}] buildings{pace}{aside}", markup=False, highlight=False)
+
+    return report
 
 
 def check_output_folder(folder: Path) -> None:

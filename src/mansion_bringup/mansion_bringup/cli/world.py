@@ -6,8 +6,15 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from mansion_bringup.cli.console import EXIT_INTERRUPTED, AsJson, check_output_folder, err, out, print_json
-from mansion_bringup.cli.pace import pace_reporter
+from mansion_bringup.cli.console import (
+    EXIT_INTERRUPTED,
+    AsJson,
+    buildings_reporter,
+    check_output_folder,
+    err,
+    out,
+    print_json,
+)
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.wording import counted
 from mansion_world.making import Jobs, Workers, WorldProgress
@@ -97,7 +104,7 @@ def _made(
             workers=workers,
             jobs=width,
             tasks=TaskStep(tasks, tasks_for_world),
-            report=pace_reporter(),
+            report=buildings_reporter(),
         )
     except KeyboardInterrupt:
         err.print("interrupted; the same command goes on from the buildings that are done")

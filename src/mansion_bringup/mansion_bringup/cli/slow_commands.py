@@ -1,4 +1,4 @@
-"""What a command that shows no steps of its own says once it takes long: what it does, and for about how long."""
+"""A line for commands that are slow and show no progress: what they are doing, and about how long it takes."""
 
 import signal
 import threading
@@ -9,9 +9,9 @@ from typing import Any, Final
 
 from mansion_bringup.cli.console import err
 
-__all__ = ["TOLD_AFTER", "WORK", "told_when_slow", "with_patience"]
+__all__ = ["ANNOUNCED_AFTER", "WORK", "announced_when_slow", "announced"]
 
-TOLD_AFTER: Final = 2.0
+ANNOUNCED_AFTER: Final = 2.0
 """Seconds after which a command says what it does."""
 
 # Seconds of one core for the four-storey office of the README, in round figures.
@@ -38,8 +38,8 @@ WORK: Final[dict[str, tuple[str, str]]] = {
 
 
 @contextmanager
-def told_when_slow(command: str) -> Iterator[None]:
-    """Say what a command of `WORK` does if the block takes longer than `TOLD_AFTER`.
+def announced_when_slow(command: str) -> Iterator[None]:
+    """Say what a command of `WORK` is doing if the block takes longer than `ANNOUNCED_AFTER`.
 
     By a signal rather than a thread, so that commands may fork; only in the main thread, where signals come, and where
     nobody else has set the process's alarm.
@@ -56,7 +56,7 @@ def told_when_slow(command: str) -> Iterator[None]:
             err.print(f"{what}: {long}, more where the machine is busy", markup=False, highlight=False)
 
     before = signal.signal(signal.SIGALRM, say)
-    signal.setitimer(signal.ITIMER_REAL, TOLD_AFTER)
+    signal.setitimer(signal.ITIMER_REAL, ANNOUNCED_AFTER)
     try:
         yield
     finally:
@@ -64,12 +64,12 @@ def told_when_slow(command: str) -> Iterator[None]:
         signal.signal(signal.SIGALRM, before)
 
 
-def with_patience(command: str, callback: Callable[..., Any]) -> Callable[..., Any]:
-    """Return the callback of a command under `told_when_slow`."""
+def announced(command: str, callback: Callable[..., Any]) -> Callable[..., Any]:
+    """Return the callback of a command under `announced_when_slow`."""
 
     @wraps(callback)
-    def patient(*arguments: Any, **options: Any) -> Any:
-        with told_when_slow(command):
+    def run(*arguments: Any, **options: Any) -> Any:
+        with announced_when_slow(command):
             return callback(*arguments, **options)
 
-    return patient
+    return run

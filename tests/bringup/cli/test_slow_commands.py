@@ -7,15 +7,15 @@ import pytest
 import typer.main
 
 from mansion_bringup.cli.app import app
-from mansion_bringup.cli.patience import WORK
 from mansion_bringup.cli.settings_file import commands_below
+from mansion_bringup.cli.slow_commands import WORK
 
 SCRIPT = """
 import sys, time
-from mansion_bringup.cli import patience
+from mansion_bringup.cli import slow_commands
 from mansion_bringup.cli.console import err
-patience.TOLD_AFTER, seconds, err.quiet = 0.1, float(sys.argv[2]), sys.argv[3] == "quiet"
-answer = patience.with_patience(sys.argv[1], lambda: time.sleep(seconds) or 7)()
+slow_commands.ANNOUNCED_AFTER, seconds, err.quiet = 0.1, float(sys.argv[2]), sys.argv[3] == "quiet"
+answer = slow_commands.announced(sys.argv[1], lambda: time.sleep(seconds) or 7)()
 time.sleep(0.3)
 print(answer)
 """
