@@ -1,4 +1,4 @@
-"""The group of all commands, which imports a command's module when it is called, and the options that all commands have.
+"""The group of all commands: it imports a command's module when the command is called, and adds the common options.
 
 No command should wait for what others need: all modules together take several times as long to import as one.
 """
@@ -28,7 +28,8 @@ MODULES: Final[dict[str, tuple[str, ...]]] = {
     "graph": ("up", "call", "echo", "graph"),
     "solve": ("solve", "place"),
     "schema": ("schema",),
-    "quality": ("check", "test"),
+    "check": ("check",),
+    "run_tests": ("test",),
     "skill": ("skill",),
     "look": ("look",),
     "task": ("task",),

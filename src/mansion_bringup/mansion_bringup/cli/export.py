@@ -8,7 +8,7 @@ import typer
 
 from mansion_bringup.cli.console import AsJson, check_output_file, check_output_folder, err, print_json
 from mansion_bringup.exporting import PAGE, format_named, write_export, write_page
-from mansion_bringup.long_work import model_seconds, notice
+from mansion_bringup.time_estimates import model_seconds, notice
 from mansion_export.formats import ExportOptions, export_formats
 from mansion_msgs_py.building_folder import check_building_folder
 from mansion_msgs_py.wording import counted

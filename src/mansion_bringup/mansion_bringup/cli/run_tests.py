@@ -1,4 +1,4 @@
-"""The test suite with the tools that it needs: what ``mansion test`` and CI run."""
+"""``mansion test``: the test suite with the tools that it needs, as CI runs it."""
 
 import os
 import subprocess
@@ -7,16 +7,35 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Final
 
+import typer
+
 from mansion_bringup.discovery import CHOICES, loopback_variables
 from mansion_bringup.extras import ensure_extra
 from mansion_msgs_py.errors import ErrorCode, MansionError
 
-__all__ = ["TEST_EXTRAS", "pytest_command", "run_tests", "test_environment"]
+__all__ = ["TEST_EXTRAS", "pytest_command", "register", "run_tests", "test_environment"]
 
 TEST_EXTRAS: Final = ("test", "sim", "llm", "usd", "record", "rerun", "cluster", "world", "dxf", "ifc")
 """What the suite imports: the tools themselves, and the extras whose code it covers."""
 
-_CHECKOUT: Final = Path(__file__).resolve().parents[3]
+_CHECKOUT: Final = Path(__file__).resolve().parents[4]
+
+
+def register(app: typer.Typer) -> None:
+    """Add the command to `app`."""
+    app.command("test", context_settings={"allow_extra_args": True, "ignore_unknown_options": True})(test)
+
+
+def test(context: typer.Context) -> None:
+    """Run the test suite with the tools that it needs; further arguments go to pytest.
+
+    Examples:
+
+      mansion test
+
+      mansion test tests/graph -x
+    """
+    raise typer.Exit(run_tests(context.args))
 
 
 def pytest_command(arguments: Sequence[str]) -> list[str]:

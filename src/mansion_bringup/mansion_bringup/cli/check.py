@@ -1,4 +1,4 @@
-"""``mansion check`` and ``mansion test``: is a building sound, is Mansion sound."""
+"""``mansion check``: verify a building from its geometry and its request."""
 
 from pathlib import Path
 from typing import Annotated
@@ -12,9 +12,8 @@ __all__ = ["register"]
 
 
 def register(app: typer.Typer) -> None:
-    """Add the commands to `app`."""
+    """Add the command to `app`."""
     app.command("check", no_args_is_help=True)(check)
-    app.command("test", context_settings={"allow_extra_args": True, "ignore_unknown_options": True})(test)
 
 
 def check(
@@ -39,7 +38,7 @@ def check(
       mansion check out/office --norms
     """
     from mansion_bringup.check.norms import norms_of_folder
-    from mansion_bringup.long_work import check_seconds, notice
+    from mansion_bringup.time_estimates import check_seconds, notice
     from mansion_bringup.verify import verify_building
 
     if told := notice(building, "the check", check_seconds):
@@ -58,17 +57,3 @@ def check(
         err.print(f"{building}: {', '.join(found)}", highlight=False)
         raise typer.Exit(1)
     err.print(f"{building}: no fault found")
-
-
-def test(context: typer.Context) -> None:
-    """Run the test suite with the tools that it needs; further arguments go to pytest.
-
-    Examples:
-
-      mansion test
-
-      mansion test tests/graph -x
-    """
-    from mansion_bringup.testing import run_tests
-
-    raise typer.Exit(run_tests(context.args))

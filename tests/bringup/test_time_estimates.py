@@ -4,7 +4,7 @@ from pathlib import Path
 
 import msgspec
 
-from mansion_bringup.long_work import LARGE, TOLD_FROM, check_seconds, model_seconds, notice
+from mansion_bringup.time_estimates import LARGE, TOLD_FROM, check_seconds, model_seconds, notice
 from mansion_msgs_py.building_folder import BuildingFolder, floor_directory
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.scene import FloorScene

@@ -4,7 +4,7 @@ import subprocess
 import sys
 
 from mansion_bringup import __version__
-from mansion_bringup.about import about
+from mansion_bringup.cli.version import about
 
 
 def test_the_command_line_says_what_is_running() -> None:

@@ -1,4 +1,4 @@
-"""What is running: the version of Mansion, and what its results and its graph depend on."""
+"""``mansion --version``: the version of Mansion, and what its results and its graph depend on."""
 
 import hashlib
 import importlib.util
@@ -8,9 +8,11 @@ import sys
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
+import typer
+
 from mansion_bringup import __version__
 
-__all__ = ["about"]
+__all__ = ["about", "print_version"]
 
 
 def about() -> dict[str, str]:
@@ -50,8 +52,16 @@ def _lock(prefix: Path) -> str:
     if not (prefix / ".mansion-venv").exists():
         return "none (not an environment of ./mansion)"
     file = (
-        Path(__file__).resolve().parents[3] / "requirements" / f"core-{sys.version_info[0]}.{sys.version_info[1]}.txt"
+        Path(__file__).resolve().parents[4] / "requirements" / f"core-{sys.version_info[0]}.{sys.version_info[1]}.txt"
     )
     if not file.exists():
         return f"missing ({file})"
     return f"{file.name}, sha256 {hashlib.sha256(file.read_bytes()).hexdigest()[:12]}"
+
+
+def print_version(wanted: bool) -> None:
+    """Print what is running, and end; the callback of ``--version``."""
+    if wanted:
+        for name, value in about().items():
+            typer.echo(f"{name} {value}" if name == "mansion" else f"  {name:<11} {value}")
+        raise typer.Exit
