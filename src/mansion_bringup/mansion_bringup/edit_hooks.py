@@ -10,8 +10,8 @@ from typing import TypeVar
 import msgspec
 
 from mansion_assets.library.building_assets import assets_of
-from mansion_bringup.building.assets import asset_uses, assets_in
 from mansion_bringup.building.files import kept_files
+from mansion_bringup.building.own_assets import asset_uses, assets_in
 from mansion_bringup.building.receipt import receipt
 from mansion_bringup.check.cores import check_cores
 from mansion_bringup.check.fault import Fault

@@ -1,4 +1,4 @@
-"""What a world needs of the others: a request built, a folder checked, its tasks made, and processes that do it."""
+"""The steps by which a world is made (build a request, check a folder, make its tasks), and the processes for them."""
 
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Executor

@@ -31,7 +31,7 @@ def build_briefs(source: Path, output: Path, defaults: BuildRequest, jobs: int, 
     jobs : int
         Buildings in work at once; 0: all cores.
     """
-    from mansion_bringup.lists import TABLE, build_list
+    from mansion_bringup.build_list import TABLE, build_list
     from mansion_bringup.plan_files import plan_from_file
     from mansion_bringup.worlds import world_workers
     from mansion_world.brief_files import read_briefs

@@ -70,7 +70,7 @@ def _in_process(building: Path, name: str, fields: dict[str, Any], *, reset: boo
 
 def _through_graph(namespace: str, found: "Skill", fields: dict[str, Any]) -> Any:
     from mansion_bringup.client import MansionClient
-    from mansion_bringup.graph.skill_calls import call_skill
+    from mansion_bringup.graph.robot_client import call_skill
 
     session, arguments = _parted(fields)
     with MansionClient(namespace="/" + namespace.strip("/")) as client:

@@ -14,8 +14,8 @@ import msgspec
 from mansion_assets.catalogue.preferred import preferring
 from mansion_assets.library.building_assets import asset_files
 from mansion_assets.library.folders import library_folders
-from mansion_bringup.building.assets import assets_in
 from mansion_bringup.building.files import floor_files
+from mansion_bringup.building.own_assets import assets_in
 from mansion_bringup.building.report import building_index, building_report
 from mansion_bringup.building.workspace import Workspace
 from mansion_bringup.check import Fault

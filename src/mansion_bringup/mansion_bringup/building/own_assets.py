@@ -1,4 +1,4 @@
-"""Assets of the user's own in a building, and how often each is there."""
+"""The user's own assets in a building, and how often each is used."""
 
 from collections import Counter
 from collections.abc import Sequence

@@ -1,4 +1,4 @@
-"""Buildings of a list: made as those of a world are, with a table of what became of each brief."""
+"""Build a list of briefs as a world is built, and write a table of what became of each brief."""
 
 from collections.abc import Callable, Sequence
 from functools import partial
