@@ -12,7 +12,7 @@ from typer.testing import CliRunner
 
 from mansion_bringup.cli.app import app
 from mansion_msgs_py.errors import MansionError
-from mansion_world.measures import folder_digest
+from mansion_world.building_measures import folder_digest
 from mansion_world.packing import pack_world, unpack_building
 from mansion_world.world_folder import WorldFolder
 

@@ -11,7 +11,7 @@ from mansion.building import Building
 from mansion.making import load
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.request import BuildRequest
-from mansion_world.lists import BriefList, NamedRequest, Result
+from mansion_world.brief_list import BriefList, NamedRequest, Result
 from mansion_world.records import SPLITS, BuildingRow, Difficulty
 from mansion_world.world_folder import WorldFolder
 

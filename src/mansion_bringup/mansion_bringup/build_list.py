@@ -7,7 +7,7 @@ from typing import Final
 
 from mansion_bringup.worlds import build_for_world, check_for_world
 from mansion_msgs_py.files import write_atomic
-from mansion_world.lists import BriefList, Result, results, results_as_csv
+from mansion_world.brief_list import BriefList, Result, results, results_as_csv
 from mansion_world.making import Workers, WorldProgress, make_world
 from mansion_world.world_folder import WorldFolder
 

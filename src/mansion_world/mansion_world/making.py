@@ -26,8 +26,8 @@ from mansion_world.attempts import (
     WorkersGone,
     attempt_building,
 )
-from mansion_world.likeness import likeness_cells, nearly_the_same
-from mansion_world.measures import folder_digest
+from mansion_world.building_measures import folder_digest
+from mansion_world.near_duplicates import likeness_cells, nearly_the_same
 from mansion_world.records import Record, SetAside, WorldIndex
 from mansion_world.requests import Requests
 from mansion_world.sampling import WorldRequest

@@ -14,8 +14,8 @@ from msgspec.structs import replace
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import write_atomic
-from mansion_world.likeness import nearly_the_same
-from mansion_world.measures import folder_digest, split_of
+from mansion_world.building_measures import folder_digest, split_of
+from mansion_world.near_duplicates import nearly_the_same
 from mansion_world.records import BuildingRow, Record, SetAside, WorldSource
 from mansion_world.whole_folder import whole_folder
 from mansion_world.world_folder import WorldFolder, building_path

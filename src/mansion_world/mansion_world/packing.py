@@ -18,8 +18,8 @@ from mansion_msgs_py.building_folder import file_in
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import decode_from, write_atomic
+from mansion_world.building_measures import folder_digest, is_hashed
 from mansion_world.data_card import Shard, data_card
-from mansion_world.measures import folder_digest, is_hashed
 from mansion_world.records import BuildingRow, Record, RoomRow, Split, TaskRow
 from mansion_world.whole_folder import whole_folder
 from mansion_world.world_folder import WorldFolder

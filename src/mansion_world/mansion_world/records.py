@@ -202,7 +202,7 @@ class Record(msgspec.Struct, frozen=True, kw_only=True):
     Attributes
     ----------
     graph : str
-        Hash of its room graphs (see `mansion_world.likeness`).
+        Hash of its room graphs (see `mansion_world.near_duplicates`).
     likeness : list of RoomLikeness
     """
 

@@ -10,7 +10,7 @@ import numpy as np
 from mansion_geometry.randomness import item_generator, item_seed
 from mansion_msgs_py.request import BuildRequest
 from mansion_world.mixture import Mixture, SubKind
-from mansion_world.wording import fill_wording, fitting_wordings, values_in_words
+from mansion_world.sentence_templates import fill_wording, fitting_wordings, values_in_words
 
 __all__ = ["WorldRequest", "sample"]
 

@@ -10,7 +10,7 @@ from msgspec.structs import replace
 from mansion_msgs_py.building_folder import TASKS
 from mansion_msgs_py.codec import encode_bytes
 from mansion_world.attempts import Check
-from mansion_world.measures import folder_digest, task_row
+from mansion_world.building_measures import folder_digest, task_row
 from mansion_world.records import BuildingRow, DoneTask, Record, TaskRow
 from mansion_world.world_folder import TABLES, WorldFolder, table_rows
 

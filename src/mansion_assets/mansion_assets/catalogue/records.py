@@ -73,7 +73,7 @@ class AssetRecord(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fiel
     joints : list of JointRecord
         Parts that move: nodes of the GLB that are called ``PART`` or ``PART/...``.
     pieces : str, optional
-        Path of the convex pieces that collide (`mansion_assets.library.pieces`), relative to the record.
+        Path of the convex pieces that collide (`mansion_assets.library.convex_decomposition`), relative to the record.
     mass : float, optional
         Kilograms; by its size where it is left out.
     source, author, licence : str

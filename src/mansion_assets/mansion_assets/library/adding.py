@@ -1,4 +1,4 @@
-"""Models added to a library, one after the other; a broken one does not stop the rest."""
+"""Add models to a library, one after another; a broken one does not stop the rest."""
 
 import re
 from collections.abc import Iterator, Sequence
@@ -10,9 +10,9 @@ import msgspec
 from mansion_assets.catalogue import Catalogue
 from mansion_assets.catalogue.records import AssetRecord
 from mansion_assets.library.annotations import Annotations
+from mansion_assets.library.asset_files import Drawer, asset_files, write_asset
 from mansion_assets.library.mesh_files import MODELS
 from mansion_assets.library.preparing import AddOptions, prepared
-from mansion_assets.library.writing import Drawer, asset_files, write_asset
 from mansion_msgs_py.codec import decode
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.file_locks import hold_lock

@@ -10,7 +10,7 @@ import msgspec
 from mansion_assets.catalogue.asset import Asset
 from mansion_assets.catalogue.catalogue import Catalogue
 from mansion_assets.catalogue.loading import PIECES, load_catalogue
-from mansion_assets.catalogue.preferred import preferring
+from mansion_assets.catalogue.preferred_folders import preferring
 from mansion_assets.catalogue.records import AssetRecord
 from mansion_assets.library.folders import library_folder, library_folders
 from mansion_msgs_py.codec import encode_bytes

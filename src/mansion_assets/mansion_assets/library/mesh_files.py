@@ -8,8 +8,8 @@ from urllib.parse import unquote
 
 import numpy as np
 
-from mansion_assets.library.looks import surfaces_of
 from mansion_assets.library.source_model import SourceModel, SourcePart, SourceSurface
+from mansion_assets.library.surface_colours import surfaces_of
 from mansion_msgs_py.errors import ErrorCode, MansionError
 
 __all__ = ["MODELS", "Up", "file_within", "read_model", "read_surfaces"]

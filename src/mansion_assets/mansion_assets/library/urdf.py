@@ -14,9 +14,9 @@ from typing import Final, Literal
 import numpy as np
 
 from mansion_assets.joints import DOOR_OPENS, Joint
-from mansion_assets.library.looks import surfaces_of
 from mansion_assets.library.mesh_files import file_within, read_surfaces
 from mansion_assets.library.source_model import Look, SourceModel, SourcePart, SourceSurface
+from mansion_assets.library.surface_colours import surfaces_of
 from mansion_geometry.compiled import Floats
 from mansion_msgs_py.errors import ErrorCode, MansionError
 

@@ -14,7 +14,7 @@ from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.wording import counted
 
 if TYPE_CHECKING:
-    from mansion_world.lists import BriefList, Result
+    from mansion_world.brief_list import BriefList, Result
 
 __all__ = ["build_briefs"]
 
@@ -35,7 +35,7 @@ def build_briefs(source: Path, output: Path, defaults: BuildRequest, jobs: int, 
     from mansion_bringup.plan_files import plan_from_file
     from mansion_bringup.worlds import world_workers
     from mansion_world.brief_files import read_briefs
-    from mansion_world.lists import BriefList
+    from mansion_world.brief_list import BriefList
 
     briefs = BriefList.of(read_briefs(source, defaults, plan_from_file))
     _prepare_planners(briefs)

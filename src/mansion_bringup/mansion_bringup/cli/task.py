@@ -76,7 +76,7 @@ def _chosen(tasks: list[Task], name: str) -> list[Task]:
 
 def _in_words(name: str) -> Task:
     """Return the paper's task of that id, or the task that a file holds."""
-    from mansion_tasks.tasks.paper import PAPER_TASKS
+    from mansion_tasks.tasks.paper_tasks import PAPER_TASKS
 
     if name in PAPER_TASKS:
         return PAPER_TASKS[name].task
@@ -96,7 +96,7 @@ def _in_words(name: str) -> Task:
 
 def _advised(error: MansionError, name: str, building: Path) -> MansionError:
     """Say how the building, or another one, can have what a task lacks: objects can be added, rooms cannot."""
-    from mansion_tasks.tasks.paper import PAPER_TASKS
+    from mansion_tasks.tasks.paper_tasks import PAPER_TASKS
 
     missing = error.info.details.get("missing", [])
     if not missing:
@@ -194,7 +194,7 @@ def paper(
 
       mansion task paper office_laptop -o laptop.json
     """
-    from mansion_tasks.tasks.paper import PAPER_TASKS, paper_task
+    from mansion_tasks.tasks.paper_tasks import PAPER_TASKS, paper_task
 
     if not name and as_json:
         print_json([{"task": entry.task, "sentence": entry.sentence} for entry in PAPER_TASKS.values()])
@@ -227,7 +227,7 @@ def ground(
       mansion task ground laptop.json out/office
     """
     from mansion_tasks.tasks.grounding import ground as find
-    from mansion_tasks.tasks.paper import PAPER_TASKS
+    from mansion_tasks.tasks.paper_tasks import PAPER_TASKS
 
     _check_output(output)
     words = _in_words(task)

@@ -11,7 +11,7 @@ from typing import TypeVar
 
 import msgspec
 
-from mansion_assets.catalogue.preferred import preferring
+from mansion_assets.catalogue.preferred_folders import preferring
 from mansion_assets.library.building_assets import asset_files
 from mansion_assets.library.folders import library_folders
 from mansion_bringup.building.files import floor_files
@@ -22,7 +22,7 @@ from mansion_bringup.check import Fault
 from mansion_bringup.check.building import in_order
 from mansion_bringup.extras import require_extra
 from mansion_bringup.pipeline.executors import BuildExecutors, local_executors, service_executors
-from mansion_bringup.pipeline.layouts import reseeded, shortfall
+from mansion_bringup.pipeline.layout_choice import reseeded, shortfall
 from mansion_bringup.pipeline.stages import LocalStages, Stages
 from mansion_bringup.verify import floor_faults, record_faults
 from mansion_export.formats import Output, Outputs, formats_of_build, outputs_of_build

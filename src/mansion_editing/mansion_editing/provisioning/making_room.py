@@ -5,8 +5,8 @@ from typing import Final
 
 from mansion_assets.catalogue.vocabulary import vocabulary_of
 from mansion_editing.provisioning.facts import ObjectDescription, Scope
-from mansion_editing.provisioning.finding import list_contents
 from mansion_editing.provisioning.new_objects import place_any
+from mansion_editing.provisioning.object_search import list_contents
 from mansion_editing.provisioning.usual_places import find_surfaces, relation_of
 from mansion_editing.runs.policies import Action, Outcome
 from mansion_editing.state import Change, SceneState

@@ -5,7 +5,7 @@ from collections.abc import Generator, Iterable
 from mansion_assets.catalogue.vocabulary import stems, vocabulary_of
 from mansion_editing.editor import SceneEditor
 from mansion_editing.provisioning.facts import Fact, ObjectDescription, ObjectFact, PathFact, Scope
-from mansion_editing.provisioning.finding import find_objects, rooms_of
+from mansion_editing.provisioning.object_search import find_objects, rooms_of
 from mansion_editing.provisioning.satisfying import satisfy
 from mansion_editing.runs.policies import Action, Outcome, Policy, Unmet, Verdict
 from mansion_editing.state import SceneState

@@ -9,8 +9,8 @@ from mansion_msgs_py.wording import choices
 from mansion_skills.engine.session import Session
 from mansion_skills.skills.visibility import CAMERA_HEIGHT
 from mansion_skills.vision.annotated_pictures import Button, floor_title, panel_picture, tile_pages, with_arrows
-from mansion_skills.vision.floors import Floors
 from mansion_skills.vision.frame import Frame, Intrinsics, Names, Picture
+from mansion_skills.vision.loaded_floors import Floors
 from mansion_skills.vision.offscreen import GlThread
 from mansion_skills.vision.panorama import VIEW, core_viewpoint, stitch, view_yaws
 from mansion_skills.vision.renderer import CameraPose, Parts

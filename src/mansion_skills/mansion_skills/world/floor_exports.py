@@ -47,7 +47,7 @@ class FloorExport:
 MODEL: Final = FloorExport("model", "model.xml", "mjcf", "mansion_export.mjcf:mjcf_files")
 HOUSE: Final = FloorExport("house", "house.json", "thor", "mansion_export.thor.house:house_files")
 
-_ASSETS: Final = "mansion_assets.catalogue.preferred:preferring"
+_ASSETS: Final = "mansion_assets.catalogue.preferred_folders:preferring"
 """What tells that function of the own assets in the building's folder."""
 
 

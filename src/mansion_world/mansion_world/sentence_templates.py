@@ -1,4 +1,4 @@
-"""A request for a building in the words of a person: a wording with its places filled in."""
+"""The sentence of a request: a template with its blanks filled in."""
 
 import re
 from collections.abc import Mapping

@@ -1,4 +1,4 @@
-"""When two buildings are nearly the same: equal room graphs, and rooms at nearly the same places.
+"""Near-duplicates: buildings with equal room graphs and with rooms in nearly the same places.
 
 The fingerprint of a building's graphs is the Weisfeiler-Lehman hash of each floor's room graph, its nodes labelled by
 room type and its edges by kind. Buildings with the same fingerprint are near-duplicates when their rooms can be paired,

@@ -1,4 +1,4 @@
-"""Buildings of a list: a request for each brief, in the order of the list, and a table of what became of them."""
+"""Worlds from a list of briefs: a request for each brief, in order, and a table of what became of each."""
 
 import csv
 import io

@@ -1,4 +1,4 @@
-"""Find with the editor's tools the objects, the receptacles and the rooms that a fact means."""
+"""Find the objects, receptacles and rooms that a fact means, with the editor's tools."""
 
 from collections.abc import Generator
 

@@ -1,4 +1,4 @@
-"""Which of several layouts of a floor meets most of what its plan asks for."""
+"""Choose among several layouts of a floor the one that falls least short of its plan."""
 
 import re
 from collections.abc import Iterator, Mapping

@@ -1,4 +1,4 @@
-"""What is measured of a finished building: rows of the manifest, split, difficulty and hash."""
+"""Measures of a finished building: its rows of the manifest, split, difficulty and hash."""
 
 import hashlib
 from collections import Counter
@@ -7,7 +7,7 @@ from typing import Final
 
 from mansion_geometry.randomness import item_seed
 from mansion_msgs_py.building_folder import BuildingFolder
-from mansion_world.likeness import graph_fingerprint, room_likeness
+from mansion_world.near_duplicates import graph_fingerprint, room_likeness
 from mansion_world.records import BuildingRow, Difficulty, DoneTask, MadeTasks, Record, RoomRow, Split, TaskRow
 from mansion_world.sampling import WorldRequest
 from mansion_world.world_folder import building_path

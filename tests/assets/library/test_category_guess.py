@@ -3,7 +3,7 @@
 import pytest
 
 from mansion_assets.catalogue import load_catalogue
-from mansion_assets.library.naming import category_of, slug
+from mansion_assets.library.category_guess import category_of, slug
 
 
 @pytest.mark.parametrize(

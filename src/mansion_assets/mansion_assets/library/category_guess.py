@@ -1,4 +1,4 @@
-"""Which category of the catalogue a file's name or an annotation's words mean."""
+"""Guess the category of a model from its file name or from the words of an annotation."""
 
 import re
 from typing import Final, NamedTuple

@@ -1,4 +1,4 @@
-"""Folders of own assets that the work at hand prefers: kept by context, so that one building's are not another's."""
+"""Folders of own assets that are preferred in a context, so that one building's are not another's."""
 
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager

@@ -1,4 +1,4 @@
-"""The floors that a camera has loaded: a few of them, the last used ones."""
+"""The floors that a camera keeps loaded: a few, those used last."""
 
 from collections import OrderedDict
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""How the faces of a mesh look: the colours of its materials, textures and vertices, brought down to a few."""
+"""The colours of a mesh's faces: those of its materials, textures and vertices, reduced to a few."""
 
 from typing import TYPE_CHECKING, Any, Final
 

@@ -1,4 +1,4 @@
-"""The files of an asset in a library: mesh, pieces, picture and record, the record last."""
+"""The files of an asset in a library: mesh, pieces, picture and record, written in this order."""
 
 import hashlib
 from collections.abc import Callable, Sequence

@@ -3,7 +3,7 @@
 import msgspec
 import pytest
 
-from mansion_bringup.pipeline.layouts import reseeded, shortfall
+from mansion_bringup.pipeline.layout_choice import reseeded, shortfall
 from mansion_msgs_py.layout import FloorLayout, FloorProblem, LayoutRoom, ProblemNode, UnmetEdge
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.shapes import Ring

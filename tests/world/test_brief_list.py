@@ -13,7 +13,7 @@ from mansion_bringup.cli.app import app
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.request import BuildRequest
 from mansion_world.brief_files import read_briefs
-from mansion_world.lists import BriefList, Result, results
+from mansion_world.brief_list import BriefList, Result, results
 from mansion_world.making import WorldProgress, make_world
 from mansion_world.world_folder import WorldFolder
 from sample_models import write_library

@@ -1,4 +1,4 @@
-"""The mass of a model that states none: the volume of its pieces times a density of what such things are made of."""
+"""Estimate the mass of a model that states none: the volume of its pieces times the density of such furniture."""
 
 from collections.abc import Sequence
 from math import prod

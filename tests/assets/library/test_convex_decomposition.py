@@ -4,7 +4,7 @@ import numpy as np
 import trimesh
 
 from mansion_assets.convex import Box
-from mansion_assets.library.pieces import boxes_of_cells, decomposed
+from mansion_assets.library.convex_decomposition import boxes_of_cells, decomposed
 from mansion_assets.piece_budget import budget_of
 
 

@@ -1,4 +1,4 @@
-"""Where things can stand on a model: level faces with room above them."""
+"""Support surfaces of a model: level faces with free space above them, on which objects can be put."""
 
 from typing import Final, NamedTuple
 

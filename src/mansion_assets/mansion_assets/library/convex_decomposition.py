@@ -1,4 +1,4 @@
-"""Convex pieces of triangles: by CoACD [1]_ where it is installed, else boxes of the cells that the triangles fill.
+"""Convex decomposition of triangles: by CoACD [1]_ where it is installed, else into boxes of the filled cells.
 
 References
 ----------

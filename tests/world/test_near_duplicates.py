@@ -5,8 +5,8 @@ import numpy as np
 import pytest
 
 from mansion_msgs_py.topology import Edge, FloorTopology, TopologyNode
-from mansion_world.likeness import graph_fingerprint, likeness_cells, nearly_the_same
-from mansion_world.measures import difficulty_of
+from mansion_world.building_measures import difficulty_of
+from mansion_world.near_duplicates import graph_fingerprint, likeness_cells, nearly_the_same
 from mansion_world.records import RoomLikeness
 
 ROOMS = [

@@ -5,7 +5,7 @@ import pytest
 
 from mansion_assets.catalogue import load_catalogue
 from mansion_assets.library.annotations import Annotation
-from mansion_assets.library.sizes import sizing
+from mansion_assets.library.scaling import sizing
 
 CHAIRS = load_catalogue([]).by_category("office_chair")
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import trimesh
 
-from mansion_assets.library.carriers import level_surfaces
+from mansion_assets.library.support_surfaces import level_surfaces
 
 
 def corners(*boxes: tuple[tuple[float, float, float], tuple[float, float, float]]) -> np.ndarray:

@@ -1,4 +1,4 @@
-"""How large a model is in metres: as stated, or as things of its category usually are."""
+"""The scale of a model in metres: from its stated size, or from the usual size of its category."""
 
 from collections.abc import Sequence
 from typing import Final, NamedTuple

@@ -2,8 +2,8 @@ import pytest
 
 from mansion_assets.catalogue import load_catalogue
 from mansion_assets.glb_meshes import PieceRecord
-from mansion_assets.library.masses import guessed_mass
-from mansion_assets.library.pieces import piece_record
+from mansion_assets.library.convex_decomposition import piece_record
+from mansion_assets.library.mass_estimate import guessed_mass
 from mansion_assets.library.source_model import Look
 from mansion_assets.meshes import collision_pieces
 

@@ -1,4 +1,4 @@
-"""The paper's tasks (supplement, E and Table 6), in words, with a sentence that builds a fitting building."""
+"""The tasks of the paper (supplement, E and Table 6), in words, each with a brief for a building that fits."""
 
 from dataclasses import dataclass
 from typing import Final
