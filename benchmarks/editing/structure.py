@@ -27,7 +27,7 @@ from mansion_bringup.building.files import kept_files
 from mansion_bringup.editor import open_editor
 from mansion_bringup.verify import verify_building
 from mansion_editing.editor import SceneEditor
-from mansion_editing.structure.circulation import is_passage
+from mansion_editing.structure.room_shapes import is_passage
 from mansion_geometry.shared_walls import edge_array, shared_walls, total_length
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import FloorScene, SceneRoom

@@ -15,9 +15,8 @@ from rclpy.parameter import Parameter
 
 from mansion_assets.library.building_assets import catalogue_for
 from mansion_assets.retrieval.configured import configured_retriever
-from mansion_editing.editor import TOOLS, SceneEditor
+from mansion_editing.editor import TOOLS, OpenEditors, SceneEditor
 from mansion_editing.instructions.instruct import instruct
-from mansion_editing.open_editors import OpenEditors
 from mansion_editing.physics.engine import engine_named
 from mansion_editing.provisioning.provision import provision
 from mansion_editing.storage import BuildingStore

@@ -7,10 +7,9 @@ from dataclasses import replace
 from shapely import Polygon
 
 from mansion_editing.structure.attempts import Change, Outcome, attempt
-from mansion_editing.structure.circulation import is_circulation
 from mansion_editing.structure.rebuilding import passages_of_scene
 from mansion_editing.structure.reports import listed
-from mansion_editing.structure.room_shapes import ShapeLimits, limits_of
+from mansion_editing.structure.room_shapes import ShapeLimits, is_circulation, limits_of
 from mansion_editing.structure.storey_documents import region_shapes, with_shapes
 from mansion_editing.structure.storeys import Reshaped, Storey, Workshop, node_of
 from mansion_editing.structure.wall_moves import MovedWall, Plan, most_area, plans

@@ -1,4 +1,4 @@
-"""Changes in words, as Diff tells them."""
+"""Diff: changes that wait to be saved, in words."""
 
 from mansion_editing.state import Change
 from mansion_msgs_py.editing.changes import DocumentChange, ObjectChange, RoomParts
