@@ -2,11 +2,14 @@
 
 import hashlib
 from collections import Counter
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Final
 
 from mansion_geometry.randomness import item_seed
+from mansion_msgs_py.building import Building
 from mansion_msgs_py.building_folder import BuildingFolder
+from mansion_msgs_py.scene import FloorScene
 from mansion_world.near_duplicates import graph_fingerprint, room_likeness
 from mansion_world.records import BuildingRow, Difficulty, DoneTask, MadeTasks, Record, RoomRow, Split, TaskRow
 from mansion_world.sampling import WorldRequest
@@ -80,15 +83,28 @@ def measure_building(seed: int, request: WorldRequest, folder: Path, made: MadeT
     """Return the record of the building in `folder`, which was built from `request` for the world of `seed`."""
     read = BuildingFolder(folder)
     building, scenes = read.building, read.scenes()
+    row = _building_row(seed, request, folder, made, building, scenes)
+    return Record(
+        building=row,
+        rooms=_room_rows(row, read),
+        graph=graph_fingerprint([read.topology(floor) for floor in read.floors]),
+        likeness=room_likeness(scenes),
+        tasks=[task_row(row, done) for done in made.tasks],
+    )
+
+
+def _building_row(
+    seed: int, request: WorldRequest, folder: Path, made: MadeTasks, building: Building, scenes: Sequence[FloorScene]
+) -> BuildingRow:
+    """Return the row of a building in the manifest."""
     digest, size, count = folder_digest(folder)
     objects = sum(len(scene.objects) for scene in scenes)
     rooms = sum(len(scene.rooms) for scene in scenes)
-    split = split_of(seed, request.request.description)
-    row = BuildingRow(
+    return BuildingRow(
         index=request.index,
         id=building.building_id,
         path=building_path(request.index, request.name),
-        split=split,
+        split=split_of(seed, request.request.description),
         difficulty=difficulty_of(len(scenes), rooms, objects),
         kind=request.kind,
         sub_kind=request.sub_kind,
@@ -114,13 +130,6 @@ def measure_building(seed: int, request: WorldRequest, folder: Path, made: MadeT
         tasks=len(made.tasks),
         tasks_undone=made.undone,
         no_tasks=made.why_none,
-    )
-    return Record(
-        building=row,
-        rooms=_room_rows(row, read),
-        graph=graph_fingerprint([read.topology(floor) for floor in read.floors]),
-        likeness=room_likeness(scenes),
-        tasks=[task_row(row, done) for done in made.tasks],
     )
 
 

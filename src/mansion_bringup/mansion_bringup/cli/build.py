@@ -200,13 +200,8 @@ def build(
     if briefs is not None:
         beside = {"--graph": graph, "--strict": strict, "--force": force, "--plan": plan is not None}
         _refuse_beside_a_list(description, beside)
-        defaults = request_from_options(
-            "", floors, area, floor_area, footprint, seed, planner_name(planner), assets=assets
-        )
-        build_briefs(briefs, output, defaults, jobs, _prepared_formats(formats))
-        return
-    given = given_plan(plan, complete, layers)
-    if description is None and given is None:
+    given = given_plan(plan, complete, layers) if briefs is None else None
+    if description is None and given is None and briefs is None:
         raise MansionError(
             ErrorCode.INVALID_PAYLOAD, "there is no brief; give a sentence, a plan with --plan, or a file with --from"
         )
@@ -214,6 +209,9 @@ def build(
         description or "", floors, area, floor_area, footprint, seed, planner_name(planner), given, assets
     )
     names = _prepared_formats(formats)
+    if briefs is not None:
+        build_briefs(briefs, output, request, jobs, names)
+        return
     if strict:
         _refuse_unmet_plan(request)
     if is_building_folder(output):
@@ -224,17 +222,22 @@ def build(
         else:
             result = _in_processes(request, output, jobs, names, force=force)
     except KeyboardInterrupt:
-        err.print("interrupted; the same command goes on from the floors that are done")
+        err.print("interrupted; run the same command again to continue with the remaining floors")
         raise typer.Exit(EXIT_INTERRUPTED) from None
+    _report(result, as_json=as_json)
+    if strict:
+        refuse_unmet(result.building.wishes)
+    _refuse_faults(result)
+
+
+def _report(result: "BuildResult", *, as_json: bool) -> None:
+    """Print what was built, and with ``--verbose`` how long each stage took."""
     if as_json:
         print_json({"path": str(result.path), **to_builtins(result.report)})
     else:
         _print_summary(result)
     for stage, seconds in result.report.seconds.items():
         details.print(f"{stage}: {seconds:.2f} s", markup=False, highlight=False)
-    if strict:
-        refuse_unmet(result.building.wishes)
-    _refuse_faults(result)
 
 
 def _refuse_beside_a_list(description: str | None, options: Mapping[str, bool]) -> None:
