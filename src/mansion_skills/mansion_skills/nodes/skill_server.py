@@ -127,7 +127,7 @@ class SkillServer(MansionNode):
             progress=self._report,
         )
         self._prepare_robots(value)
-        self._serve()
+        self._open_services()
         self._start_timers(value["camera_rate"])
         # Last, because who starts the node takes this service for the sign that all of it is there.
         self._json("load_building", self.load)
@@ -156,7 +156,7 @@ class SkillServer(MansionNode):
         self._rendering = UNTRIED if value["camera"] else "switched off"
         self._looking = threading.Lock()
 
-    def _serve(self) -> None:
+    def _open_services(self) -> None:
         """Offer the skills of the default session, and what concerns all sessions."""
         self._group = ReentrantCallbackGroup()
         self._served: set[str] = set()
