@@ -100,7 +100,7 @@ class Building(Closing):
 
     @property
     def area(self) -> float:
-        """Of all rooms, square metres."""
+        """Total area of the rooms, square metres."""
         return sum(floor.area for floor in self.floors)
 
     @cached_property

@@ -90,7 +90,7 @@ class Robot:
         Returns
         -------
         SkillResult
-            Of the last skill that was run: of the one that failed, where one did.
+            Result of the last skill that was run, or of the one that failed.
         """
         route = self.plan_route(target)
         if isinstance(route, SkillResult):

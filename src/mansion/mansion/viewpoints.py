@@ -40,7 +40,7 @@ class Viewpoints(Closing):
     Parameters
     ----------
     folder : Path
-        Of the building.
+        The building's folder.
     width, height : int
         Pixels.
     fov : float

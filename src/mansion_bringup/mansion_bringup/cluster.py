@@ -40,7 +40,7 @@ class Cluster:
     Parameters
     ----------
     address : str
-        Of the scheduler, such as ``tcp://127.0.0.1:8786``.
+        Address of the scheduler, such as ``tcp://127.0.0.1:8786``.
     most : int
         Attempts in work at once; 0: as many as the workers have threads.
     say : callable

@@ -138,7 +138,7 @@ def records(folder: Path, scenes: Mapping[int, FloorScene]) -> dict[str, bytes]:
     Parameters
     ----------
     folder : Path
-        Of the building.
+        The building's folder.
     scenes : mapping of int to FloorScene
         All floors as they are now.
 

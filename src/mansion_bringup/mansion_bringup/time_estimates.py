@@ -44,11 +44,11 @@ def notice(folder: Path, work: str, seconds: Callable[[Iterable[FloorScene]], fl
     Parameters
     ----------
     folder : Path
-        Of a building; of one that cannot be read, the work itself tells.
+        A building's folder; one that cannot be read is left to the work itself to report.
     work : str
         What is done.
     seconds : callable
-        Of the storeys.
+        Estimates the seconds for some storeys.
     """
     try:
         if not any(file.stat().st_size > LARGE for file in folder.glob("floors/*/scene.json")):

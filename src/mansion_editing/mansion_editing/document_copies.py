@@ -45,7 +45,7 @@ class Documents:
     Parameters
     ----------
     folder : Path
-        Of the building.
+        The building's folder.
     allowed : AllowedFolders
         Where copies may be kept.
     """

@@ -51,7 +51,7 @@ def loose_colliders(scene: FloorScene, colliders: Colliders, model: Model) -> di
     colliders : Colliders
         What the floor's objects are without loose ones.
     model : Model
-        Of the floor.
+        The floor's model.
 
     Returns
     -------

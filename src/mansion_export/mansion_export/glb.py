@@ -90,7 +90,7 @@ def write_glb(
     models : sequence of Model
         One a floor; each becomes a node ``floor_N`` at its elevation, with a child for each group.
     name : str
-        Of the root node.
+        Name of the root node.
     title : str
         What a person calls the building, kept in the root node's extras.
     turns : int

@@ -19,7 +19,7 @@ class Textures:
     Parameters
     ----------
     buffer : Buffer
-        Of the file, which takes the pictures.
+        The file's buffer, which takes the pictures.
     """
 
     def __init__(self, buffer: Buffer) -> None:

@@ -42,7 +42,7 @@ class Surface:
     faces : (m, 3) array of int
         Counter-clockwise seen from outside.
     coordinates : (m, 3, 2) array
-        Of each corner of each face on the material's textures: metres to the right and up, seen from outside. By
+        Place of each face's corners on the material's textures: metres to the right and up, seen from outside. By
         default each face is laid flat along the axis that it faces most.
     """
 
@@ -106,7 +106,7 @@ class Model:
     Attributes
     ----------
     elevation : float
-        Of the floor's frame in the building's, metres.
+        Height of the floor's frame in the building's, metres.
     nodes : tuple of Node
     meshes : dict of str to Mesh
         By name, in the order in which nodes first name them.

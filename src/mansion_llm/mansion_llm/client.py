@@ -329,7 +329,7 @@ class _Meter:
     Parameters
     ----------
     input_price, output_price : float
-        Of a million tokens.
+        Price of a million tokens.
     """
 
     def __init__(self, model: str, input_price: float, output_price: float) -> None:

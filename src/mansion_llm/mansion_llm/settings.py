@@ -43,7 +43,7 @@ class LlmSettings:
     Attributes
     ----------
     base_url, model : str
-        Of an OpenAI-compatible endpoint (``http://127.0.0.1:8000/v1``).
+        Address and model of an OpenAI-compatible endpoint (``http://127.0.0.1:8000/v1``).
     api_key : Secret
         ``MANSION_LLM_API_KEY``; endpoints without keys need none.
     timeout : float

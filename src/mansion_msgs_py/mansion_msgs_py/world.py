@@ -243,7 +243,7 @@ class SkillProgress(msgspec.Struct, frozen=True, kw_only=True):
     Attributes
     ----------
     fraction : float
-        Of its way, 0 to 1.
+        Share of the way that is done, 0 to 1.
     time : float
         Seconds on the world's clock.
     """

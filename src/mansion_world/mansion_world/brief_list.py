@@ -103,7 +103,7 @@ class Result(msgspec.Struct, frozen=True, kw_only=True):
     Attributes
     ----------
     path : str
-        Of the building's folder, relative to that of the list; empty where there is none.
+        The building's folder, relative to that of the list; empty where there is none.
     wishes, wishes_met : int
         What the brief asks for, and how much of that the building meets.
     reason : str

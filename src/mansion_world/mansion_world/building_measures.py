@@ -18,7 +18,7 @@ from mansion_world.world_folder import building_path
 __all__ = ["LICENCE", "difficulty_of", "folder_digest", "is_hashed", "measure_building", "split_of", "task_row"]
 
 LICENCE: Final = "Apache-2.0"
-"""Of what Mansion writes of a building: geometry, furniture by asset id, plans, pictures and tasks."""
+"""Licence of what Mansion writes of a building: geometry, furniture by asset id, plans, pictures and tasks."""
 
 _NOT_HASHED: Final = "report.json"
 """The one file of a building that holds times."""

@@ -21,7 +21,7 @@ class Shard:
     samples, bytes : int
         Buildings in it, and its size.
     sha256 : str
-        Of the finished file.
+        Hash of the finished file.
     """
 
     name: str

@@ -60,7 +60,7 @@ class WorldProgress:
     done, total : int
         Buildings in their places, and asked.
     kept : int
-        Of those done, which an earlier run had made.
+        How many of the finished ones an earlier run had made.
     set_aside : int
         Attempts that this run set aside.
     missing : int

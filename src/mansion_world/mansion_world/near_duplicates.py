@@ -25,7 +25,7 @@ ALIKE: Final = 0.1
 _CELL: Final = 2 * NEAR
 
 _ROUNDS: Final = 4
-"""Of relabelling: labels then tell of rooms up to four doors away."""
+"""Rounds of relabelling: labels then tell rooms apart by what is up to four doors away."""
 
 
 def graph_fingerprint(topologies: Sequence[FloorTopology]) -> str:

@@ -79,7 +79,7 @@ class AssetRecord(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fiel
     source, author, licence : str
         Where it is from, who made it, and under what licence.
     sha256 : str
-        Of the GLB and the pieces.
+        Hash of the GLB and the pieces.
     stated, guessed : list of str
         Which facts its files say, and which were derived when it was added.
     """

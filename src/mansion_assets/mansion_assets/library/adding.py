@@ -96,7 +96,7 @@ def add_models(
     Parameters
     ----------
     folder : Path
-        Of the library; made where it is missing.
+        The library's folder; made if it is missing.
     catalogue : Catalogue
     draw : callable
         Makes the pictures.

@@ -46,7 +46,7 @@ def decomposed(vertices: Floats, faces: Ints, size: Size3, free: Sequence[Box], 
     vertices, faces : (n, 3) and (m, 3) arrays
         Metres.
     size : (w, d, h)
-        Of the whole asset.
+        Size of the whole asset.
     free : sequence of Box
         Room for objects, which no joined piece takes.
     how : str
@@ -76,7 +76,7 @@ def boxes_of_cells(corners: Floats) -> list[Convex]:
     Parameters
     ----------
     corners : (m, 3, 3) array
-        Of the triangles.
+        Corners of the triangles.
 
     Notes
     -----

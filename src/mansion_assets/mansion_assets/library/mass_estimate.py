@@ -66,11 +66,11 @@ def guessed_mass(
     pieces : sequence of PieceRecord
         What of it collides.
     size : Size3
-        Of the box around it, metres.
+        Size of the box around it, metres.
     like : Asset, optional
         An asset of its category, whose main material and hollows count.
     look : Look
-        Of most of its surface; its metal or glass counts where the category says nothing.
+        Look of most of the surface; its metal or glass counts where the category says nothing.
     opens : bool
         Whether it has doors or drawers.
     """

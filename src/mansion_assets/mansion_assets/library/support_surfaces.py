@@ -46,7 +46,7 @@ def level_surfaces(corners: Floats, kind: str = "top") -> list[Surface]:
     Parameters
     ----------
     corners : (m, 3, 3) array
-        Of the triangles, metres, in the asset's frame.
+        Corners of the triangles, metres, in the asset's frame.
     kind : str
         What the highest is called; others are shelves.
     """

@@ -62,7 +62,7 @@ def kept_files(folder: Path, scenes: Sequence[FloorScene], changed: Sequence[int
     Parameters
     ----------
     folder : Path
-        Of the building.
+        The building's folder.
     scenes : sequence of FloorScene
         All floors as they are now.
     changed : sequence of int

@@ -35,7 +35,7 @@ def call_quickly(words: Sequence[str]) -> bool:
     Parameters
     ----------
     words : sequence of str
-        Of the command line, the first being ``call``.
+        Words of the command line, beginning with ``call``.
 
     Returns
     -------

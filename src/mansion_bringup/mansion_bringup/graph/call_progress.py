@@ -38,7 +38,7 @@ def progress_line(topic: str, text: str, arguments: Any = None) -> str | None:
     text : str
         A `Progress` or `SkillProgress` as JSON.
     arguments : dict, optional
-        Of the call.
+        Arguments of the call.
     """
     from mansion_msgs_py.codec import decode
     from mansion_msgs_py.world import Progress, SkillProgress

@@ -42,7 +42,7 @@ class PeerProcesses:
     own : callable
         Returns the GUID of an endpoint of this process, or None while there is none.
     pid : int
-        Of this process.
+        Id of this process.
     proc : Path
         The process file system; where it is none, no process is noted.
     """

@@ -69,7 +69,7 @@ def settle(
     space : RoomSpace
         The room as it is now.
     objects : sequence of SceneObject
-        Of the room as it was.
+        Objects of the room before the change.
     moves : sequence of MovedWall
         Walls of the room that moved.
     scene : FloorScene

@@ -28,7 +28,7 @@ class Storey:
     Attributes
     ----------
     program : BuildingProgram
-        Of the whole building: the storey's own part says what its rooms are, the rest where its cores are.
+        The building's program: the storey's own part says what its rooms are, the rest where its cores are.
     """
 
     program: BuildingProgram

@@ -23,11 +23,11 @@ class Ledge(NamedTuple):
     Attributes
     ----------
     z : float
-        Of the flat, above the centre of the receptacle's box.
+        Height of the flat place above the centre of the receptacle's box.
     clearance : float
         Free height above it.
     vessel : bool
-        Of something open at the top (a bowl), out of which a thing may stand by less than half.
+        Whether it is open at the top (a bowl), so that an object may stick out by less than half of its height.
     """
 
     kind: str
@@ -109,7 +109,7 @@ def free_places(
     Parameters
     ----------
     size : (w, d, h)
-        Of the object.
+        Size of the object.
     skip : iterable of str
         Objects that are no obstacle, because they are what is being moved.
     most : int

@@ -40,7 +40,7 @@ def start_controller(**parameters: Any) -> Controller:
     Parameters
     ----------
     **parameters
-        Of ``ai2thor.controller.Controller``: ``width``, ``height``, ``platform="CloudRendering"``, ...
+        Passed to ``ai2thor.controller.Controller``: ``width``, ``height``, ``platform="CloudRendering"``, ...
 
     Raises
     ------

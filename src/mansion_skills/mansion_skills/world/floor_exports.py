@@ -29,9 +29,9 @@ class FloorExport:
     Attributes
     ----------
     key : str
-        Of its file in ``building.json``.
+        The file's key in ``building.json``.
     name : str
-        Of its file in the floor's folder.
+        Name of the file in the floor's folder.
     to : str
         As ``mansion export --to`` takes it.
     function : str

@@ -26,10 +26,10 @@ BEAMS: Final = 24
 """Laser beams around the robot, the first one straight ahead, counter-clockwise."""
 
 SCAN_RANGE: Final = 12.0
-"""Of the laser, metres."""
+"""Range of the laser, metres."""
 
 FEATURES: Final = 7
-"""Of an object in view: distance / 8 m, bearing / 45 degrees, within reach, pickupable, receptacle, openable, open."""
+"""Features of a visible object: distance / 8 m, bearing / 45 degrees, in reach, pickupable, receptacle, openable, open."""
 
 Values = dict[str, Any]
 Floats = npt.NDArray[np.float32]

@@ -114,7 +114,7 @@ class View:
     distances : (n,) array
         To their boxes, metres.
     bearings : (n,) array
-        Of their centres, degrees, left is positive.
+        Bearings of the centres, degrees, left is positive.
     is_open : (n,) array of bool
         Whether each stands open.
     """

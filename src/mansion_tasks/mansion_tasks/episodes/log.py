@@ -73,7 +73,7 @@ class EpisodeEnd(msgspec.Struct, frozen=True, kw_only=True, tag="end", tag_field
     seconds : float
         Seconds on the wall, the one figure that differs between runs.
     digest : str
-        Of the world at the end.
+        Digest of the world at the end.
     """
 
     success: bool

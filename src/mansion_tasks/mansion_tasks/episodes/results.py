@@ -21,7 +21,7 @@ __all__ = [
 ]
 
 Z = 1.959963984540054
-"""Of the normal distribution, for 95%."""
+"""Quantile of the normal distribution for 95% intervals."""
 
 
 def wilson_interval(successes: int, trials: int) -> tuple[float, float]:

@@ -68,7 +68,7 @@ def ground(task: Task, sandbox: Sandbox, *, start_floor: int | None = None) -> T
         With `needs`. Goals without ids say which kinds are wanted; by default the target is to be in the room, or near
         the object, that is the destination.
     sandbox : Sandbox
-        Of the building; it is reset.
+        The building's sandbox; it is reset.
     start_floor : int, optional
         Where the robot starts when the task has no start; at the building's spawn pose when absent.
 

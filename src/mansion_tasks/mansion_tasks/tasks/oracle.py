@@ -184,7 +184,7 @@ class Oracle:
         With goals.
     world : World
     session : str
-        Of its robot.
+        Session of the robot.
     """
 
     def __init__(self, task: Task, world: World, session: str) -> None:

@@ -31,7 +31,7 @@ class Sandbox:
     building : path or LoadedBuilding
         What sessions left in its folder is not read, and nothing is written to it.
     radius : float
-        Of the robot, metres.
+        Radius of the robot, metres.
 
     Attributes
     ----------
