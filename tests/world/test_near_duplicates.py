@@ -62,8 +62,9 @@ def test_near_duplicates_lie_in_cells_around_each_other() -> None:
     assert len(set(likeness_cells(ROOMS))) == 9
 
 
-def test_difficulty_grows_with_floors_rooms_and_objects() -> None:
+def test_difficulty_grows_with_floors_rooms_objects_and_ways() -> None:
     assert difficulty_of(1, 5, 120) == "easy"
     assert difficulty_of(2, 12, 400) == "medium"
     assert difficulty_of(4, 30, 1200) == "hard"
     assert difficulty_of(8, 90, 3000) == "expert"
+    assert difficulty_of(1, 5, 120, metres=60.0) == "medium"

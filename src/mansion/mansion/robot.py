@@ -1,4 +1,4 @@
-"""A robot in a building: every skill that is declared is a method, in this process or over a node graph."""
+"""A robot in a building: every declared skill is a method, run in this process or over a node graph."""
 
 import inspect
 from collections.abc import Callable, Mapping

@@ -1,4 +1,4 @@
-"""Parts of a building together: iterate over them, filter them, find them by words, take one by its id."""
+"""Selections of a building's parts: iterate over them, filter them, find them by words, take one by its id."""
 
 import dataclasses
 import html

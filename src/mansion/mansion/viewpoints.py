@@ -1,4 +1,4 @@
-"""Pictures of a building as it is built, from its rooms: no session is read, and nothing is moved."""
+"""Pictures from the rooms of a building as it was built, apart from any robot's session."""
 
 import weakref
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""Mass, centre and inertia of bodies made of convex pieces; the one place that says them of objects."""
+"""Mass, centre of mass and inertia of objects, from their convex pieces."""
 
 from collections.abc import Sequence
 from typing import Final, NamedTuple

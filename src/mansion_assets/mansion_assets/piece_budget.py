@@ -1,4 +1,4 @@
-"""Fewer collision pieces: what lies within another goes, what hardly adds room when joined is joined."""
+"""Reduce collision pieces: drop those that lie inside others, join those whose union adds little volume."""
 
 import math
 from collections.abc import Sequence

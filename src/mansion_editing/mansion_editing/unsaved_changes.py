@@ -1,4 +1,4 @@
-"""What waits to be saved: documents as they are going to be, and the changes that make them so."""
+"""Unsaved changes: the documents as they are going to be, and the changes that make them so."""
 
 from collections.abc import Sequence
 from typing import NamedTuple

@@ -1,4 +1,4 @@
-"""Room for loose objects in what they lie in, on or under, so that they rest where they are."""
+"""Carve room for loose objects out of the colliders that they lie in, on or under, so that they stay at rest."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""The error object that every service, command and client speaks."""
+"""The error that every service, command and client reports."""
 
 import errno
 from typing import Any, Final

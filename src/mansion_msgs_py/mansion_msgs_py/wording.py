@@ -1,4 +1,4 @@
-"""Words of messages: names that would be accepted, articles and counts."""
+"""Wording of messages: names that would be accepted, articles and counts."""
 
 from collections.abc import Iterable
 from difflib import SequenceMatcher

@@ -30,6 +30,7 @@ _LEVELS: Final[tuple[tuple[Difficulty, float], ...]] = (("easy", 12.0), ("medium
 
 _FLOOR: Final = 4.0
 _OBJECTS: Final = 60.0
+_METRES: Final = 10.0
 
 
 def split_of(seed: int, description: str) -> Split:
@@ -45,18 +46,18 @@ def split_of(seed: int, description: str) -> Split:
     return _SHARES[-1][0]
 
 
-def difficulty_of(floors: int, rooms: int, objects: int) -> Difficulty:
+def difficulty_of(floors: int, rooms: int, objects: int, metres: float = 0.0) -> Difficulty:
     """Return the difficulty of a building as measured.
 
-    The score is the number of rooms, plus 4 for each floor above the first, plus 1 for each 60 objects: below 12 easy,
-    below 30 medium, below 75 hard.
+    The score is the number of rooms, plus 4 for each floor above the first, 1 for each 60 objects and 1 for each 10 m
+    that a task takes the robot on average: below 12 easy, below 30 medium, below 75 hard.
 
     Examples
     --------
-    >>> difficulty_of(1, 5, 124), difficulty_of(8, 120, 3000)
-    ('easy', 'expert')
+    >>> difficulty_of(1, 5, 124), difficulty_of(1, 5, 124, metres=80.0), difficulty_of(8, 120, 3000)
+    ('easy', 'medium', 'expert')
     """
-    score = rooms + _FLOOR * (floors - 1) + objects / _OBJECTS
+    score = rooms + _FLOOR * (floors - 1) + objects / _OBJECTS + metres / _METRES
     return next((level for level, bound in _LEVELS if score < bound), "expert")
 
 
@@ -100,12 +101,13 @@ def _building_row(
     digest, size, count = folder_digest(folder)
     objects = sum(len(scene.objects) for scene in scenes)
     rooms = sum(len(scene.rooms) for scene in scenes)
+    metres = round(sum(done.metres for done in made.tasks) / len(made.tasks), 2) if made.tasks else 0.0
     return BuildingRow(
         index=request.index,
         id=building.building_id,
         path=building_path(request.index, request.name),
         split=split_of(seed, request.request.description),
-        difficulty=difficulty_of(len(scenes), rooms, objects),
+        difficulty=difficulty_of(len(scenes), rooms, objects, metres),
         kind=request.kind,
         sub_kind=request.sub_kind,
         outline=request.outline,
@@ -128,6 +130,7 @@ def _building_row(
         versions=building.versions,
         licence=LICENCE,
         tasks=len(made.tasks),
+        task_metres=metres,
         tasks_undone=made.undone,
         no_tasks=made.why_none,
     )

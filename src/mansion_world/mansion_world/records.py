@@ -19,6 +19,7 @@ __all__ = [
     "SetAside",
     "Split",
     "TaskRow",
+    "Trial",
     "WorldIndex",
     "WorldSource",
 ]
@@ -75,6 +76,8 @@ class BuildingRow(msgspec.Struct, frozen=True, kw_only=True):
         Rooms, stairs and lifts of the floor that has most.
     tasks : int
         Tasks in its ``tasks.json``.
+    task_metres : float
+        Mean of what the robot drives for them when their plans are run; 0 without tasks.
     tasks_undone : int
         Drafts that the oracle could not do, and that are no tasks.
     no_tasks : str
@@ -112,6 +115,7 @@ class BuildingRow(msgspec.Struct, frozen=True, kw_only=True):
     versions: dict[str, str]
     licence: str
     tasks: int = 0
+    task_metres: float = 0.0
     tasks_undone: int = 0
     no_tasks: str = ""
 
@@ -159,6 +163,31 @@ class TaskRow(msgspec.Struct, frozen=True, kw_only=True):
     steps: int
     max_steps: int
     things: int
+
+
+class Trial(msgspec.Struct, frozen=True, kw_only=True):
+    """What came of an agent at a task.
+
+    Attributes
+    ----------
+    building, task : str
+        Their ids.
+    retrieval, navigation : float
+        Scores of the paper's supplement (F.2), from 0 to 1.
+    steps : int
+        Skills that the agent called.
+    seconds : float
+        On the clock of the world.
+    """
+
+    building: str
+    task: str
+    agent: str
+    success: bool
+    retrieval: float
+    navigation: float
+    steps: int
+    seconds: float
 
 
 class DoneTask(msgspec.Struct, frozen=True, kw_only=True):

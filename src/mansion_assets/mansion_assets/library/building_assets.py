@@ -1,4 +1,4 @@
-"""Own assets of a building: their files lie in its folder, so that it needs no library wherever it is read."""
+"""Own assets of a building: their files are kept in its folder, so that it can be read without the library."""
 
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager

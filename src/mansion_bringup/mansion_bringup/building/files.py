@@ -1,4 +1,4 @@
-"""What is written of a building: payloads of each floor, and what `mansion_export.formats` make from scenes."""
+"""The files of a building: payloads of each floor, and what `mansion_export.formats` makes from scenes."""
 
 from collections.abc import Iterable, Sequence
 from pathlib import Path

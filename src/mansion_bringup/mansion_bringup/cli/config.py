@@ -1,4 +1,4 @@
-"""``mansion config``: which settings hold, and where each comes from."""
+"""``mansion config``: the settings in effect, and where each comes from."""
 
 import os
 from collections.abc import Iterator

@@ -1,4 +1,4 @@
-"""``mansion call`` of a graph that takes calls by a socket, without what else a command line is made of.
+"""``mansion call`` over the socket of a running graph, without loading the rest of the command line.
 
 To import the parser of the command line takes several times as long as such a call. Its plain form is therefore read
 here; whatever is not plain, or not for a socket, is left to the parser.

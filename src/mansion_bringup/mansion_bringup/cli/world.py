@@ -1,4 +1,4 @@
-"""``mansion world``: many buildings as one data set: made, described, checked, shown, packed and joined."""
+"""``mansion world``: many buildings as one data set: made, checked, described, tried, shown, packed and joined."""
 
 import os
 from pathlib import Path
@@ -30,11 +30,13 @@ _EVERY = 100
 
 def register(app: typer.Typer) -> None:
     """Add the commands to `app`."""
-    group = typer.Typer(help="Worlds of many buildings: make, describe, check, show, pack, join.", no_args_is_help=True)
+    group = typer.Typer(
+        help="Worlds of many buildings: make, check, describe, try, show, pack, join.", no_args_is_help=True
+    )
     group.command("make", no_args_is_help=True)(make)
     group.command("stats", no_args_is_help=True)(stats)
     group.command("check", no_args_is_help=True)(check)
-    for command in (show, pack, merge):
+    for command in (agents, show, pack, merge):
         group.command(command.__name__, no_args_is_help=True)(command)
     app.add_typer(group, name="world")
 
@@ -152,7 +154,7 @@ def stats(
     page: Annotated[bool, typer.Option(help="Also write statistics.html into the folder.")] = True,
     as_json: AsJson = False,
 ) -> None:
-    """Describe a world: its mixture against the asked one, floors, areas, rooms, objects.
+    """Describe a world: its mixture against the asked one, floors, areas, rooms, objects, tasks and how agents did.
 
     Examples:
 
@@ -207,6 +209,42 @@ def check(
     err.print(f"{world}: {counted(checked, 'building')}, {counted(len(faults), 'fault')}", highlight=False)
     if faults:
         raise typer.Exit(1)
+
+
+def agents(
+    world: Annotated[Path, typer.Argument(help="Folder that `mansion world make` wrote.")],
+    names: Annotated[
+        str, typer.Option("--agents", "-a", help="Names with commas between them.")
+    ] = "random,explorer,oracle",
+    buildings: Annotated[int, typer.Option("--count", "-n", min=0, help="Only the first so many buildings.")] = 0,
+    seed: Annotated[int, typer.Option(min=0)] = 0,
+    jobs: Annotated[int, typer.Option(min=0, help="Processes, 0: all cores; the result is the same.")] = 0,
+    as_json: AsJson = False,
+) -> None:
+    """Let agents try the tasks of a world: logs in its folder `agents`, a row each in manifest/trials.jsonl.
+
+    An interrupted run goes on where it ended. `mansion world stats` then shows success by difficulty.
+
+    Examples:
+
+      mansion world agents out/world
+
+      mansion world agents out/world --agents explorer -n 50 --jobs 2
+    """
+    from mansion_bringup.cli.bench_agents import chosen_agents, follow_bench, provide_for_agents
+    from mansion_bringup.worlds import trials_of
+    from mansion_tasks.episodes.bench import Bench
+    from mansion_tasks.episodes.results import render
+    from mansion_world.trials import task_sets, write_trials
+    from mansion_world.world_folder import WorldFolder
+
+    folder, chosen = WorldFolder(world), chosen_agents(names)
+    bench = Bench(files=tuple(task_sets(folder, buildings)), agents=chosen, output=world / "agents", seed=seed)
+    provide_for_agents(chosen)
+    result, _ = follow_bench(bench, jobs or os.cpu_count() or 1)
+    write_trials(folder, trials_of(result))
+    print_json(result.summary) if as_json else typer.echo(render(result.summary))
+    err.print(f"{folder.table('trials')}: {counted(len(result.episodes), 'trial')}", highlight=False)
 
 
 def pack(

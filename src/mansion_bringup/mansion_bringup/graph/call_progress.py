@@ -1,4 +1,4 @@
-"""How far a long call is: what its node publishes meanwhile, and one line of standard error that says so."""
+"""Progress of a long call: what its node publishes meanwhile, as one line on standard error."""
 
 import os
 import sys

@@ -362,9 +362,9 @@ def solve(stages: Stages, plan: PlanReply, index: int) -> FloorLayout:
     layout = laid_out(problem)
     fallback = plan.fallbacks[index] if plan.fallbacks else None
     best = (shortfall(plan, index, layout), layout)
-    missable = MISSED_SHARE * sum(node.area or 0.0 for node in problem.nodes) if fallback else float("inf")
+    tolerated = MISSED_SHARE * sum(node.area or 0.0 for node in problem.nodes) if fallback else float("inf")
     for other in (*filter(None, [fallback]), *reseeded(problem)):
-        if best[0] <= (False, missable):
+        if best[0] <= (False, tolerated):
             break
         tried = laid_out(other)
         found = (shortfall(plan, index, tried), tried)

@@ -1,4 +1,4 @@
-"""Make room on a full receptacle: one small thing moves elsewhere in its room."""
+"""Make room on a full receptacle by moving one small object elsewhere in the room."""
 
 from collections.abc import Generator, Set
 from typing import Final

@@ -1,4 +1,4 @@
-"""Program, room graph and layout of a storey after rooms changed their shape, so that all say the same."""
+"""Program, room graph and layout of a storey, kept consistent after rooms changed their shape."""
 
 from collections.abc import Mapping, Sequence
 

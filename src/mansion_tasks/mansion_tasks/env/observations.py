@@ -29,7 +29,7 @@ SCAN_RANGE: Final = 12.0
 """Range of the laser, metres."""
 
 FEATURES: Final = 7
-"""Features of a visible object: distance / 8 m, bearing / 45 degrees, in reach, pickupable, receptacle, openable, open."""
+"""Features of an object in view: distance / 8 m, bearing / 45°, in reach, pickupable, receptacle, openable, open."""
 
 Values = dict[str, Any]
 Floats = npt.NDArray[np.float32]
