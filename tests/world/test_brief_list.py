@@ -179,7 +179,7 @@ def test_the_command_builds_what_the_single_command_builds(tmp_path: Path) -> No
         app, ["build", "--from", str(file), "--jobs", "1", "--seed", "5", "-o", str(tmp_path / "out")]
     )
     assert done.exit_code == 1, done.output
-    assert "1 of 2 briefs came to nothing" in done.output
+    assert "1 of 2 briefs failed" in done.output
     table = (tmp_path / "out" / "table.csv").read_text().splitlines()
     assert table[0] == "name,path,floors,rooms,objects,wishes,wishes_met,reason"
     assert table[1].startswith("studio,buildings/studio,1,")

@@ -173,7 +173,7 @@ class _OverGraph:
         if physics is not None:
             raise MansionError(
                 ErrorCode.INVALID_PAYLOAD,
-                "in a graph the parameter `physics` of the node scene_editor says what settles objects; leave it out",
+                "in a graph the engine is set by the parameter `physics` of the node scene_editor; leave it out here",
                 path="$.physics",
             )
         asked = InstructArgs(instruction=instruction, planner=planner, editor=self._editor())

@@ -139,9 +139,7 @@ def _method(skill: Skill, port: RobotPort) -> Callable[..., Any]:
     def call(*given: Any, **named: Any) -> Any:
         if len(given) > len(names):
             takes = f"it takes {', '.join(names)}" if names else "it takes none"
-            raise MansionError(
-                ErrorCode.INVALID_PAYLOAD, f"{skill.name}: {len(given)} arguments without a name; {takes}"
-            )
+            raise MansionError(ErrorCode.INVALID_PAYLOAD, f"{skill.name}: {len(given)} positional arguments; {takes}")
         return port.run(skill, {**dict(zip(names, given)), **named})
 
     arguments = [f"{name} : {entry.description}" for name, entry in skill.parameters.items()]

@@ -159,7 +159,8 @@ def attempt_on_worker(version: str, assignment: Assignment, request: WorldReques
     where = socket.gethostname()
     if version != __version__:
         raise MansionError(
-            ErrorCode.CONFLICT, f"the worker on {where} has Mansion {__version__}, the command {version}; use one"
+            ErrorCode.CONFLICT,
+            f"the worker on {where} has Mansion {__version__}, the command {version}; use the same version",
         )
     if not assignment.world.path.is_dir():
         raise MansionError(

@@ -131,7 +131,7 @@ class Documents:
         if not parts or path.startswith("/") or ".." in parts or parts[0] in ("edits", "state"):
             raise MansionError(
                 ErrorCode.INVALID_PAYLOAD,
-                f"{path[:200]!r} is no document of a building; name a file below the building's folder",
+                f"{path[:200]!r} is not a document of a building; name a file below the building's folder",
                 path="$.documents",
             )
 

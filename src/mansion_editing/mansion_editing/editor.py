@@ -59,7 +59,7 @@ from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.program import RoomProgram
 from mansion_msgs_py.scene import FloorScene, SceneObject
 from mansion_msgs_py.topology import TopologyNode
-from mansion_msgs_py.wording import with_article
+from mansion_msgs_py.wording import counted, with_article
 
 __all__ = [
     "ACTION_TOOLS",
@@ -273,12 +273,12 @@ class SceneEditor:
             return f"the {args.part} of {room.id}: {finish.name}"
         if tool == "ClearRoom":
             room, gone = rooms.clear_room(state, args, records)
-            return f"took {len(gone)} objects out of {room.id}" if gone else f"{room.id} holds nothing loose"
+            return f"took {counted(len(gone), 'object')} out of {room.id}" if gone else f"{room.id} holds nothing loose"
         if self.furnisher is None:
             raise MansionError(ErrorCode.UNAVAILABLE, "this editor was opened without a placer, which furnishes rooms")
         room, new = furnishing.furnish_room(state, args, records, self.furnisher, self._faults_with)
         kind = with_article(room.room_type.replace("_", " "))
-        return f"{room.id} is furnished as {kind} with {len(new)} objects"
+        return f"{room.id} is furnished as {kind} with {counted(len(new), 'object')}"
 
     def _reshape(self, args: ReshapeFloorArgs) -> EditResult:
         """Change the structure of a storey, whose documents are replaced whole."""
@@ -494,7 +494,7 @@ class OpenEditors:
             if idle is None:
                 raise MansionError(
                     ErrorCode.CONFLICT,
-                    f"{MOST_EDITORS} buildings are open, with edits that wait in all of them; save those of one",
+                    f"{MOST_EDITORS} buildings are open, all with unsaved edits; save those of one",
                     path="$.editor",
                 )
             del self._editors[idle]

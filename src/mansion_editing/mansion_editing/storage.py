@@ -27,6 +27,7 @@ from mansion_msgs_py.file_locks import hold_lock
 from mansion_msgs_py.files import remove_remains, write_atomic
 from mansion_msgs_py.scene import FloorScene
 from mansion_msgs_py.topology import FloorTopology
+from mansion_msgs_py.wording import counted
 
 __all__ = ["BuildingStore", "KeptFiles", "Records", "Validator", "append_line", "landed_by", "locked"]
 
@@ -270,8 +271,7 @@ class BuildingStore:
         if faults:
             raise MansionError(
                 ErrorCode.INFEASIBLE,
-                f"the building would have {len(faults)} new fault{'s' if len(faults) > 1 else ''}: "
-                + "; ".join(faults[:5]),
+                f"the building would have {counted(len(faults), 'new fault')}: {'; '.join(faults[:5])}",
                 details={"faults": faults},
             )
 

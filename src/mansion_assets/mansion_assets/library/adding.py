@@ -159,7 +159,5 @@ def _status(folder: Path, record: AssetRecord, *, replace: bool) -> Literal["add
     if there == record:
         return "unchanged"
     if not replace:
-        raise MansionError(
-            ErrorCode.CONFLICT, f"{folder} has an asset {record.key!r} already; --replace puts this one in its place"
-        )
+        raise MansionError(ErrorCode.CONFLICT, f"{folder} already has an asset {record.key!r}; --replace replaces it")
     return "replaced"

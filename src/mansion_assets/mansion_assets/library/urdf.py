@@ -79,9 +79,9 @@ def read_urdf(path: Path, root: Path | None = None) -> SourceModel:
     except OSError as error:
         raise MansionError(ErrorCode.NOT_FOUND, f"{path}: {error.strerror or error}") from None
     except ElementTree.ParseError as error:
-        raise _refused(path, f"is no XML: {error}") from None
+        raise _refused(path, f"is not XML: {error}") from None
     if tree.tag != "robot":
-        raise _refused(path, f"is no URDF: its first element is {tree.tag[:40]!r}, not 'robot'")
+        raise _refused(path, f"is not a URDF: its first element is {tree.tag[:40]!r}, not 'robot'")
     links = {_named(path, link): link for link in tree.findall("link")}
     joints = {joint.child: joint for joint in (_joint(path, entry) for entry in tree.findall("joint"))}
     colours = {m.get("name", ""): look for m in tree.findall("material") if (look := _colour(path, m)) is not None}

@@ -23,7 +23,7 @@ def _require_text(arguments: Sequence[str]) -> None:
             argument.encode()
         except UnicodeEncodeError:
             raise MansionError(
-                ErrorCode.INVALID_PAYLOAD, f"argument {number}, {argument[:80]!r}, is no text in UTF-8"
+                ErrorCode.INVALID_PAYLOAD, f"argument {number}, {argument[:80]!r}, is not UTF-8 text"
             ) from None
 
 

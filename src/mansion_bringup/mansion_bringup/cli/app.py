@@ -29,12 +29,17 @@ def common(
     config_file: Annotated[
         Path | None,
         typer.Option(
-            "--config", "-C", envvar="MANSION_CONFIG", help="Settings; mansion.toml of the working folder if absent."
+            "--config",
+            "-C",
+            envvar="MANSION_CONFIG",
+            help="Settings file; mansion.toml in the working folder by default.",
         ),
     ] = None,
     version: Annotated[
         bool,
-        typer.Option("--version", "-V", callback=print_version, is_eager=True, help="Say what is running, and end."),
+        typer.Option(
+            "--version", "-V", callback=print_version, is_eager=True, help="Print the versions in use, and exit."
+        ),
     ] = False,
 ) -> None:
     """Take what every command has in common; the help of the whole is the text of `app`."""

@@ -46,11 +46,11 @@ def build_briefs(source: Path, output: Path, defaults: BuildRequest, jobs: int, 
             briefs, output, workers=world_workers(workers), jobs=workers, formats=formats, report=buildings_reporter()
         )
     except KeyboardInterrupt:
-        err.print("interrupted; the same command goes on from the buildings that are done")
+        err.print("interrupted; run the same command again to continue with the remaining buildings")
         raise typer.Exit(EXIT_INTERRUPTED) from None
     out.print(_table(rows))
     failed = sum(1 for row in rows if row.reason)
-    end = f", {failed} of {len(rows)} briefs came to nothing" if failed else ""
+    end = f", {failed} of {len(rows)} briefs failed" if failed else ""
     out.print(f"{output}: {counted(len(rows) - failed, 'building')}{end}; {output / TABLE}", highlight=False)
     if failed:
         raise typer.Exit(1)

@@ -22,7 +22,7 @@ def check(
     norms: Annotated[
         bool,
         typer.Option(
-            "--norms", help="Deviations from rules of building and advice too: rule, place, found, asked, source."
+            "--norms", help="Also list deviations from building rules and advice: rule, place, found, required, source."
         ),
     ] = False,
 ) -> None:
@@ -56,4 +56,4 @@ def check(
         found = [counted(len(faults), "fault")] * bool(faults) + [counted(len(wrong), "deviation")] * bool(wrong)
         err.print(f"{building}: {', '.join(found)}", highlight=False)
         raise typer.Exit(1)
-    err.print(f"{building}: no fault found")
+    err.print(f"{building}: no faults found")

@@ -99,13 +99,7 @@ def _set_verbose(context: typer.Context, value: bool) -> bool:
 def _declare(
     quiet: Annotated[
         bool,
-        typer.Option(
-            "--quiet",
-            "-q",
-            callback=_set_quiet,
-            expose_value=False,
-            help="Say nothing but results and what went wrong.",
-        ),
+        typer.Option("--quiet", "-q", callback=_set_quiet, expose_value=False, help="Print only results and errors."),
     ] = False,
     verbose: Annotated[
         bool,
@@ -114,7 +108,7 @@ def _declare(
             "-v",
             callback=_set_verbose,
             expose_value=False,
-            help="Say more on standard error: settings, times, details of errors.",
+            help="Print more to standard error: settings, times, details of errors.",
         ),
     ] = False,
 ) -> None:

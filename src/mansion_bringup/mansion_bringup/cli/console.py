@@ -48,7 +48,7 @@ complaints = Console(stderr=True, width=None if sys.stderr.isatty() else PIPED)
 details = Console(stderr=True, width=None if sys.stderr.isatty() else PIPED, quiet=True)
 """What ``--verbose`` adds."""
 
-AsJson = Annotated[bool, typer.Option("--json", help="The answer as JSON alone.")]
+AsJson = Annotated[bool, typer.Option("--json", help="Print only the result, as JSON.")]
 """The option of every command that otherwise answers in words."""
 
 
@@ -126,9 +126,9 @@ def check_output_folder(folder: Path) -> None:
     while not nearest.exists() and nearest != nearest.parent:
         nearest = nearest.parent
     if not nearest.is_dir():
-        raise _refusal(folder, f"{nearest} is a file, no folder")
+        raise _refusal(folder, f"{nearest} is a file, not a folder")
     if not os.access(nearest, os.W_OK | os.X_OK):
-        raise _refusal(folder, f"{nearest} is read-only for you")
+        raise _refusal(folder, f"{nearest} is not writable")
 
 
 def check_output_file(file: Path) -> None:

@@ -31,7 +31,7 @@ def export(
     articulated: Annotated[
         bool, typer.Option("--articulated", help="Joints for doors, drawers, lids and lift leaves (mjcf, sdf, usd).")
     ] = False,
-    site: Annotated[bool, typer.Option("--site/--no-site", help="With the plot around the building.")] = True,
+    site: Annotated[bool, typer.Option("--site/--no-site", help="Include the plot around the building.")] = True,
     as_json: AsJson = False,
 ) -> None:
     """Write a building in another program's format.
@@ -65,7 +65,7 @@ def view(
     output: Annotated[
         Path | None, typer.Option("--output", "-o", help="Page to write; DIR/view.html if absent.")
     ] = None,
-    site: Annotated[bool, typer.Option("--site/--no-site", help="With the plot around the building.")] = True,
+    site: Annotated[bool, typer.Option("--site/--no-site", help="Include the plot around the building.")] = True,
     show: Annotated[bool, typer.Option("--open", help="Open it in the browser.")] = False,
     as_json: AsJson = False,
 ) -> None:

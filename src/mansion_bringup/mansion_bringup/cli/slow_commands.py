@@ -21,7 +21,7 @@ WORK: Final[dict[str, tuple[str, str]]] = {
     "view": ("making the page with its 3D model", "about 7 s for 64 rooms"),
     "export": ("writing the files", "3 to 20 s for 64 rooms, by format"),
     "look": ("loading the building into the renderer", "about 9 s for 64 rooms without a GPU"),
-    "edit": ("doing what is asked, checking the building and writing its files anew", "about 10 s for 64 rooms"),
+    "edit": ("carrying out the instruction, checking the building and updating its files", "about 10 s for 64 rooms"),
     "skill": ("loading the building and running the skill", "about 2 s for 64 rooms"),
     "task generate": ("sampling tasks and doing each", "about half a second a task"),
     "task run": ("doing the tasks", "about half a second a task"),
@@ -53,7 +53,7 @@ def announced_when_slow(command: str) -> Iterator[None]:
 
     def say(number: int, frame: object) -> None:
         with suppress(RuntimeError):  # where it comes amid another line
-            err.print(f"{what}: {long}, more where the machine is busy", markup=False, highlight=False)
+            err.print(f"{what}: {long}, longer on a busy machine", markup=False, highlight=False)
 
     before = signal.signal(signal.SIGALRM, say)
     signal.setitimer(signal.ITIMER_REAL, ANNOUNCED_AFTER)

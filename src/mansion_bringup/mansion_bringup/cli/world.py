@@ -45,11 +45,11 @@ def make(
     output: Annotated[Path, typer.Option("--output", "-o", help="Folder of the world.")],
     count: Annotated[int, typer.Option("--count", "-n", min=1, max=1_000_000, help="Buildings.")],
     seed: Annotated[int, typer.Option(min=0, help="Same seed and mixture, same world.")] = 0,
-    mix: Annotated[Path | None, typer.Option(help="TOML file of kinds and shares; MansionWorld's own if none.")] = None,
+    mix: Annotated[Path | None, typer.Option(help="TOML file of kinds and shares; MansionWorld's by default.")] = None,
     tasks: Annotated[int, typer.Option(min=0, max=100, help="Tasks for each building, done by the oracle.")] = 3,
     parquet: Annotated[bool, typer.Option(help="Write the manifest in Parquet too (extra world).")] = True,
     jobs: Annotated[
-        int, typer.Option(min=0, help="Buildings in work at once; 0: all cores, or all threads of the cluster.")
+        int, typer.Option(min=0, help="Buildings built at once; 0: all cores, or all threads of the cluster.")
     ] = 0,
     cluster: Annotated[
         str, typer.Option(help="Address of a dask scheduler whose workers build; they share the folder.")
@@ -109,7 +109,7 @@ def _made(
             report=buildings_reporter(),
         )
     except KeyboardInterrupt:
-        err.print("interrupted; the same command goes on from the buildings that are done")
+        err.print("interrupted; run the same command again to continue with the remaining buildings")
         raise typer.Exit(EXIT_INTERRUPTED) from None
 
 
@@ -120,7 +120,7 @@ def _need_parquet() -> None:
     try:
         ensure_extra("world")
     except MansionError as error:
-        raise error.with_message(f"{error.info.message}; or leave the Parquet out: --no-parquet") from None
+        raise error.with_message(f"{error.info.message}; or use --no-parquet") from None
 
 
 def _write_parquet_tables(output: Path) -> None:
@@ -250,7 +250,7 @@ def agents(
 def pack(
     world: Annotated[Path, typer.Argument(help="Folder that `mansion world make` wrote.")],
     output: Annotated[Path, typer.Option("--output", "-o", help="New folder for the shards.")],
-    shard_size: Annotated[float, typer.Option(min=0.1, help="Greatest size of a shard, megabytes.")] = 500.0,
+    shard_size: Annotated[float, typer.Option(min=0.1, help="Largest size of a shard, megabytes.")] = 500.0,
     as_json: AsJson = False,
 ) -> None:
     """Write a world as WebDataset shards with its manifest and a data card.
@@ -276,7 +276,7 @@ def pack(
 
 def merge(
     worlds: Annotated[list[Path], typer.Argument(help="Folders that `mansion world make` wrote.")],
-    output: Annotated[Path, typer.Option("--output", "-o", help="New folder for the world of all.")],
+    output: Annotated[Path, typer.Option("--output", "-o", help="New folder for the joined world.")],
     parquet: Annotated[bool, typer.Option(help="Write the manifest in Parquet too (extra world).")] = True,
     as_json: AsJson = False,
 ) -> None:

@@ -34,6 +34,7 @@ from mansion_msgs_py.layout import FloorLayout, FloorProblem
 from mansion_msgs_py.request import BuildRequest, identified
 from mansion_msgs_py.scene import FloorScene
 from mansion_msgs_py.stages import FurnishRequest, PlanReply
+from mansion_msgs_py.wording import counted
 from mansion_msgs_py.world import Progress
 
 __all__ = ["BuildResult", "at_stage", "build_building", "distinct_floors", "furnish", "solve", "source_floor"]
@@ -171,8 +172,8 @@ def _told_of_killed_workers() -> Iterator[None]:
     except BrokenExecutor:
         raise MansionError(
             ErrorCode.UNAVAILABLE,
-            "a process of the build was ended from outside, as Linux does when memory runs out; the same build goes on"
-            " from the floors that are done, and with one job (--jobs 1) it takes the least memory",
+            "a process of the build was killed, as Linux does when memory runs out; run the build again to continue"
+            " with the remaining floors, with --jobs 1 to use the least memory",
         ) from None
 
 
@@ -187,8 +188,7 @@ def _plan(job: _Job, workspace: Workspace) -> PlanReply:
     floors = plan.program.floors
     job.total = 2 + len(distinct_floors(plan)) + len(floors)
     rooms = sum(node.type in ("main", "Entities") for graph in plan.topologies for node in graph.nodes)
-    storeys = f"{len(floors)} floor{'s' if len(floors) != 1 else ''}"
-    job.step("plan_program", f"{storeys}, {rooms} rooms", done=1)
+    job.step("plan_program", f"{counted(len(floors), 'floor')}, {counted(rooms, 'room')}", done=1)
     return plan
 
 
@@ -241,8 +241,8 @@ def _furnish(
             job.timed("export_floor", exporting)
         data = workspace.read(f"{floor_directory(floor.index)}/scene.json")
         scenes.append(decode(FloorScene, data))
-        count = len(scenes[-1].objects)
-        job.step("furnish_floor", f"floor {floor.index}: {count} objects", floor.index, done=1)
+        objects = counted(len(scenes[-1].objects), "object")
+        job.step("furnish_floor", f"floor {floor.index}: {objects}", floor.index, done=1)
     return scenes
 
 

@@ -71,7 +71,7 @@ def attempt(change: Change, workshop: Workshop) -> Outcome:
         faults = _new_faults(change, finished, workshop)
     if faults:
         raise MansionError(
-            ErrorCode.INFEASIBLE, f"the storey would not be sound: {faults[0]}", details={"faults": list(faults)}
+            ErrorCode.INFEASIBLE, f"the storey would have a fault: {faults[0]}", details={"faults": list(faults)}
         )
     after = Storey(change.after.program, change.after.topology, change.after.layout, finished.scene)
     said = [

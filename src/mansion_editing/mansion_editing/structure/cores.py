@@ -209,7 +209,7 @@ def _built(storeys: Sequence[Storey], place: _Place, workshop: Workshop, judge: 
         faults = judge({one.storey.number: one.storey.scene for one in done})
         if not faults:
             return [replace(one, storey=replace(one.storey, program=program)) for one in done]
-    raise MansionError(ErrorCode.INFEASIBLE, f"the building would not be sound: {faults[0]}")
+    raise MansionError(ErrorCode.INFEASIBLE, f"the building would have a fault: {faults[0]}")
 
 
 def _with_core(storey: Storey, core: CorePlan) -> BuildingProgram:
