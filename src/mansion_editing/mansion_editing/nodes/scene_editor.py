@@ -24,10 +24,10 @@ from mansion_msgs_py.editing.instructions import AgentReport, InstructArgs, Prov
 from mansion_msgs_py.editing.open_buildings import EditorInfo, OpenEditorArgs
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.interfaces import service, topic
+from mansion_msgs_py.nodes.allowed_folders import declare_allowed_folders
 from mansion_msgs_py.nodes.node import MansionNode
 from mansion_msgs_py.nodes.run import run_node
 from mansion_msgs_py.nodes.shell import JsonPublisher, add_json_service
-from mansion_msgs_py.nodes.writing import declare_allowed_folders
 from mansion_scene.refurnishing import furnish_room
 
 __all__ = ["SceneEditorNode", "main"]

@@ -18,10 +18,10 @@ from mansion_msgs_py.building import LoadBuilding
 from mansion_msgs_py.codec import to_builtins
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.interfaces import ServiceInterface, service, topic
+from mansion_msgs_py.nodes.allowed_folders import declare_allowed_folders
 from mansion_msgs_py.nodes.node import MansionNode
 from mansion_msgs_py.nodes.run import run_node
 from mansion_msgs_py.nodes.shell import JsonPublisher, add_json_service, add_json_subscription, qos_profile
-from mansion_msgs_py.nodes.writing import declare_allowed_folders
 from mansion_msgs_py.skills import Loaded, SessionArgs
 from mansion_msgs_py.world import LiftRequest, SkillProgress, SkillResult, SkillStatus, WorldEvent
 from mansion_skills.engine import Engine
