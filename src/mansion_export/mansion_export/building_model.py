@@ -222,7 +222,7 @@ def asset_surfaces(key: str, catalogue: Catalogue, color: str = "", picture: str
     key : str
     catalogue : Catalogue
     color : str
-        Colour of the main material; the material's own where it is empty.
+        Of the main material; its own where it is empty.
     picture : str
         Material of the painting that the asset carries; that of the mesh where it is empty.
     """
