@@ -10,8 +10,7 @@ import numpy.typing as npt
 from mansion_assets.catalogue import Catalogue
 from mansion_assets.materials import material_set
 from mansion_export.building_model import building_models, floor_model
-from mansion_export.gltf_buffer import Buffer
-from mansion_export.gltf_textures import Textures
+from mansion_export.gltf_buffer import Buffer, Textures
 from mansion_export.licences import licence_lines, licence_records
 from mansion_export.materials import linear
 from mansion_export.model import Material, Mesh, Model, Node, Surface

@@ -9,7 +9,7 @@ from mansion_assets.convex import Convex, Hull, volume_of
 from mansion_assets.solids import Vec3
 from mansion_geometry.compiled import Floats
 
-__all__ = ["FRICTION", "Physique", "physique"]
+__all__ = ["FRICTION", "MassProperties", "mass_properties"]
 
 FRICTION: Final = 1.0
 """Coefficient of sliding friction of everything, which SDFormat assumes where a world says nothing."""
@@ -18,7 +18,7 @@ LEAST: Final = 5e-3
 """Metres that a piece counts as thick at least: sheets and wires need an inertia that engines can reckon with."""
 
 
-class Physique(NamedTuple):
+class MassProperties(NamedTuple):
     """Mass in kilograms, centre of mass in metres, and inertia about it, (3, 3), along the body's axes."""
 
     mass: float
@@ -26,14 +26,14 @@ class Physique(NamedTuple):
     inertia: Floats
 
 
-def physique(pieces: Sequence[Convex], mass: float) -> Physique:
-    """Return the physique of a rigid body of one density whose pieces are these.
+def mass_properties(pieces: Sequence[Convex], mass: float) -> MassProperties:
+    """Return the mass properties of a rigid body of one density whose pieces are these.
 
     A hull counts as a box of its bounds with the hull's volume.
 
     Examples
     --------
-    >>> physique([Box((0.0, 0.0, 0.5), (1.0, 1.0, 1.0))], 6.0).center
+    >>> mass_properties([Box((0.0, 0.0, 0.5), (1.0, 1.0, 1.0))], 6.0).center
     (0.0, 0.0, 0.5)
     """
     bounds = [_bounds(piece) for piece in pieces]
@@ -47,7 +47,7 @@ def physique(pieces: Sequence[Convex], mass: float) -> Physique:
     own = (squares.sum(axis=1, keepdims=True) - squares) / 12
     inertia = np.diag(masses @ (own + (away**2).sum(axis=1, keepdims=True)))
     inertia = inertia - np.einsum("i,ij,ik->jk", masses, away, away)
-    return Physique(mass, (float(middle[0]), float(middle[1]), float(middle[2])), inertia)
+    return MassProperties(mass, (float(middle[0]), float(middle[1]), float(middle[2])), inertia)
 
 
 def _bounds(piece: Convex) -> tuple[Floats, Floats]:
