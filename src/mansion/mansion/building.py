@@ -61,7 +61,7 @@ class Building(Closing):
         self.reload()
 
     def reload(self) -> None:
-        """Read the folder anew, after someone else has edited it."""
+        """Read the folder again, after someone else has edited it."""
         reader = BuildingFolder(self.folder)
         self._index: Index = reader.building
         self._scenes: tuple[FloorScene, ...] = tuple(reader.scenes())
@@ -341,7 +341,7 @@ class Building(Closing):
         session : str
             Which robot; the default one when empty.
         reset : bool
-            Begin anew: everything back where it was built, the robot at its start.
+            Start over: everything back where it was built, the robot at its start.
 
         Raises
         ------

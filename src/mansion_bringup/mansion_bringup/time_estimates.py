@@ -12,7 +12,7 @@ from mansion_msgs_py.shapes import Point
 __all__ = ["check_seconds", "model_seconds", "notice"]
 
 TOLD_FROM: Final = 10.0
-"""Seconds of processor time from which on it is told of."""
+"""Seconds of processor time from which an estimate is given."""
 
 LARGE: Final = 2_000_000
 """Bytes of a storey's scene below which nothing takes that long."""
@@ -39,7 +39,7 @@ def _pairs_of_corners(scene: FloorScene) -> float:
 
 
 def notice(folder: Path, work: str, seconds: Callable[[Iterable[FloorScene]], float]) -> str:
-    """Return a line that tells of long work, empty where it is none.
+    """Return a line about how long the work takes, empty where it is short.
 
     Parameters
     ----------

@@ -56,7 +56,7 @@ class Documents:
         self._copies = folder / COPIES
 
     def present(self, path: str) -> bytes | None:
-        """Return what a document holds on disk; ``None`` where it is not there."""
+        """Return what a document holds on disk; ``None`` if it does not exist."""
         file = self._folder / path
         return file.read_bytes() if file.is_file() else None
 

@@ -298,7 +298,7 @@ class SceneEditor:
         return room_records(self.state, self.store.documents, floor, room_id)
 
     def document(self, path: str) -> bytes | None:
-        """Return a document of the building as what waits makes it; ``None`` where it is not there."""
+        """Return a document of the building with the unsaved changes; ``None`` if it does not exist."""
         return document(self.state, self.store.documents, path)
 
     def replace_documents(self, files: Mapping[str, bytes | None], what: str) -> EditResult:

@@ -33,7 +33,7 @@ class ReplacedFiles:
         shutil.rmtree(kept, ignore_errors=True)
 
     def write(self, name: str, data: bytes) -> None:
-        """Write a file anew.
+        """Replace a file.
 
         Raises
         ------

@@ -41,7 +41,7 @@ Records = Callable[[Path, Scenes], Mapping[str, bytes]]
 
 KeptFiles = Callable[[Path, Sequence[FloorScene], Sequence[int]], Mapping[str, bytes]]
 """Gets the folder, all its floors, and the numbers of those that changed; returns what the folder has that is made from
-these, made anew."""
+these, made again."""
 
 
 class BuildingStore:
@@ -53,7 +53,7 @@ class BuildingStore:
     validator : callable, optional
         Judges each transaction before it lands.
     records : callable, optional
-        Says anew what a building's own records state of it, each time that a transaction lands.
+        Updates what a building's own records state of it, each time a transaction lands.
     clock : callable
         Returns the time for the log.
     allowed : AllowedFolders
@@ -388,7 +388,7 @@ class BuildingStore:
         Parameters
         ----------
         kept : callable
-            Returns the files that are made anew, by path relative to the folder; asked when any floor changed.
+            Returns the files that are remade, by path relative to the folder; asked when any floor changed.
 
         Returns
         -------

@@ -94,7 +94,7 @@ class LiftRequest(msgspec.Struct, frozen=True, kw_only=True):
     destination_floor : str
         Floor label, or number where no label says the same.
     door_state : LiftDoor
-        How the doors shall be on arrival; only ``OPEN`` and ``CLOSED`` can be asked.
+        State of the doors on arrival; only ``OPEN`` and ``CLOSED`` can be asked.
     """
 
     lift_name: str

@@ -163,7 +163,7 @@ def _stopped(run: _Run, why: str) -> MansionError:
 def _work(
     run: _Run, workers: Workers, jobs: Jobs, assignment: Assignment, report: Callable[[WorldProgress], None]
 ) -> None:
-    """Work until all is done or the processes must be made anew."""
+    """Work until all is done or the processes must be restarted."""
     with workers() as executor:
         while run.next_place < run.count:
             if not _hand_out(run, executor, jobs(), assignment):

@@ -50,7 +50,7 @@ def segment_length(segment: Segment) -> float:
 
 
 def along(wall: Segment, point: Point) -> tuple[float, float]:
-    """Return the position of `point` along `wall` and its distance aside, both in metres."""
+    """Return the position of `point` along `wall` and its distance from the wall, both in metres."""
     (x0, y0), (x1, y1) = wall
     length = math.dist(*wall)
     ux, uy = (x1 - x0) / length, (y1 - y0) / length

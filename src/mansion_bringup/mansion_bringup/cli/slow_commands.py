@@ -52,7 +52,7 @@ def announced_when_slow(command: str) -> Iterator[None]:
     what, long = work
 
     def say(number: int, frame: object) -> None:
-        with suppress(RuntimeError):  # where it comes amid another line
+        with suppress(RuntimeError):  # if it interrupts another line
             err.print(f"{what}: {long}, longer on a busy machine", markup=False, highlight=False)
 
     before = signal.signal(signal.SIGALRM, say)

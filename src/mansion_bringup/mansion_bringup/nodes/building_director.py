@@ -105,7 +105,7 @@ class BuildingDirector(MansionNode):
         return BuildReply(building=result.building, path=str(result.path))
 
     def _working_exporter(self) -> ProcessPoolExecutor:
-        """Return the export processes, made anew where one of them was killed: the pool refuses all work then."""
+        """Return the export processes, restarted if one of them was killed: the pool refuses all work then."""
         with self._guard:
             try:
                 self._exporter.submit(os.getpid)

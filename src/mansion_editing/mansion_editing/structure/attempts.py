@@ -23,13 +23,13 @@ class Change:
     before, after : Storey
         The scene of `after` is still that of `before`.
     passages : sequence of Passage
-        Which regions shall open to which.
+        Which regions open to which.
     may_change : collection of str
         Rooms whose objects may move; all others keep theirs as they are.
     moves : sequence of MovedWall
         By the rooms' ids in the scene.
     anew : collection of str
-        Rooms to furnish anew.
+        Rooms to furnish again.
     released : collection of str
         Ids of doors that need not stay where they are.
     """

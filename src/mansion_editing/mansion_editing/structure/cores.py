@@ -67,7 +67,7 @@ def add_core(
         Its own judge is not asked: a core is sound only when it is on all storeys.
     judge : callable
     room_id : str
-        Room that shall give the floor on its storey; any when empty.
+        Room that gives the floor on its storey; any when empty.
 
     Returns
     -------
@@ -189,7 +189,7 @@ def _opens(shape: Polygon, side: Side, passage: Polygon) -> bool:
 
 
 def _built(storeys: Sequence[Storey], place: _Place, workshop: Workshop, judge: JudgeAll) -> list[Reshaped]:
-    """Put a core in its place on all storeys; rooms whose furniture then is in the way are furnished anew.
+    """Put a core in its place on all storeys; rooms whose furniture then is in the way are furnished again.
 
     Raises
     ------

@@ -70,7 +70,7 @@ class Workshop:
     Attributes
     ----------
     catalogue : Catalogue
-        Furniture for rooms that are furnished anew.
+        Furniture for rooms that are furnished again.
     furnisher : Furnisher
         The placer, which furnishes them.
     judge : callable

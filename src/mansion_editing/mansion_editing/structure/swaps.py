@@ -21,7 +21,7 @@ _NOTABLE = 0.1
 
 
 def swap_rooms(storey: Storey, room_id: str, other_id: str, workshop: Workshop) -> Reshaped:
-    """Let two rooms change places: each gets the other's polygon and ways in, and is furnished anew there.
+    """Let two rooms change places: each gets the other's polygon and entrances, and is furnished again there.
 
     Parameters
     ----------
@@ -64,7 +64,7 @@ def swap_rooms(storey: Storey, room_id: str, other_id: str, workshop: Workshop) 
 
 
 def _with_fitting_doors(change: Change, workshop: Workshop) -> Reshaped:
-    """Make the doors anew as the rooms' types want them; where that fails leave them where they are."""
+    """Remake the doors as the rooms' types require; where that fails, leave them where they are."""
     try:
         return attempt(change, workshop).reshaped
     except MansionError as first:

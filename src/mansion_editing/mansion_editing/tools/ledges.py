@@ -72,7 +72,7 @@ STEP = 0.02
 
 EDGE = 0.01
 BESIDE = 20.0
-"""Cost of a metre from what an object shall lie beside."""
+"""Cost of a metre from what an object is to lie beside."""
 
 MOST_ROWS = 80
 MOST_ON_LEDGE = 40
@@ -115,7 +115,7 @@ def free_places(
     most : int
         Greatest number of places, spread over ledges and over each ledge.
     near : (x, y), optional
-        Point of the floor that the object shall lie close to.
+        Point of the floor that the object is to lie close to.
     admit : callable, optional
         Whether a place may be taken; with it, places turned by all quarters are looked at.
     """

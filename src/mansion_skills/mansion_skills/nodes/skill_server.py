@@ -135,7 +135,7 @@ class SkillServer(MansionNode):
             self.load(LoadBuilding(path=value["building"], session=value["session"]))
 
     def _open_topics(self, value: dict[str, Any]) -> None:
-        """Publish what is told of all sessions."""
+        """Open the topics that all sessions share."""
         self._namespace = robot_namespace(value["robot_namespace"], self.get_namespace())
         self._frame_prefix = value["frame_prefix"]
         self._robot_state = JsonPublisher(self, topic("robot_state"))

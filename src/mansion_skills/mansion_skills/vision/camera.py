@@ -77,7 +77,7 @@ class Camera(Closing):
         return source if isinstance(source, Session) else source.engine.session(source.session)
 
     def _world_floors(self, session: Session) -> Floors:
-        """Return the loaded floors; others when the session has loaded another building, or the same anew."""
+        """Return the loaded floors; others when the session has loaded another building, or the same one again."""
         if self._floors is None or self._floors.world is not session.world:
             if self._floors is not None:
                 self._floors.close()

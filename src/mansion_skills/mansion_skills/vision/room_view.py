@@ -175,7 +175,7 @@ def _across(values: Floats, degrees: float) -> Floats:
 
 
 def _shown(aside: Floats) -> Floats:
-    """Return what counts of a thing so many degrees aside: all in the middle of the picture, half at its edges."""
+    """Return the weight of an object by its bearing in degrees: 1 in the middle of the picture, 1/2 at its edges."""
     found: Floats = np.where(np.abs(aside) <= VIEW_ANGLE / 2, np.cos(np.radians(aside)) ** 2, 0.0)
     return found
 

@@ -19,7 +19,7 @@ from mansion_msgs_py.scene import FloorScene
 __all__ = ["HOUSE", "MODEL", "FloorExport", "exported", "made"]
 
 _KEPT = 16
-"""Floors that are remembered by what they were made from: each episode loads its building anew."""
+"""Floors that are remembered by what they were made from: each episode loads its building again."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -19,7 +19,7 @@ __all__ = ["FloorView", "Landmark", "bodies_of", "floor_landmarks", "landmark_na
 GENERIC = {"elevator": "elevator", "lift": "elevator", "stairs": "stair", "stair": "stair"}
 
 FEW_DOORS = 4
-"""Most doors that are redrawn one by one; when more have moved, the grids are made anew."""
+"""Most doors that are redrawn one by one; when more have moved, the grids are made again."""
 
 
 @dataclass(frozen=True)

@@ -68,7 +68,7 @@ class Vocabulary:
 
 
 def state_space(categories: int, rooms: int, floors: int) -> spaces.Dict:
-    """Return the space of the observations without pictures, for so many of each at most."""
+    """Return the space of the observations without pictures, for at most that many of each."""
     categories, rooms = categories + 1, rooms + 1
     colours = len(COLOURS) + 1
     return spaces.Dict(
