@@ -57,7 +57,7 @@ def _has(place: Path, output: Output) -> bool:
 
 
 def kept_files(folder: Path, scenes: Sequence[FloorScene], changed: Sequence[int]) -> dict[str, bytes]:
-    """Return updated versions of the files of a folder that were made from scenes, as far as they show the changed floors.
+    """Return the files of a folder that are made from scenes, updated as far as they show the changed floors.
 
     Parameters
     ----------

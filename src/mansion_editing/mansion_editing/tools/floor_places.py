@@ -1,4 +1,4 @@
-"""Free places on the floor of a room: with the back to a wall or in the middle of the room, clear of doors and furniture."""
+"""Free places on the floor of a room: along a wall or away from the walls, clear of doors and furniture."""
 
 import math
 from collections.abc import Collection, Iterator
