@@ -228,7 +228,7 @@ class LlmClient:
     def _with_patience(self, name: str, messages: list[Message], schema: dict[str, Any]) -> ChatReply:
         """Ask until there is an answer: wait for a busy endpoint, ask in a plainer form where the form is refused."""
         if self._failures >= PATIENCE:
-            raise TransportError("unreachable", "the endpoint failed too often and is left alone")
+            raise TransportError("unreachable", "the endpoint failed too often and is no longer asked")
         waits = 0
         while True:
             try:

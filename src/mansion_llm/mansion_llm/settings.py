@@ -155,7 +155,7 @@ def settings_and_places(
     known = setting_names()
     for name in values:
         if name not in known:
-            raise _fault(name, "the configuration file", f"is no setting; known are {', '.join(sorted(known))}")
+            raise _fault(name, "the configuration file", f"is not a setting; settings are {', '.join(sorted(known))}")
     return LlmSettings(**{n: checked_setting(n, v, places[n]) for n, v in values.items()}), places
 
 
@@ -181,7 +181,7 @@ def _file_values(environment: Mapping[str, str], file: Path | None) -> dict[str,
     try:
         return tomllib.loads(file.read_text(encoding="utf-8"))
     except (tomllib.TOMLDecodeError, UnicodeError):
-        raise MansionError(ErrorCode.INVALID_PAYLOAD, f"the configuration file {file} is no TOML") from None
+        raise MansionError(ErrorCode.INVALID_PAYLOAD, f"the configuration file {file} is not valid TOML") from None
 
 
 def _fault(name: str, place: str, what: str) -> MansionError:

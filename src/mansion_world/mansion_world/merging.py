@@ -135,7 +135,7 @@ def _add_building(merge: _Merge, world: WorldFolder, record: Record, index: int)
     source = world.path / row.path
     if not source.is_dir() or folder_digest(source)[0] != row.sha256:
         raise MansionError(
-            ErrorCode.INVALID_PAYLOAD, f"{source} is not as it was written; `mansion world check` tells more"
+            ErrorCode.INVALID_PAYLOAD, f"{source} has changed since it was written; `mansion world check` shows where"
         )
     split = split_of(merge.split_seed, row.description)
     moved = replace(

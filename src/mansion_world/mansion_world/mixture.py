@@ -94,7 +94,7 @@ def load_mixture(path: Path | None = None) -> Mixture:
     try:
         mixture = convert(Mixture, tomllib.loads(data.decode()))
     except (tomllib.TOMLDecodeError, UnicodeError) as error:
-        raise MansionError(ErrorCode.INVALID_PAYLOAD, f"{source}: no TOML: {error}") from None
+        raise MansionError(ErrorCode.INVALID_PAYLOAD, f"{source} is not valid TOML: {error}") from None
     except MansionError as error:
         raise error.with_message(f"{source}: {error.info.message}") from None
     groups = load_sentences()

@@ -104,7 +104,7 @@ def _members(world: WorldFolder, record: Record) -> list[tuple[str, bytes]]:
     folder = world.path / row.path
     if not folder.is_dir() or folder_digest(folder)[0] != row.sha256:
         raise MansionError(
-            ErrorCode.INVALID_PAYLOAD, f"{folder} is not as it was written; `mansion world check` tells more"
+            ErrorCode.INVALID_PAYLOAD, f"{folder} has changed since it was written; `mansion world check` shows where"
         )
     files = {name.replace("/", "."): name for name in _names(folder)}
     sample = Sample(building=row, rooms=record.rooms, tasks=record.tasks, files=files)

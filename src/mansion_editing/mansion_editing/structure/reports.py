@@ -74,7 +74,7 @@ def object_sentences(finished: Finished) -> list[str]:
             said.append(f"{room} has no place left for {_names([item.id for item in settled.lost])}.")
     for room, lost in finished.anew.items():
         missing = [f"{count} {category.replace('_', ' ')}" for category, count in sorted(lost.items())]
-        said.append(f"{room} is furnished again" + (f", without {listed(missing)}." if missing else "."))
+        said.append(f"{room} is refurnished" + (f", without {listed(missing)}." if missing else "."))
     return said
 
 

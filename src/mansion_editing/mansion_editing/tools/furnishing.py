@@ -217,7 +217,7 @@ def _arranged(
             best, least = seed, alike
     if best is None:
         reason = "; ".join(faults[:5]) or "it is furnished as its type is already"
-        raise MansionError(ErrorCode.INFEASIBLE, f"{room_id} is not furnished again: {reason}", path="$.room_id")
+        raise MansionError(ErrorCode.INFEASIBLE, f"{room_id} cannot be refurnished: {reason}", path="$.room_id")
     return [item.id for item in _furnish(state, floor, room_id, standing, records, furnisher, best)]
 
 
@@ -249,7 +249,7 @@ def _furnish(
         objects.extend(made)
         everything = [*standing, *made]
         spawn = parts.spawn and place_spawn(room, scene.doors, everything)
-        source = parts.source and "rules: furnished again"
+        source = parts.source and "rules: furnished anew"
         return msgspec.structs.replace(
             parts, lights=room_lights(room, everything), discarded=lost, spawn=spawn, source=source
         )

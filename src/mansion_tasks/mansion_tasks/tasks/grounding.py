@@ -202,7 +202,7 @@ def _start(sandbox: Sandbox, floor: int | None, goals: list[Goal]) -> TaskStart:
     if floor not in world.building.floors:
         raise MansionError(
             ErrorCode.INFEASIBLE,
-            f"the robot shall start on floor {floor}; floors are {world.building.floors}",
+            f"the robot is to start on floor {floor}; floors are {world.building.floors}",
             path="$.start",
         )
     wanted = {room for goal in goals for room in goal.rooms}
