@@ -16,7 +16,7 @@ import pytest
 
 from mansion_assets.catalogue import Catalogue
 from mansion_assets.retrieval.configured import configured_retriever
-from mansion_assets.retrieval.embedding import EmbeddingRetriever
+from mansion_assets.retrieval.embedding_retriever import EmbeddingRetriever
 from mansion_assets.retrieval.encoders import FolderEncoder
 from mansion_assets.retrieval.retriever import TextRetriever
 from mansion_editing.state import SceneState

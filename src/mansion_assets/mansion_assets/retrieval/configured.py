@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 
-from mansion_assets.retrieval.embedding import EmbeddingRetriever
+from mansion_assets.retrieval.embedding_retriever import EmbeddingRetriever
 from mansion_assets.retrieval.encoders import EndpointEncoder, FolderEncoder, TextEncoder
 from mansion_assets.retrieval.retriever import Retriever, TextRetriever
 from mansion_assets.retrieval.static_vectors import PACKAGED, packaged_encoder

@@ -5,7 +5,7 @@ import sys
 from collections.abc import Sequence
 from typing import NoReturn
 
-from mansion_bringup.cli.quick_call import call_quickly
+from mansion_bringup.cli.socket_call import call_quickly
 from mansion_bringup.discovery import keep_to_this_machine
 from mansion_bringup.graph.rclpy_available import NO_RCLPY
 from mansion_msgs_py.errors import ErrorCode, MansionError, refused_by_system

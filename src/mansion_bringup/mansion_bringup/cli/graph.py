@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from mansion_bringup.cli.console import AsJson, err, print_json
-from mansion_bringup.cli.quick_call import CALL_TIMEOUT, absolute_namespace, json_argument
+from mansion_bringup.cli.socket_call import CALL_TIMEOUT, absolute_namespace, json_argument
 from mansion_bringup.graph.call_progress import CallProgress, progress_line, progress_topic
 from mansion_bringup.graph.call_socket import ask_resident
 from mansion_bringup.graph.rclpy_available import check_domain

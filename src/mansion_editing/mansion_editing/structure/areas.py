@@ -10,8 +10,7 @@ from mansion_editing.structure.attempts import Change, Outcome, attempt
 from mansion_editing.structure.rebuilding import passages_of_scene
 from mansion_editing.structure.reports import listed
 from mansion_editing.structure.room_shapes import ShapeLimits, is_circulation, limits_of
-from mansion_editing.structure.storey_documents import region_shapes, with_shapes
-from mansion_editing.structure.storeys import Reshaped, Storey, Workshop, node_of
+from mansion_editing.structure.storey_documents import Reshaped, Storey, Workshop, node_of, region_shapes, with_shapes
 from mansion_editing.structure.wall_moves import MovedWall, Plan, most_area, plans
 from mansion_geometry.shared_walls import edge_array, shared_walls
 from mansion_msgs_py.errors import ErrorCode, MansionError

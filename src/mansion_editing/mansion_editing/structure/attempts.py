@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from mansion_editing.structure.rebuilding import Rebuilt, rebuild
 from mansion_editing.structure.rebuilt_scene import Finished, finish
 from mansion_editing.structure.reports import door_sentences, object_sentences, room_sentences, wall_sentences
-from mansion_editing.structure.storeys import Reshaped, Storey, Workshop
+from mansion_editing.structure.storey_documents import Reshaped, Storey, Workshop
 from mansion_editing.structure.wall_moves import MovedWall
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_scene.structure.access import Passage

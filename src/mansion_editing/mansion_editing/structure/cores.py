@@ -13,8 +13,15 @@ from mansion_editing.structure.attempts import Change, attempt
 from mansion_editing.structure.rebuilding import passages_of_scene
 from mansion_editing.structure.reports import listed
 from mansion_editing.structure.room_shapes import is_circulation, limits_of, tidied
-from mansion_editing.structure.storey_documents import added_access, region_shapes, with_shapes
-from mansion_editing.structure.storeys import Reshaped, Storey, Workshop, node_of
+from mansion_editing.structure.storey_documents import (
+    Reshaped,
+    Storey,
+    Workshop,
+    added_access,
+    node_of,
+    region_shapes,
+    with_shapes,
+)
 from mansion_geometry.shared_walls import edge_array, longest_wall, shared_walls
 from mansion_geometry.stair_landings import with_landings
 from mansion_msgs_py.errors import ErrorCode, MansionError

@@ -7,7 +7,7 @@ from typing import TypeVar
 import msgspec
 from shapely import Polygon
 
-from mansion_editing.structure.storeys import Storey
+from mansion_editing.structure.storey_documents import Storey
 from mansion_geometry.object_footprints import footprint
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.program import Downgrade

@@ -11,7 +11,7 @@ from mansion_editing.robot_passages import passages_of
 from mansion_editing.structure.displaced_objects import Settled, settle
 from mansion_editing.structure.rebuilding import Rebuilt
 from mansion_editing.structure.standing_checks import RoomSpace
-from mansion_editing.structure.storeys import Storey, Workshop, node_of
+from mansion_editing.structure.storey_documents import Storey, Workshop, node_of
 from mansion_editing.structure.wall_moves import MovedWall
 from mansion_msgs_py.scene import Discard, FloorScene, Light, SceneObject, SceneRoom
 from mansion_scene.lighting import room_lights

@@ -4,7 +4,7 @@ from collections.abc import Iterable, Sequence
 
 from mansion_editing.structure.rebuilding import Rebuilt
 from mansion_editing.structure.rebuilt_scene import Finished
-from mansion_editing.structure.storeys import Storey
+from mansion_editing.structure.storey_documents import Storey
 from mansion_editing.structure.wall_moves import MovedWall
 from mansion_msgs_py.scene import Door, FloorScene
 

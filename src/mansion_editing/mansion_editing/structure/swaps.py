@@ -7,8 +7,7 @@ import msgspec
 from mansion_editing.structure.attempts import Change, attempt
 from mansion_editing.structure.rebuilding import passages_of_scene
 from mansion_editing.structure.room_shapes import is_circulation
-from mansion_editing.structure.storey_documents import region_shapes, with_shapes
-from mansion_editing.structure.storeys import Reshaped, Storey, Workshop, node_of
+from mansion_editing.structure.storey_documents import Reshaped, Storey, Workshop, node_of, region_shapes, with_shapes
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import FloorScene, SceneRoom
 from mansion_msgs_py.topology import Edge, FloorTopology

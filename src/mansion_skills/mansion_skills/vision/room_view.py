@@ -14,7 +14,7 @@ from mansion_geometry.floor_grid import RESOLUTION, fill_box, fill_rings, fill_s
 from mansion_geometry.plane import turned
 from mansion_msgs_py.shapes import Point
 from mansion_msgs_py.world import Pose2D
-from mansion_skills.navigation.search import cast_rays, clearance
+from mansion_skills.navigation.grid_kernels import cast_rays, clearance
 from mansion_skills.skills.visibility import CAMERA_HEIGHT, VIEW_ANGLE, VIEW_RANGE, sight_points
 from mansion_skills.vision.articulation import leaves_of
 from mansion_skills.world.floor_view import FloorView, Landmark, bodies_of, reached_cells

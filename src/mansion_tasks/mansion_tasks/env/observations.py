@@ -12,7 +12,7 @@ from mansion_geometry.compiled import Ints
 from mansion_geometry.floor_grid import RESOLUTION
 from mansion_language.colours import COLOURS, colour_of
 from mansion_msgs_py.task import Task
-from mansion_skills.navigation.search import cast_rays
+from mansion_skills.navigation.grid_kernels import cast_rays
 from mansion_skills.skills.visibility import REACH, VIEW_ANGLE, VIEW_RANGE
 from mansion_tasks.env.visibility import View
 from mansion_tasks.tasks.sandbox import Sandbox
