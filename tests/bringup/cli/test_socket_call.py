@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from mansion_bringup.cli import quick_call as module
+from mansion_bringup.cli import socket_call as module
 from mansion_bringup.cli.socket_call import call_quickly
 from mansion_bringup.graph.call_progress import CallProgress
 from mansion_bringup.graph.call_socket import Answer
