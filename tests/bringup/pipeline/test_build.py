@@ -11,7 +11,8 @@ import pytest
 from typer.testing import CliRunner
 
 from mansion_bringup.cli.app import app
-from mansion_bringup.pipeline.build import build_building, solve
+from mansion_bringup.pipeline.build import build_building
+from mansion_bringup.pipeline.floors import solve
 from mansion_bringup.pipeline.stages import LocalStages
 from mansion_bringup.verify import verify_building
 from mansion_msgs_py.building import BuildingReport
