@@ -11,7 +11,6 @@ from shapely import Polygon, box
 
 from mansion_editing.structure.attempts import Change, attempt
 from mansion_editing.structure.rebuilding import passages_of_scene
-from mansion_editing.structure.reports import listed
 from mansion_editing.structure.room_shapes import is_circulation, limits_of, tidied
 from mansion_editing.structure.storey_documents import (
     Reshaped,
@@ -29,6 +28,7 @@ from mansion_msgs_py.program import BuildingProgram, CorePlan
 from mansion_msgs_py.scene import FloorScene, SceneRoom
 from mansion_msgs_py.shapes import Point
 from mansion_msgs_py.topology import FloorTopology, TopologyNode
+from mansion_msgs_py.wording import listed
 from mansion_scene.structure.access import Passage, pair_key
 
 __all__ = ["CoreKind", "JudgeAll", "add_core"]
