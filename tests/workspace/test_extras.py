@@ -8,8 +8,8 @@ from typing import Any
 import pytest
 
 from mansion_bringup import extras
+from mansion_bringup.cli.run_tests import TEST_EXTRAS, pytest_command, run_tests, test_environment
 from mansion_bringup.extras import EXTRAS, ensure_extra, require_extra
-from mansion_bringup.testing import TEST_EXTRAS, pytest_command, run_tests, test_environment
 from mansion_msgs_py.errors import ErrorCode, MansionError
 
 test_environment.__test__ = False  # type: ignore[attr-defined]
@@ -137,7 +137,7 @@ def test_the_suite_installs_its_tools_and_returns_pytests_exit_status(
         ran.append({"command": command, **options})
         return subprocess.CompletedProcess(command, 5)
 
-    monkeypatch.setattr("mansion_bringup.testing.ensure_extra", asked.append)
+    monkeypatch.setattr("mansion_bringup.cli.run_tests.ensure_extra", asked.append)
     monkeypatch.setattr(subprocess, "run", run)
     assert run_tests(["-x"]) == 5
     assert asked == list(TEST_EXTRAS)

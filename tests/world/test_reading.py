@@ -11,7 +11,7 @@ from typer.testing import CliRunner
 import mansion
 from mansion_bringup.cli.app import app
 from mansion_bringup.worlds import check_for_world, redo_tasks
-from mansion_world.measures import difficulty_of
+from mansion_world.building_measures import difficulty_of
 from mansion_world.mixture import load_mixture
 from mansion_world.records import RoomRow
 from mansion_world.sampling import sample

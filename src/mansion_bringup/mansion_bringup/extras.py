@@ -102,7 +102,7 @@ def require_extra(name: str) -> None:
 
 
 _OPTIONS: Final = {"rerun": "--no-deps "}
-"""Of pip: rerun-sdk asks for a newer NumPy than ROS 2 Jazzy has (docs/install.md names what else it needs)."""
+"""Options of pip: rerun-sdk asks for a newer NumPy than ROS 2 Jazzy has (docs/install.md names what else it needs)."""
 
 
 def _command(name: str) -> str:

@@ -69,7 +69,7 @@ class BuildingRow(msgspec.Struct, frozen=True, kw_only=True):
     path : str
         Folder of the building, relative to the world's.
     floor_areas : list of float
-        Of the floors from below, m2; `area` is their sum.
+        Area of each floor from below, m2; `area` is their sum.
     wishes, wishes_met : int
         What its sentence asks for, and how much of that the building meets.
     landmarks : int
@@ -83,7 +83,7 @@ class BuildingRow(msgspec.Struct, frozen=True, kw_only=True):
     no_tasks : str
         Why tasks that were asked for are missing altogether; empty otherwise.
     bytes, sha256 : int, str
-        Of all files but ``report.json``, which holds times.
+        Size and hash of all files but ``report.json``, which holds times.
     licence : str
         SPDX identifier.
     """
@@ -139,7 +139,7 @@ class TaskRow(msgspec.Struct, frozen=True, kw_only=True):
     Attributes
     ----------
     difficulty : str
-        Of the task: easy, medium or hard.
+        Difficulty of the task: easy, medium or hard.
     floors : int
         From the lowest to the highest that the oracle's way touches.
     metres, seconds : float
@@ -231,7 +231,7 @@ class Record(msgspec.Struct, frozen=True, kw_only=True):
     Attributes
     ----------
     graph : str
-        Hash of its room graphs (see `mansion_world.likeness`).
+        Hash of its room graphs (see `mansion_world.near_duplicates`).
     likeness : list of RoomLikeness
     """
 

@@ -32,7 +32,7 @@ def agents(
     jobs: Annotated[int, typer.Option(min=0, help="Processes, 0: all cores; the result is the same.")] = 1,
     graph: Annotated[bool, typer.Option(help="Call skills over services of a node graph.")] = False,
     sheets: Annotated[
-        int, typer.Option(min=0, help="Contact sheets and animations for so many episodes an agent.")
+        int, typer.Option(min=0, help="Number of episodes of each agent to draw as contact sheets and animations.")
     ] = 0,
     replay: Annotated[Path | None, typer.Option(help="Repeat the episode of a log instead, and compare.")] = None,
     building: Annotated[Path | None, typer.Option(help="With --replay: the building, where it has moved.")] = None,
@@ -138,7 +138,7 @@ def follow_bench(bench: "Bench", jobs: int) -> tuple["BenchResult", int]:
     except KeyboardInterrupt:
         done = f"{last.done} of {last.total}" if last.total else "none of the"
         err.print(
-            f"interrupted: {done} episodes are done; the same command goes on from the logs in {bench.output}",
+            f"interrupted: {done} episodes are done; repeat the command to continue from the logs in {bench.output}",
             highlight=False,
         )
         raise typer.Exit(EXIT_INTERRUPTED) from None
