@@ -40,7 +40,7 @@ OUTSIDE = 0.36
 
 MOST_COLUMNS = 6
 FROM_ABOVE = View(azimuth=-72.0, elevation=54.0)
-FROM_STREET = View(azimuth=-58.0, elevation=26.0)
+FROM_STREET = View(azimuth=-56.0, elevation=21.0)
 
 
 CUT = 1.5
