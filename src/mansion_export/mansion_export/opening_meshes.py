@@ -209,7 +209,7 @@ def _window(window: Window, length: float, deep: float, inward: float, frame: Ma
     fields = max(1, round(length / 1.2))
     bars += [Box((length * i / fields, 0.0, height / 2), (bar, 0.06, height - 2 * bar)) for i in range(1, fields)]
     board = Box((length / 2, inward * (deep / 2 + 0.02), -0.01), (length + 0.1, 0.12, 0.03))
-    ledge = Box((length / 2, -inward * (deep / 2 - 0.03), -0.02), (length + 0.1, 0.16, 0.04))
+    ledge = Box((length / 2, -inward * deep / 2, -0.015), (length + 0.1, 0.12, 0.05))
     pane = Box((length / 2, 0.0, height / 2), (length - bar, 0.012, height - bar))
     return [
         boxes_surface(bars, frame),

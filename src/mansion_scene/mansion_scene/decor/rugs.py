@@ -115,8 +115,7 @@ def _on_free_floor(
     if long_way:
         step = (step[1], step[0])
     reach = int(max(x1 - x0, y1 - y0) / min(step)) // 2 + 1
-    columns = math.ceil(math.sqrt(2 * count)) if count > 3 else 1
-    rows = -(-count // columns)
+    columns, rows = _block(count, step, longest.length, room.area / longest.length)
     # Half a step where a block has an even number of columns or rows, so that it lies about the middle.
     shift = (0.5 * (columns % 2 == 0), 0.5 * (rows % 2 == 0))
     cells = [(i + shift[0], j + shift[1]) for i in range(-reach, reach + 1) for j in range(-reach, reach + 1)]
@@ -133,3 +132,15 @@ def _on_free_floor(
         center = (middle[0] + c * dx - s * dy, middle[1] + s * dx + c * dy)
         out.append((center, (angle + long_way) % 360.0, True))
     return out
+
+
+def _block(count: int, step: tuple[float, float], along: float, across: float) -> tuple[int, int]:
+    """Return columns and rows of a block of so many, as full and as near to the shape of the room as can be."""
+
+    def unlike(columns: int) -> float:
+        rows = -(-count // columns)
+        shape = columns * step[0] / (rows * step[1]) / (along / across)
+        return abs(math.log(shape)) + 2.0 * (columns * rows - count) / count
+
+    columns = min(range(1, count + 1), key=unlike) if count > 3 else 1
+    return columns, -(-count // columns)

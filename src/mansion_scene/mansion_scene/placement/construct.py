@@ -92,12 +92,19 @@ class Construction:
     def _place_matrix(self, spec: Spec) -> None:
         shares = self._shares(spec, spec.quantity, equal=True)
         units = self._units(spec, spec.size, shares)
-        seated = [unit for unit in units if not spec.first and _seats(self.floor, unit) > 2]
-        ways = [(unit, ENOUGH, True) for unit in seated[:1]]
-        ways += [(unit, 1.0, False) for unit in units] + [(unit, 0.0, False) for unit in units]
-        for unit, least, roomy in ways:
-            if place_matrix(self.floor, spec, unit, self.rng, self.aisle, least=least, roomy=roomy) is not None:
+        seated = next((unit for unit in units if not spec.first and _seats(self.floor, unit) > 1), None)
+        if seated is not None and self._place_tables(spec, seated):
+            return
+        for unit, least in [(unit, 1.0) for unit in units] + [(unit, 0.0) for unit in units]:
+            if place_matrix(self.floor, spec, unit, self.rng, self.aisle, least=least) is not None:
                 return
+
+    def _place_tables(self, spec: Spec, unit: Unit) -> bool:
+        """Place most of some tables with their seats, so that people pass between them, in rows or around corners."""
+        if place_matrix(self.floor, spec, unit, self.rng, self.aisle, least=ENOUGH, roomy=True) is not None:
+            return True
+        counts = dict.fromkeys(round(share * spec.quantity) for share in (1.0, 0.85, 0.7, 0.55))
+        return any(place_lattice(self.floor, spec, unit, count, self.rng, self.aisle) for count in counts if count > 1)
 
     def _place_one(self, spec: Spec, left: int, *, strict: bool) -> bool:
         shares = self._shares(spec, left)
