@@ -95,7 +95,13 @@ class Construction:
         seated = next((unit for unit in units if not spec.first and _seats(self.floor, unit) > 1), None)
         if seated is not None and self._place_tables(spec, seated):
             return
-        for unit, least in [(unit, 1.0) for unit in units] + [(unit, 0.0) for unit in units]:
+        alone = [unit for unit in units if len(unit.parts) == 1]
+        ways = [(unit, 1.0) for unit in units if len(unit.parts) > 1]
+        if ways and not spec.first:
+            # Half of the desks with a chair at each are better than all without.
+            ways.append((units[0], 0.5))
+        ways += [(unit, 1.0) for unit in alone] + [(unit, 0.0) for unit in units]
+        for unit, least in ways:
             if place_matrix(self.floor, spec, unit, self.rng, self.aisle, least=least) is not None:
                 return
 
