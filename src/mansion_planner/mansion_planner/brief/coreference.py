@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from mansion_planner.brief.phrase import Phrase
 from mansion_planner.brief.reading import Reading
-from mansion_planner.brief.relations import Relation
+from mansion_planner.brief.relation_rooms import Relation
 
 __all__ = ["coreferences"]
 

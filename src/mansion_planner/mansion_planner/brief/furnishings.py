@@ -8,7 +8,7 @@ from mansion_planner.brief.facts import ObjectFact
 from mansion_planner.brief.furniture_words import usually_in
 from mansion_planner.brief.phrase import FUNCTION_WORDS, PEOPLE, Phrase
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
-from mansion_planner.brief.relations import Relation
+from mansion_planner.brief.relation_rooms import Relation
 from mansion_planner.brief.storey_attachment import Attachment
 
 __all__ = ["people_served", "read_furnishings", "seats_at_tables"]

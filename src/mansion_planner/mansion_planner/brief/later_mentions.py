@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from mansion_planner.brief.phrase import Phrase
 from mansion_planner.brief.reading import Reading
-from mansion_planner.brief.relations import Relation
+from mansion_planner.brief.relation_rooms import Relation
 from mansion_planner.brief.storey_attachment import Attachment
 
 __all__ = ["give_areas_of_mentions", "place_by_mentions", "tell_rooms_within"]

@@ -12,6 +12,7 @@ from mansion_knowledge import KnowledgeBase
 from mansion_planner.brief.absences import read_absent_parts
 from mansion_planner.brief.accessible_parts import with_accessible_ones
 from mansion_planner.brief.adverts import among_adverts, read_adverts, read_bedrooms_of_building
+from mansion_planner.brief.area_words import Measure
 from mansion_planner.brief.background_phrases import without_bystanders
 from mansion_planner.brief.bare_areas import with_bare_areas
 from mansion_planner.brief.blocks import with_blocks
@@ -36,7 +37,7 @@ from mansion_planner.brief.furnishings import read_furnishings
 from mansion_planner.brief.heights import read_heights
 from mansion_planner.brief.households import read_households
 from mansion_planner.brief.later_mentions import give_areas_of_mentions, place_by_mentions, tell_rooms_within
-from mansion_planner.brief.measures import Measure, find_measures, give_measures
+from mansion_planner.brief.measures import find_measures, give_measures
 from mansion_planner.brief.named_rooms import desks_as_places, rooms_by_name
 from mansion_planner.brief.noun_phrases import noun_phrases
 from mansion_planner.brief.occupants import read_occupants, tell_users

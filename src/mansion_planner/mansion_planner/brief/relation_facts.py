@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 from mansion_planner.brief.facts import AdjacencyFact, Span
 from mansion_planner.brief.phrase import Phrase
 from mansion_planner.brief.reading import Reading
-from mansion_planner.brief.relations import Relation
+from mansion_planner.brief.relation_rooms import Relation
 from mansion_planner.brief.room_facts import identifier
 
 __all__ = ["state_relations"]
