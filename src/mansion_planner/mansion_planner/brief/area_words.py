@@ -13,12 +13,12 @@ FILLERS = frozenset(
     each : having = a must will exactly occupying minimum than more floor something like the region in circa ca
     approx some apiece over for maybe nearly almost are being up to each one - – every max maximum no less not under
     total below every measure have has some shall larger bigger smaller greater exceed exceeding within limited
-    capped min pass surpass all alike identical equal same
+    capped min pass surpass all alike identical equal same namely everything else
     """.split()
 )
 TOTALS = frozenset(
     """
-    total overall altogether gross gfa together whole all gia net
+    total overall altogether gross gfa together whole all gia net sum
     """.split()
 )
 ABOUT = frozenset("about around approx roughly ca circa some".split())

@@ -41,6 +41,9 @@ def _is_tried(reading: Reading, phrase: Phrase) -> bool:
     at = phrase.begin - 1
     while reading.word(at) in ("the", "our", "a", "an", "some", "new"):
         at -= 1
+    trial = phrase.noun_end - phrase.begin == 1 and reading.word(phrase.begin) in _TRIALS
+    if trial and not phrase.counted and reading.word(at) == "for" and reading.word(phrase.last) in ("of", "about"):
+        return True  # "for the study of children"
     if reading.word(at) not in ("of", "with", "on", "about") or reading.word(at - 1) not in _TRIALS:
         return False
     return "for" in reading.words(max(at - 4, 0), at - 1)

@@ -1,9 +1,11 @@
 """Read what a brief wishes of the building's shape: outline, setbacks, size, and equal storeys."""
 
-from mansion_planner.brief.facts import CopyFact, FloorRef, Shape
+from dataclasses import replace
+
+from mansion_planner.brief.facts import BriefFacts, CopyFact, FloorRef, Shape
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
 
-__all__ = ["read_copies", "read_massing", "read_shape", "read_sizes"]
+__all__ = ["give_rooms_to_copies", "read_copies", "read_massing", "read_shape", "read_sizes"]
 
 _SHAPES: dict[str, Shape] = {"l": "L", "u": "U", "t": "T", "h": "H"}
 _BENT = frozenset("bent folded wrapped laid arranged built shaped planned bends folds wraps".split())
@@ -163,10 +165,7 @@ def read_copies(reading: Reading, places: list[Place]) -> None:
             place = min(near, key=lambda p: min(abs(p.last - index), abs(p.first - index)))
             words = reading.span(min(place.first, index), max(place.last, index + 1))
             group = _joined(place)
-            if all(
-                (copy.first.kind, copy.first.first, copy.first.last) != (group.kind, group.first, group.last)
-                for copy in reading.facts.copies
-            ):
+            if not any(_are_alike(copy.first, group) for copy in reading.facts.copies):
                 reading.facts.copies.append(CopyFact(group, words))
         elif FLOOR_WORDS & set(reading.words(index + 1, index + 3)) and token.text in ("identical", "equal"):
             span = reading.span(index, index + 2)
@@ -175,6 +174,18 @@ def read_copies(reading: Reading, places: list[Place]) -> None:
             reading.facts.copies.append(CopyFact(FloorRef("every" if whole else "upper", span=span), span))
         plan = next((at for at in range(index + 1, index + 5) if reading.word(at) in ("plan", "layout")), index)
         reading.take(index, plan + 1 if sharing else index + 1)
+
+
+def give_rooms_to_copies(facts: BriefFacts) -> None:
+    """Give each of several storeys that are to be alike the rooms that are told of them together."""
+    for number, room in enumerate(facts.rooms):
+        if len(room.floors) == 1 and any(_are_alike(room.floors[0], copy.first) for copy in facts.copies):
+            facts.rooms[number] = replace(room, each=True)
+
+
+def _are_alike(one: FloorRef, other: FloorRef) -> bool:
+    """Whether two references mean the same storeys, whatever words they were read from."""
+    return (one.kind, one.first, one.last) == (other.kind, other.first, other.last)
 
 
 def _shares_plan(reading: Reading, index: int) -> bool:
@@ -191,6 +202,7 @@ def _is_within(places: list[Place], index: int) -> bool:
 def _is_typical(reading: Reading, places: list[Place], index: int) -> bool:
     """Whether storeys are called typical."""
     named = _is_within(places, index) or reading.word(index + 1) in FLOOR_WORDS
+    named = named or any(p.last == index - 1 and _several(p) for p in places if reading.word(p.last) in ("is", "are"))
     return reading.word(index) == "typical" and named
 
 
@@ -210,9 +222,11 @@ def _read_unchanging(reading: Reading, places: list[Place], index: int) -> bool:
     near = [p for p in places if reading.sentence[p.first] == reading.sentence[index] and _several(p)]
     if not near:
         return False
+    place = next((p for p in reversed(near) if p.last <= index), near[0])
     plan = index - next((k for k in (1, 2, 3, 4) if reading.word(index - k) in _PLANS), never)
-    span = reading.span(min(near[-1].first, plan), max(near[-1].last, index + 1))
-    reading.facts.copies.append(CopyFact(_joined(near[-1]), span))
+    span = reading.span(min(place.first, plan), max(place.last, index + 1))
+    if not any(_are_alike(copy.first, _joined(place)) for copy in reading.facts.copies):
+        reading.facts.copies.append(CopyFact(_joined(place), span))
     reading.take(plan, index + 1)
     return True
 

@@ -9,6 +9,8 @@ from mansion_planner.brief.relation_rooms import Relation
 __all__ = ["coreferences"]
 
 _DEFINITE = frozenset("per the this that each every both either any these those its all".split())
+_INTRODUCING = frozenset({"a", "an", "their", "my", "our", "his", "her", "your"})
+"""Determiners of a room that is none of those named later: "their bedroom ... upstairs three bedrooms"."""
 _GENERIC = frozenset("is has measure come get need hold contain receive comprise must should shall include".split())
 """Verbs after "a bedroom" where it stands for each of the bedrooms that are named before."""
 _VERBS = frozenset({"should", "must", "is", "are", "shall", "has", "need", "face", "overlook", "adjoin", "open", "lie"})
@@ -50,7 +52,7 @@ def coreferences(
         if group:
             groups[number], same[number] = group, group[-1]
             continue
-        topical = reading.word(phrase.last) in _VERBS and not phrase.counted
+        topical = not phrase.counted and (reading.word(phrase.last) in _VERBS or _heads_entry(reading, phrase))
         known = (number in lefts or topical) and phrase.determiner not in ("a", "an")
         known = known or (number in apart and phrase.determiner in ("a", "an"))  # "nothing such as a cafe may be near"
         if not (phrase.determiner in _DEFINITE or number in operands or known):
@@ -62,13 +64,18 @@ def coreferences(
             same[number] = _best(phrases, phrase, earlier[::-1])
         elif phrase.determiner in ("each", "every", "all") and any(phrases[n].counted for n in later):
             same[number] = next(n for n in later if phrases[n].counted)  # "a desk in each bedroom; three bedrooms"
-        elif later and (number in operands or _is_inside(reading, phrase)) and phrase.determiner not in ("a", "an"):
+        elif later and (number in operands or _is_inside(reading, phrase)) and phrase.determiner not in _INTRODUCING:
             same[number] = _best(phrases, phrase, later)
     return same, groups
 
 
 _JOINED = frozenset({"dining", "diner", "living", "kitchen"})
 """What is named second of two rooms in one: "living/dining", "kitchen-diner"."""
+
+
+def _heads_entry(reading: Reading, phrase: Phrase) -> bool:
+    """Whether rooms in the plural open an entry that says more of them: "Partner offices: one desk each"."""
+    return phrase.plural and reading.word(phrase.last) == ":" and reading.starts(phrase.begin)
 
 
 def _is_of_each(reading: Reading, phrase: Phrase) -> bool:
@@ -122,6 +129,12 @@ def _best(phrases: Sequence[Phrase], phrase: Phrase, others: Sequence[int]) -> i
     return exact[0] if exact else others[0]
 
 
+def _is_shortened(phrase: Phrase, other: Phrase) -> bool:
+    """Whether a name leaves out words of another one: "the children's room" of a children's corner room."""
+    words, others = phrase.name.split("_"), other.name.split("_")
+    return len(words) > 1 and words[0] == others[0] and words[-1] == others[-1] and set(words) < set(others)
+
+
 def _same_name(phrase: Phrase, other: Phrase) -> bool:
     if phrase.head == "unknown" or other.head == "unknown":
         return False
@@ -129,6 +142,8 @@ def _same_name(phrase: Phrase, other: Phrase) -> bool:
         return True
     of_several = phrase.determiner == "the" and (other.count or 2) > 1
     if of_several and phrase.name.endswith("_" + other.name) and not {"'", "’"} & set(phrase.label):
+        return True
+    if phrase.determiner == "the" and _is_shortened(phrase, other):
         return True
     bare = phrase.name == phrase.room_type or (phrase.known and "_" not in phrase.name)
     if phrase.determiner == "the" and other.name.rpartition("_")[2] in _JOINED and "_" not in phrase.name:

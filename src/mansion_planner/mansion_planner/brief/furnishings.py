@@ -251,7 +251,7 @@ _UNSEATED = frozenset(
 )
 
 
-_NO_MORE = frozenset({"least", "minimum", "min", "more"})
+_NO_MORE = frozenset({"least", "minimum", "min", "more", "less", "fewer"})
 """Words of a count that is a lower bound."""
 
 _VEHICLES = frozenset({"van", "truck", "car", "garage_car", "bus", "motorcycle", "ambulance"})

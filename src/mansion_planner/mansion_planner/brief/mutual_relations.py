@@ -28,6 +28,9 @@ def between_relation(
         return _between_them(phrases, [n for n in rooms if phrases[n].last <= index], index, last)
     following = rooms_in_sentence(reading, phrases, rooms, index, before=False)[:2]
     before = rooms_in_sentence(reading, phrases, rooms, index, before=True)
+    pair = _told_of_both(reading, phrases, following, index)
+    if pair is not None:
+        return pair
     if not following or not before or (reading.kind(index + 1) == "number" and not phrases[following[0]].plural):
         return None
     if len(following) > 1 and "and" not in reading.words(phrases[following[0]].last, phrases[following[1]].first):
@@ -39,6 +42,27 @@ def between_relation(
         return None
     # One room between two: both are its neighbours, so each is a pair of its own.
     return Relation(lefts * len(following), tuple(following), False, index, index + 1), phrases[following[-1]].last
+
+
+def _told_of_both(
+    reading: Reading, phrases: list[Phrase], following: list[int], index: int
+) -> tuple[Relation, int] | None:
+    """Read "between the kitchen and the cold store is a direct connection" as of the two."""
+    if len(following) < 2 or phrases[following[0]].first - index > 2:
+        return None
+    first, second = (phrases[number] for number in following)
+    if not set(reading.words(first.last, second.begin)) <= {"and", "the"}:
+        return None
+    verb = second.last + (reading.word(second.last) == "there")
+    end = next((at + 1 for at in range(verb + 1, verb + 6) if reading.word(at) in _CONTACTS), 0)
+    if reading.word(verb) not in ("is", "should", "must", "be", "exist", "shall") or not end:
+        return None
+    reading.take(end - 1, end)
+    return Relation((following[0],), (following[1],), False, index, index + 1), end
+
+
+_CONTACTS = frozenset("neighbourhood neighborhood adjacency contact connection door passage opening hatch".split())
+"""Nouns for what joins two rooms that are side by side."""
 
 
 def wall_relation(reading: Reading, phrases: list[Phrase], rooms: list[int], index: int) -> tuple[Relation, int] | None:

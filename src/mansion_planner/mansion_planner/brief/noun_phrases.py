@@ -13,6 +13,7 @@ from mansion_planner.brief.phrase import (
     FUNCTION_WORDS,
     PEOPLE,
     PLAIN,
+    PREDICATES,
     UNITS_OF_ROOMS,
     Head,
     Phrase,
@@ -422,6 +423,8 @@ def _is_figurative(reading: Reading, begin: int, end: int) -> bool:
         return True
     if lead in ("they", "we", "you", "people"):
         return True  # "they slide down a pole": a verb
+    if noun == "present" and lead in _COPULAS:
+        return True  # "a lift is present"
     if noun == "snug" and (lead in _COPULAS or (lead in ("and", ",") and reading.word(begin - 2) in PLAIN)):
         return True  # "the bedrooms should be warm and snug"
     if noun == "flat" and not reading.plural(begin) and _is_level(reading, end):
@@ -464,18 +467,17 @@ def _are_book_stacks(reading: Reading, begin: int, end: int) -> bool:
 
 
 def _modifies(reading: Reading, end: int) -> bool:
-    """Whether furniture only tells apart the noun after it: "a computer game", "robot vacuum tests"."""
+    """Whether furniture only tells apart the noun after it: "a computer game", "a chess club"."""
     counted = reading.plural(end - 1) or reading.kind(end - 2) == "number"
-    return not counted and reading.kind(end) == "word" and reading.word(end) in _NO_FURNITURE
+    noun = (
+        reading.kind(end) == "word"
+        and reading.word(end) not in FUNCTION_WORDS | PLAIN | PREDICATES | FLOOR_WORDS | _NO_NOUNS
+    )
+    return not counted and noun and not reading.word(end).endswith(("ly", "ed", "ing"))
 
 
-_NO_FURNITURE = frozenset(
-    """
-    game test experiment research simulation dataset data company maker agent robot policy task scenario study project
-    lesson course training plan programme program style delivery transport distribution
-    """.split()
-)
-"""Nouns that make a piece of furniture before them what they are about."""
+_NO_NOUNS = frozenset("ea too instead somewhere optional ready available kit set piece".split())
+"""Words after a piece of furniture that it is not the modifier of."""
 
 
 _HOLDERS = frozenset("box basket bin crate case holder bag container".split())

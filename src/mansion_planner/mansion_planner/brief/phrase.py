@@ -12,6 +12,7 @@ __all__ = [
     "FUNCTION_WORDS",
     "PEOPLE",
     "PLAIN",
+    "PREDICATES",
     "UNITS_OF_ROOMS",
     "Head",
     "Phrase",
@@ -70,6 +71,14 @@ PLAIN = frozenset(
     """.split()
 )
 """Adjectives that say how a room is, and are no part of its name."""
+
+PREDICATES = frozenset(
+    """
+    exist stay goes go run found foreseen foresee possess possesses present mandatory obligatory compulsory essential
+    needful requested additionally addition hence absolutely
+    """.split()
+)
+"""What is said of a thing that is wanted and asks for no more than the thing: "a lift is mandatory"."""
 
 PEOPLE = frozenset(
     """
@@ -233,6 +242,8 @@ _BETWEEN = frozenset({"other", "such", "very", "same", "separate", "open"})
 _BEFORE_COUNTS = frozenset({"the", "these", "those", "both", "all", "our", "each", "every"})
 """Determiners of a phrase that has a count: "the four bedrooms"."""
 _HEDGES = frozenset("least at exactly about a of minimum up to some around roughly".split())
+_NOT_LESS = frozenset((no, less, "than") for no in ("no", "not") for less in ("less", "fewer"))
+"""Words before a count that is the least: "not fewer than ten desks"."""
 _HEDGES_OF_TWO = frozenset({"at", "to", "of", "a"})
 """Words that say how exact a count is only before "least" and "minimum": "at least", "a minimum"."""
 
@@ -282,6 +293,8 @@ def _middle_of_range(reading: Reading, index: int) -> int | None:
 
 def _with_hedges(reading: Reading, begin: int, index: int) -> int:
     """Return where a count starts with the words that say how exact it is: "at least four", "up to six"."""
+    if reading.words(index - 3, index) in _NOT_LESS and reading.free(index - 3, index):
+        return index - 3
     first = index
     while reading.word(first - 1) in _HEDGES and first - 1 not in reading.taken and begin - first < 5:
         if reading.word(first - 1) in _HEDGES_OF_TWO and reading.word(first) not in ("least", "minimum"):

@@ -18,7 +18,7 @@ from mansion_planner.brief.bare_areas import with_bare_areas
 from mansion_planner.brief.blocks import with_blocks
 from mansion_planner.brief.building import building_phrase, own_building_name, unknown_building
 from mansion_planner.brief.building_again import leave_out_other_names
-from mansion_planner.brief.building_shape import read_copies, read_massing, read_shape, read_sizes
+from mansion_planner.brief.building_shape import give_rooms_to_copies, read_copies, read_massing, read_shape, read_sizes
 from mansion_planner.brief.coreference import coreferences
 from mansion_planner.brief.desk_areas import read_desk_areas
 from mansion_planner.brief.distant_counts import (
@@ -110,6 +110,7 @@ def read_brief(text: str, knowledge: KnowledgeBase, *, cancelled: Callable[[], b
     phrases = _Reader(reading, places).read(measures)
     reading.go_on()
     read_copies(reading, places)
+    give_rooms_to_copies(reading.facts)
     read_style(reading, named=False)
     reading.facts.unheeded += unheeded_words(reading, phrases, reading.facts)
     leave_unread(reading)

@@ -84,13 +84,20 @@ def _relation_at(reading: Reading, phrases: list[Phrase], rooms: list[int], inde
         return found
     if reading.words(index, index + 2) in (("to", "the"), ("of", "the")) and index not in reading.taken:
         return _belonging(reading, phrases, rooms, index)
-    if reading.word(index) == "besides" and reading.word(index - 1) in ("nothing", "anything", "everything", ","):
-        return None  # "in addition to"
+    if reading.word(index) == "besides" and _adds(reading, index):
+        return None
     apart = next((p for p in APART_AT.get(reading.word(index), ()) if reading.words(index, index + len(p)) == p), ())
     words = apart or _longest_at(reading, index, BESIDE_AT)
     if not words or (index in reading.taken and reading.word(index) not in ("direct", "open")):
         return None
     return _directed(reading, phrases, rooms, index, index + len(words), apart=bool(apart))
+
+
+def _adds(reading: Reading, index: int) -> bool:
+    """Whether "besides" means in addition to: "everything besides toilets", "a canteen besides toilets"."""
+    after = index + 1
+    bare = reading.word(after) not in ("the", "a", "an", "it", "this", "that", "each", "every", "our", "its")
+    return bare or reading.word(index - 1) in ("nothing", "anything", "everything", ",")
 
 
 def _longest_at(reading: Reading, index: int, patterns: Mapping[str, Sequence[tuple[str, ...]]]) -> tuple[str, ...]:

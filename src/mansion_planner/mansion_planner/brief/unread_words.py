@@ -1,6 +1,6 @@
 """Record the words of a brief that no statement was made of."""
 
-from mansion_planner.brief.phrase import FUNCTION_WORDS, PLAIN
+from mansion_planner.brief.phrase import FUNCTION_WORDS, PLAIN, PREDICATES
 from mansion_planner.brief.qualifiers import is_property
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
 from mansion_planner.brief.sizes import is_size
@@ -40,6 +40,8 @@ _REQUESTS = frozenset(
     "design generate imagine think thank suppose assume kindly hereby attach attached regards".split()
 )
 """Words that ask for a building and say nothing of it."""
+_FORMS = frozenset({"form", "plan", "shape", "format", "layout", "outline"})
+"""Nouns of an outline that is read from the words beside them: "an L-shaped plan", "in form of U"."""
 
 
 def _is_content(reading: Reading, index: int) -> bool:
@@ -91,9 +93,16 @@ def _is_content(reading: Reading, index: int) -> bool:
         and token.text not in FUNCTION_WORDS
         and (token.text not in PLAIN or is_property(token.text) or is_size(token.text))
         and token.text not in FLOOR_WORDS
-        and token.text not in _REQUESTS
+        and token.text not in _REQUESTS | PREDICATES
+        and not (token.text in _FORMS and _is_of_outline(reading, index))
         and len(token.text) > 1
     )
+
+
+def _is_of_outline(reading: Reading, index: int) -> bool:
+    """Whether an outline is read from the words right beside a token."""
+    near = reading.tokens[max(index - 3, 0)].start, reading.tokens[min(index + 4, len(reading.tokens) - 1)].end
+    return any(span.start < near[1] and near[0] < span.end for _, span in reading.facts.shapes)
 
 
 def _keeps_to_itself(reading: Reading, index: int) -> bool:
@@ -110,7 +119,7 @@ def _numbers_line(reading: Reading, index: int) -> bool:
     return marked and (index == 0 or reading.word(index - 1) == "\n") and reading.word(index + 2) not in ("", "\n")
 
 
-_SIZES = frozenset("area gross rough region vicinity order size surface space net nearest neighbourhood".split())
+_SIZES = frozenset("area gross rough region vicinity order size surface space net nearest neighbourhood sum".split())
 """Words that lead to an area of the building, and say no more than it does."""
 
 

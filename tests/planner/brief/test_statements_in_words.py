@@ -1,0 +1,104 @@
+"""Statements that a brief makes, as its receipt words them: what is read, on which storey, in which room."""
+
+import pytest
+
+from mansion_bringup.building.wish_words import read_as
+from mansion_msgs_py.request import BuildRequest
+from mansion_planner.plan import plan_building
+
+
+def statements(brief: str) -> list[str]:
+    """Return the wishes of a plan in words; of what was not understood, its text in brackets."""
+    wishes = plan_building(BuildRequest(description=brief)).program.wishes
+    return [read_as(wish) or f"[{wish.text}]" for wish in wishes]
+
+
+@pytest.mark.parametrize(
+    ("brief", "expected"),
+    [
+        (
+            "A house of two storeys; an elevator is forbidden, a sauna is prohibited.",
+            ["building: house", "2 storeys", "no lift", "no sauna"],
+        ),
+        (
+            "A hostel with a lift. Stairs are mandatory, an elevator is present.",
+            ["building: hostel", "lift", "stair", "lift"],
+        ),
+        (
+            "A school with six classrooms. Every classroom has not fewer than ten desks.",
+            ["building: school", "6 classrooms", "10 desks, in each classroom"],
+        ),
+        (
+            "A law firm with a pantry and six partner offices. Partner offices: one bookcase each.",
+            ["building: law firm", "1 pantry", "6 partner offices", "1 bookcase, no others, in each partner office"],
+        ),
+        (
+            "An office with two meeting rooms with a sofa each, a nap room, and a kitchen.",
+            ["building: office", "2 meeting rooms", "1 sofa, in each meeting room", "1 nap room", "1 kitchen"],
+        ),
+        ("We start a chess club. A house with a library.", ["[start]", "[chess club]", "building: house", "1 library"]),
+        (
+            "A kindergarten for the study of children with four group rooms; to each group room belongs an own toilet.",
+            ["building: kindergarten", "4 group rooms", "4 toilets, in group room"],
+        ),
+        (
+            "A house with a kitchen and a bedroom below: their bedroom has a desk. Upstairs: three bedrooms.",
+            ["building: house", "1 kitchen", "1 bedroom, ground floor", "1 desk, in bedroom", "3 bedrooms, floor 2"],
+        ),
+        (
+            "A library with a children's corner room and a study room far from the children's room.",
+            ["building: library", "1 child corner room", "1 study room", "study room away from child corner room"],
+        ),
+    ],
+)
+def test_each_statement_is_read_once_where_it_holds(brief: str, expected: list[str]) -> None:
+    assert statements(brief) == expected
+
+
+@pytest.mark.parametrize(
+    ("storeys", "scope"),
+    [
+        ("The floors from 2 until 5 are equal, each with a pantry.", "each of floors 2 to 5"),
+        ("Storeys 2 to 5 are typical: one pantry.", "each of floors 2 to 5"),
+        ("The four upper floors are repeated without change: one pantry.", "each of floors 2 to 5"),
+    ],
+)
+def test_storeys_that_are_alike_are_told_of_once(storeys: str, scope: str) -> None:
+    found = statements(f"An office building of five floors. {storeys}")
+    assert f"1 pantry, {scope}" in found
+    assert sum(text.startswith("alike") for text in found) == 1
+
+
+def test_mid_heads_the_storey_between() -> None:
+    found = statements("House, 3 storeys. GF: kitchen. Mid: living room, study. Top: 3 bedrooms.")
+    assert found[3:] == ["1 living room, floor 2", "1 study, floor 2", "3 bedrooms, floor 3"]
+
+
+def test_what_a_building_is_named_after_in_is_the_building() -> None:
+    found = statements("Robots will be evaluated in an office building of six floors.")
+    assert "building: office building" in found
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Between the kitchen and the cold storage is a direct connection.",
+        "Between kitchen and cold storage there should be a door.",
+    ],
+)
+def test_what_is_told_between_two_rooms_joins_them(text: str) -> None:
+    found = statements(f"A restaurant with a dining room, a kitchen and a cold storage. {text}")
+    assert found[4:] == ["kitchen next to cold storage"]
+
+
+def test_besides_adds_to_a_list_and_beside_joins() -> None:
+    assert statements("An office with a canteen besides toilets.")[1:] == ["1 canteen", "toilets"]
+
+
+def test_an_area_may_be_named_after_an_aside_or_a_sum() -> None:
+    assert "640 m2 in all" in statements("A kindergarten on two floors, sum of areas 640 m2.")
+
+
+@pytest.mark.parametrize("form", ["an L-shaped plan", "the form of an L"])
+def test_the_noun_of_an_outline_belongs_to_it(form: str) -> None:
+    assert statements(f"A school with {form}.") == ["building: school", "outline: L"]
