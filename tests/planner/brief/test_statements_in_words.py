@@ -49,6 +49,51 @@ def statements(brief: str) -> list[str]:
             "A library with a children's corner room and a study room far from the children's room.",
             ["building: library", "1 child corner room", "1 study room", "study room away from child corner room"],
         ),
+        (
+            "A hotel. A spa in the basement with two saunas.",
+            ["building: hotel", "1 spa, basement 1", "2 saunas, basement 1"],
+        ),
+        (
+            "A surgery. 2 x exam room (16 m2 ea), 1 x-ray room, a waiting area near the exam rooms, not near the lab.",
+            [
+                "building: surgery",
+                "2 exam rooms of 16 m2",
+                "1 xray room",
+                "1 waiting area",
+                "waiting area next to exam room",
+                "waiting area away from lab",
+                "1 lab",
+            ],
+        ),
+        ("A bungalow with a kitchen. I hate carpets.", ["building: bungalow", "1 kitchen", "no carpets"]),
+        (
+            "A clinic with a 10-person conference room.",
+            ["building: clinic", "10 seats, in each conference room", "1 conference room"],
+        ),
+        (
+            "A house with Lily's room, Oskar's room and our bedroom. Each child has a desk.",
+            [
+                "building: house",
+                "1 lily room",
+                "1 oskar room",
+                "1 bedroom",
+                "1 desk, in lily room",
+                "1 desk, in oskar room",
+            ],
+        ),
+        (
+            "A house with three bedrooms. The main bedroom is 18 m2 and has its own bathroom.",
+            ["building: house", "2 bedrooms", "1 main bedroom of 18 m2", "1 bathroom, in main bedroom"],
+        ),
+        (
+            "A startup office. One open room with 20 desks.",
+            ["building: startup office", "1 room", "20 desks, no others, in room"],
+        ),
+        (
+            "A veterinary clinic with staff quarters under the roof.",
+            ["building: veterinary clinic", "staff quarters, floor 2"],
+        ),
+        ("A house with a skylight in the studio.", ["building: house", "[skylight]"]),
     ],
 )
 def test_each_statement_is_read_once_where_it_holds(brief: str, expected: list[str]) -> None:

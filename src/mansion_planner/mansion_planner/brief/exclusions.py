@@ -125,7 +125,7 @@ _CLAUSE_OPENERS = frozenset({",", "and", "but", "so", "also", "please"})
 _CONTRASTS = frozenset(
     "to in on at from into onto near next beside by towards toward inside of for like as under".split()
 )
-_REFUSALS = frozenset("veto vetoe reject refuse dislike hate replace".split())
+_REFUSALS = frozenset("veto vetoe reject refuse dislike hate detest replace".split())
 _TIGHT = frozenset("narrow small low tight short slim steep little cramped poor".split())
 _COMPARISONS = frozenset(
     """

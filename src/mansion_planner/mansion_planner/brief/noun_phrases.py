@@ -376,6 +376,10 @@ def _room_by_head(reading: Reading, begin: int, end: int) -> Phrase | None:
     bare = last == "room" and all(word in PLAIN or word == "guest" for word in reading.words(begin, end - 1))
     if bare and plural and (counted or count_after(reading, end)[1]):
         return finished_phrase(reading, "room", begin, end, room="study_room", known=False)
+    if bare and not plural and end - begin > 1 and reading.word(end) == "with" and determiner not in ("the", "each"):
+        return finished_phrase(
+            reading, "room", begin, end, room="study_room", known=False
+        )  # "one open room with desks"
     if end - begin == 1:
         if last in ("room", "corner") and _has_purpose(reading, end) and not plural:
             return finished_phrase(reading, "room", begin, end, room="study_room", known=False)
@@ -390,9 +394,23 @@ def _room_by_head(reading: Reading, begin: int, end: int) -> Phrase | None:
     name = name_of(reading, begin, end)
     if name == last:
         return None
+    if _is_of_resident(reading, begin, end):
+        return finished_phrase(reading, "room", begin, end, room="bedroom")
     kind = similar_room_type(name, reading.knowledge)
     same = _without_plurals(name) == _without_plurals(kind)  # "childrens room"
     return finished_phrase(reading, "room", begin, end, room=kind, known=same)
+
+
+def _is_of_resident(reading: Reading, begin: int, end: int) -> bool:
+    """Whether a room of a home is called after who sleeps there: "Lily's room"."""
+    token = reading.tokens[begin]
+    owned = reading.text[token.start : token.end].endswith(("'s", "’s")) and token.capital
+    buildings = reading.knowledge.buildings
+    home = any(m.building in buildings and buildings[m.building].family == "home" for m in reading.mentions)
+    named = any(
+        token.text == other.text and other.capital and not reading.starts(at) for at, other in enumerate(reading.tokens)
+    )
+    return home and owned and named and end - begin == 2 and reading.word(end - 1) == "room"
 
 
 def _without_plurals(name: str) -> list[str]:

@@ -54,7 +54,8 @@ FUNCTION_WORDS = frozenset(
     well however therefore moreover nevertheless obviously yes ok pls hello hi dear thanks thank upstairs downstairs
     upstair downstair throughout everywhere anywhere elsewhere neither
     exclusively solely purely
-    either incl avoid omit exclude leaving fleeing escaping standing ditto idem likewise half itself themselves
+    either incl avoid omit exclude hate dislike detest leaving fleeing escaping standing ditto idem likewise half
+    itself themselves
     """.split()
 )
 """Words that no noun phrase of a room goes across."""
@@ -182,7 +183,8 @@ def finished_phrase(
     if head in ("room", "building"):
         reading.modifiers.update(range(begin, mention.first if mention is not None else end - 1))
     name = name_of(reading, begin, end, core=mention.first if mention is not None else end - 1)
-    label = reading.text[reading.tokens[begin].start : reading.tokens[end - 1].end]
+    named = begin + (begin < end - 1 and _measures_places(reading, begin))
+    label = reading.text[reading.tokens[named].start : reading.tokens[end - 1].end]
     return Phrase(
         head,
         first,
@@ -392,9 +394,16 @@ def _per_storey(reading: Reading, index: int) -> bool:
 def name_of(reading: Reading, begin: int, end: int, core: int | None = None) -> str:
     """Return the snake-case name of a phrase: its words in the singular, without plain adjectives before its core."""
     core = end - 1 if core is None else core
+    begin += begin < core and _measures_places(reading, begin)
     words = [reading.word(i) for i in range(begin, end) if i >= core or _names(reading.tokens[i])]
     words = [word.replace("&", "_and_") for word in words]
     return "_".join(word for word in words if word.isascii() and word.replace("_", "").isalnum())[:60].strip("_")
+
+
+def _measures_places(reading: Reading, index: int) -> bool:
+    """Whether a token goes with the number before it that says for how many a room is: "10-person", "12-seat"."""
+    joined = not reading.tokens[index].spaced and reading.kind(index - 1) == "number"
+    return joined and reading.word(index) in ("person", "seat", "seater", "desk", "man")
 
 
 def _names(token: Token) -> bool:

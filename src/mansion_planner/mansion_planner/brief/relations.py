@@ -66,7 +66,7 @@ def _of_subject(reading: Reading, phrases: list[Phrase], relation: Relation, bef
     if before is None or relation.lefts != before.rights[-1:] or before.lefts == before.rights:
         return relation
     between = reading.words(phrases[relation.lefts[0]].last, relation.first)
-    joined = between in ((",",), (",", "and"), (",", "but"), ("but",), ("and",))
+    joined = between in ((",",), (",", "and"), (",", "but"), ("but",), ("and",), (",", "not"), ("but", "not"))
     return replace(relation, lefts=before.lefts) if joined else relation
 
 

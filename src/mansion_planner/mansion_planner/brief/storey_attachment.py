@@ -138,6 +138,8 @@ class _Walk:
             if scope is not None and roof and not self.reading.starts(place.first):
                 continue  # "second floor: a bedroom under the roof"
             if place.refs[0].kind == "basement" and self.reading.word(place.last) in HOLDING and rest:
+                if left and self._stands_in(place, left[-1]):
+                    self._give(left[-1], place, trailing=True)
                 for target in self._joined(rest):
                     self._give(target, place, trailing=True)
                 left += rest[:1]
@@ -170,6 +172,10 @@ class _Walk:
             else:
                 scope, opened, left = place, True, []
         return scope if opened else None
+
+    def _stands_in(self, place: Place, number: int) -> bool:
+        """Whether a room stands right before the basement that it is in: "a spa in the basement with two saunas"."""
+        return place.first == self.phrases[number].last and self.reading.word(place.first) in ("in", "on", "at")
 
     def _puts_it(self, place: Place) -> bool:
         """Whether a room named before is put somewhere: "the laundry makes noise, so put it on the ground floor"."""
