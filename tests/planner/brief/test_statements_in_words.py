@@ -94,6 +94,9 @@ def statements(brief: str) -> list[str]:
             ["building: veterinary clinic", "staff quarters, floor 2"],
         ),
         ("A house with a skylight in the studio.", ["building: house", "[skylight]"]),
+        ("An apartment where a robot can vacuum.", ["building: apartment", "[robot]", "[vacuum]"]),
+        ("An office with 6 rows of 10 desks.", ["building: office", "60 desks, no others"]),
+        ("A hostel with luggage lockers.", ["building: hostel", "luggage lockers"]),
     ],
 )
 def test_each_statement_is_read_once_where_it_holds(brief: str, expected: list[str]) -> None:
@@ -147,3 +150,23 @@ def test_an_area_may_be_named_after_an_aside_or_a_sum() -> None:
 @pytest.mark.parametrize("form", ["an L-shaped plan", "the form of an L"])
 def test_the_noun_of_an_outline_belongs_to_it(form: str) -> None:
     assert statements(f"A school with {form}.") == ["building: school", "outline: L"]
+
+
+@pytest.mark.parametrize(
+    ("brief", "kind"),
+    [
+        ("A police station with a custody suite.", "holding_cell"),
+        ("A hotel with a bridal suite.", "hotel_suite"),
+        ("A monastery with twelve cells.", "bedroom"),
+        ("A police station with twelve cells.", "holding_cell"),
+        ("A museum with one big hall.", "assembly_hall"),
+        ("A dental practice with four surgeries.", "dental_room"),
+        ("A kindergarten with a sleeping room.", "nap_room"),
+        ("A villa with a cinema room.", "home_theater"),
+        ("A library with a stack room.", "book_stacks"),
+        ("A supermarket with a sales hall.", "sales_area"),
+    ],
+)
+def test_a_room_is_what_its_words_mean_in_the_building(brief: str, kind: str) -> None:
+    wishes = plan_building(BuildRequest(description=brief)).program.wishes
+    assert [wish.value.type for wish in wishes if wish.kind == "room"] == [kind]

@@ -210,8 +210,11 @@ _ONE_EACH = frozenset({"desk", "workstation", "office_chair", "chair", "stool", 
 
 
 def _sets(reading: Reading, phrases: list[Phrase], number: int) -> int:
-    """Return of how many sets furniture is said: ten in "10 tables of four chairs"."""
+    """Return of how many sets furniture is said: ten in "10 tables of four chairs", six in "6 rows of 10 desks"."""
     phrase = phrases[number]
+    if phrase.counted and (rows := _rows_before(reading, phrase.first)):
+        reading.take(phrase.first - 3, phrase.first)
+        return rows
     before = phrases[number - 1] if number and phrase.counted else None
     if before is None or before.head != "object" or not before.counted or before.category == phrase.category:
         return 1
@@ -220,6 +223,18 @@ def _sets(reading: Reading, phrases: list[Phrase], number: int) -> int:
         gap in (("with",), ("for",)) and reading.word(phrase.last) in ("each", "apiece")
     )
     return before.count or 1 if shared else 1
+
+
+def _rows_before(reading: Reading, index: int) -> int:
+    """Return how many rows "6 rows of" before a token tells; 0 where it tells none."""
+    noun = reading.word(index - 1) == "of" and reading.word(index - 2) in _ROWS
+    counted = noun and reading.kind(index - 3) == "number" and 1 < reading.value(index - 3) <= _MOST_ROWS
+    return int(reading.value(index - 3)) if counted else 0
+
+
+_ROWS = frozenset({"row", "group", "cluster", "island", "bank", "block", "set"})
+"""Nouns for several pieces that stand together."""
+_MOST_ROWS = 100
 
 
 def _unread_place(reading: Reading, phrase: Phrase) -> int:

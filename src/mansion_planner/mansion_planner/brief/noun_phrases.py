@@ -33,7 +33,13 @@ from mansion_planner.brief.room_names import (
     with_sizes,
 )
 from mansion_planner.brief.room_users import with_users, with_users_before
-from mansion_planner.brief.similarity import HEAD_TYPES, elliptic_room_type, room_of_building, similar_room_type
+from mansion_planner.brief.similarity import (
+    HEAD_TYPES,
+    elliptic_room_type,
+    room_of_building,
+    similar_room_type,
+    told_room_type,
+)
 
 __all__ = ["noun_phrases"]
 
@@ -41,6 +47,8 @@ _STAIRS = frozenset({"stair", "staircase", "stairwell", "stairway", "stairs"})
 _LIFTS = frozenset({"lift", "elevator"})
 _FURNITURE_TOO = frozenset({"locker", "stall"})
 """Nouns that name a room, and furniture after certain words: a bedside locker, a milking stall."""
+_CARRIED = frozenset({"luggage", "bag", "coat", "gear", "equipment", "helmet", "parcel", "book", "tool", "storage"})
+"""What lockers are for, where they are furniture and no changing room."""
 _EQUIPMENT = frozenset(
     {("emergency", "shower"), ("safety", "shower"), ("drench", "shower"), ("birthing", "pool"), ("birth", "pool")}
 )
@@ -341,6 +349,8 @@ def _furniture_or_core(reading: Reading, begin: int, end: int, mention: Mention 
     if lockers and longer and set(reading.words(begin, end - 1)) <= PEOPLE:
         room = finished_phrase(reading, "room", begin, end, room="changing_room")
         return replace(room, count=1, plural=False)  # "staff lockers" are one room
+    if lockers and longer and reading.word(end - 2) in _CARRIED:
+        return finished_phrase(reading, "object", begin, end, category="locker")
     if reading.words(end - 2, end) in _EQUIPMENT:
         category = furniture_of((reading.word(end - 1),))[0] if size < 2 else category
         return finished_phrase(reading, "object", begin, end, category=category)
@@ -359,6 +369,9 @@ def _by_mention(reading: Reading, begin: int, end: int, mention: Mention) -> Phr
     if end - begin > 1 and mention.last - mention.first == 1:
         if last == "studio" and _names_use(reading, begin, end):
             return finished_phrase(reading, "room", begin, end, room=HEAD_TYPES[last], known=False)
+        if last == "suite" and not mention.building and _names_use(reading, begin, end):
+            kind = told_room_type(name_of(reading, begin, end), reading.knowledge) or HEAD_TYPES[last]
+            return finished_phrase(reading, "room", begin, end, room=kind, known=False)
         if last == "hall" and name_of(reading, begin, end) != "hall":
             room = _hall_of(reading, begin, end)
     head: Head = "room" if mention.room or not mention.building else "building"
@@ -376,7 +389,7 @@ def _room_by_head(reading: Reading, begin: int, end: int) -> Phrase | None:
     bare = last == "room" and all(word in PLAIN or word == "guest" for word in reading.words(begin, end - 1))
     if bare and plural and (counted or count_after(reading, end)[1]):
         return finished_phrase(reading, "room", begin, end, room="study_room", known=False)
-    if bare and not plural and end - begin > 1 and reading.word(end) == "with" and determiner not in ("the", "each"):
+    if bare and not plural and reading.word(end) == "with" and (counted or determiner in ("a", "an")):
         return finished_phrase(
             reading, "room", begin, end, room="study_room", known=False
         )  # "one open room with desks"
@@ -439,8 +452,8 @@ def _is_figurative(reading: Reading, begin: int, end: int) -> bool:
         return False
     if lead in ("the", "our", "my", "their") and reading.word(begin - 2) in ("sold", "sell"):
         return True
-    if lead in ("they", "we", "you", "people"):
-        return True  # "they slide down a pole": a verb
+    if lead in ("they", "we", "you", "people") or lead in _MODALS:
+        return True  # "they slide down a pole", "where a robot can vacuum": a verb
     if noun == "present" and lead in _COPULAS:
         return True  # "a lift is present"
     if noun == "snug" and (lead in _COPULAS or (lead in ("and", ",") and reading.word(begin - 2) in PLAIN)):
@@ -468,6 +481,7 @@ def _is_level(reading: Reading, index: int) -> bool:
 _LEVEL_THINGS = frozenset("plan roof site plot ground land terrain layout meadow country facade".split())
 """What can be flat."""
 
+_MODALS = frozenset({"can", "could", "will", "would", "may", "might", "shall", "cannot"})
 _COPULAS = frozenset("is are be feel feels look looks very so stay keep".split())
 """Words after which an adjective stands."""
 _PICTURES = frozenset({"map", "model", "picture", "drawing", "globe"})
@@ -545,8 +559,8 @@ _STANDS_ALONE = frozenset(
 
 
 def _names_use(reading: Reading, begin: int, end: int) -> bool:
-    """Whether the words before a studio say what is done there ("pottery studio"), so that nobody lives in it."""
-    return name_of(reading, begin, end) not in ("studio", "flat_studio", "apartment_studio")
+    """Whether the words before a studio or a suite say what is done there ("pottery studio"): nobody lives in it."""
+    return name_of(reading, begin, end) not in ("studio", "flat_studio", "apartment_studio", "suite")
 
 
 def _hall_of(reading: Reading, begin: int, end: int) -> str:

@@ -322,6 +322,8 @@ def count_after(reading: Reading, end: int) -> tuple[int, int | None]:
     word = reading.word(end)
     value = reading.value(end + 1) if reading.kind(end + 1) == "number" else 0.0
     whole = value == int(value) and 1 <= value <= 2000
+    if word == "(" and whole and _closes_classified(reading, end + 2):
+        return _closes_classified(reading, end + 2), int(value)
     if word == "(" and whole and reading.word(end + 2) in (")", "of", ":", ","):
         return end + (3 if reading.word(end + 2) == ")" else 2), int(value)
     if word == "(" and reading.word(end + 1) == "x" and reading.kind(end + 2) == "number":
@@ -360,6 +362,13 @@ def count_after(reading: Reading, end: int) -> tuple[int, int | None]:
     return end, None
 
 
+def _closes_classified(reading: Reading, index: int) -> int:
+    """Return where a bracket ends that counts pieces, "(8 no.)", after its number; else 0."""
+    last = index + 1 + (reading.word(index + 1) == ".")
+    counts = reading.word(index) in ("no", "nos", "off", "pcs", "pc") and reading.word(last) == ")"
+    return last + 1 if counts else 0
+
+
 def _bound_after(reading: Reading, index: int) -> int:
     """Return how many tokens at one say of the number before them that it is the least: "(ten at least)"."""
     if reading.words(index, index + 2) in (("at", "least"), ("or", "more"), ("at", "minimum"), ("as", "minimum")):
@@ -395,6 +404,7 @@ def name_of(reading: Reading, begin: int, end: int, core: int | None = None) -> 
     """Return the snake-case name of a phrase: its words in the singular, without plain adjectives before its core."""
     core = end - 1 if core is None else core
     begin += begin < core and _measures_places(reading, begin)
+    begin += begin < core and reading.words(begin - 1, begin + 1) == ("open", "plan")
     words = [reading.word(i) for i in range(begin, end) if i >= core or _names(reading.tokens[i])]
     words = [word.replace("&", "_and_") for word in words]
     return "_".join(word for word in words if word.isascii() and word.replace("_", "").isalnum())[:60].strip("_")
@@ -403,7 +413,7 @@ def name_of(reading: Reading, begin: int, end: int, core: int | None = None) -> 
 def _measures_places(reading: Reading, index: int) -> bool:
     """Whether a token goes with the number before it that says for how many a room is: "10-person", "12-seat"."""
     joined = not reading.tokens[index].spaced and reading.kind(index - 1) == "number"
-    return joined and reading.word(index) in ("person", "seat", "seater", "desk", "man")
+    return joined and reading.word(index) in ("person", "seat", "seater", "desk", "man", "bed")
 
 
 def _names(token: Token) -> bool:
