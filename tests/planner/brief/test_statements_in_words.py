@@ -29,8 +29,14 @@ def statements(brief: str) -> list[str]:
             ["building: school", "6 classrooms", "10 desks, in each classroom"],
         ),
         (
-            "A law firm with a pantry and six partner offices. Partner offices: one bookcase each.",
-            ["building: law firm", "1 pantry", "6 partner offices", "1 bookcase, no others, in each partner office"],
+            "A law firm with a pantry and six partner offices. Partner offices: one desk and one bookcase each.",
+            [
+                "building: law firm",
+                "1 pantry",
+                "6 partner offices",
+                "1 desk, no others, in each partner office",
+                "1 bookcase, no others, in each partner office",
+            ],
         ),
         (
             "An office with two meeting rooms with a sofa each, a nap room, and a kitchen.",
@@ -96,6 +102,56 @@ def statements(brief: str) -> list[str]:
         ("A house with a skylight in the studio.", ["building: house", "[skylight]"]),
         ("An apartment where a robot can vacuum.", ["building: apartment", "[robot]", "[vacuum]"]),
         ("An office with 6 rows of 10 desks.", ["building: office", "60 desks, no others"]),
+        (
+            "A bakery. Upstairs two-bedroom flat with kitchen and bath.",
+            [
+                "building: bakery",
+                "2 bedrooms, in each flat, floor 2",
+                "1 flat, floor 2",
+                "1 kitchen, in each flat, floor 2",
+                "1 bath, in each flat, floor 2",
+            ],
+        ),
+        (
+            "A house with a granny flat on the ground floor (own entrance, bedroom, bathroom).",
+            [
+                "building: house",
+                "1 granny flat, ground floor",
+                "1 bedroom, in each granny flat, ground floor",
+                "1 bathroom, in each granny flat, ground floor",
+            ],
+        ),
+        (
+            "A clinic with an operating suite upstairs (two operating theatres), a pharmacy downstairs.",
+            [
+                "building: clinic",
+                "1 operating suite, floor 2",
+                "2 operating theatres, floor 2",
+                "1 pharmacy, ground floor",
+            ],
+        ),
+        (
+            "A ski lodge of two floors: boot room with 20 lockers and a drying room on the ground floor.",
+            [
+                "building: ski lodge",
+                "2 storeys",
+                "1 boot room, ground floor",
+                "20 lockers, no others, in boot room",
+                "1 drying room, ground floor",
+            ],
+        ),
+        (
+            "A car dealer with a workshop with 4 lifts.",
+            ["building: car dealer", "1 workshop", "4 lifts, no others, in workshop"],
+        ),
+        (
+            "A music school with a percussion room and a library. Percussion must not be next to the library.",
+            ["building: music school", "1 percussion room", "1 library", "percussion room away from library"],
+        ),
+        (
+            "A supermarket with a cafe. The sales hall must be big, namely 550 m2.",
+            ["building: supermarket", "1 cafe", "1 sale hall of 550 m2"],
+        ),
         ("A hostel with luggage lockers.", ["building: hostel", "luggage lockers"]),
     ],
 )
@@ -162,6 +218,7 @@ def test_the_noun_of_an_outline_belongs_to_it(form: str) -> None:
         ("A museum with one big hall.", "assembly_hall"),
         ("A dental practice with four surgeries.", "dental_room"),
         ("A kindergarten with a sleeping room.", "nap_room"),
+        ("A radio station with two studios.", "recording_studio"),
         ("A villa with a cinema room.", "home_theater"),
         ("A library with a stack room.", "book_stacks"),
         ("A supermarket with a sales hall.", "sales_area"),
@@ -170,3 +227,15 @@ def test_the_noun_of_an_outline_belongs_to_it(form: str) -> None:
 def test_a_room_is_what_its_words_mean_in_the_building(brief: str, kind: str) -> None:
     wishes = plan_building(BuildRequest(description=brief)).program.wishes
     assert [wish.value.type for wish in wishes if wish.kind == "room"] == [kind]
+
+
+@pytest.mark.parametrize(
+    "aside", ["because my knees are bad", "for the testing of a disinfecting robot", "for our navigation benchmark"]
+)
+def test_reasons_and_purposes_ask_for_nothing(aside: str) -> None:
+    assert statements(f"A bungalow with a study {aside}.") == ["building: bungalow", "1 study"]
+
+
+def test_a_reason_that_asks_for_something_is_told_of_whole() -> None:
+    found = statements("A house of two floors because we want a lift, by the lake.")
+    assert found == ["building: house", "2 storeys", "lift", "[lake]"]

@@ -456,12 +456,22 @@ def _owner(reading: Reading, phrases: list[Phrase], rooms: list[int], number: in
     else:
         before = _listed_with(reading, phrases, rooms, before, number)
     gap = reading.words(phrases[before].last, phrase.first)
-    tail = reading.words(phrase.last, phrase.last + 2)
     ahead = reading.words(max(phrases[before].first - 3, 0), phrases[before].first)
     if ("each", "of") in itertools.pairwise(ahead):
         return before, True  # "in each of the five bedrooms a wardrobe"
-    each = not _EACH.isdisjoint(gap) or phrases[before].determiner in _EACH or bool({"each", "apiece"} & set(tail))
+    each = not _EACH.isdisjoint(gap) or phrases[before].determiner in _EACH or _is_of_each(reading, phrases, number)
     return before, each or ((phrases[before].count or 2) > 1 and "with" in gap)
+
+
+def _is_of_each(reading: Reading, phrases: list[Phrase], number: int) -> bool:
+    """Whether "each" closes furniture or what is joined to it: "one desk and one bookcase each"."""
+    last = phrases[number].last
+    for following in phrases[number + 1 :]:
+        joint = reading.words(last, following.first)
+        if following.head != "object" or not joint or not set(joint) <= {"and", ",", "a", "an", "&", "plus"}:
+            break
+        last = following.last
+    return bool({"each", "apiece"} & set(reading.words(last, last + 2)))
 
 
 def _is_own_entry(reading: Reading, phrases: list[Phrase], before: int, number: int) -> bool:

@@ -81,6 +81,7 @@ def noun_phrases(reading: Reading) -> list[Phrase]:
     phrases = _with_own_names(reading, phrases)
     phrases = [_room_of_staff(reading, phrases, phrase) for phrase in phrases]
     phrases += _with_own_names(reading, listed_unknowns(reading, chunks, phrases))
+    phrases = [_room_by_its_contents(reading, phrases, phrase) for phrase in phrases]
     phrases += _named_again(reading, chunks, phrases)
     phrases += further_ones(reading, phrases)
     phrases = with_users(reading, phrases)
@@ -133,6 +134,18 @@ def _named_again(reading: Reading, chunks: list[tuple[int, int]], phrases: list[
             one_of = phrase.determiner in ("each", "every", "all", "both", "either")
             found.append(replace(phrase, name=first.name, determiner=phrase.determiner if one_of else "the"))
     return found
+
+
+def _room_by_its_contents(reading: Reading, phrases: list[Phrase], phrase: Phrase) -> Phrase:
+    """Return the room that a thing stands for as the subject of a sentence: "percussion must not be next to ..."."""
+    bare = phrase.head == "object" and not (phrase.determiner or phrase.counted) and reading.starts(phrase.begin)
+    if not bare or phrase.noun_end - phrase.begin != 1 or reading.word(phrase.last) not in ("must", "should", "shall"):
+        return phrase
+    named = _by_its_modifier(reading, phrases, phrase.begin, phrase.noun_end)
+    if named is None:
+        return phrase
+    room = finished_phrase(reading, "room", phrase.begin, phrase.noun_end, room=named.room_type, known=named.known)
+    return replace(room, name=named.name, determiner="the")
 
 
 def _by_its_modifier(reading: Reading, phrases: list[Phrase], begin: int, end: int) -> Phrase | None:
@@ -340,6 +353,8 @@ def _furniture_or_core(reading: Reading, begin: int, end: int, mention: Mention 
     category, size = furniture_of(reading.words(begin, end))
     if last == "screen" and all(word in PLAIN for word in reading.words(begin, end - 1)) and _in_cinema(reading):
         return finished_phrase(reading, "room", begin, end, room="cinema_hall")
+    if last in _LIFTS and _lifts_cars(reading, begin, end):
+        return finished_phrase(reading, "object", begin, end, category="car_lift")
     if last in _STAIRS | _LIFTS and size < 2:
         return finished_phrase(reading, "stair" if last in _STAIRS else "elevator", begin, end)
     longer = size > 1 and (mention is None or mention.last - mention.first < size)
@@ -357,6 +372,13 @@ def _furniture_or_core(reading: Reading, begin: int, end: int, mention: Mention 
     if counter or (longer and last in _FURNITURE_TOO):
         return finished_phrase(reading, "object", begin, end, category=category)
     return None
+
+
+def _lifts_cars(reading: Reading, begin: int, end: int) -> bool:
+    """Whether lifts are what a workshop works with: "workshop with four lifts"."""
+    first, _, counted, _ = count_before(reading, begin, end)
+    owner = reading.word(first - 2) in ("workshop", "garage") and reading.word(first - 1) == "with"
+    return owner and counted and reading.plural(end - 1) and reading.word(begin) in _LIFTS
 
 
 def _by_mention(reading: Reading, begin: int, end: int, mention: Mention) -> Phrase:

@@ -246,7 +246,7 @@ def _listed(reading: Reading, measure: Measure, phrase: Phrase, after: list[str]
     if is_of_each(reading, measure):
         return True
     gap = reading.words(phrase.last, measure.first)
-    alike = not {"alike", "same", "equal", "identical"}.isdisjoint(gap)
+    alike = not {"alike", "same", "equal", "identical", "namely"}.isdisjoint(gap)
     if len(measure.values) > 1 or alike or not {("all", "of"), ("all", "at")}.isdisjoint(itertools.pairwise(gap)):
         return True
     alone = reading.word(measure.last) in ("|", "\n", "", ")", ";")

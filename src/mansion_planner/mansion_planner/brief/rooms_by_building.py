@@ -85,6 +85,8 @@ _NAMED = {
     ("surgery", "dental_clinic"): "dental_room",
     ("surgery", "dental_surgery"): "dental_room",
     ("sleeping_room", "kindergarten"): "nap_room",
+    ("studio", "radio_station"): "recording_studio",
+    ("studio", "media_house"): "recording_studio",
 }
 """Rooms that the same words name another kind of in other buildings, by their name and the kind of building."""
 

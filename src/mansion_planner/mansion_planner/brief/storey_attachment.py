@@ -162,7 +162,7 @@ class _Walk:
             elif left and self._puts_it(place):
                 self._give(left[-1], place, trailing=True)
             elif self._trails(place, left):
-                for target in self._claimed(place, left, opened=opened):
+                for target in self._claimed(place, left, opened=opened) + self._in_brackets_after(place, rest):
                     self._give(target, place, trailing=True)
                 left = []
                 if self._goes_on(place):
@@ -176,6 +176,16 @@ class _Walk:
     def _stands_in(self, place: Place, number: int) -> bool:
         """Whether a room stands right before the basement that it is in: "a spa in the basement with two saunas"."""
         return place.first == self.phrases[number].last and self.reading.word(place.first) in ("in", "on", "at")
+
+    def _in_brackets_after(self, place: Place, rest: list[int]) -> list[int]:
+        """Return what brackets behind a storey tell of it: "the surgery suite upstairs (two theatres)"."""
+        reading = self.reading
+        if reading.word(place.last) != "(":
+            return []
+        end = place.last
+        while not reading.breaks(end) and reading.word(end) != ")":
+            end += 1
+        return [number for number in rest if self.phrases[number].last <= end]
 
     def _puts_it(self, place: Place) -> bool:
         """Whether a room named before is put somewhere: "the laundry makes noise, so put it on the ground floor"."""
@@ -325,6 +335,10 @@ class _Walk:
                 for at, word in zip(sized, between, strict=True)
                 if self.reading.kind(at) not in ("number", "unit") and word != "of"
             )
+            furnished = self.phrases[chosen[-1]].head == "object" and between[:1] == ("with",)
+            if furnished and between[1:] in ((), ("a",), ("an",), ("its",)) and joined:
+                chosen.append(number)  # "a boot room with lockers and a drying room on the ground floor"
+                continue
             if not all(word in _JOINTS for word in between) or not joined or (opened and "," in between):
                 break
             if not self._suits(number, place):

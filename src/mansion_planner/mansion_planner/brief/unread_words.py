@@ -1,5 +1,6 @@
 """Record the words of a brief that no statement was made of."""
 
+from mansion_planner.brief.asides import aside_tokens
 from mansion_planner.brief.phrase import FUNCTION_WORDS, PLAIN, PREDICATES
 from mansion_planner.brief.qualifiers import is_property
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
@@ -10,9 +11,9 @@ __all__ = ["leave_unread"]
 
 def leave_unread(reading: Reading) -> None:
     """Record the runs of content words that nothing was read from."""
-    first = -1
+    first, passed = -1, reading.taken | aside_tokens(reading)
     for index in range(len(reading.tokens) + 1):
-        open_word = index < len(reading.tokens) and index not in reading.taken and _is_content(reading, index)
+        open_word = index < len(reading.tokens) and index not in passed and _is_content(reading, index)
         if open_word and first < 0:
             first = index
         elif not open_word and first >= 0:
