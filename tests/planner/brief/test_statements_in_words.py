@@ -149,8 +149,8 @@ def statements(brief: str) -> list[str]:
             ["building: music school", "1 percussion room", "1 library", "percussion room away from library"],
         ),
         (
-            "A supermarket with a cafe. The sales hall must be big, namely 550 m2.",
-            ["building: supermarket", "1 cafe", "1 sale hall of 550 m2"],
+            "A supermarket with a cafe. The sales hall must be bigger than everything else, namely 550 m2.",
+            ["building: supermarket", "1 cafe", "1 sale hall of 550 m2", "[bigger]", "[else]"],
         ),
         ("A hostel with luggage lockers.", ["building: hostel", "luggage lockers"]),
     ],
