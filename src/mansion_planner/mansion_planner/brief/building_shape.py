@@ -1,6 +1,7 @@
 """Read what a brief wishes of the building's shape: outline, setbacks, size, and equal storeys."""
 
 from dataclasses import replace
+from typing import TypeAlias
 
 from mansion_planner.brief.facts import BriefFacts, CopyFact, FloorRef, Shape
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
@@ -19,52 +20,62 @@ _EQUAL = frozenset(
 
 def read_shape(reading: Reading) -> None:
     """Read the outline's shape: "L-shaped", "in the form of a U", "around a courtyard", "rectangular"."""
-    for i in range(len(reading.tokens)):
-        word = reading.word(i)
-        if word in _SHAPES and reading.word(i + 1) == "shaped" and _names_room(reading, i + 2):
-            continue  # "an L-shaped living room"
-        if word in _SHAPES and (
-            reading.word(i + 1) in ("shaped", "shape", "form", "plan", "formed", "outline", "footprint", "layout")
-            or " ".join(reading.word(i - k) for k in (3, 2, 1))
-            in ("shape of a", "form of a", "shape of an", "form of an")
-            or (reading.word(i - 1) == "of" and reading.word(i - 2) in ("shape", "form") and _is_letter(reading, i))
-            or (reading.word(i - 1) in ("a", "an") and not _BENT.isdisjoint(reading.words(max(i - 4, 0), i - 1)))
-        ):
-            reading.facts.shapes.append((_SHAPES[word], reading.span(i, i + 1 + (reading.word(i + 1) == "shaped"))))
-            reading.take(i, i + 2)
-        elif word in _SHAPES and _is_letter(reading, i) and (first := _after_form(reading, i, _FORMS)) < i:
-            reading.facts.shapes.append((_SHAPES[word], reading.span(first, i + 1)))
-            reading.take(first, i + 1)
-        elif _is_court(reading, i):
-            reading.facts.shapes.append(("courtyard", reading.span(i, i + 1)))
-            reading.take(i, i + 1)
-        elif word in ("rectangular", "rectangle", "oblong"):
-            reading.facts.shapes.append(("rectangle", reading.span(i, i + 1)))
-            reading.take(i, i + 1 + (reading.word(i + 1) in ("outline", "footprint", "plan", "shape", "building")))
-        elif (
-            word == "square"
-            and reading.word(i + 1)
-            in ("outline", "footprint", "plan", "shape", "shaped", "building", "tower", "house", "form")
-            and not (reading.word(i + 1) == "shaped" and _names_room(reading, i + 2))
-        ):
-            reading.facts.shapes.append(("square", reading.span(i, i + 2)))
-            reading.take(i, i + 2)
-        elif word == "square" and reading.words(i - 2, i) in (("a", "perfect"), ("an", "exact"), ("is", "a")):
-            reading.facts.shapes.append(("square", reading.span(i, i + 1)))
-            reading.take(i - 1, i + 1)
-        elif (
-            word == "square"
-            and reading.word(i - 1) == ","
-            and (reading.breaks(i + 1) or reading.word(i + 1) in (",", ""))
-        ):
-            reading.facts.shapes.append(("square", reading.span(i, i + 1)))
-            reading.take(i, i + 1)  # "an office of 900 m2 a storey, square"
-        elif word == "square" and reading.word(i - 1) in ("a", "our") and _names_building(reading, i + 1):
-            reading.facts.shapes.append(("square", reading.span(i, i + 1)))
-            reading.take(i, i + 1)
-        elif word == "square" and (first := _after_form(reading, i, _FORMS | {"plan", "footprint"})) < i:
-            reading.facts.shapes.append(("square", reading.span(first, i + 1)))
-            reading.take(first, i + 1)
+    for index in range(len(reading.tokens)):
+        found = _shape_at(reading, index)
+        if found is not None:
+            shape, first, last, end = found
+            reading.facts.shapes.append((shape, reading.span(first, last)))
+            reading.take(min(first, index), end)
+
+
+_Found: TypeAlias = tuple[Shape, int, int, int]
+"""An outline, where its words begin and end, and where the tokens end that belong to them."""
+
+
+def _shape_at(reading: Reading, i: int) -> _Found | None:
+    """Return the outline whose name stands at a token."""
+    word = reading.word(i)
+    if word in _SHAPES:
+        return _letter_at(reading, i)
+    if _is_court(reading, i):
+        return "courtyard", i, i + 1, i + 1
+    if word in ("rectangular", "rectangle", "oblong"):
+        named = reading.word(i + 1) in ("outline", "footprint", "plan", "shape", "building")
+        return "rectangle", i, i + 1, i + 1 + named
+    return _square_at(reading, i) if word == "square" else None
+
+
+def _letter_at(reading: Reading, i: int) -> _Found | None:
+    """Return the outline that a letter names: "L-shaped", "in the form of a U", "bent like an L"."""
+    shape = _SHAPES[reading.word(i)]
+    shaped = reading.word(i + 1) == "shaped"
+    if shaped and _names_room(reading, i + 2):
+        return None  # "an L-shaped living room"
+    lead = " ".join(reading.word(i - k) for k in (3, 2, 1))
+    formed = reading.word(i + 1) in ("shaped", "shape", "form", "plan", "formed", "outline", "footprint", "layout")
+    formed = formed or lead in ("shape of a", "form of a", "shape of an", "form of an")
+    formed = formed or (lead.split(" ")[1:] in (["shape", "of"], ["form", "of"]) and _is_letter(reading, i))
+    bent = reading.word(i - 1) in ("a", "an") and not _BENT.isdisjoint(reading.words(max(i - 4, 0), i - 1))
+    if formed or bent:
+        return shape, i, i + 1 + shaped, i + 2
+    first = _after_form(reading, i, _FORMS) if _is_letter(reading, i) else i
+    return (shape, first, i + 1, i + 1) if first < i else None
+
+
+def _square_at(reading: Reading, i: int) -> _Found | None:
+    """Return a square outline: "a square tower", "a perfect square", "an office of 900 m2 a storey, square"."""
+    following = reading.word(i + 1)
+    named = ("outline", "footprint", "plan", "shape", "shaped", "building", "tower", "house", "form")
+    if following in named and not (following == "shaped" and _names_room(reading, i + 2)):
+        return "square", i, i + 2, i + 2
+    if reading.words(i - 2, i) in (("a", "perfect"), ("an", "exact"), ("is", "a")):
+        reading.take(i - 1, i)
+        return "square", i, i + 1, i + 1
+    closed = reading.word(i - 1) == "," and (reading.breaks(i + 1) or following in (",", ""))
+    if closed or (reading.word(i - 1) in ("a", "our") and _names_building(reading, i + 1)):
+        return "square", i, i + 1, i + 1
+    first = _after_form(reading, i, _FORMS | {"plan", "footprint"})
+    return ("square", first, i + 1, i + 1) if first < i else None
 
 
 def _after_form(reading: Reading, index: int, ends: frozenset[str]) -> int:
