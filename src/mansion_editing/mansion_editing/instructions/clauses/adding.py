@@ -162,15 +162,22 @@ class Adding(States, Colours):
         new = main.by if isinstance(main, Replace) else main.things
         near = Place(relation="beside", anchor=Things(refers="last", definite=True, amount=Amount(number=0)))
         goal = near if isinstance(main, Replace) else main.place
+        end_of_goal = 0
         if isinstance(main, Add | Ensure) and main.place == Place():
-            return self._with_contents(said[:-1], main, at, place + 1)
+            goal, end_of_goal = self._goal_after_each(place + 1)
+            if goal == Place():
+                return self._with_contents(said[:-1], main, at, place + 1)
+            main = msgspec.structs.replace(main, place=goal)
+            said = [*said[:-1], main]
         try:
             others = self.items(place + 1)
         except NotUnderstood:
             return said, end
         stop = others[-1].end + (self.text(others[-1].end) == "each")
         each = each or stop > others[-1].end
+        stop = max(stop, end_of_goal)
         quote = self.quote(at, stop)
+        said = [msgspec.structs.replace(s, quote=quote) if s is main else s for s in said]
         times = max(1, new.amount.number) if each else 1
         out = [*said]
         for other in others:
@@ -184,6 +191,17 @@ class Adding(States, Colours):
                 where = Place(relation="on", anchor=last) if on_it else goal
             out.append(Add(things=things, place=where, quote=quote))
         return out, stop
+
+    def _goal_after_each(self, at: int) -> tuple[Place, int]:
+        """Read where things go after ``with a chair each``: ``to the open office``; no place where none is told."""
+        try:
+            others = self.items(at)
+        except NotUnderstood:
+            return Place(), 0
+        if any(other.places for other in others) or self.text(others[-1].end) != "each":
+            return Place(), 0
+        places, end = self.places(others[-1].end + 1)
+        return (self._framed(joined_places(places))[0], end) if places else (Place(), 0)
 
     def _with_contents(
         self, said: list[Statement], main: Add | Ensure, at: int, place: int

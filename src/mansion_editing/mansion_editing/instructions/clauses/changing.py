@@ -85,7 +85,8 @@ class Changing(Wishes, Moving, Sizes):
             colour = self.colour_at(surface[1])
             if colour is not None:
                 return self._painted(surface[0], colour[0], colour[1], self.quote(at, colour[2])), colour[2]
-        if self.text(place) == "it" and place + 1 < len(self.words) and self.words[place + 1].kind == "number":
+        counted = place + 1 < len(self.words) and self.words[place + 1].kind == "number"
+        if self.text(place) == "it" and counted and self._amount_of_area(place + 1) is None:
             return self._wanted(at, place + 1)
         room = self.item(place, places=False)
         if room is not None and room.is_room and "into" in [word.text for word in self.words[room.end : room.end + 6]]:

@@ -63,7 +63,8 @@ class Keeping(Staying, Wishes, TooMany, Arranging, Removing):
         if rest > place and self.text(rest) in LEFT_ALONE:
             while self.text(rest) in LEFT_AS_IT_IS:
                 rest += 1
-            return [Mention(quote=self.quote(at, rest))], rest
+            if self.phrase(rest) is None:
+                return [Mention(quote=self.quote(at, rest))], rest
         others_there = self._rest_there(place)
         if others_there and others_there > place + 1:
             there = self.places(others_there)[1]
@@ -94,6 +95,10 @@ class Keeping(Staying, Wishes, TooMany, Arranging, Removing):
         alone = end
         while self.text(alone) in KEPT_AS_IT_IS:
             alone += 1
+        goal = item.goal()[0].rooms
+        fetched = item.phrase.refers == "last" and not item.phrase.noun.words and goal is not None and bool(goal.words)
+        if fetched and alone == end and len(items) == 1:
+            return self._add(at, place)  # "take the ladder and leave it in the hall"
         there = item.phrase.definite and self.text(end - 1) == "there"  # "leave the brown one in there"
         if there or alone > end or (item.phrase.definite and not any(p.place.relation for p in item.places)):
             quote = self.quote(at, alone)

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 import msgspec
 
 from mansion_editing.instructions.clauses.items import Item, NotUnderstood, joined_places
+from mansion_editing.instructions.clauses.outcomes import places_besides
 from mansion_editing.instructions.clauses.shifting import Shifting
 from mansion_editing.instructions.phrases.places import ReadPlace, read_place, with_place
 from mansion_editing.instructions.phrases.words import MODALS
@@ -52,7 +53,7 @@ class Moving(Shifting):
         out: list[Statement] = []
         quote = self.quote(at, end)
         for item in items:
-            own = item.places or items[-1].places
+            own = item.places or places_besides(item, items[-1])
             source, goal, _ = self._source_and_goal(own)
             if goal == Place():
                 raise NotUnderstood(at, end)

@@ -168,7 +168,7 @@ class ClauseReader(Keeping, Changing, Taking, PastSteps, Fronting):
         return out, end
 
 
-def sparing(statement: SetState | Remove | Paint, besides: tuple[Things, ...]) -> Statement:
+def sparing(statement: SetState | Remove | Paint | Move, besides: tuple[Things, ...]) -> Statement:
     """Return what is done with all of a kind but for exceptions: ``all plants except the one in the study``."""
     noun = statement.things.noun
     besides = tuple(_in_the_kind(one, statement.things.place) for one in besides)

@@ -359,6 +359,10 @@ class Sentence(ABC):
     def _beside_it(self, item: Item, before: Sequence[Item]) -> Item:
         """Put the thing before for ``it``: the table or anything on it."""
         last = before[-1] if before else None
+        if last is not None and self._belongs_to(item, last):
+            relation: Relation = "around" if self.lexicon.stands(item.phrase.noun.words) else "on"
+            there = ReadPlace(Place(relation=relation, anchor=last.phrase.things()), item.phrase.end, item.phrase.end)
+            return Item(item.phrase, (replace(there, relative=True), *item.places), item.end)
         if last is None or not item.places:
             return item
         if not last.phrase.definite:
@@ -375,6 +379,12 @@ class Sentence(ABC):
             return item  # "the laptop and the pen on it" are on what was named before
         place = msgspec.structs.replace(item.places[0].place, anchor=last.things())
         return Item(item.phrase, (replace(item.places[0], place=place), *item.places[1:]), item.end)
+
+    def _belongs_to(self, item: Item, before: Item) -> bool:
+        """Whether a thing is that of the furniture named before it: ``the table and its four chairs``."""
+        own = self.words[item.phrase.start].raw == ("their" if before.phrase.noun.plural else "its")
+        named = item.phrase.noun.kind == "object" and before.phrase.noun.kind == "object" and before.phrase.definite
+        return own and named and not before.is_room and self.lexicon.stands(before.phrase.noun.words)
 
     def _at_their_holder(self, item: Item, before: Item) -> Item:
         """Put what several new things are at for ``it``: ``two chairs at the table and a candle on it``."""
@@ -595,13 +605,19 @@ class Sentence(ABC):
         """Read ``the office``, ``in room 3`` and ``rooms 1 and 2`` of an exception: all that is there."""
         at += self.text(at) == "in"
         found: list[Things] = []
-        while (item := self.item(at)) is not None and item.is_room:
+        while (item := self.item(at)) is not None and self._is_own_room(item):
             end = item.end
             found.append(Things(amount=Amount(kind="all", number=0), plural=True, place=Place(rooms=item.rooms())))
             at = self.conjunction(end)
             if not at:
                 break
-        return (end, tuple(found)) if found and (not at or self.item(at) is None) else None
+        ends = not at or self.starts_clause(at) or self.item(at) is None
+        return (end, tuple(found)) if found and ends else None
+
+    def _is_own_room(self, item: Item) -> bool:
+        """Whether an item names a room of the building, which a thing may be called like: the study, the bar."""
+        both = item.phrase.noun.kind == "both" and self.lexicon.is_own_room(item.phrase.noun.words)
+        return item.is_room or (both and not self.lexicon.is_here(item.phrase.noun.words[-1]))
 
     def _is_partitive(self, phrase: NounPhrase) -> bool:
         """Whether a phrase takes some of those that are there: ``two of the hammers``."""

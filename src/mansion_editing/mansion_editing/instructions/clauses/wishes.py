@@ -284,7 +284,7 @@ class Wishes(Subjects, Negations):
 
     def _unwanted(self, at: int, place: int) -> tuple[list[Statement], int]:
         """Read ``we do not want any chairs in the lobby``: they are to go."""
-        while self.text(place) in ("to", "see", "have", "find", "there", "be"):
+        while self.text(place) in ("to", "see", "have", "find", "there", "be") or self.text(place) in ANY_LONGER:
             place += 1
         place += 2 * (self.text(place) == "you" and self.text(place + 1) == "to")
         verb = verb_at(self.words, place, self.lexicon)

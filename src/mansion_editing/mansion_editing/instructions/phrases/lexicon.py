@@ -146,6 +146,12 @@ class Lexicon:
         most = 2 * mounts.count("floor") > len(mounts)
         return most if general else mounts[:1] == ["floor"]
 
+    def has_small_kinds(self, words: tuple[str, ...]) -> bool:
+        """Whether a general word names kinds that stand and kinds that lie on furniture: plants."""
+        kinds = vocabulary_of(self._state.catalogue).nouns(" ".join(words))
+        exact = vocabulary_of(self._state.catalogue).exact(words)
+        return not exact and any(self._state.catalogue.by_category(kind)[0].mount == "surface" for kind in kinds)
+
     def is_loose(self, words: tuple[str, ...]) -> bool:
         """Whether words name what lies on or in furniture."""
         kinds = vocabulary_of(self._state.catalogue).nouns(" ".join(words))

@@ -153,6 +153,9 @@ _SHORT: Final = {
     ),
 }  # fmt: skip
 _ID: Final = re.compile(r"\b[fF]-?\d+/[A-Za-z0-9_./-]*[A-Za-z0-9_]|\b[a-z]+(?:_[a-z0-9]+)+\b")
+_DOUBLE: Final = str.maketrans(dict.fromkeys("“”„«»", '"'))
+_SINGLE: Final = re.compile(r"(?<![A-Za-z0-9])'([^'\n]{1,40})'(?![A-Za-z0-9])")
+"""A name between single quotation marks, and no genitive."""
 _DOTTED: Final = re.compile(r"\b(fl|flr|rm|no|nr|approx|ca|st|incl|mr|mrs|ms|dr|prof)\.(?=\s)", re.IGNORECASE)
 """Abbreviations whose point ends no sentence."""
 
@@ -168,8 +171,9 @@ def split_words(text: str, speller: Speller, kept: frozenset[str]) -> list[Word]
         English words that are no mistakes, though the speller does not know them.
     """
     text = _DOTTED.sub(r"\1 ", text)
+    text = _SINGLE.sub(r'"\1"', text.replace("’", "'").replace("‘", "'").replace("`", "'").translate(_DOUBLE))
     ids = {match.start(): match for match in _ID.finditer(text)}
-    hidden = _ID.sub(lambda match: "q" * len(match.group()), text.replace("’", "'").replace("`", "'"))
+    hidden = _ID.sub(lambda match: "q" * len(match.group()), text)
     words = [
         Word(ids[t.start].group(), ids[t.start].group(), "id", t.start, t.end)
         if t.start in ids

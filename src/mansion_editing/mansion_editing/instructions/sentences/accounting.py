@@ -46,6 +46,7 @@ _DENYING: Final = (Remove, Clear, Forbid, Keep, SetState, Ask, Reach, Swap, Repl
 _LIMITING: Final = frozenset(["none", "at_most", "at_least", "exactly", "all_but"])
 _ALTERNATIVES: Final = frozenset(["or", "either", "whichever"])
 _WHOLE: Final = frozenset("each every both".split())
+_BEFORE_ROOMS: Final = frozenset("the our my in from to into of".split())
 _OTHERS: Final = frozenset("other others rest remaining remainder".split())
 _OF_ANY_OF_THEM: Final = (Remove, Clear, Forbid, Keep, Ask)
 """Statements in which things joined by "or" are all meant."""
@@ -136,7 +137,16 @@ def _is_left_out(said: Sequence[Word], at: int, group: Sequence[Statement], told
             told.flags & {"states"}
             or any(isinstance(s, SetState | Remove | Clear | Move | Keep | Forbid) for s in group)
         )
-    return _is_lost_noun(said, at, group, lexicon)
+    return _is_lost_room(said, at, told, lexicon) or _is_lost_noun(said, at, group, lexicon)
+
+
+def _is_lost_room(said: Sequence[Word], at: int, told: _Told, lexicon: Lexicon) -> bool:
+    """Whether a room of the building is named of which no statement has a word: ``the desk from the study``."""
+    for length in (3, 2, 1):
+        span = tuple(word.text for word in said[at : at + length])
+        if len(span) == length and lexicon.is_own_room(span) and text_at(said, at - 1) in _BEFORE_ROOMS:
+            return not told.words & {word for word in span if word != "room"}
+    return False
 
 
 def _is_part(said: Sequence[Word], at: int) -> bool:

@@ -10,7 +10,7 @@ import msgspec
 from mansion_assets.catalogue.descriptions import hypernyms_of
 from mansion_editing.instructions.clauses.items import NotUnderstood, TwoReadings
 from mansion_editing.instructions.clauses.outcomes import everything_at
-from mansion_editing.instructions.clauses.reader import ClauseReader, of_each_room
+from mansion_editing.instructions.clauses.reader import ClauseReader, of_each_room, sparing
 from mansion_editing.instructions.phrases.lexicon import HYPERNYMS
 from mansion_editing.instructions.phrases.places import merged, read_place
 from mansion_editing.instructions.phrases.storeys import read_storeys
@@ -28,7 +28,11 @@ from mansion_editing.instructions.sentences.former_places import with_former_pla
 from mansion_editing.instructions.sentences.headings import Headings
 from mansion_editing.instructions.sentences.lacking_some import LackingSome
 from mansion_editing.instructions.sentences.lids import opened_as_whole
-from mansion_editing.instructions.sentences.old_ones import with_last_of_them_first, with_old_ones_first
+from mansion_editing.instructions.sentences.old_ones import (
+    with_companions_first,
+    with_last_of_them_first,
+    with_old_ones_first,
+)
 from mansion_editing.instructions.sentences.owners import owners_named
 from mansion_editing.instructions.sentences.questions import read_question
 from mansion_editing.instructions.sentences.recounting import Recounting
@@ -49,6 +53,7 @@ from mansion_editing.instructions.sentences.refinement import (
     moves_it,
     must_contain,
     only_brings_it,
+    placed_at_last,
     removes_all_of_it,
     removes_what_went,
     sets_as_one,
@@ -147,7 +152,8 @@ class _Reader(
         topics = [word for word, following in pairwise(self.words) if word.text in TOPICS and following.text in PRINTED]
         plain = [*(word for word in self.words if word.text in UNRECORDED), *topics]
         ignored = list(dict.fromkeys(w.raw for w in plain if not re.search(rf'"noun":"[^"]*\b{w.text}\b', told)))
-        ordered = with_takings_first(with_last_of_them_first(with_old_ones_first(self.statements)), self.lexicon)
+        ordered = with_companions_first(with_last_of_them_first(with_old_ones_first(self.statements)))
+        ordered = with_takings_first(ordered, self.lexicon)
         statements = turned_by_list(with_storeys(ordered), self.text)
         statements = sets_as_one(sparing_what_goes(statements), self.lexicon)
         return Instruction(statements=statements, not_understood=self.unknown, ignored=ignored)
@@ -335,7 +341,7 @@ class _Reader(
         end, things = reader.exceptions(at)
         if not things or reader.text(end) != ",":
             return at
-        self.spared = things
+        self.spared, self.exception = things, self._quote(reader.words, at, end)
         return end + 1
 
     def _read_clause(self, reader: ClauseReader, words: Sequence[Word], at: int) -> int:
@@ -411,9 +417,7 @@ class _Reader(
         """Add statements; what stays is an exception of what is cleared or removed just before."""
         for statement in found:
             last = self.statements[-1] if self.statements else None
-            if self.spared and isinstance(statement, Clear):
-                statement = msgspec.structs.replace(statement, spare=(*statement.spare, *self.spared))
-                self.spared = ()
+            statement = self._but_for_those_spared(statement)
             if isinstance(statement, Keep):
                 statement = left_where_brought(statement, last) or self._of_the_kind(statement)
             if isinstance(statement, SetState | Remove | Paint | Move):
@@ -431,6 +435,21 @@ class _Reader(
             readers = (self._extends, self._spares, self._moves_on, self._tells_of_rest)
             if not any(reads(statement, last) for reads in readers):
                 self.statements += self._room_and_thing(statement)
+
+    def _but_for_those_spared(self, statement: Statement) -> Statement:
+        """Return what is done with all but the exception that the sentence began with."""
+        if not self.spared or isinstance(statement, Mention):
+            return statement
+        spared, self.spared = self.spared, ()
+        if isinstance(statement, Clear):
+            return msgspec.structs.replace(statement, spare=(*statement.spare, *spared))
+        whole = isinstance(statement, SetState | Remove | Paint | Move) and (
+            statement.things.amount.kind == "all" or statement.things.plural
+        )
+        if isinstance(statement, SetState | Remove | Paint | Move) and whole:
+            return sparing(statement, spared)
+        self.unknown.append(f"{self.exception} ({statement.quote})")
+        return statement
 
     def _rename_it(self, statement: Rename, last: Statement | None) -> None:
         """Rename the room of the statement before; after a colon, the name is all that becomes of it."""
@@ -501,7 +520,11 @@ class _Reader(
         together = [s for s in self.statements if isinstance(s, Move) and last is not None and s.quote == last.quote]
         onward = moved_on(together, statement) if isinstance(last, Move) else None
         listed = self._removed_together()
-        if onward is not None:
+        brought = placed_at_last(self.statements, statement)
+        if brought:
+            quote = self._from_to(brought[0], statement)
+            self.statements[-len(brought) :] = [msgspec.structs.replace(new, quote=quote) for new in brought]
+        elif onward is not None:
             quote = self._from_to(together[0], statement)
             self.statements[-len(together) :] = [msgspec.structs.replace(move, quote=quote) for move in onward]
         elif len(listed) > 1 and moves_it(statement) and statement.things.plural:
@@ -510,7 +533,11 @@ class _Reader(
             self.statements[-len(listed) :] = moved_all
         elif (isinstance(last, Remove) or is_only_fetched(last)) and last.things.noun and moves_it(statement):
             moved = Move(things=last.things, place=statement.place, quote=self._from_to(last, statement))
-            self.statements[-1] = moved
+            if re.search(r"\bnot\b|n't\b", last.quote):  # "we do not need it here: take it to the hall"
+                moved = msgspec.structs.replace(moved, quote=statement.quote)
+                self.statements[-1:] = [Mention(quote=last.quote), moved]
+            else:
+                self.statements[-1] = moved
         else:
             return False
         return True

@@ -45,6 +45,7 @@ __all__ = [
     "must_contain",
     "narrowed",
     "only_brings_it",
+    "placed_at_last",
     "removes_all_of_it",
     "removes_what_went",
     "sets_as_one",
@@ -214,6 +215,31 @@ def moved_on(last: Sequence[Move], statement: Move) -> list[Move] | None:
     if rooms is not None and (place.rooms is None or (place.rooms.same and not place.rooms.words)):
         place = msgspec.structs.replace(place, rooms=rooms)
     return [msgspec.structs.replace(move, place=place, or_new=False) for move in last]
+
+
+def placed_at_last(statements: Sequence[Statement], onward: Move) -> list[Add | Ensure]:
+    """Return new things of the last clause at the place that the next one names; none where it moves other ones.
+
+    ``Add three towels to the bathroom and lay them on the shelf`` brings them to the shelf of the bathroom.
+    """
+    last = statements[-1] if statements else None
+    if not isinstance(last, Add | Ensure):
+        return []
+    together = [s for s in statements if isinstance(s, Add | Ensure) and s.quote == last.quote]
+    things, goal = onward.things, onward.place
+    several = len(together) > 1 or last.things.plural or last.things.amount.number > 1
+    bare = things.refers == "last" and not things.noun and things.place is None and things.plural == several
+    counted = things.amount.number in (0, sum(max(1, new.things.amount.number) for new in together))
+    rooms = [new.place.rooms for new in together if not new.each and new.place == Place(rooms=new.place.rooms)]
+    where = rooms[0] if rooms else None
+    same = where is not None and len(rooms) == len(together) and all(other == where for other in rooms)
+    elsewhere = goal.rooms is not None and bool(goal.rooms.words) and goal.rooms != where
+    if not (bare and counted and same) or elsewhere or goal.outside or (goal.anchor is None and not goal.spot):
+        return []
+    if statements[-len(together) :] != together or (goal.anchor is not None and goal.anchor.refers):
+        return []
+    place = msgspec.structs.replace(goal, rooms=where)
+    return [msgspec.structs.replace(new, place=place) for new in together]
 
 
 def counts_those_brought(statement: Statement, last: Statement) -> bool:

@@ -348,9 +348,20 @@ class Tails(Resulting, Counting):
         joined += text_at(words, joined) == "and"
         said = (text_at(words, joined), text_at(words, joined + 1))
         plain = all(isinstance(s, SetState | Remove | Paint | Swap | Clear | Keep) for s in self.clause)
+        plain = plain or (all(isinstance(s, Add | Ensure) for s in self.clause) and self._goes_where_all_went())
         if joined == at or said not in (("nothing", "else"), ("nothing", "more")) or not plain:
             return 0
         return joined + 2 if next_mark(words, joined) == joined + 2 else 0
+
+    def _goes_where_all_went(self) -> bool:
+        """Whether new things come to furniture that was cleared just before: ``clear it, then put a lamp on it``."""
+        last = next((s for s in reversed(self.statements) if not isinstance(s, Mention)), None)
+        cleared = last.place.anchor if isinstance(last, Clear) else None
+        goals = [s.place.anchor for s in self.clause if isinstance(s, Add | Ensure)]
+        return cleared is not None and all(
+            goal is not None and (goal.noun == cleared.noun or (goal.refers == "last" and not goal.noun))
+            for goal in goals
+        )
 
     def _end_of_intent(self, words: Sequence[Word], at: int) -> int:
         """Return the end of ``as a welcome``, ``as a surprise for Ann``; 0 for words that ask for something."""
