@@ -45,6 +45,8 @@ class Adding(States, Colours):
         for_whom = self.text(place) in ("me", "us") and self.text(place + 1) != "to"
         items = self.items(place + for_whom)
         end = items[-1].end
+        if self.text(at) == "put" and self.text(end) == "away":
+            return self._put_away(items, self.quote(at, end + 1)), end + 1
         back = self.text(end) == "back" or "back" in (w.text for w in self.words[at:place])
         if back and len(items) == 1 and not items[0].places and (items[0].phrase.refers or items[0].phrase.definite):
             end += self.text(end) == "back"
@@ -86,6 +88,12 @@ class Adding(States, Colours):
             out += [msgspec.structs.replace(statement, place=place_too) for statement in out[: len(items)]]
         out = [msgspec.structs.replace(statement, quote=self.quote(at, end)) for statement in out]
         return self.with_companions(out, at, end)
+
+    def _put_away(self, items: list[Item], quote: str) -> list[Statement]:
+        """Read ``put the keyboard on the desk away``: what is there goes."""
+        if any(item.is_room or not (item.phrase.definite or item.phrase.refers) for item in items):
+            raise NotUnderstood(items[0].phrase.start, items[-1].end)
+        return [self._removed(items, item, (), (), quote) for item in items]
 
     def _fronted_holder(self, at: int, place: int) -> int:
         """Read ``inside`` and ``on it`` before what is new ("put inside two apples") into the frame; 0 for others."""
@@ -228,6 +236,13 @@ class Adding(States, Colours):
         whom = self.text(place) in ("him", "her") and self.text(place + 1) in ("a", "an", "another", "two", "some")
         if whom or self.text(place) in ("me", "us"):
             return self._add(at, place + 1)
+        surface = self.surface(place)
+        coat = 0 if surface is None else surface[1]
+        while coat and self.text(coat) in ("a", "an", "new", "fresh", "coat", "lick", "of", "paint", "touch"):
+            coat += 1
+        colour = self.colour_at(coat) if surface is not None else None
+        if surface is not None and colour is not None:
+            return self._painted(surface[0], colour[0], colour[1], self.quote(at, colour[2])), colour[2]
         where = self.item(place)
         if where is None:
             raise NotUnderstood(at, self.boundary(at))

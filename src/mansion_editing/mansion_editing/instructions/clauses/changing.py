@@ -2,12 +2,14 @@
 
 from typing import Final
 
+import msgspec
+
 from mansion_editing.instructions.clauses.items import Item, NotUnderstood
 from mansion_editing.instructions.clauses.moving import Moving
 from mansion_editing.instructions.clauses.sizes import Sizes
 from mansion_editing.instructions.clauses.wishes import Wishes
 from mansion_editing.instructions.phrases.word_sets import PROPERTIES
-from mansion_editing.instructions.statements import Furnish, Mention, Reshape, Statement
+from mansion_editing.instructions.statements import Add, Amount, Ensure, Furnish, Mention, Reshape, Statement
 
 __all__ = ["Changing"]
 
@@ -87,7 +89,10 @@ class Changing(Wishes, Moving, Sizes):
                 return self._painted(surface[0], colour[0], colour[1], self.quote(at, colour[2])), colour[2]
         counted = place + 1 < len(self.words) and self.words[place + 1].kind == "number"
         if self.text(place) == "it" and counted and self._amount_of_area(place + 1) is None:
-            return self._wanted(at, place + 1)
+            said, stop = self._wanted(at, place + 1)
+            if (self.text(stop), self.text(stop + 1)) == ("instead", "of") and self.words[stop + 2 :]:
+                stop += 3 if self.words[stop + 2].kind == "number" else 0
+            return [_in_number(statement) for statement in said], stop  # "make it six chairs"
         room = self.item(place, places=False)
         if room is not None and room.is_room and "into" in [word.text for word in self.words[room.end : room.end + 6]]:
             return self._furnish(at, place)
@@ -134,3 +139,12 @@ class Changing(Wishes, Moving, Sizes):
         if kind is not None and not (it and self.lexicon.is_object(tuple(kind[0].split()))):
             return [Furnish(rooms=item.rooms(), kind=kind[0], quote=self.quote(at, kind[1]))], kind[1]
         raise NotUnderstood(at, self.boundary(at))
+
+
+def _in_number(statement: Statement) -> Statement:
+    """Return things of a kind that are named with their number as so many in all."""
+    if not isinstance(statement, Add) or not statement.things.noun or statement.things.amount.kind != "some":
+        return statement
+    amount = Amount(kind="exactly", number=statement.things.amount.number)
+    things = msgspec.structs.replace(statement.things, amount=amount)
+    return Ensure(things=things, place=statement.place, each=statement.each, quote=statement.quote)

@@ -73,8 +73,9 @@ class Colours(Outcomes):
             return None
         places, end = self.places(covering[2])
         rooms = joined_places(places)[0].rooms if places else self.frame.rooms
-        if rooms is None or any(p.place.anchor is not None for p in places):
+        if any(p.place.anchor is not None for p in places):
             return None
+        rooms = Rooms(same=True) if rooms is None else rooms
         finish = Finish(rooms=rooms, part="floor", colour=covering[0], material=covering[1], quote=self.quote(at, end))
         return [finish], end
 

@@ -135,6 +135,9 @@ class Predicates(States, Colours, Ways):
             return [Mention(quote=self.quote(at, after))], after
         if deed in ("move", "add"):
             places, end = self.places(after)
+            if places and all(p.source for p in places) and self.text(end) in ("and", ","):
+                more, stop = self.places(end + 1)  # "moved out of the kitchen and into the pantry"
+                places, end = ((*places, *more), stop) if more and more[0].goal else (places, end)
             if places or self.text(after) in ("there", "instead"):
                 whole = Item(item.phrase, (*item.places, *places), end)
                 if deed == "move":
@@ -222,6 +225,8 @@ class Predicates(States, Colours, Ways):
             where = at_receiver(own, goal)
             if thing.phrase.amount.kind == "none":
                 out += self._gone_from(item, [thing], quote)
+            elif any(p.source for p in thing.places):
+                out.append(self._given(thing, goal, quote, each=each))
             elif thing.phrase.definite and own != Place() and not thing.phrase.plural:
                 out.append(Move(things=thing.phrase.things(), place=where, or_new=True, quote=quote))
             elif thing.phrase.amount.kind == "more" or word in (
@@ -320,6 +325,10 @@ class Predicates(States, Colours, Ways):
                 gone = self._as_certain(item, self._within_frame(whole.things()))
                 return [Remove(things=self._all_if_plural(gone), quote=self.quote(at, end))], end
             return [self._brought(item, places, self.quote(at, end))], end
+        out = word == "come" and self.text(place + 1) == "out" and self._ends_with_out(place + 1)
+        if out and not negated and item.phrase.definite:
+            gone = self._all_if_plural(self._within_frame(item.things()))
+            return [Remove(things=gone, quote=self.quote(at, place + 2))], place + 2
         if word in BEING_SOMEWHERE and not negated:
             places, end = self.places(place + 1)
             if places and all(p.source for p in places) and self.text(end) in ("and", ","):

@@ -155,8 +155,10 @@ class Subjects(Lacks):
                 break
         while self.text(end) in MODALS or self.text(end) in ("also", "then", "to", "now", "has", "have", "is", "are"):
             end += 1
-        if self.text(end) != "come":
+        if self.text(end) != "come" and (self.text(end), self.text(end + 1)) != ("go", "in"):
             return None
+        if self.text(end) == "go" and self.phrase(end + 2) is not None:
+            return None  # "two apples go in the bowl"
         places, stop = self.places(end + 1)
         if not places and self.text(end + 1) not in ("in", "along", "inside"):
             return None

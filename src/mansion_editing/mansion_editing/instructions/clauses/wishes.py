@@ -1,5 +1,7 @@
 """What somebody wants, and what there should be."""
 
+from typing import Final
+
 import msgspec
 
 from mansion_editing.instructions.clauses.coordination import is_one_list
@@ -30,6 +32,9 @@ from mansion_editing.instructions.phrases.words import BE, MODALS
 from mansion_editing.instructions.statements import Amount, Mention, Place, Statement, Things
 
 __all__ = ["Wishes"]
+
+_DISUSED: Final = frozenset("like use play watch read wear".split())
+"""Verbs of what somebody does not do with a thing, which the next clause is about."""
 
 
 class Wishes(Subjects, Negations):
@@ -198,11 +203,14 @@ class Wishes(Subjects, Negations):
         place += self.text(place) == "rather" and self.text(place + 1) != "not"
         if self.text(place) in OPINIONS:
             return self.read(place + 1 + (self.text(place + 1) in ("that", "you")) + (self.text(place + 2) == "to"))
-        disliked = self.text(place + 1) == "like" and "would" not in (w.text for w in self.words[at:place])
+        disliked = self.text(place + 1) in _DISUSED and "would" not in (w.text for w in self.words[at:place])
         if self.text(place) == "not" and disliked:
             items = self.items(place + 2)
             self.topic = items[0].things()
-            return [Mention(quote=self.quote(at, items[-1].end))], items[-1].end
+            end = items[-1].end
+            while self.text(end) in ANY_LONGER:
+                end += 1
+            return [Mention(quote=self.quote(at, end))], end
         if self.text(place) == "not" and self.text(place + 1) in ("want", "like", "wish"):
             return self._unwanted(at, place + 2)
         longer = {"anymore", "longer"} & {w.text for w in self.words} or "any more" in self.quote(at, len(self.words))

@@ -28,6 +28,15 @@ _PLACES: Final = frozenset(
     "on in under next beside by near behind at against above between opposite inside upstairs downstairs".split()
 )
 _COUNTED: Final = frozenset("a an another some two three four five six".split())
+_ASKING: Final = frozenset("i we put place add please there hang stand set lay".split())
+"""Words that a request after ``instead of the table`` begins with."""
+_TURNING: Final = frozenset("move turn shift push pull place put rotate arrange position swivel set".split())
+_ANYBODY: Final = frozenset("nobody i we you people everybody everyone".split())
+_SELDOM: Final = frozenset("really never ever do does did not no longer".split())
+_LONGER: Final = frozenset("any anymore more much at all longer".split())
+_OPINIONS: Final = frozenset(
+    "like likes love loves hate hates use uses used need needs want wants wanted needed liked dislike".split()
+)
 _LONGEST: Final = 14
 """Words before the verb of a cleft or a suggestion."""
 
@@ -208,8 +217,106 @@ def _without_preference(words: list[Word]) -> list[Word]:
     return words
 
 
+def _without_double_negation(words: list[Word]) -> list[Word]:
+    """Return ``every bedroom should have a lamp`` for ``no bedroom should be without a lamp``."""
+    for at in _starts(words):
+        without = next((k for k in range(at + 3, next_mark(words, at)) if words[k].text == "without"), 0)
+        modal = without - 2 + (text_at(words, without - 1) in MODALS)
+        if text_at(words, at) != "no" or not without or text_at(words, modal) not in MODALS:
+            continue
+        if text_at(words, without - 1) in ("be", "stay", "remain", "go"):
+            have = _new(("have",), words[without])
+            return [*words[:at], *_new(("every",), words[at]), *words[at + 1 : modal + 1], *have, *words[without + 1 :]]
+    return words
+
+
+def _without_contrast(words: list[Word]) -> list[Word]:
+    """Return ``turn on the lamp in the hall`` for ``turn on the lamp, not the candle, in the hall``."""
+    for at in range(2, len(words) - 3):
+        contrast = words[at].text == "," and words[at + 1].text == "not" and words[at + 2].text in ("the", "my", "our")
+        end = next_mark(words, at + 1)
+        if contrast and text_at(words, end) == "," and text_at(words, end + 1) in _PLACES | {"from", "to", "into"}:
+            return [*words[:at], *words[end + 1 :]]
+    return words
+
+
+def _replaced_last(words: list[Word]) -> list[Word]:
+    """Return ``I want a stool instead of the table`` for ``instead of the table I want a stool``."""
+    for at in _starts(words):
+        length = 2 if _said(words, at, 2) == ("instead", "of") else 3 * (_said(words, at, 3) == ("in", "place", "of"))
+        if not length or text_at(words, at + length) not in DETERMINERS:
+            continue
+        stop = next_mark(words, at)
+        asks = (k for k in range(at + length + 2, stop) if words[k].text in _ASKING or words[k].raw in _CONTRACTED)
+        begin = next(asks, stop + 1 if text_at(words, stop) == "," else 0)
+        end = next_mark(words, begin) if begin else 0
+        if not begin or end <= begin:
+            continue
+        old = words[at + length : begin - (text_at(words, begin - 1) == ",")]
+        instead = _new(("instead", "of"), words[end - 1])
+        return [*words[:at], *words[begin:end], *instead, *old, *words[end:]]
+    return words
+
+
+def _without_loss(words: list[Word]) -> list[Word]:
+    """Return ``I want a rug`` for ``I'm missing a rug``."""
+    for at in _starts(words):
+        verb = at + 1 + (text_at(words, at + 1) in BE)
+        missing = words[at].raw in ("i'm", "we're", "im") or verb == at + 2
+        said = words[verb].raw if text_at(words, at) in _SPEAKERS and missing and verb < len(words) else ""
+        if said == "missing" and text_at(words, verb + 1) in _COUNTED:
+            return [*words[: at + 1], *_new(("want",), words[verb]), *words[verb + 1 :]]
+    return words
+
+
+def _without_opinion(words: list[Word]) -> list[Word]:
+    """Leave out what somebody thinks of one thing: ``the rug that nobody likes``, ``the mug I hate``."""
+    for at in range(2, len(words)):
+        begin = at + (words[at].text in ("that", "which", "who"))
+        if text_at(words, begin) not in _ANYBODY or words[at - 1].plural or words[at - 1].kind != "word" or begin == at:
+            continue
+        verb = begin + 1
+        while text_at(words, verb) in _SELDOM:
+            verb += 1
+        after = verb + 1
+        while text_at(words, after) in _LONGER:
+            after += 1
+        said = words[verb].raw if verb < len(words) else ""
+        ends = after >= len(words) or words[after].kind == "mark" or words[after].text in _PLACES | {"and", "from"}
+        if said in _OPINIONS and ends and words[at - 1].text not in ("one", "it", "all", "every"):
+            return [*words[:at], *words[after:]]
+    return words
+
+
+def _resulting(words: list[Word]) -> list[Word]:
+    """Return ``the sofa should face the TV`` for ``move the sofa so that it faces the TV``."""
+    for at in _starts(words):
+        verb = at + (text_at(words, at) == "please")
+        stop = next_mark(words, verb)
+        so = next((k for k in range(verb + 2, stop - 2) if words[k].text == "so"), 0)
+        it = so + 1 + (text_at(words, so + 1) == "that")
+        if text_at(words, verb) not in _TURNING or not so or text_at(words, it) not in ("it", "they"):
+            continue
+        named = words[verb + 1 : so]
+        plain = named[0].text in DETERMINERS and not any(w.text in _PLACES | {"to", "from", "into"} for w in named)
+        contracted = words[it].raw in ("it's", "they're")
+        said = words[it + (not contracted)]
+        if plain and said.raw in ("faces", "face", "looks", "look"):
+            return [*words[:at], *named, *_new(("should",), words[so]), *words[it + 1 :]]
+        if plain and (contracted or said.raw in ("is", "are", "stands", "stand")):
+            should = _new(("should", "be"), words[so])
+            return [*words[:at], *named, *should, *words[it + 2 - contracted :]]
+    return words
+
+
 _FRAMES: Final[tuple[Callable[[list[Word]], list[Word]], ...]] = (
+    _without_opinion,
     _without_cleft,
+    _without_double_negation,
+    _without_contrast,
+    _replaced_last,
+    _without_loss,
+    _resulting,
     _without_missing,
     _without_only_thing,
     _without_pseudo_cleft,

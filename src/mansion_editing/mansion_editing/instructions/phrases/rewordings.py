@@ -5,7 +5,15 @@ from dataclasses import replace
 from itertools import takewhile
 from typing import Final
 
-from mansion_editing.instructions.phrases.words import DETERMINERS, PREPOSITIONS, PRONOUNS, Word, next_mark, text_at
+from mansion_editing.instructions.phrases.words import (
+    DETERMINERS,
+    PREPOSITIONS,
+    PRONOUNS,
+    UNRECORDED,
+    Word,
+    next_mark,
+    text_at,
+)
 
 __all__ = ["reworded"]
 
@@ -35,6 +43,11 @@ _PHRASES: Final[dict[tuple[str, ...], tuple[str, ...]]] = {
     ("bring", "the", "number"): ("increase", "the", "number"),
     ("raise", "the", "number"): ("increase", "the", "number"),
     ("still", "lack"): ("lack",),
+    **{("in", its, "spot"): ("in", "its", "place") for its in ("its", "that", "their")},
+    **{("where", it, was): ("in", "its", "place") for it in ("it", "that") for was in ("was", "stood", "is", "stands")},
+    ("where", "it", "used", "to", "be"): ("in", "its", "place"),
+    ("where", "it", "is", "now"): ("in", "its", "place"),
+    ("in", "whichever", "corner", "is", "free"): ("in", "a", "corner"),
     ("still", "need"): ("need",),
     ("apart", "of"): ("apart", "from"),
     ("except", "of"): ("except", "for"),
@@ -96,6 +109,7 @@ _PHRASES: Final[dict[tuple[str, ...], tuple[str, ...]]] = {
     ("for", "the", "time", "being"): ("for", "now"),
     ("for", "the", "moment"): ("for", "now"),
     ("at", "the", "moment"): ("now",),
+    ("at", "present"): ("now",),
     ("right", "now"): ("now",),
     ("out", "of", "the", "way"): ("away",),
     ("only", "be"): ("be", "only"),
@@ -127,6 +141,7 @@ _ADVERBIALS: Final = frozenset(
         "as agreed|as discussed|as promised|as mentioned|as said|as i said|by the way|if you ask me|in my opinion|"
         "for a change|once and for all|for good|just in case|for sure|for safety|i think|i guess|i suppose|i believe|"
         "as far as i know|with immediate effect|effective immediately|first of all|last but not least|ideally|"
+        "or something similar|or something like that|or the like|or similar|"
         "preferably|if at all possible|while we are at it|where possible|if that is ok|if that is okay|"
         "if that is possible|if it is not too much trouble|if you get the time"
     ).split("|")
@@ -193,6 +208,16 @@ def reworded(words: Sequence[Word]) -> list[Word]:
             out.append(replace(words[at], text="from"))
             at += 1
             continue
+        if _is_taken_from(words, at):
+            at += 1
+            continue
+        if words[at].text == "whatever" and text_at(words, at + 1) in ("is", "lie", "stand"):
+            out += _in_place_of(words[at : at + 1], ("everything",)) + _in_place_of(words[at : at + 1], ("that",))
+            at += 1
+            continue
+        if words[at].text == "," and text_at(words, at - 1) in UNRECORDED and text_at(words, at + 1) in UNRECORDED:
+            at += 1
+            continue
         enough = _as_many_as_missing(words, at)
         if enough:
             out += _in_place_of(words[at : at + enough], ("make", "it"))
@@ -217,6 +242,13 @@ def _end_of_order(words: Sequence[Word], at: int) -> int:
     following = text_at(words, at + length)
     subject = following in DETERMINERS | PRONOUNS | {",", "please", "there", "i", "we", "you"}
     return at + length + (following == ",") if length and subject else at
+
+
+def _is_taken_from(words: Sequence[Word], at: int) -> bool:
+    """Whether ``away`` stands before ``from`` where something is taken: it was there, and goes on elsewhere."""
+    clause = takewhile(lambda word: word.kind != "mark" and word.text != "and", reversed(words[:at]))
+    taken = any(word.text in ("take", "bring", "carry", "get", "fetch") for word in clause)
+    return text_at(words, at) == "away" and text_at(words, at + 1) == "from" and taken
 
 
 def _as_many_as_missing(words: Sequence[Word], at: int) -> int:
@@ -251,7 +283,7 @@ def _end_of_adverbial(words: Sequence[Word], at: int) -> int:
             return end + 1
         if ends or (begins and text_at(words, end) in PREPOSITIONS | DETERMINERS | {"please", "i", "we", "you"}):
             return end
-        return end if text_at(words, start) in ("ideally", "preferably") else 0
+        return end if text_at(words, start) in ("ideally", "preferably", "or") else 0
     return 0
 
 

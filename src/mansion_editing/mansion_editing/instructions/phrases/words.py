@@ -114,7 +114,8 @@ ADVERBS: Final = frozenset(
 UNRECORDED: Final = frozenset(
     "nice new small large big clean fresh cosy cozy comfortable modern old fancy simple pretty beautiful lovely little "
     "tiny huge tall long wide low high round rectangular dirty tasty warm cute elegant cheap sturdy soft heavy "
-    "stylish ripe".split()
+    "stylish ripe smaller larger bigger taller newer nicer better softer brighter wider comfier prettier "
+    "lighter".split()
 )
 """Adjectives that are understood but that no scene describes."""
 
@@ -128,6 +129,7 @@ VAGUE: Final = frozenset(
     "round rectangular particular required necessary freestanding stray second-hand visible "
     "matching useless unneeded unnecessary remaining respective "
     "awful ugly horrible hideous terrible dreadful ghastly nasty tacky silly stupid damn bloody wretched boring "
+    "smaller larger bigger taller newer nicer better softer brighter wider comfier prettier lighter "
     "folded gorgeous wonderful charming favourite precious trusty".split()
 )
 BREAKS: Final = frozenset([",", ";", ".", ":", "!", "?", "\n", "-", "(", ")", '"', "*", "/", "=", "#", "|", "[", "]"])

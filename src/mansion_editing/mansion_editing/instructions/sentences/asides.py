@@ -68,6 +68,9 @@ _TAKING_UP: Final = frozenset("it its them they one there that this those these 
 """Words by which a sentence goes on with what the one before it told of."""
 
 
+_WITHOUT_SUBJECT: Final = frozenset("stay remain should must needs belongs".split())
+"""Verbs of a clause whose subject the one before it names: ``the cup is on the desk, should be on the shelf``."""
+
 _TELLING_OF_ONE: Final = frozenset("one another second theirs own".split())
 """Words without which nothing is said of what has one already."""
 
@@ -165,7 +168,7 @@ class Asides(Progress):
 
     def _with_subject(self, told: Sequence[Word], rest: Sequence[Word]) -> Sequence[Word]:
         """Return ``stays off`` after ``The shredder is broken`` with its subject."""
-        if not rest or rest[0].text not in ("stay", "remain"):
+        if not rest or rest[0].text not in _WITHOUT_SUBJECT:
             return rest
         item = self._reader(told).item(0)
         return rest if item is None else [*told[: item.end], *rest]
@@ -217,6 +220,9 @@ class Asides(Progress):
             rooms = where[0].place.rooms if where[0].place is not None else None
             rooms = rooms if rooms != Rooms() else None
             untouched = tuple(things for things in untouched if things is not where[0])
+        elif told_where and rooms is None:
+            within = _rooms_within(self._reader(words))
+            rooms = within[0] if len(within) == 1 else None
         self.statements.append(Mention(quote=quote, rooms=rooms, passed_over=True, untouched=untouched))
 
     def _take_up_what_is_told(self, words: Sequence[Word]) -> Rooms | None:
@@ -378,6 +384,13 @@ def _own_rooms(reader: ClauseReader) -> list[Rooms]:
             found += [rooms] if item.phrase.definite or rooms.words.rpartition(" ")[2].isdecimal() else []
         at = at + 1 if item is None or item.end <= at else item.end
     return found
+
+
+def _rooms_within(reader: ClauseReader) -> list[Rooms]:
+    """Return the rooms in which something is or happens, as words tell it: ``anything in the pantry``."""
+    items = (reader.item(at) for at in range(1, len(reader.words)) if reader.text(at - 1) in ("in", "into"))
+    rooms = [item.rooms() for item in items if item is not None and item.is_room and item.phrase.definite]
+    return [one for at, one in enumerate(rooms) if one.words and one not in rooms[:at]]
 
 
 def _named(reader: ClauseReader) -> tuple[Things, ...]:

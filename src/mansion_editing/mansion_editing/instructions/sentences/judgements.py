@@ -30,6 +30,7 @@ _COPULAS: Final = frozenset(
 )
 _CONTRACTED: Final = frozenset("it's its that's thats they're this's he's she's i'm we're you're everything's".split())
 """A pronoun with its verb in one word."""
+_BEGINNING: Final = frozenset("begins starts begin start tends tend".split())
 _PERFECT: Final = frozenset("been seen become got gone had lost begun started stopped".split())
 _UNABLE: Final = frozenset("can't cant cannot couldn't couldnt".split())
 _ABILITIES: Final = frozenset("can could cannot able".split())
@@ -58,14 +59,12 @@ def is_judgement(words: Sequence[Word], lexicon: Lexicon) -> bool:
     words = [word for word in words if word.text not in ("please", "well", "oh")]
     while words and (words[-1].kind == "mark" or words[-1].text in ("and", "so")):
         words = words[:-1]
-    if (
-        len(words) < 3
-        or verb_at(words, 0, lexicon) is not None
-        or text_at(words, 0) in {"there", "if", "unless", "not"}
-    ):
+    if len(words) < 3 or verb_at(words, 0, lexicon) is not None or text_at(words, 0) in {"if", "unless", "not"}:
         return False
     if any(word.kind == "mark" for word in words):
         return False
+    if text_at(words, 0) == "there":
+        return _is_mishap(words, lexicon)
     contracted = words[0].raw in _CONTRACTED
     return cannot_do(words) or any(
         _judges_from(words, at, lexicon) for at in range(0 if contracted else 1, min(len(words) - 1, _LONGEST))
@@ -98,11 +97,26 @@ def cannot_do(words: Sequence[Word]) -> bool:
     return somebody and bool(denied) and plain and not {word.text for word in words} & {"and", "so", "until", "unless"}
 
 
+def _is_mishap(words: Sequence[Word], lexicon: Lexicon) -> bool:
+    """Whether words tell of what is no thing of the catalogue: ``there's a puddle in the hall``."""
+    verb = words[0].raw in ("there's", "theres") or text_at(words, 1) in ("is", "was")
+    start = 1 + (text_at(words, 1) in ("is", "was"))
+    end = next((k for k in range(start + 1, len(words)) if words[k].text in PREPOSITIONS), len(words))
+    named = words[start + 1 : end]
+    plain = (
+        text_at(words, start) in ("a", "an", "some") and 0 < len(named) <= 2 and all(w.kind == "word" for w in named)
+    )
+    unknown = not any(lexicon.is_object((w.text,)) or w.text in _ASKING for w in named)
+    return verb and plain and unknown and end < len(words) and _is_tail(words[end:], lexicon)
+
+
 def _judges_from(words: Sequence[Word], verb: int, lexicon: Lexicon) -> bool:
     """Whether the word at a place is the verb of a judgement, before which its subject stands."""
     subject, said = words[:verb], words[verb]
     if any(word.text in MODALS | BE | {"not", "no", "nothing", "everything"} for word in subject[1:]):
         return False
+    if said.raw in _BEGINNING and text_at(words, verb + 1) == "to":  # "begins to smell"
+        return 0 < len(words) - verb - 2 <= 2 and not _names(words[verb + 2 :], lexicon)
     perfect = said.raw in ("has", "have") and _is_perfect(words, verb + 1)
     if not perfect and said.raw not in _COPULAS and not (verb == 0 and said.raw in _CONTRACTED):
         return False

@@ -8,7 +8,7 @@ from typing import Final, Literal
 import msgspec
 
 from mansion_assets.catalogue.descriptions import hypernyms_of
-from mansion_editing.instructions.clauses.items import NotUnderstood, TwoReadings
+from mansion_editing.instructions.clauses.items import NotUnderstood, TwoReadings, joined_places
 from mansion_editing.instructions.clauses.outcomes import everything_at
 from mansion_editing.instructions.clauses.reader import ClauseReader, of_each_room, sparing
 from mansion_editing.instructions.phrases.lexicon import HYPERNYMS
@@ -262,6 +262,7 @@ class _Reader(
             if words[at].text == "otherwise":
                 self._read_consequence(words, at)
                 return
+            at = self._read_later_frame(reader, at)
             at, condition = self._read_condition(reader, words, at)
             first = len(self.statements)
             if condition is not None:
@@ -277,6 +278,23 @@ class _Reader(
             at = self._goes_to_rest(reader, at) or self._read_clause(reader, words, at)
             if reader.text(at) == ":":
                 self._tidied_before(reader, start)
+
+    def _read_later_frame(self, reader: ClauseReader, at: int) -> int:
+        """Read a room that a later clause begins with: ``leave the hall, but in the kitchen remove the mugs``."""
+        if (
+            at == 0
+            or reader.text(at - 1) not in ("and", "but", "while", ",")
+            or reader.text(at) not in ("in", "upstairs")
+        ):
+            return at
+        places, end = reader.places(at)
+        place = joined_places(places)[0] if places else Place()
+        after = end + (reader.text(end) == ",")
+        told = place.rooms is not None and place == Place(rooms=place.rooms) and not any(p.source for p in places)
+        if not told or verb_at(reader.words, after, self.lexicon) is None:
+            return at
+        reader.frame = place
+        return after
 
     def _tidied_before(self, reader: ClauseReader, start: int) -> None:
         """Let ``tidy the office:`` tell where all of it is that comes after the colon."""
@@ -448,7 +466,8 @@ class _Reader(
         )
         if isinstance(statement, SetState | Remove | Paint | Move) and whole:
             return sparing(statement, spared)
-        self.unknown.append(f"{self.exception} ({statement.quote})")
+        if not self.exception.lower().startswith("not"):  # "not the floor lamp, the table lamp should be on"
+            self.unknown.append(f"{self.exception} ({statement.quote})")
         return statement
 
     def _rename_it(self, statement: Rename, last: Statement | None) -> None:

@@ -43,7 +43,7 @@ class Referring(Progress):
         if missing and present and _is_bare_it(getattr(statement, "things", None), many=True):
             self.unknown.append(statement.quote)  # what was told to be missing is not there
             return statement
-        statement = self._in_each_named(statement)
+        statement = self._switched_off(self._in_each_named(statement))
         told = self._about_topic(self._about_room(self._about_holder(self._put_there(self._cleared(statement)))))
         bare = isinstance(told, Ensure) and _is_bare_it(told.things, many=True)
         counting = bool(self.statements) and counts_those_brought(told, self.statements[-1])
@@ -52,6 +52,15 @@ class Referring(Progress):
                 self.unknown.append(told.quote)  # "a pillow on each, at most two": brought besides, or in all
             return Mention(quote=told.quote)  # "eight is enough" of what nothing tells
         return told
+
+    def _switched_off(self, statement: Statement) -> Statement:
+        """Return ``off with it`` as switching off, where that is what switches."""
+        if not isinstance(statement, Remove) or not statement.quote.lower().startswith("off with"):
+            return statement
+        meant = self.topic if statement.things.refers and self.topic is not None else statement.things
+        if not meant.noun or not self.lexicon.takes_state(tuple(meant.noun.split()), "on"):
+            return statement
+        return SetState(things=statement.things, state="on", value=False, quote=statement.quote)
 
     def _in_each_named(self, statement: Statement) -> Statement:
         """Return ``in each of them`` as in each of the rooms that were named before."""

@@ -26,6 +26,7 @@ from mansion_editing.instructions.sentences.conditions import on_condition, read
 from mansion_editing.instructions.sentences.counting import Counting
 from mansion_editing.instructions.sentences.lacking import end_of_presence, given_where_none_is, lacking_at
 from mansion_editing.instructions.sentences.purposes import end_of_purpose
+from mansion_editing.instructions.sentences.refinement import given_but_to
 from mansion_editing.instructions.sentences.resulting import Resulting
 from mansion_editing.instructions.statements import (
     Add,
@@ -68,6 +69,8 @@ _DISTURBING: Final = frozenset(
 )
 
 
+_BEING_LEFT: Final = frozenset("until there are is only just left remain of them".split())
+"""Words of ``until there are only two of them left``, besides the number."""
 _INTENTS: Final = frozenset("welcome surprise treat greeting memento thank-you present gift joke reward".split())
 """What something is meant as, which no scene records."""
 
@@ -111,6 +114,10 @@ class Tails(Resulting, Counting):
             if meant:
                 self.statements.append(Mention(quote=self._quote(words, end, meant), passed_over=True))
                 end = meant
+                continue
+            until = self._until_so_many_are_left(words, end) or self._so_that_so_many_are_there(words, end)
+            if until:
+                end = until
                 continue
             opened = self._in_state(reader, end)
             if opened:
@@ -179,6 +186,8 @@ class Tails(Resulting, Counting):
         text = reader.text(at)
         if text == "in":
             return self._comes_in(reader, at + 1)
+        if text == "up" and self._ends_at(reader, at + 1):
+            return all(isinstance(s, Add | Ensure) for s in self.clause)  # "hang one up"
         return text in AFTER_CLAUSES and (text != "each" or _is_of_several(self.clause))
 
     def _comes_in(self, reader: ClauseReader, after: int) -> bool:
@@ -302,11 +311,16 @@ class Tails(Resulting, Counting):
 
     def _all_except(self, reader: ClauseReader, at: int) -> int:
         """Read ``, except for the one in the bathroom`` after what is done with all of a kind."""
-        if not self.clause or not all(isinstance(s, SetState | Remove | Paint) for s in self.clause):
-            return 0
-        if reader.text(at + (reader.text(at) == ",")) not in _EXCEPTING:
+        if not self.clause or reader.text(at + (reader.text(at) == ",")) not in _EXCEPTING:
             return 0
         end, spared = reader.exceptions(at)
+        if spared and all(isinstance(s, Add | Ensure) for s in self.clause):
+            given = [given_but_to(s, spared) for s in self.clause if isinstance(s, Add | Ensure)]
+            kept = [s for s in given if s is not None]
+            self.clause = [*kept] if len(kept) == len(given) else self.clause
+            return end if len(kept) == len(given) else 0
+        if not all(isinstance(s, SetState | Remove | Paint) for s in self.clause):
+            return 0
         done = [s for s in self.clause if isinstance(s, SetState | Remove | Paint)]
         if not spared or any(s.things.amount.kind != "all" for s in done):
             return 0
@@ -362,6 +376,45 @@ class Tails(Resulting, Counting):
             goal is not None and (goal.noun == cleared.noun or (goal.refers == "last" and not goal.noun))
             for goal in goals
         )
+
+    def _until_so_many_are_left(self, words: Sequence[Word], at: int) -> int:
+        """Read ``until only two are left`` after things that go or move: all but so many of them do."""
+        end = next_mark(words, at)
+        numbers = [word for word in words[at:end] if word.kind == "number"]
+        said = {word.text for word in words[at:end]} - {word.text for word in numbers}
+        done = [s for s in self.clause if isinstance(s, Remove | Move)]
+        all_of_them = len(done) == len(self.clause) == 1 and done[0].things.plural and done[0].things.definite
+        if text_at(words, at) != "until" or len(numbers) != 1 or not said <= _BEING_LEFT or not all_of_them:
+            return 0
+        if not said & {"left", "remain", "there"} or done[0].things.amount.kind not in ("all", "some"):
+            return 0
+        left = Amount(kind="all_but", number=int(numbers[0].value))
+        things = msgspec.structs.replace(done[0].things, amount=left)
+        quote = done[0].quote + self.text[words[at - 1].end : words[end - 1].end]
+        self.clause = [msgspec.structs.replace(done[0], things=things, quote=quote)]
+        return end
+
+    def _so_that_so_many_are_there(self, words: Sequence[Word], at: int) -> int:
+        """Read ``so that there are three`` after what is brought, which then are three with those there."""
+        start = at + (words[at].text == ",")
+        said = [word.text for word in words[start : start + 5]]
+        there = 1 + (said[1:2] == ["that"])
+        if said[:1] != ["so"] or said[there : there + 2] not in (["there", "are"], ["we", "have"], ["it", "has"]):
+            return 0
+        number = start + there + 2
+        brought = [s for s in self.clause if isinstance(s, Add | Ensure)]
+        if len(brought) != 1 or len(self.clause) != 1 or number >= len(words) or words[number].kind != "number":
+            return 0
+        end = number + 1
+        while text_at(words, end) in ("of", "them", "in", "all", "total", "altogether", "there"):
+            end += 1
+        if not (end >= len(words) or words[end].kind == "mark") or brought[0].each:
+            return 0
+        amount = Amount(kind="exactly", number=int(words[number].value))
+        things = msgspec.structs.replace(brought[0].things, amount=amount)
+        quote = brought[0].quote + self.text[words[at - 1].end : words[end - 1].end]
+        self.clause = [Ensure(things=things, place=brought[0].place, quote=quote)]
+        return end
 
     def _end_of_intent(self, words: Sequence[Word], at: int) -> int:
         """Return the end of ``as a welcome``, ``as a surprise for Ann``; 0 for words that ask for something."""
