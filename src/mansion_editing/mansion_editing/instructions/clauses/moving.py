@@ -86,10 +86,10 @@ class Moving(Shifting):
         of_each = _of_two_rooms(items[0]) if len(items) == 1 else None
         if of_each is not None:
             return [Swap(one=of_each[0], other=of_each[1], quote=quote)], end
-        named = items[0].rooms().words.split(JOINED) if len(items) == 1 and items[0].is_room else []
-        if len(named) == 2:
+        names = items[0].rooms().words.split(JOINED) if len(items) == 1 and items[0].is_room else []
+        if len(names) == 2:
             floors = items[0].rooms().floors
-            pair = [Rooms(words=name, floors=floors) for name in named]
+            pair = [Rooms(words=name, floors=floors) for name in names]
             return [Swap(one=pair[0], other=pair[1], quote=quote)], end
         if len(items) == 2 and items[0].is_room and items[1].is_room:
             return [Swap(one=items[0].rooms(), other=items[1].rooms(), quote=quote)], end

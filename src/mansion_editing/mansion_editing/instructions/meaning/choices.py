@@ -211,9 +211,29 @@ def _counted_out(
     number = max(1, amount.number)
     if number > count:
         raise too_few(things, found)
+    found = _counted_here(state, things, found, number, context)
     if things.definite and not things.refers and number < count and not amount.of:
         raise ambiguous(thing_words(things), [title_of(state, item) for item in found], [i.id for i in found])
     return _any_of(state, found, number)
+
+
+def _counted_here(
+    state: SceneState, things: Things, found: list[SceneObject], number: int, context: Context
+) -> list[SceneObject]:
+    """Return those in the room that was mentioned last, of which so many are taken where words tell no place.
+
+    Raises
+    ------
+    Ambiguous
+        Where no room was mentioned, or that one has too few, and several have such things.
+    """
+    rooms = list(dict.fromkeys(item.room for item in found))
+    if things.place is not None or things.refers or things.owned or things.definite or len(rooms) < 2:
+        return found
+    here = [item for item in found if item.room in context.rooms]
+    if len(here) >= number:
+        return here
+    raise ambiguous(thing_words(things), [f"those in {room_title(state, room)}" for room in rooms], rooms)
 
 
 def _half(things: Things, found: list[SceneObject]) -> int:

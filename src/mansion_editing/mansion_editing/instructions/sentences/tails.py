@@ -9,7 +9,14 @@ from mansion_editing.instructions.clauses.items import NotUnderstood, joined_pla
 from mansion_editing.instructions.clauses.reader import ClauseReader, sparing
 from mansion_editing.instructions.phrases.loads import end_of_load
 from mansion_editing.instructions.phrases.places import read_place, with_place
-from mansion_editing.instructions.phrases.word_sets import AFTER_CLAUSES, BESIDE_RELATIONS, JOINING, PEOPLE
+from mansion_editing.instructions.phrases.word_sets import (
+    AFTER_CLAUSES,
+    BESIDE_RELATIONS,
+    EVENTS,
+    JOINING,
+    PEOPLE,
+    RELATIVES,
+)
 from mansion_editing.instructions.phrases.words import (
     COURTESIES,
     DETERMINERS,
@@ -160,11 +167,19 @@ class Tails(Resulting, Counting):
         stop = reader.boundary(end)
         aside = words[end].text in _BEFORE_ASIDES or self._is_for_some_purpose(words[end:stop])
         aside = aside and not any(w.kind == "number" for w in words[end:stop])
+        aside = aside and not self._is_for_somewhere(words[end:stop])
         if aside and not self._names_anything(words[end:stop]):
             self.statements.append(Mention(quote=self._quote(words, end, stop)))
             return stop, exact
         self.unknown.append(self._quote(words, end, stop))
         return stop, exact
+
+    def _is_for_somewhere(self, words: Sequence[Word]) -> bool:
+        """Whether ``for the lab`` after new things without a place may be their place, of no known name."""
+        new = bool(self.clause) and all(isinstance(s, Add | Ensure) and s.place == Place() for s in self.clause)
+        named = len(words) > 2 and words[0].text == "for" and words[1].text in ("the", "our", "my")
+        somebody = PEOPLE | PERSONS | RELATIVES | EVENTS
+        return new and named and not any(w.text in somebody or w.text.endswith("ing") for w in words[2:])
 
     def _past_whole_building(self, reader: ClauseReader, at: int) -> int:
         """Return the end of ``in the building`` after ``every single one``, which leaves nothing out."""
