@@ -6,6 +6,7 @@ from mansion_editing.instructions.clauses.colours import Colours
 from mansion_editing.instructions.clauses.items import Item, NotUnderstood, joined_places
 from mansion_editing.instructions.clauses.states import States, state_set
 from mansion_editing.instructions.phrases.places import read_place
+from mansion_editing.instructions.phrases.verbs import verb_at
 from mansion_editing.instructions.phrases.word_sets import BACK_IN_PLACE
 from mansion_editing.instructions.phrases.words import STATE_WORDS
 from mansion_editing.instructions.statements import (
@@ -136,7 +137,8 @@ class Adding(States, Colours):
                 break
             places, end = self.places(after)
             place = joined_places(list(places))[0]
-            if self.phrase(end) is not None or (place.anchor is None and place.rooms is None):
+            begins = verb_at(self.words, end, self.lexicon) is not None  # "and in the kitchen remove the mugs"
+            if begins or self.phrase(end) is not None or (place.anchor is None and place.rooms is None):
                 break
             listed = listed or self.text(after - 1) != ","
             out.append(place)

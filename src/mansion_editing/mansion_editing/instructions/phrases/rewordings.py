@@ -44,7 +44,7 @@ _PHRASES: Final[dict[tuple[str, ...], tuple[str, ...]]] = {
     ("raise", "the", "number"): ("increase", "the", "number"),
     ("still", "lack"): ("lack",),
     **{("in", its, "spot"): ("in", "its", "place") for its in ("its", "that", "their")},
-    **{("where", it, was): ("in", "its", "place") for it in ("it", "that") for was in ("was", "stood", "is", "stands")},
+    **{("where", it, was): ("in", "its", "place") for it in ("it", "that") for was in ("was", "stood")},
     ("where", "it", "used", "to", "be"): ("in", "its", "place"),
     ("where", "it", "is", "now"): ("in", "its", "place"),
     ("in", "whichever", "corner", "is", "free"): ("in", "a", "corner"),
