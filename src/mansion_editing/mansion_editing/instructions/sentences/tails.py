@@ -96,83 +96,81 @@ class Tails(Resulting, Counting):
         """
         exact = False
         while end < len(words):
-            comma = words[end].text in (",", "and")
-            rest = tuple(w.text for w in words[end + comma : end + comma + 3])
-            if rest in _EVERY_ONE:
-                end = self._past_whole_building(reader, end + comma + 3)
-                continue
-            if self._denies_number(words, end):
-                end, exact = end + 3, True
-                continue
-            if rest == ("not", "one", "more"):
-                end, exact = end + comma + 3, True
-                continue
-            limit = tuple(w.text for w in words[end + comma : end + comma + 2])
-            if limit[:1] in (("no",), ("not",)) and limit[1:] in (("more",), ("less",), ("fewer",)):
-                end, exact = end + comma + 2, True
-                continue
-            text = words[end].text
-            pair = (text, words[end + 1].text if end + 1 < len(words) else "")
-            counted = self._in_number(reader, end)
-            if counted:
-                end = counted
-                continue
-            meant = self._end_of_intent(words, end)
-            if meant:
-                self.statements.append(Mention(quote=self._quote(words, end, meant), passed_over=True))
-                end = meant
-                continue
-            until = self._until_so_many_are_left(words, end) or self._so_that_so_many_are_there(words, end)
-            if until:
-                end = until
-                continue
-            opened = self._in_state(reader, end)
-            if opened:
-                end = opened
-                continue
-            untouched = self._without_touching(reader, end)
-            if untouched:
-                end = untouched
-                continue
-            told = end_of_presence(reader, end) or self._where_none_is(reader, end) or self._so_each_has_one(words, end)
-            told = told or self._and_nothing_else(words, end) or end_of_purpose(words, end, self.clause)
-            if told:
-                self.statements.append(Mention(quote=self._quote(words, end, told)))
-                end = told
-                continue
-            beside = self._besides(reader, end)
-            if beside:
-                end = beside
-                continue
-            fits = self._if_it_fits(words, end)
-            depends = 0 if fits else self._depends_on(reader, end + (text == ","))
-            if depends:
-                end = depends
-            elif fits:
-                end = fits
-            elif self._takes_its_place(words, end) or [w.text for w in words[end : end + 3]] == ["from", "now", "on"]:
-                end += 3
-            elif pair in (("rather", "than"), ("instead", "of")) and self._contrasted(reader, end + 2):
-                end = self._contrasted(reader, end + 2)
-            elif pair in _PAIRS_AFTER_CLAUSES:
-                end += 2
-            elif text in COURTESIES or self._ends_clause(reader, end):
-                end += 1
-            else:
+            limit = self._end_of_limit(words, end)
+            stop = limit or self._end_of_addition(reader, words, end) or self._end_of_adjunct(reader, words, end)
+            if not stop:
                 break
+            end, exact = stop, exact or bool(limit)
+        return self._end_of_remark(reader, words, end), exact
+
+    def _end_of_limit(self, words: Sequence[Word], at: int) -> int:
+        """Return the end of ``, no more``, ``, not four``, by which a number is meant exactly; 0 for others."""
+        if self._denies_number(words, at):
+            return at + 3
+        start = at + (words[at].text in (",", "and"))
+        said = tuple(word.text for word in words[start : start + 3])
+        if said == ("not", "one", "more"):
+            return start + 3
+        return start + 2 if said[:1] in (("no",), ("not",)) and said[1:2] in (("more",), ("less",), ("fewer",)) else 0
+
+    def _end_of_addition(self, reader: ClauseReader, words: Sequence[Word], at: int) -> int:
+        """Read what tells more of what the clause asks for, or what it is for; return its end, 0 for other words."""
+        start = at + (words[at].text in (",", "and"))
+        if tuple(word.text for word in words[start : start + 3]) in _EVERY_ONE:
+            return self._past_whole_building(reader, start + 3)
+        counted = self._in_number(reader, at)
+        if counted:
+            return counted
+        meant = self._end_of_intent(words, at)
+        if meant:
+            self.statements.append(Mention(quote=self._quote(words, at, meant), passed_over=True))
+            return meant
+        more = (
+            self._until_so_many_are_left(words, at)
+            or self._so_that_so_many_are_there(words, at)
+            or self._in_state(reader, at)
+            or self._without_touching(reader, at)
+        )
+        if more:
+            return more
+        told = end_of_presence(reader, at) or self._where_none_is(reader, at) or self._so_each_has_one(words, at)
+        told = told or self._and_nothing_else(words, at) or end_of_purpose(words, at, self.clause)
+        if told:
+            self.statements.append(Mention(quote=self._quote(words, at, told)))
+        return told or self._besides(reader, at)
+
+    def _end_of_adjunct(self, reader: ClauseReader, words: Sequence[Word], at: int) -> int:
+        """Read a condition, a contrast or a courtesy after a clause; return its end, 0 for other words."""
+        pair = (words[at].text, text_at(words, at + 1))
+        fits = self._if_it_fits(words, at)
+        depends = fits or self._depends_on(reader, at + (words[at].text == ","))
+        if depends:
+            return depends
+        if self._takes_its_place(words, at) or (*pair, text_at(words, at + 2)) == ("from", "now", "on"):
+            return at + 3
+        contrast = self._contrasted(reader, at + 2) if pair in (("rather", "than"), ("instead", "of")) else 0
+        if contrast:
+            return contrast
+        if pair in _PAIRS_AFTER_CLAUSES:
+            return at + 2
+        return at + 1 if words[at].text in COURTESIES or self._ends_clause(reader, at) else 0
+
+    def _end_of_remark(self, reader: ClauseReader, words: Sequence[Word], end: int) -> int:
+        """Return the end of a remark after a clause; what is none and begins no other clause is not understood."""
         if end >= len(words) or words[end].kind == "mark" or words[end].text in JOINING:
-            return end, exact
+            return end
         if end_of_background(words, end) > end or reader.starts_clause(end):
-            return end, exact
+            return end
         stop = reader.boundary(end)
         aside = words[end].text in _BEFORE_ASIDES or self._is_for_some_purpose(words[end:stop])
         aside = aside and not any(w.kind == "number" for w in words[end:stop])
         aside = aside and not self._is_for_somewhere(words[end:stop])
+        quote = self._quote(words, end, stop)
         if aside and not self._names_anything(words[end:stop]):
-            self.statements.append(Mention(quote=self._quote(words, end, stop)))
-            return stop, exact
-        self.unknown.append(self._quote(words, end, stop))
-        return stop, exact
+            self.statements.append(Mention(quote=quote))
+        else:
+            self.unknown.append(quote)
+        return stop
 
     def _is_for_somewhere(self, words: Sequence[Word]) -> bool:
         """Whether ``for the lab`` after new things without a place may be their place, of no known name."""
