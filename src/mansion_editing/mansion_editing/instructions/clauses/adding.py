@@ -35,16 +35,27 @@ class Adding(States, Colours):
         laid = self._laid(at, place)
         if laid is not None:
             return laid
-        if self.text(at) in ("lay", "prepare", "arrange") and place == at + 1:
-            table = self.holder_at(place)
-            if table is not None and table.phrase.definite and self.text(table.end) in (":", "for"):
-                return self._equip(at, place)
+        if self._is_table_laid(at, place):
+            return self._equip(at, place)
         door = self._door_between(at, place)
         if door is not None:
             return door
         place = self._fronted_holder(at, place) or self._fronted(place)
         for_whom = self.text(place) in ("me", "us") and self.text(place + 1) != "to"
         items = self.items(place + for_whom)
+        if items[0].is_room and self.text(items[-1].end) == "with":
+            return self._equip(at, place)
+        return self._brought_otherwise(at, place, items) or self._added_at(at, place, items)
+
+    def _is_table_laid(self, at: int, place: int) -> bool:
+        """Whether ``lay the table for`` begins at a place, which names what is laid and not what is put somewhere."""
+        if self.text(at) not in ("lay", "prepare", "arrange") or place != at + 1:
+            return False
+        table = self.holder_at(place)
+        return table is not None and table.phrase.definite and self.text(table.end) in (":", "for")
+
+    def _brought_otherwise(self, at: int, place: int, items: list[Item]) -> tuple[list[Statement], int] | None:
+        """Read ``put the mug away``, ``put the mug back``, ``put the lamp on``, ``fetch the mug from the desk``."""
         end = items[-1].end
         if self.text(at) == "put" and self.text(end) == "away":
             return self._put_away(items, self.quote(at, end + 1)), end + 1
@@ -58,17 +69,16 @@ class Adding(States, Colours):
         if len(items) == 1 and verb in ("put", "leave") and self.text(end) in ("on", "off"):
             state, value = STATE_WORDS[self.text(end)]
             return [state_set(items[0].things(), state, self.quote(at, end + 1), value=value)], end + 1
-        if items[0].is_room and self.text(end) == "with":
-            return self._equip(at, place)
         source_only = bool(items[0].places) and all(p.source for p in items[0].places)
-        if (
-            len(items) == 1
-            and self.text(at) in ("fetch", "bring", "get", "carry", "take")
-            and items[0].phrase.definite
-            and source_only
-        ):
+        fetched = verb in ("fetch", "bring", "get", "carry", "take") and items[0].phrase.definite and source_only
+        if fetched and len(items) == 1:
             self.topic = items[0].things()
             return [Mention(quote=self.quote(at, end))], end
+        return None
+
+    def _added_at(self, at: int, place: int, items: list[Item]) -> tuple[list[Statement], int]:
+        """Return that things come to their places, with what comes along."""
+        end = items[-1].end
         structure = self._new_core(items, at, end)
         if structure is not None:
             return [structure], end
@@ -78,7 +88,8 @@ class Adding(States, Colours):
         joined, end = self._joined_places(end)
         if any(item.is_room for item in items):
             raise NotUnderstood(place, end)
-        more = self._more_of_them(items[0], self.quote(at, end)) if verb == "add" and len(items) == 1 else None
+        alone = self.text(at) == "add" and len(items) == 1
+        more = self._more_of_them(items[0], self.quote(at, end)) if alone else None
         out = [more or self._added(items, item, self.quote(at, end)) for item in items]
         for extra in further:
             out += [self._elsewhere(statement, extra) for statement in out[: len(items)]]

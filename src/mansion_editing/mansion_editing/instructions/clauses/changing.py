@@ -100,6 +100,30 @@ class Changing(Wishes, Moving, Sizes):
         if item is None:
             raise NotUnderstood(at, self.boundary(at))
         end = item.end
+        resized = self._made_larger(item, at) or self._a_little(item, end, at)
+        if resized is not None:
+            return resized
+        colour = self.colour_at(end)
+        if colour is not None:
+            return self._painted([item], colour[0], colour[1], self.quote(at, colour[2])), colour[2]
+        found = self._predicate(item, end, at)
+        if found is not None:
+            return found
+        it = item.phrase.refers == "last" and not item.phrase.noun.words and not item.phrase.plural
+        kind = self.kind_of_room(end) if it or item.phrase.noun.kind in ("room", "both") else None
+        if kind is not None and not (it and self.lexicon.is_object(tuple(kind[0].split()))):
+            return [Furnish(rooms=item.rooms(), kind=kind[0], quote=self.quote(at, kind[1]))], kind[1]
+        raise NotUnderstood(at, self.boundary(at))
+
+    def _made_larger(self, item: Item, at: int) -> tuple[list[Statement], int] | None:
+        """Read ``10 m2 larger``, ``smaller by 10 m2`` of a room.
+
+        Raises
+        ------
+        NotUnderstood
+            Where it is not told by how much.
+        """
+        end = item.end
         area = self._amount_of_area(end)
         if area is not None:
             value, absolute, stop = area
@@ -117,9 +141,6 @@ class Changing(Wishes, Moving, Sizes):
                     what="area", rooms=rooms, area=value * (sign or 1.0), absolute=absolute or not sign, quote=quote
                 )
             ], stop
-        little = self._a_little(item, end, at)
-        if little is not None:
-            return little
         if self.text(end) in ("larger", "bigger", "smaller", "wider"):
             sign = -1.0 if self.text(end) == "smaller" else 1.0
             area = self._amount_of_area(end + 1)
@@ -128,17 +149,7 @@ class Changing(Wishes, Moving, Sizes):
                 change = Reshape(what="area", rooms=item.rooms(), area=sign * area[0], absolute=area[1], quote=quote)
                 return [change], area[2]
             raise NotUnderstood(at, self.boundary(at))
-        colour = self.colour_at(end)
-        if colour is not None:
-            return self._painted([item], colour[0], colour[1], self.quote(at, colour[2])), colour[2]
-        found = self._predicate(item, end, at)
-        if found is not None:
-            return found
-        it = item.phrase.refers == "last" and not item.phrase.noun.words and not item.phrase.plural
-        kind = self.kind_of_room(end) if it or item.phrase.noun.kind in ("room", "both") else None
-        if kind is not None and not (it and self.lexicon.is_object(tuple(kind[0].split()))):
-            return [Furnish(rooms=item.rooms(), kind=kind[0], quote=self.quote(at, kind[1]))], kind[1]
-        raise NotUnderstood(at, self.boundary(at))
+        return None
 
 
 def _in_number(statement: Statement) -> Statement:

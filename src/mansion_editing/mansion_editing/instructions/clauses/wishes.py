@@ -318,22 +318,10 @@ class Wishes(Subjects, Negations):
             nothing = self._nothing(place)
             if nothing is not None:
                 return nothing
-        if self.text(place) == "to":
-            place += 1
-            if self.text(place) in ("have", "see", "get", "find"):
-                place += 1
-            elif verb_at(self.words, place, self.lexicon) is None and self.item(place + 1) is not None:
-                item = self.item(place + 1)
-                assert item is not None
-                if self.text(item.end) not in (",", "so", "and", "but") or "so" not in (
-                    self.text(item.end),
-                    self.text(item.end + 1),
-                ):
-                    raise NotUnderstood(at, self.boundary(at))
-                self.topic = item.things()
-                return [Mention(quote=self.quote(at, item.end))], item.end
-            else:
-                return self.read(place)
+        if self.text(place) == "to" and self.text(place + 1) in ("have", "see", "get", "find"):
+            place += 2
+        elif self.text(place) == "to":
+            return self._wanted_to_do(at, place + 1)
         if self.text(place) == "you" and self.text(place + 1) == "to":
             return self.read(place + 2)
         if self.text(place) == "you" and verb_at(self.words, place + 1, self.lexicon) is not None:
@@ -354,6 +342,21 @@ class Wishes(Subjects, Negations):
             found = self._predicate(item, item.end, at)
             if found is not None:
                 return found
+        return self._wanted_things(at, place)
+
+    def _wanted_to_do(self, at: int, place: int) -> tuple[list[Statement], int]:
+        """Read what somebody wants to do: a clause, or ``paint the wall, so ...``, which tells what comes next is about."""
+        item = self.item(place + 1) if verb_at(self.words, place, self.lexicon) is None else None
+        if item is None:
+            return self.read(place)
+        following = (self.text(item.end), self.text(item.end + 1))
+        if following[0] not in (",", "so", "and", "but") or "so" not in following:
+            raise NotUnderstood(at, self.boundary(at))
+        self.topic = item.things()
+        return [Mention(quote=self.quote(at, item.end))], item.end
+
+    def _wanted_things(self, at: int, place: int) -> tuple[list[Statement], int]:
+        """Read things that are wanted at their places."""
         items = self.items(place)
         end = items[-1].end
         out: list[Statement] = []
