@@ -232,7 +232,7 @@ def _found_finished(run: _Run, request: WorldRequest) -> bool:
 
 
 def _is_of(record: Record, request: WorldRequest) -> bool:
-    """Whether a record tells of the building that a request asks for; a line of a list may have changed."""
+    """Whether a record is of the building that a request asks for; a line of a list may have changed."""
     row = record.building
     return (row.path, row.id) == (building_path(request.index, request.name), building_id_of(request.request))
 

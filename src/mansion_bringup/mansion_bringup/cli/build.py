@@ -182,7 +182,7 @@ def build(
 ) -> None:
     """Build a furnished building from one sentence, or one from each line of a file.
 
-    The folder appears whole or not at all; an interrupted build goes on where it was when run again. It holds the
+    The folder appears whole or not at all; an interrupted build continues where it stopped when run again. It holds the
     floors, their plans and a picture; maps and models come with --formats, or later from `mansion export`.
 
     Examples:
