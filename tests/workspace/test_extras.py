@@ -107,7 +107,8 @@ def test_a_required_extra_is_never_installed_and_the_error_says_how(
 
 def test_an_unknown_extra_is_refused_with_the_list() -> None:
     with pytest.raises(
-        MansionError, match="cluster, docs, dxf, embeddings, ifc, lint, llm, record, rerun, sim, test, thor, usd"
+        MansionError,
+        match="cluster, convex, docs, dxf, embeddings, ifc, lint, llm, record, rerun, sim, test, thor, usd",
     ):
         ensure_extra("gpu")
 

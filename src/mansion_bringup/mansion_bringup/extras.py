@@ -22,6 +22,7 @@ __all__ = ["EXTRAS", "ensure_extra", "main", "require_extra"]
 
 EXTRAS: Final[dict[str, tuple[str, ...]]] = {
     "cluster": ("distributed",),
+    "convex": ("coacd",),
     "docs": ("material", "mkdocs", "mkdocstrings"),
     "dxf": ("ezdxf",),
     "embeddings": ("sentence_transformers",),

@@ -13,7 +13,7 @@ from mansion_assets.convex import volume_of
 from mansion_assets.joints import DOOR_OPENS, Joint
 from mansion_assets.meshes import Link, links
 from mansion_assets.solids import Vec3
-from mansion_export.building_model import part_surfaces
+from mansion_export.asset_surfaces import part_surfaces
 from mansion_export.collision import Shape, lies_flat, physique_of, piece_shape, shape_scaled
 from mansion_export.door_sides import swing_side
 from mansion_export.model import Mesh, Node, Part, merge_surfaces

