@@ -157,7 +157,7 @@ def _cannot_write(run: _Run, why: str) -> MansionError:
 
 def _stopped(run: _Run, why: str) -> MansionError:
     done = f"{run.next_place - run.missing} of {run.count} buildings are done"
-    return MansionError(ErrorCode.UNAVAILABLE, f"{why}; {done}, run the same command again to continue")
+    return MansionError(ErrorCode.UNAVAILABLE, f"{why}; {done}; run the same command again to continue")
 
 
 def _work(
