@@ -245,7 +245,7 @@ def _report(result: "BuildResult", *, as_json: bool) -> None:
 
 
 def _refuse_beside_a_list(description: str | None, options: Mapping[str, bool]) -> None:
-    beside = ["a brief"] if description is not None else []
+    beside = ["the brief"] if description is not None else []
     beside += [name for name, given in options.items() if given]
     if beside:
         raise MansionError(ErrorCode.INVALID_PAYLOAD, f"--from takes all briefs from its file; leave out {beside[0]}")
