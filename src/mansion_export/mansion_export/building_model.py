@@ -12,10 +12,9 @@ from mansion_export.asset_surfaces import asset_surfaces
 from mansion_export.core_meshes import core_parts
 from mansion_export.exterior import entrance_parts, plot_parts, roof_parts, sign_parts
 from mansion_export.materials import hex_color, named, surface_material
-from mansion_export.model import Material, Model, Node, Part, Surface, assemble
+from mansion_export.model import Material, Model, Node, Part, Surface, assemble, named_by_content
 from mansion_export.opening_meshes import door_parts, window_parts
 from mansion_export.presentation import floor_name, room_title
-from mansion_export.shared_meshes import named_by_content
 from mansion_export.solids import Box, boxes_surface, polygon_surface
 from mansion_export.walls import WallBodies, wall_surfaces
 from mansion_msgs_py.scene import FloorScene, SceneObject, StairDetails

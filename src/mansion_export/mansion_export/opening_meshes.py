@@ -225,7 +225,7 @@ def _garage_slats(width: float, height: float, door: Door) -> list[Surface]:
     Parameters
     ----------
     width, height : float
-        Of the opening inside its frame, metres.
+        Width and height of the opening inside its frame, metres.
     door : Door
         Open or closed; an open one is a roll below the head of the opening.
     """

@@ -84,13 +84,13 @@ def overview_png(
     ----------
     scenes : sequence of FloorScene
     width : int
-        Of the picture, pixels.
+        Width of the picture, pixels.
     site : bool
         With the plot around the building, unless the models are given.
     catalogue : Catalogue, optional
         Where the assets are, when they are not all in the shipped one.
     models : sequence of Model, optional
-        Of the same floors, lowest first, with ceilings, where they are made already.
+        Models of the same floors, lowest first, with ceilings, if they are made already.
 
     Returns
     -------

@@ -56,7 +56,7 @@ class Triangles:
     textures : (n,) array of int
         Numbers of the sets of textures that the colours tint, see `texture_number`; -1 for none.
     coordinates : (n, 3, 2) array
-        Of the corners on these, metres.
+        Place of the corners on the textures, metres.
     """
 
     corners: Floats
@@ -393,7 +393,7 @@ def _shade_pixels(
     depth, index : (height, width) arrays
         Towards the eye, metres; the triangle, -1 for none.
     lighting : (n, 5) array
-        Of each triangle: shade without the sun, the sun's part, a step off the face in the light's axes.
+        For each triangle: shade without the sun, the sun's part, a step off the face in the light's axes.
     colors : (n, 3) array
     laid : ((n, 3, 3), (n, 3, 2), (n,)) arrays
         Corners in the picture, their coordinates on textures, and the numbers of these.

@@ -14,7 +14,7 @@ from statistics import median_high
 from shapely import Polygon
 
 from mansion_bringup.check.fault import Fault
-from mansion_bringup.check.measures import outline_forms, shared_wall
+from mansion_bringup.check.shapes import outline_forms, shared_wall
 from mansion_knowledge.essentials import needs_of
 from mansion_knowledge.furnished_as import furnished_as
 from mansion_knowledge.object_kinds import answers, seats_of_row

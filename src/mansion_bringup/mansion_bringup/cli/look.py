@@ -44,7 +44,7 @@ def look(
     width: Annotated[int, typer.Option(help="Pixels.", min=16, max=4096)] = 640,
     height: Annotated[int, typer.Option(help="Pixels.", min=16, max=4096)] = 480,
     fov: Annotated[float, typer.Option(help="Across, degrees.", min=20.0, max=150.0)] = 90.0,
-    per_page: Annotated[int, typer.Option(help="Landmarks a page.", min=1, max=16)] = 9,
+    per_page: Annotated[int, typer.Option(help="Landmarks per page.", min=1, max=16)] = 9,
     session: Annotated[str, typer.Option("--session", "-s", help="Which robot.")] = "",
     as_json: AsJson = False,
 ) -> None:
