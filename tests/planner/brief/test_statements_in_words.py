@@ -152,6 +152,35 @@ def statements(brief: str) -> list[str]:
             "A supermarket with a cafe. The sales hall must be bigger than everything else, namely 550 m2.",
             ["building: supermarket", "1 cafe", "1 sale hall of 550 m2", "[bigger]", "[else]"],
         ),
+        (
+            "An office of three floors. GF: lobby. 1F + 2F: 8 team offices per floor, each 20 m2, and a kitchenette.",
+            [
+                "building: office",
+                "3 storeys",
+                "1 lobby, ground floor",
+                "8 team offices of 20 m2, each of floors 2 and 3",
+                "1 kitchenette, each of floors 2 and 3",
+            ],
+        ),
+        (
+            "A bookshop: the shop with 20 bookshelves and the till.",
+            ["building: bookshop", "1 shop", "20 bookshelves, no others, in shop", "1 till, in shop"],
+        ),
+        (
+            "A fitness club with a sauna. All on the first floor of a shopping centre.",
+            ["building: fitness club", "1 sauna"],
+        ),
+        (
+            "A hotel: kitchen, restaurant, lobby. The kitchen is adjacent to the restaurant but not to the lobby.",
+            [
+                "building: hotel",
+                "1 kitchen",
+                "1 restaurant",
+                "1 lobby",
+                "kitchen next to restaurant",
+                "kitchen away from lobby",
+            ],
+        ),
         ("A hostel with luggage lockers.", ["building: hostel", "luggage lockers"]),
     ],
 )
