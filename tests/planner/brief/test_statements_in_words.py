@@ -181,6 +181,29 @@ def statements(brief: str) -> list[str]:
                 "kitchen away from lobby",
             ],
         ),
+        (
+            "A house: hall, upstairs three bedrooms; garage attached to the side.",
+            ["building: house", "1 hall", "3 bedrooms, floor 2", "1 garage", "[side]"],
+        ),
+        (
+            "A post office with a lobby and a sorting hall. The public must not get into the sorting hall.",
+            ["building: post office", "1 lobby", "1 sorting hall", "[get]"],
+        ),
+        (
+            "A youth centre: kitchen for cooking classes, office, disco room. The disco must be away from the office.",
+            ["building: youth centre", "1 kitchen", "1 office", "1 disco room", "disco room away from office"],
+        ),
+        ("We are converting a church into a climbing centre.", ["building: climbing centre"]),
+        (
+            "A townhouse: the ground floor is a shop and the two floors above are one apartment with a study.",
+            [
+                "building: townhouse",
+                "1 shop, ground floor",
+                "3 storeys",
+                "1 apartment, floors 2 and 3",
+                "1 study, in each apartment, floors 2 and 3",
+            ],
+        ),
         ("A hostel with luggage lockers.", ["building: hostel", "luggage lockers"]),
     ],
 )
