@@ -1,5 +1,6 @@
 """Find which noun phrase of a brief names the building itself."""
 
+import itertools
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -153,6 +154,8 @@ def _is_told_as_part(candidate: _Candidate) -> bool:
     reading, phrase = candidate.reading, candidate.phrase
     if reading.word(phrase.last) in MADE_INTO and reading.word(phrase.last + 1) in ("into", "to"):
         return True  # "an old mill turned into a home"
+    if reading.word(phrase.last) == "into" and _conversion_before(reading, phrase.first):
+        return True  # "converting a church into a climbing centre"
     if any(_are_told_apart(phrase, other) for other in candidate.phrases):
         return True  # "big studio ... small studio"
     if phrase.building == "office" and _has_owner(reading, phrase):
@@ -163,6 +166,16 @@ def _is_told_as_part(candidate: _Candidate) -> bool:
         return True  # "6 styling stations"
     # "two kitchens, a meat one and a dairy one"
     return reading.word(phrase.last) == "one" and candidate.lead in ("a", "the", "and")
+
+
+def _conversion_before(reading: Reading, index: int) -> bool:
+    """Whether a verb of making one building of another stands within a few words before a token."""
+    near = range(index - 1, max(index - _NEAR_VERB, -1), -1)
+    return any(reading.word(at) in _CONVERTING for at in itertools.takewhile(lambda at: not reading.breaks(at), near))
+
+
+_CONVERTING = frozenset("convert converting turn turning transform transforming remake remaking rebuild".split())
+_NEAR_VERB = 7
 
 
 def _has_storey(candidate: _Candidate) -> bool:
@@ -187,7 +200,7 @@ def _is_placed_part(candidate: _Candidate) -> bool:
         return True
     if candidate.lead in ("in", "inside"):
         return not _holds_what_happens(candidate)
-    return candidate.lead == "into" and is_room
+    return candidate.lead == "into" and is_room and not _conversion_before(candidate.reading, phrase.first)
 
 
 def _holds_what_happens(candidate: _Candidate) -> bool:
