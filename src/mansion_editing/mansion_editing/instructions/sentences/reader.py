@@ -352,47 +352,14 @@ class _Reader(
         recounted = self._recounted(reader, words, at)
         if recounted:
             return recounted
-        last = self.statements[-1] if self.statements else None
-        if isinstance(last, Furnish) and must_contain(reader, at):
-            try:
-                contents, end = reader.contained(at + 2)
-            except NotUnderstood:
-                contents, end = [], at
-            if contents and (end >= len(words) or words[end].kind == "mark"):
-                self._take(contents)
-                return end
-        reader.follows = isinstance(last, Add | Ensure | Move)
+        contained = self._contained(reader, words, at)
+        if contained:
+            return contained
+        reader.follows = bool(self.statements) and isinstance(self.statements[-1], Add | Ensure | Move)
         try:
-            found, end = reader.read(at)
-            affirmed = reader.taken_affirmed()
-            if affirmed is not None and not (self.is_last and reader.skip(end) >= len(words)):
-                reader.topic = msgspec.structs.replace(affirmed, definite=True)
-                found = [Mention(quote=self._quote(words, at, end))]
-            for other in self.frames:
-                first, reader.frame = reader.frame, other
-                found = [*found, *reader.read(at)[0]]
-                reader.frame = first
+            found, end = self._clause_at(reader, words, at)
         except NotUnderstood as fault:
-            stop = max(fault.end, at + 1)
-            if isinstance(fault, TwoReadings):
-                self.undecided = True
-                self.unknown.append(f"which things belong to which part of: {self._quote(words, at, stop)}")
-                return stop
-            more = self._more_of_the_same(reader, words, at)
-            if more is not None:
-                return more
-            told = self._told_of_thing(reader, at)
-            if (told and reader.skip(told) < len(words)) or (told and not self.is_last):
-                self.statements.append(Mention(quote=self._quote(words, at, told)))
-                return told
-            only_told = verb_at(words, at, self.lexicon) is None and is_told(words[at:stop], self._is_named)
-            if only_told or is_background(words[at:stop]) or self._is_label(words, at, stop):
-                rooms = self._take_up_what_is_told(words[at:stop])
-                self.statements.append(Mention(rooms=rooms, quote=self._quote(words, at, stop)))
-            else:
-                start = min(fault.start, at) if fault.start < len(words) else at
-                self.unknown.append(self._quote(words, start, stop))
-            return stop
+            return self._read_otherwise_told(reader, words, at, fault)
         found, end = in_place_of(reader, found, end)
         self._name_ones(reader, found)
         topic, reader.topic = reader.topic, None
@@ -404,9 +371,63 @@ class _Reader(
             self.topic = topic
         self.clause = [of_each_room(statement) for statement in found]
         end, exact = self._read_tail(reader, words, end)
-        found = self.clause
-        self._take([exactly(statement) for statement in found] if exact else found)
+        self._take([exactly(statement) for statement in self.clause] if exact else self.clause)
         return end
+
+    def _contained(self, reader: ClauseReader, words: Sequence[Word], at: int) -> int:
+        """Read ``it must contain a piano`` of a room that was furnished just before; return its end, 0 for others."""
+        last = self.statements[-1] if self.statements else None
+        if not isinstance(last, Furnish) or not must_contain(reader, at):
+            return 0
+        try:
+            contents, end = reader.contained(at + 2)
+        except NotUnderstood:
+            return 0
+        if not contents or not (end >= len(words) or words[end].kind == "mark"):
+            return 0
+        self._take(contents)
+        return end
+
+    def _clause_at(self, reader: ClauseReader, words: Sequence[Word], at: int) -> tuple[list[Statement], int]:
+        """Read a clause in each of the places that its sentence began with; what is only affirmed asks for nothing.
+
+        Raises
+        ------
+        NotUnderstood
+        """
+        found, end = reader.read(at)
+        affirmed = reader.taken_affirmed()
+        if affirmed is not None and not (self.is_last and reader.skip(end) >= len(words)):
+            reader.topic = msgspec.structs.replace(affirmed, definite=True)
+            found = [Mention(quote=self._quote(words, at, end))]
+        for other in self.frames:
+            first, reader.frame = reader.frame, other
+            found = [*found, *reader.read(at)[0]]
+            reader.frame = first
+        return found, end
+
+    def _read_otherwise_told(self, reader: ClauseReader, words: Sequence[Word], at: int, fault: NotUnderstood) -> int:
+        """Read words that make no clause as more of the last one or as what is only told; return their end."""
+        stop = max(fault.end, at + 1)
+        if isinstance(fault, TwoReadings):
+            self.undecided = True
+            self.unknown.append(f"which things belong to which part of: {self._quote(words, at, stop)}")
+            return stop
+        more = self._more_of_the_same(reader, words, at)
+        if more is not None:
+            return more
+        told = self._told_of_thing(reader, at)
+        if (told and reader.skip(told) < len(words)) or (told and not self.is_last):
+            self.statements.append(Mention(quote=self._quote(words, at, told)))
+            return told
+        only_told = verb_at(words, at, self.lexicon) is None and is_told(words[at:stop], self._is_named)
+        if only_told or is_background(words[at:stop]) or self._is_label(words, at, stop):
+            rooms = self._take_up_what_is_told(words[at:stop])
+            self.statements.append(Mention(rooms=rooms, quote=self._quote(words, at, stop)))
+        else:
+            start = min(fault.start, at) if fault.start < len(words) else at
+            self.unknown.append(self._quote(words, start, stop))
+        return stop
 
     def _name_ones(self, reader: ClauseReader, found: Sequence[Statement]) -> None:
         """Let ``a second one`` after a wish mean what was wished for."""
