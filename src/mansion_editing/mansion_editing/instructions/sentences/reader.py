@@ -70,6 +70,7 @@ from mansion_editing.state import SceneState
 __all__ = ["read_instruction"]
 
 
+_MISSING: Final = re.compile(r"\b(too few|short)\b", re.IGNORECASE)
 _TOO_MANY: Final = re.compile(r"\btoo (many|much)\b", re.IGNORECASE)
 
 
@@ -129,6 +130,7 @@ class _Reader(
         self.unknown += self._instead_of_nothing() + self._complained_in_vain()
         if not self.unknown:
             self.unknown = unaccounted(self.text, self.words, self.statements, self.lexicon) or self._asks_in_vain()
+        self.statements += self._told_to_be_missing()
         if not self.unknown and all(isinstance(statement, Mention) for statement in self.statements):
             self.unknown = [self.text.strip()]
         told = msgspec.json.encode(self.statements).decode()
@@ -140,6 +142,16 @@ class _Reader(
         statements = turned_by_list(with_storeys(ordered), self.text)
         statements = sets_as_one(sparing_what_goes(statements), self.lexicon)
         return Instruction(statements=statements, not_understood=self.unknown, ignored=ignored)
+
+    def _told_to_be_missing(self) -> list[Statement]:
+        """Return what is told to be missing somewhere as new there, where nothing else is asked."""
+        topic = self.topic
+        told = bool(self.statements) and all(isinstance(statement, Mention) for statement in self.statements)
+        missing = topic is not None and topic.amount.kind == "more" and topic.place is not None
+        if topic is None or topic.place is None or not (told and missing) or not _MISSING.search(self.text):
+            return []
+        things = msgspec.structs.replace(topic, place=None)
+        return [Add(things=things, place=topic.place, quote=self.statements[-1].quote)]
 
     def _introduces(self, statement: Statement, later: Sequence[Statement]) -> bool:
         """Whether things of a general name are told one by one later: ``something to eat with: two forks``."""

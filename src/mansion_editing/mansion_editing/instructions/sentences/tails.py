@@ -151,6 +151,10 @@ class Tails(Resulting, Counting):
         contrast = self._contrasted(reader, at + 2) if pair in (("rather", "than"), ("instead", "of")) else 0
         if contrast:
             return contrast
+        rather = pair[0] == "than" and "rather" in {word.text for word in words[:at]}
+        other = self._contrasted(reader, at + 1) if rather else 0
+        if other:
+            return other
         if pair in _PAIRS_AFTER_CLAUSES:
             return at + 2
         return at + 1 if words[at].text in COURTESIES or self._ends_clause(reader, at) else 0
@@ -190,7 +194,8 @@ class Tails(Resulting, Counting):
             return False
         number = words[at + 2]
         ends = at + 3 >= len(words) or words[at + 3].kind == "mark"
-        counted = [s.things.amount for s in self.clause if isinstance(s, Ensure) and s.things.amount.kind == "some"]
+        brought = [s for s in self.clause if isinstance(s, Add | Ensure)]
+        counted = [s.things.amount for s in brought if s.things.amount.kind == "some"]
         other = len(counted) == len(self.clause) == 1 and counted[0].number not in (0, number.value)
         return number.kind == "number" and ends and other
 
@@ -199,6 +204,8 @@ class Tails(Resulting, Counting):
         text = reader.text(at)
         if text == "in":
             return self._comes_in(reader, at + 1)
+        if text in ("around", "round", "over") and self._ends_at(reader, at + 1):
+            return bool(self.clause) and all(isinstance(s, Swap) for s in self.clause)
         if text == "up" and self._ends_at(reader, at + 1):
             return all(isinstance(s, Add | Ensure) for s in self.clause)  # "hang one up"
         return text in AFTER_CLAUSES and (text != "each" or _is_of_several(self.clause))
