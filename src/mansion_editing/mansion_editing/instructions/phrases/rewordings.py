@@ -49,6 +49,7 @@ _PHRASES: Final[dict[tuple[str, ...], tuple[str, ...]]] = {
     ("where", "it", "is", "now"): ("in", "its", "place"),
     ("in", "whichever", "corner", "is", "free"): ("in", "a", "corner"),
     ("still", "need"): ("need",),
+    **{("and", "in", said): ("and",) for said in ("return", "exchange")},
     ("apart", "of"): ("apart", "from"),
     ("except", "of"): ("except", "for"),
     ("with", "the", "exception", "of"): ("except", "for"),
@@ -141,7 +142,8 @@ _ADVERBIALS: Final = frozenset(
         "as agreed|as discussed|as promised|as mentioned|as said|as i said|by the way|if you ask me|in my opinion|"
         "for a change|once and for all|for good|just in case|for sure|for safety|i think|i guess|i suppose|i believe|"
         "as far as i know|with immediate effect|effective immediately|first of all|last but not least|ideally|"
-        "or something similar|or something like that|or the like|or similar|"
+        "or something similar|or something like that|or the like|"
+        "or similar|"
         "preferably|if at all possible|while we are at it|where possible|if that is ok|if that is okay|"
         "if that is possible|if it is not too much trouble|if you get the time"
     ).split("|")
@@ -241,7 +243,13 @@ def _is_taken_from(words: Sequence[Word], at: int) -> bool:
 def _as_many_as_missing(words: Sequence[Word], at: int) -> int:
     """Return how many words ``add as many as are missing so there are`` is before the number that there shall be."""
     said = [word.text for word in words[at : at + 14]]
-    if said[:1] not in (["add"], ["bring"], ["put"]) or said[1:4] != ["as", "many", "as"]:
+    verb = 2 if said[:2] in (["take", "away"], ["take", "out"]) else 1
+    if said[0] not in ("add", "bring", "put", "remove", "take") or said[verb : verb + 3] != ["as", "many", "as"]:
+        return 0
+    left = next((k for k in range(verb + 3, len(said) - 1) if said[k : k + 2] == ["left", "with"]), 0)
+    if left and "needed" in said[:left] and at + left + 2 < len(words) and words[at + left + 2].kind == "number":
+        return left + 2
+    if verb > 1:
         return 0
     end = 4 + (said[4:5] in (["are"], ["is"]))
     if said[end : end + 1] not in (["missing"], ["needed"], ["necessary"], ["required"], ["needs"], ["need"]):

@@ -17,7 +17,7 @@ _VERBS: Final[dict[Deed, str]] = {
            "add|put|place|lay|install|position|supply|provide|insert|drop|stick|deposit|park|stand|hang|mount|spawn|"
            "create|include|store|hide|serve|spread|fix|arrange|distribute|rest|shelve|line up|set up|"
            "set out|lay out|squeeze|tuck|fit|attach|introduce|order|buy|build in|throw in|lean|display|plug in|"
-           "assemble|bring in|"
+           "assemble|bring in|pop|"
            "scatter|drape|put up|put down|put out|add in|put in|put back|place back|set down|put on|dock|situate|"
            "generate|organise|organize|prepare|decorate|procure|leave behind|slot|slide in|nest|sit|"
            "lay down|rack|file|organize|stow|stash",

@@ -364,9 +364,9 @@ class _Reader(
         recounted = self._recounted(reader, words, at)
         if recounted:
             return recounted
-        contained = self._contained(reader, words, at)
-        if contained:
-            return contained
+        stop = self._contained(reader, words, at) or self._forgotten(reader, words, at)
+        if stop:
+            return stop
         reader.follows = bool(self.statements) and isinstance(self.statements[-1], Add | Ensure | Move)
         try:
             found, end = self._clause_at(reader, words, at)
@@ -385,6 +385,26 @@ class _Reader(
         end, exact = self._read_tail(reader, words, end)
         self._take([exactly(statement) for statement in self.clause] if exact else self.clause)
         return end
+
+    def _forgotten(self, reader: ClauseReader, words: Sequence[Word], at: int) -> int:
+        """Read ``actually, forget the bowl``, which takes back what was asked for before; return its end, else 0."""
+        while reader.text(at) in ("actually", ",", "no", "wait"):
+            at += 1
+        item = reader.item(at + 1 + (reader.text(at + 1) == "about")) if reader.text(at) == "forget" else None
+        if item is None or not item.phrase.definite or item.is_room or reader.skip(item.end) < len(words):
+            return 0
+        noun = " ".join(item.phrase.noun.words)
+        asked = [s for s in self.statements if isinstance(s, Add | Ensure | Move) and s.things.noun == noun]
+        if len(asked) != 1 or not noun:
+            return 0
+        whole = asked[0].quote
+        kept = re.sub(r"[,\s]*(and)?\s*(an?|the|\d+|\w+)?\s*$", "", whole[: whole.lower().rfind(noun.split()[-1])])
+        if any(s.quote == whole and isinstance(s, Mention) for s in self.statements) or not kept:
+            return 0
+        left = [s for s in self.statements if s is not asked[0]]
+        self.statements[:] = [msgspec.structs.replace(s, quote=kept) if s.quote == whole else s for s in left]
+        self.statements.append(Mention(quote=self._quote(words, at, item.end)))
+        return item.end
 
     def _contained(self, reader: ClauseReader, words: Sequence[Word], at: int) -> int:
         """Read ``it must contain a piano`` of a room that was furnished just before; return its end, 0 for others."""

@@ -53,6 +53,7 @@ from mansion_editing.instructions.statements import (
     Statement,
     Swap,
     Things,
+    Turn,
 )
 
 __all__ = ["Tails"]
@@ -126,7 +127,9 @@ class Tails(Resulting, Counting):
             self.statements.append(Mention(quote=self._quote(words, at, meant), passed_over=True))
             return meant
         more = (
-            self._until_so_many_are_left(words, at)
+            self._turned_around(words, at)
+            or self._listed_rooms(reader, words, at)
+            or self._until_so_many_are_left(words, at)
             or self._so_that_so_many_are_there(words, at)
             or self._in_state(reader, at)
             or self._without_touching(reader, at)
@@ -412,6 +415,37 @@ class Tails(Resulting, Counting):
         things = msgspec.structs.replace(done[0].things, amount=left)
         quote = done[0].quote + self.text[words[at - 1].end : words[end - 1].end]
         self.clause = [msgspec.structs.replace(done[0], things=things, quote=quote)]
+        return end
+
+    def _turned_around(self, words: Sequence[Word], at: int) -> int:
+        """Return the end of ``so it faces the other way`` after a half turn; 0 for other words."""
+        start = at + (words[at].text == ",")
+        said = [word.text for word in words[start : start + 7]]
+        it = 1 + (said[1:2] == ["that"])
+        faces = said[:1] == ["so"] and said[it : it + 1] in (["it"], ["they"]) and said[it + 1 : it + 2] == ["face"]
+        half = bool(self.clause) and all(isinstance(s, Turn) and s.degrees == 180.0 for s in self.clause)
+        return start + it + 5 if faces and half and said[it + 2 : it + 5] == ["the", "other", "way"] else 0
+
+    def _listed_rooms(self, reader: ClauseReader, words: Sequence[Word], at: int) -> int:
+        """Read ``: the study, the office and the hall`` after all rooms of a kind, which are named once more."""
+        given = [s.place.rooms for s in self.clause if isinstance(s, Add | Ensure)]
+        every = bool(given) and all(rooms is not None and rooms.every and not rooms.number for rooms in given)
+        if words[at].text != ":" or not every or len(given) < len(self.clause):
+            return 0
+        end, named = at + 1, 0
+        while (
+            (item := reader.item(end)) is not None
+            and item.phrase.definite
+            and reader.lexicon.is_own_room(item.phrase.noun.words)
+        ):
+            named, end = named + 1, item.end
+            after = reader.conjunction(end)
+            if not after:
+                break
+            end = after
+        if named < 2 or not self._ends_at(reader, end):
+            return 0
+        self.statements.append(Mention(quote=self._quote(words, at + 1, end)))
         return end
 
     def _so_that_so_many_are_there(self, words: Sequence[Word], at: int) -> int:
