@@ -112,7 +112,7 @@ _SHALLOW = 0.7
 """Depth of what lines walls in any number, metres."""
 
 _AISLES = (0.6, 0.9)
-"""Between the columns and the rows of what is asked for in such numbers, metres."""
+"""Distance between the columns and rows of objects that are requested in such numbers, metres."""
 
 _LOOSE = MatrixShape(max_rows=99, max_cols=99, gap=(0.05, 0.6))
 
@@ -123,7 +123,7 @@ _CROWDED = 0.8
 """Share of the floor that objects asked for cover at the very most."""
 
 _ASKED_SHARE = 0.3
-"""Share of the floor up to which the assets for what is asked for are chosen freely."""
+"""Share of the floor up to which the assets of requested objects are chosen freely."""
 
 
 def furnish_request(
