@@ -15,6 +15,8 @@ from mansion_knowledge.furnished_as import furnished_as
         ("workshop", "car_dealership", "repair workshop", "car_workshop"),
         ("vip_room", "restaurant", "Private dining room", "private_dining_room"),
         ("vip_room", "casino", "vip room", "vip_room"),
+        ("prayer_hall", "church", "", "chapel"),
+        ("prayer_hall", "mosque", "", "prayer_hall"),
         ("bedroom", "", "", "bedroom"),
     ],
 )
