@@ -241,6 +241,10 @@ def statements(brief: str) -> list[str]:
             ],
         ),
         ("A museum of natural history with a shop.", ["building: museum", "[natural history]", "1 shop"]),
+        (
+            "A laboratory with four labs. Each lab gets two fume hoods and an eye wash.",
+            ["building: laboratory", "4 labs", "2 fume hoods, no others, in each lab", "[eye wash]"],
+        ),
         ("A hostel with luggage lockers.", ["building: hostel", "luggage lockers"]),
     ],
 )
