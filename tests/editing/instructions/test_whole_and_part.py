@@ -133,3 +133,24 @@ def test_a_later_clause_has_a_place_of_its_own(furnished_state: SceneState) -> N
 )
 def test_words_that_no_statement_has_are_named(furnished_state: SceneState, text: str) -> None:
     assert read_instruction(text, furnished_state).not_understood
+
+
+@pytest.mark.parametrize(
+    "text", ["There is one chair too few in the hall, please add it.", "We are one chair short in the hall."]
+)
+def test_what_is_missing_comes(furnished_state: SceneState, text: str) -> None:
+    (new,) = _asked(text, furnished_state)
+    assert isinstance(new, Add) and new.place == Place(rooms=Rooms(words="hall")) and new.things.amount.kind == "more"
+
+
+@pytest.mark.parametrize(
+    "text", ["Four chairs for the hall, not five.", "The hall needs four chairs, there are only three."]
+)
+def test_a_number_told_apart_from_that_which_is_there_is_one_in_all(furnished_state: SceneState, text: str) -> None:
+    (chairs,) = _asked(text, furnished_state)
+    assert isinstance(chairs, Ensure) and chairs.things.amount.number == 4
+
+
+def test_none_of_the_rooms_has_what_each_is_given(furnished_state: SceneState) -> None:
+    (new,) = _asked("Neither office has a clock, hang one in each of them.", furnished_state)
+    assert isinstance(new, Add) and new.place.rooms is not None and new.place.rooms.every

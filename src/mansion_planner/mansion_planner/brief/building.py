@@ -42,14 +42,20 @@ def building_phrase(reading: Reading, phrases: list[Phrase], places: list[Place]
 
     "A four-storey office with a cafeteria" is an office; "a gym on the third floor" leaves the type open.
     """
-    best: tuple[float, int] | None = None
-    for number, phrase in enumerate(phrases):
-        if not phrase.building:
-            continue
-        score = _score(_Candidate(reading, phrases, places, phrase, number))
-        if score > 0 and (best is None or score > best[0]):
-            best = (score, number)
-    return best[1] if best is not None else None
+    candidates = [
+        _Candidate(reading, phrases, places, phrase, number) for number, phrase in enumerate(phrases) if phrase.building
+    ]
+    scores = [_score(candidate) for candidate in candidates]
+    if any(score > 0 for score in scores):
+        return candidates[scores.index(max(scores))].number
+    return next((candidate.number for candidate in candidates if _is_dwelt_in(candidate)), None)
+
+
+def _is_dwelt_in(candidate: "_Candidate") -> bool:
+    """Whether the phrase is where a brief's first sentence says somebody lives or works: "we live in a townhouse"."""
+    indefinite = candidate.phrase.determiner in ("a", "an", "our", "my")
+    dwelt = candidate.lead in ("in", "inside") and candidate.before[-2:-1] and candidate.before[-2] in _DWELLING
+    return candidate.sentence == 0 and indefinite and bool(dwelt) and not (candidate.phrase.plural or candidate.placed)
 
 
 def own_building_name(reading: Reading, phrase: Phrase) -> str:

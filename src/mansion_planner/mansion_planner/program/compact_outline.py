@@ -1,4 +1,4 @@
-"""Outlines of homes that are too small for wings along a corridor: an L of two short arms that the rooms share freely."""
+"""Outlines of homes that are too small for wings: an L of two short arms that the rooms share freely."""
 
 from dataclasses import replace
 

@@ -82,7 +82,8 @@ class Adding(States, Colours):
         structure = self._new_core(items, at, end)
         if structure is not None:
             return [structure], end
-        if any(w.text in ("or", "either") for w in self.words[place:end]):
+        chosen = (k for k in range(place, end) if self.text(k) in ("or", "either"))
+        if any(self.text(k + 1) != "side" for k in chosen):
             raise NotUnderstood(place, end)
         items, further = self._places_after_places(items)
         joined, end = self._joined_places(end)
@@ -259,6 +260,10 @@ class Adding(States, Colours):
         where = self.item(place)
         if where is None:
             raise NotUnderstood(at, self.boundary(at))
+        article = where.end + (self.text(where.end) in ("a", "the"))
+        tint = self.colour_at(article)
+        if tint is not None and self.text(tint[2] - 1) in ("colour", "color"):
+            return self._painted([where], tint[0], tint[1], self.quote(at, tint[2])), tint[2]
         items = self.items(where.end)
         end = items[-1].end
         each = where.phrase.each or where.phrase.amount.kind == "all"

@@ -164,7 +164,7 @@ class Moving(Shifting):
         """Read ``X with Y``: an exchange of places where both are there, else something new for something old."""
         before = self.until(joint)
         old = before.items(place)
-        self.last_noun = old[-1].phrase.noun
+        self.last_noun = old[-1].phrase.noun if old[-1].phrase.noun.words else self.last_noun
         new = self._new_ones(joint + 1)
         end = new[-1].end
         quote = self.quote(at, end)

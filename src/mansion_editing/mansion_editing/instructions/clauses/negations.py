@@ -9,7 +9,17 @@ from mansion_editing.instructions.phrases.verb_words import Deed
 from mansion_editing.instructions.phrases.verbs import verb_at
 from mansion_editing.instructions.phrases.word_sets import AFTER_NEGATED, DISTURBING
 from mansion_editing.instructions.phrases.words import STATE_WORDS
-from mansion_editing.instructions.statements import Amount, Ensure, Forbid, Keep, Place, Remove, Statement, Things
+from mansion_editing.instructions.statements import (
+    Amount,
+    Ensure,
+    Forbid,
+    Keep,
+    Mention,
+    Place,
+    Remove,
+    Statement,
+    Things,
+)
 
 __all__ = ["Negations"]
 
@@ -33,6 +43,9 @@ class Negations(States):
         if self.text(place) in ("forget", "hesitate") and self.text(place + 1) in ("to", "about"):
             return self.read(place + 2)
         verb = verb_at(self.words, place, self.lexicon)
+        if self.text(place) in DISTURBING and self.text(place + 1) in ("anything", "any"):
+            end = self.places(place + 2 + (self.text(place + 2) in ("else", "other")))[1]
+            return [Mention(quote=self.quote(at, end))], end
         if self.text(place) in DISTURBING:
             items = self.items(place + 1 + (self.text(place + 1) == "with"))
             end = items[-1].end
@@ -54,6 +67,10 @@ class Negations(States):
             return self._not_left(at, place)
         if deed == "switch":
             place += self.text(place) in ("on", "off")
+        read = read_place(self.words, place + 1, self.lexicon, self.floors)
+        if deed in ("add", "bring") and self.text(place) in ("any", "more") and read is not None:
+            quote = self.quote(at, read.end)  # "don't add any on the ground floor"
+            return [Forbid(things=Things(refers="last"), place=read.place, quote=quote)], read.end
         items = self.items(place)
         end = items[-1].end
         while self.text(end) in AFTER_NEGATED:

@@ -199,6 +199,15 @@ class Outcomes(Sentence):
             return Move(things=self._all_if_plural(things) if known else things, place=goal, quote=quote)
         return Add(things=item.phrase.things(), place=place, each=each, quote=quote)
 
+    def _around_it(self, item: Item, place: Place) -> Place:
+        """Return where furniture is ``from`` other furniture that it does not stand on: the chairs of a table."""
+        holder = () if place.anchor is None else tuple(place.anchor.noun.split())
+        stands = bool(holder) and self.lexicon.stands(holder) and self.lexicon.stands(item.phrase.noun.words)
+        seats = item.phrase.noun.words[-1:] in (("chair",), ("stool",), ("seat",), ("armchair",))
+        one = place.anchor is not None and not place.anchor.plural and place.anchor.amount.number <= 1
+        around = stands and seats and one and place.anchor is not None and not place.anchor.each and not place.relation
+        return msgspec.structs.replace(place, relation="around") if around else place
+
     def _may_be_on(self, item: Item, holder: tuple[str, ...]) -> bool:
         """Whether a general word for one thing has kinds that lie on furniture such as this: a plant for each desk."""
         noun = item.phrase.noun.words
@@ -211,6 +220,7 @@ class Outcomes(Sentence):
         others = (places_besides(item, other) for other in (*items[at:], *reversed(items[:at])))
         own = item.places or next((places for places in others if places), ())
         place, _ = self._framed(joined_places([*own, *more]))
+        place = self._around_it(item, place)
         things = self._in_each_room(item.phrase)
         number = next((b.amount.number for b in besides if b.refers == "last" and b.amount.number), 0)
         bare_all = things.refers == "last" and not things.noun and self.text(item.phrase.start) == "all"

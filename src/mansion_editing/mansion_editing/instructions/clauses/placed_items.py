@@ -111,12 +111,12 @@ class PlacedItems(Spans):
         nearer = read is not None and read.place.anchor is not None and place.anchor is None and place.rooms is not None
         nearer = nearer or (read is not None and self._beside_what_it_carries(found, read) is not None)
         following = "" if read is None else self.text(read.end)
-        if read is not None and nearer and following in ("", ",", ".", "please", "that", "which"):
+        if read is not None and nearer and following in ("", ",", ".", "please", "that", "which", "if"):
             return read
         apart = read is not None and (
             read.place.facing is not None or read.place.within > 0 or (bool(read.place.spot) and not place.spot)
         )
-        if read is not None and apart and (read.end >= len(self.words) or self.text(read.end) in (",", ".", "please")):
+        if read is not None and apart and following in ("", ",", ".", "please", "if"):
             return read
         if read is None or read.place.rooms is None or read.place.anchor is not None:
             return None

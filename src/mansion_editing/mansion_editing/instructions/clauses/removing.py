@@ -72,6 +72,9 @@ class Removing(Moving):
             item.places and item.places[-1].start and self.words[item.places[-1].start].text == "of"
         ):
             return self._cleared_of(at, item)
+        wholly = self.text(end) in ("completely", "totally", "entirely")
+        if wholly and self.text(at) in ("empty", "clear") and all(each.is_room for each in items):
+            return self._cleared_out(at, items, end + 1)
         while self.text(end) in ("up", "out", "off", "completely", "totally", "entirely"):
             end += 1
         end, spare = self.exceptions(end)

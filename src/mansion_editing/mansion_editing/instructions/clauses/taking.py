@@ -1,5 +1,6 @@
 """Things that are taken or looked for, for what comes next."""
 
+from abc import abstractmethod
 from collections.abc import Sequence
 from typing import Final
 
@@ -22,6 +23,10 @@ _BEFORE_HOLDERS: Final = frozenset("on onto in into inside off from under beneat
 
 class Taking(Adding, Removing):
     """Reads ``take`` and ``find``."""
+
+    @abstractmethod
+    def _predicate(self, item: Item, end: int, at: int, *, denied: bool = False) -> tuple[list[Statement], int] | None:
+        """Read what is said of a subject."""
 
     def _take(self, at: int, place: int) -> tuple[list[Statement], int]:
         """Read ``take the mug to the kitchen``, ``take the mug off the desk``, and ``take the mug and put it ...``."""
@@ -60,6 +65,8 @@ class Taking(Adding, Removing):
             items = self.items(place)
             places = items[-1].places
             stated = self._states_after(items, items[-1].end, at) if self._are_known(items) else None
+            if stated is None and len(items) == 1 and self._participle(items[0].end) is not None:
+                stated = self._predicate(items[0], items[0].end, at)  # "get the storage room emptied"
             if stated is not None:
                 return stated
             leaving = self._leaves(places) and self.text(places[0].start) in ("off", "out")

@@ -24,7 +24,33 @@ class TooMany(Outcomes):
 
     def _too_many(self, at: int) -> tuple[list[Statement], int] | None:
         """Read a clause by which there are too many of a kind somewhere, of which the next clause leaves a number."""
-        return self._so_many_too_many(at) or self._has_too_many(at) or self._not_so_many(at) or self._are_too_many(at)
+        return (
+            self._too_few(at)
+            or self._so_many_too_many(at)
+            or self._has_too_many(at)
+            or self._not_so_many(at)
+            or self._are_too_many(at)
+        )
+
+    def _too_few(self, at: int) -> tuple[list[Statement], int] | None:
+        """Read ``there is one chair too few in the hall``, ``we are two chairs short``: so many are missing."""
+        contracted = at < len(self.words) and self.words[at].raw in ("there's", "theres", "we're")
+        start = at + 1 + (self.text(at + 1) in ("is", "are"))
+        if self.text(at) not in ("there", "we") or not (contracted or start == at + 2):
+            return None
+        item = self.item(start, places=False)
+        if item is None or item.is_room or item.phrase.amount.kind != "some" or not item.phrase.amount.number:
+            return None
+        few = (self.text(item.end), self.text(item.end + 1)) == ("too", "few") and self.text(at) == "there"
+        short = self.text(item.end) == "short" and self.text(at) == "we"
+        if not (few or short):
+            return None
+        place, end = self._where(item, item.end + 1 + few)
+        if place == Place():
+            return None
+        missing = Amount(kind="more", number=item.phrase.amount.number)
+        self.topic = msgspec.structs.replace(item.phrase.things(), amount=missing, definite=False, place=place)
+        return [Mention(quote=self.quote(at, end))], end
 
     def _are_too_many(self, at: int) -> tuple[list[Statement], int] | None:
         """Read ``six easels are too much for the art room``."""

@@ -41,6 +41,8 @@ class Lacks(Predicates):
         several = len(lacking) > 1 or lacking[0].phrase.noun.kind != "object" or lacking[0].places
         if where is None or several:
             raise NotUnderstood(at, end)
+        if where.rooms is not None and (denied or subjects[0].phrase.amount.kind == "none"):
+            where = msgspec.structs.replace(where, rooms=msgspec.structs.replace(where.rooms, every=True))
         end = self._past_adverbs(end)
         things = lacking[0].phrase.things()
         self.topic = msgspec.structs.replace(things, amount=Amount(kind="more"), place=where)

@@ -29,10 +29,11 @@ from mansion_editing.instructions.phrases.word_sets import (
     WISHES,
 )
 from mansion_editing.instructions.phrases.words import BE, MODALS
-from mansion_editing.instructions.statements import Amount, Mention, Place, Statement, Things
+from mansion_editing.instructions.statements import Amount, Forbid, Mention, Place, Statement, Things
 
 __all__ = ["Wishes"]
 
+_ALL: Final = Amount(kind="all", number=0)
 _DISUSED: Final = frozenset("like use play watch read wear".split())
 """Verbs of what somebody does not do with a thing, which the next clause is about."""
 
@@ -303,6 +304,10 @@ class Wishes(Subjects, Negations):
         while self.text(end) in ANY_LONGER:
             end += 1
         quote = self.quote(at, end)
+        if {"new", "more", "further", "additional", "another", "extra"} & {w.text for w in self.words[place:end]}:
+            goals = [self._framed(self._shared_goal(items, item))[0] for item in items]
+            things = [msgspec.structs.replace(item.phrase.things(), amount=_ALL) for item in items]
+            return [Forbid(things=one, place=goal, quote=quote) for one, goal in zip(things, goals, strict=True)], end
         return [self._removed(items, item, (), (), quote) for item in items if not item.is_room], end
 
     def _wanted(self, at: int, place: int) -> tuple[list[Statement], int]:
@@ -345,7 +350,7 @@ class Wishes(Subjects, Negations):
         return self._wanted_things(at, place)
 
     def _wanted_to_do(self, at: int, place: int) -> tuple[list[Statement], int]:
-        """Read what somebody wants to do: a clause, or ``paint the wall, so ...``, which tells what comes next is about."""
+        """Read what somebody wants to do: a clause, or ``some work on the desk, so ...``, which tells of it."""
         item = self.item(place + 1) if verb_at(self.words, place, self.lexicon) is None else None
         if item is None:
             return self.read(place)

@@ -31,6 +31,7 @@ _COUNTED: Final = frozenset("a an another some two three four five six".split())
 _ASKING: Final = frozenset("i we put place add please there hang stand set lay".split())
 """Words that a request after ``instead of the table`` begins with."""
 _TURNING: Final = frozenset("move turn shift push pull place put rotate arrange position swivel set".split())
+_BRINGING: Final = frozenset("add put place set stand install".split())
 _ANYBODY: Final = frozenset("nobody i we you people everybody everyone".split())
 _SELDOM: Final = frozenset("really never ever do does did not no longer".split())
 _LONGER: Final = frozenset("any anymore more much at all longer".split())
@@ -64,6 +65,12 @@ def _said(words: Sequence[Word], at: int, count: int) -> tuple[str, ...]:
 def _starts(words: Sequence[Word]) -> list[int]:
     """Return where clauses of a sentence may begin."""
     return [at for at, word in enumerate(words) if word.kind != "mark" and (not at or words[at - 1].kind == "mark")]
+
+
+def _over(phrase: Sequence[Word], words: Sequence[Word]) -> list[Word]:
+    """Return words that were put in another order, which all stand where the phrase does, so that it is quoted."""
+    start, end = phrase[0].start, phrase[-1].end
+    return [replace(word, start=start, end=end) for word in words]
 
 
 def _new(texts: Sequence[str], like: Word) -> list[Word]:
@@ -131,7 +138,8 @@ def _without_missing(words: list[Word]) -> list[Word]:
         if copula and text_at(words, copula + 1) in _COUNTED:
             where = words[missing + 1 : copula]
             there = _new(("there", "should", "be"), words[at])
-            return [*words[:at], *there, *words[copula + 1 : stop], *where, *words[stop:]]
+            moved = [*there, *words[copula + 1 : stop], *where]
+            return [*words[:at], *_over(words[at:stop], moved), *words[stop:]]
     return words
 
 
@@ -150,7 +158,8 @@ def _without_only_thing(words: list[Word]) -> list[Word]:
         if all_that and text_at(words, modal) in MODALS and text_at(words, modal + 1) in BE | {"lie", "stand"}:
             only = _new(("the", "only", "thing"), words[at])
             should = _new((text_at(words, modal), "be"), words[modal])
-            return [*words[:at], *only, *words[modal + 2 : stop], *should, *words[at:all_that], *words[stop:]]
+            moved = [*only, *words[modal + 2 : stop], *should, *words[at:all_that]]
+            return [*words[:at], *_over(words[at:stop], moved), *words[stop:]]
     return words
 
 
@@ -254,7 +263,7 @@ def _replaced_last(words: list[Word]) -> list[Word]:
             continue
         old = words[at + length : begin - (text_at(words, begin - 1) == ",")]
         instead = _new(("instead", "of"), words[end - 1])
-        return [*words[:at], *words[begin:end], *instead, *old, *words[end:]]
+        return [*words[:at], *_over(words[at:end], [*words[begin:end], *instead, *old]), *words[end:]]
     return words
 
 
@@ -309,6 +318,32 @@ def _resulting(words: list[Word]) -> list[Word]:
     return words
 
 
+def _each_last(words: list[Word]) -> list[Word]:
+    """Return ``add a table next to each of the armchairs`` for ``for each of the armchairs add a table next to it``."""
+    for at in _starts(words):
+        each = text_at(words, at + 1) in ("each", "every")
+        stop = next_mark(words, at)
+        verb = next((k for k in range(at + 3, stop) if (words[k].text,) in BY_WORDS and words[k].text in _BRINGING), 0)
+        it = next((k for k in range(verb + 2, stop) if words[k].text == "it"), 0)
+        if text_at(words, at) != "for" or not each or not verb or it != stop - 1:
+            continue
+        end = verb - (text_at(words, verb - 1) == "please")
+        moved = [*words[verb:it], *words[at + 1 : end]]
+        return [*words[:at], *_over(words[at:stop], moved), *words[stop:]]
+    return words
+
+
+def _as_heading(words: list[Word]) -> list[Word]:
+    """Return ``the kitchen: two mugs`` for ``the kitchen needs the following: two mugs``."""
+    for at in _starts(words):
+        colon = next_mark(words, at)
+        said = [word.text for word in words[at:colon]]
+        needs = next((k for k in range(1, len(said)) if said[k] in ("need", "require", "get")), 0)
+        if text_at(words, colon) == ":" and needs and said[needs + 1 :] in (["the", "following"], ["this"], ["these"]):
+            return [*words[: at + needs], *words[colon:]]
+    return words
+
+
 _FRAMES: Final[tuple[Callable[[list[Word]], list[Word]], ...]] = (
     _without_opinion,
     _without_cleft,
@@ -316,6 +351,8 @@ _FRAMES: Final[tuple[Callable[[list[Word]], list[Word]], ...]] = (
     _without_contrast,
     _replaced_last,
     _without_loss,
+    _each_last,
+    _as_heading,
     _resulting,
     _without_missing,
     _without_only_thing,

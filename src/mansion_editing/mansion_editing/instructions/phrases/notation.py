@@ -96,12 +96,30 @@ def _in_brackets(words: Sequence[Word], at: int) -> list[Word]:
     return [on] if text_at(words, at + 1) in DETERMINERS else [on, _inserted("the", word.end)]
 
 
+def _less_or_more(words: list[Word], at: int) -> tuple[list[Word], int]:
+    """Return ``three chairs less`` for ``minus three chairs``, ``one more plant`` for ``plus one plant``."""
+    number = words[at + 1] if at + 1 < len(words) else None
+    if number is None or number.kind != "number":
+        return [words[at]], 1
+    if words[at].text == "plus":
+        return [number, _inserted("more", number.end)], 2
+    end = at + 2
+    while end < len(words) and words[end].kind == "word" and words[end].text not in PREPOSITIONS | {"and"}:
+        end += 1
+    return [*words[at + 1 : end], _inserted("less", words[end - 1].end)], end - at
+
+
 def _with_differences(words: list[Word]) -> list[Word]:
     """Write ``chairs -2, plants +1`` as ``2 chairs less, 1 plants more``."""
     out: list[Word] = []
     at = 0
     while at < len(words):
         sign = words[at]
+        if sign.text in ("minus", "plus") and _start_of_part(out) == len(out):
+            counted = _less_or_more(words, at)
+            out += counted[0]
+            at += counted[1]
+            continue
         number = words[at + 1] if at + 1 < len(words) else None
         start = _start_of_part(out)
         signed = sign.text in ("-", "+") and number is not None and number.kind == "number" and number.start == sign.end

@@ -10,7 +10,7 @@ from mansion_editing.instructions.phrases.lexicon import Lexicon
 from mansion_editing.instructions.phrases.noun_phrases import NounPhrase, noun_phrase
 from mansion_editing.instructions.phrases.relative_storeys import read_relative_storey
 from mansion_editing.instructions.phrases.storeys import read_storeys
-from mansion_editing.instructions.phrases.word_sets import BEFORE_PLACES, BEFORE_SPOTS, NEAR_SPOTS
+from mansion_editing.instructions.phrases.word_sets import BEFORE_PLACES, BEFORE_SPOTS, BESIDE_RELATIONS, NEAR_SPOTS
 from mansion_editing.instructions.phrases.words import BE, MODALS, Word, text_at
 from mansion_editing.instructions.statements import JOINED, Amount, Place, Relation, Rooms, Spot, Things
 
@@ -213,6 +213,10 @@ def _after_preposition(
         held: Relation = relation if relation in ("on", "in") else ""
         return ReadPlace(Place(relation=held, rooms=Rooms(same=True)), start, at + 1, goal, source)
     storeys = read_storeys(words, at, floors)
+    ordinal = words[at + 1] if storeys is not None and storeys[2] == at + 2 and text_at(words, at) == "the" else None
+    if ordinal is not None and ordinal.kind == "ordinal" and relation in BESIDE_RELATIONS:
+        one = Things(noun="one", amount=Amount(number=0), definite=True, ordinal=int(ordinal.value))
+        return ReadPlace(Place(relation=relation, anchor=one), start, at + 2)  # "next to the first"
     if storeys is not None and not _goes_on(words, storeys[2], lexicon):
         numbers, every, end = storeys
         rooms = Rooms(floors=numbers, every=every)

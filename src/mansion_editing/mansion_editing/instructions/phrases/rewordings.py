@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 from itertools import takewhile
-from typing import Final
+from typing import Final, TypeAlias
 
 from mansion_editing.instructions.phrases.words import (
     DETERMINERS,
@@ -49,6 +49,7 @@ _PHRASES: Final[dict[tuple[str, ...], tuple[str, ...]]] = {
     ("where", "it", "is", "now"): ("in", "its", "place"),
     ("in", "whichever", "corner", "is", "free"): ("in", "a", "corner"),
     ("still", "need"): ("need",),
+    **{("and", "in", said): ("and",) for said in ("return", "exchange")},
     ("apart", "of"): ("apart", "from"),
     ("except", "of"): ("except", "for"),
     ("with", "the", "exception", "of"): ("except", "for"),
@@ -141,7 +142,8 @@ _ADVERBIALS: Final = frozenset(
         "as agreed|as discussed|as promised|as mentioned|as said|as i said|by the way|if you ask me|in my opinion|"
         "for a change|once and for all|for good|just in case|for sure|for safety|i think|i guess|i suppose|i believe|"
         "as far as i know|with immediate effect|effective immediately|first of all|last but not least|ideally|"
-        "or something similar|or something like that|or the like|or similar|"
+        "or something similar|or something like that|or the like|"
+        "or similar|"
         "preferably|if at all possible|while we are at it|where possible|if that is ok|if that is okay|"
         "if that is possible|if it is not too much trouble|if you get the time"
     ).split("|")
@@ -171,67 +173,54 @@ def reworded(words: Sequence[Word]) -> list[Word]:
     out: list[Word] = []
     at = 0
     while at < len(words):
-        length = next((n for n in range(_LONGEST, 1, -1) if tuple(w.text for w in words[at : at + n]) in _PHRASES), 0)
-        if length:
-            phrase = words[at : at + length]
-            out += _in_place_of(phrase, _PHRASES[tuple(word.text for word in phrase)])
-            at += length
-            continue
-        if words[at].text == "each" and text_at(words, at - 1) in _OUT | {"at"} and _is_end(words, at + 1):
-            out += [words[at], *_in_place_of(words[at : at + 1], ("of",)), *_in_place_of(words[at : at + 1], ("them",))]
-            at += 1
-            continue
-        made = _MADE.get(text_at(words, at + 1)) if words[at].text == "make" else None
-        if made is not None and text_at(words, at + 2) in DETERMINERS | PRONOUNS:
-            out += _in_place_of(words[at : at + 2], made)
-            at += 2
-            continue
-        supposed = _supposed(words, at)
-        if supposed:
-            out += _in_place_of(words[at : at + supposed], ("if", "there", "is"))
-            at += supposed
-            continue
-        courtesy = _courtesy_at(words, at)
-        if courtesy:
-            out += _in_place_of(words[at : at + courtesy], ("please",))
-            at += courtesy
-            continue
-        ended = _end_of_adverbial(words, at) or _end_of_order(words, at)
-        if ended > at:
-            at = ended
-            continue
-        if words[at].text in _LATER and at and _is_edge(words, at, at + 1):
-            out += _in_place_of(words[at : at + 1], ("please",))
-            at += 1
-            continue
-        if words[at].text == "form" and text_at(words, at + 1) in DETERMINERS and at and words[at - 1].kind == "word":
-            out.append(replace(words[at], text="from"))
-            at += 1
-            continue
-        if _is_taken_from(words, at):
-            at += 1
-            continue
-        if words[at].text == "whatever" and text_at(words, at + 1) in ("is", "lie", "stand"):
-            out += _in_place_of(words[at : at + 1], ("everything",)) + _in_place_of(words[at : at + 1], ("that",))
-            at += 1
-            continue
-        if words[at].text == "," and text_at(words, at - 1) in UNRECORDED and text_at(words, at + 1) in UNRECORDED:
-            at += 1
-            continue
-        enough = _as_many_as_missing(words, at)
-        if enough:
-            out += _in_place_of(words[at : at + enough], ("make", "it"))
-            at += enough
-            continue
-        if _is_foreign(words, at):
-            new = "of" if words[at].text == "from" else "that"
-            out.append(replace(words[at], text=new, raw=new))
-            at += 1
-            continue
-        if not (_is_idle_out(words, at) or _is_idle_over(words, at)):
-            out.append(_topped_up(words, at) or _turned_off(words, at))
-        at += 1
+        new, length = _set_phrase(words, at) or _slip(words, at)
+        out += new
+        at += length
     return out
+
+
+_Reworded: TypeAlias = tuple[list[Word], int]
+"""The plain words, and how many words they stand for."""
+
+
+def _set_phrase(words: Sequence[Word], at: int) -> _Reworded | None:
+    """Return plain words for a set phrase at a place, none for what only fills; None where there is none."""
+    length = next((n for n in range(_LONGEST, 1, -1) if tuple(w.text for w in words[at : at + n]) in _PHRASES), 0)
+    if length:
+        phrase = words[at : at + length]
+        return _in_place_of(phrase, _PHRASES[tuple(word.text for word in phrase)]), length
+    made = _MADE.get(text_at(words, at + 1)) if words[at].text == "make" else None
+    if made is not None and text_at(words, at + 2) in DETERMINERS | PRONOUNS:
+        return _in_place_of(words[at : at + 2], made), 2
+    for read, plain in _PLAIN.items():
+        count = read(words, at)
+        if count:
+            return _in_place_of(words[at : at + count], plain), count
+    ended = _end_of_adverbial(words, at) or _end_of_order(words, at)
+    if ended > at:
+        return [], ended - at
+    if words[at].text in _LATER and at and _is_edge(words, at, at + 1):
+        return _in_place_of(words[at : at + 1], ("please",)), 1
+    return None
+
+
+def _slip(words: Sequence[Word], at: int) -> _Reworded:
+    """Return the word that is meant at a place; no word where it is idle."""
+    word, before, following = words[at], text_at(words, at - 1), text_at(words, at + 1)
+    if word.text == "each" and before in _OUT | {"at"} and _is_end(words, at + 1):
+        return [word, *_in_place_of([word], ("of",)), *_in_place_of([word], ("them",))], 1
+    if word.text == "form" and following in DETERMINERS and at and words[at - 1].kind == "word":
+        return [replace(word, text="from")], 1
+    if word.text == "whatever" and following in ("is", "lie", "stand"):
+        return [*_in_place_of([word], ("everything",)), *_in_place_of([word], ("that",))], 1
+    if _is_taken_from(words, at) or (word.text == "," and before in UNRECORDED and following in UNRECORDED):
+        return [], 1
+    if _is_foreign(words, at):
+        new = "of" if word.text == "from" else "that"
+        return [replace(word, text=new, raw=new)], 1
+    if _is_idle_out(words, at) or _is_idle_over(words, at):
+        return [], 1
+    return [_topped_up(words, at) or _turned_off(words, at)], 1
 
 
 def _end_of_order(words: Sequence[Word], at: int) -> int:
@@ -254,7 +243,13 @@ def _is_taken_from(words: Sequence[Word], at: int) -> bool:
 def _as_many_as_missing(words: Sequence[Word], at: int) -> int:
     """Return how many words ``add as many as are missing so there are`` is before the number that there shall be."""
     said = [word.text for word in words[at : at + 14]]
-    if said[:1] not in (["add"], ["bring"], ["put"]) or said[1:4] != ["as", "many", "as"]:
+    verb = 2 if said[:2] in (["take", "away"], ["take", "out"]) else 1
+    if said[0] not in ("add", "bring", "put", "remove", "take") or said[verb : verb + 3] != ["as", "many", "as"]:
+        return 0
+    left = next((k for k in range(verb + 3, len(said) - 1) if said[k : k + 2] == ["left", "with"]), 0)
+    if left and "needed" in said[:left] and at + left + 2 < len(words) and words[at + left + 2].kind == "number":
+        return left + 2
+    if verb > 1:
         return 0
     end = 4 + (said[4:5] in (["are"], ["is"]))
     if said[end : end + 1] not in (["missing"], ["needed"], ["necessary"], ["required"], ["needs"], ["need"]):
@@ -456,3 +451,7 @@ def _is_idle_out(words: Sequence[Word], at: int) -> bool:
         return False
     before = words[at - 1] if at else None
     return before is not None and before.kind == "word" and before.text not in PREPOSITIONS | {"put", "set", "lay"}
+
+
+_PLAIN: Final = {_supposed: ("if", "there", "is"), _courtesy_at: ("please",), _as_many_as_missing: ("make", "it")}
+"""Readers of phrases that vary, which return how many words they are, and the plain words."""

@@ -17,7 +17,7 @@ _VERBS: Final[dict[Deed, str]] = {
            "add|put|place|lay|install|position|supply|provide|insert|drop|stick|deposit|park|stand|hang|mount|spawn|"
            "create|include|store|hide|serve|spread|fix|arrange|distribute|rest|shelve|line up|set up|"
            "set out|lay out|squeeze|tuck|fit|attach|introduce|order|buy|build in|throw in|lean|display|plug in|"
-           "assemble|bring in|"
+           "assemble|bring in|pop|"
            "scatter|drape|put up|put down|put out|add in|put in|put back|place back|set down|put on|dock|situate|"
            "generate|organise|organize|prepare|decorate|procure|leave behind|slot|slide in|nest|sit|"
            "lay down|rack|file|organize|stow|stash",
@@ -28,7 +28,8 @@ _VERBS: Final[dict[Deed, str]] = {
               "kick out|toss out|"
               "move out|put away|destroy|strip out",
     "take": "take|grab|pick up|pick|collect|gather|gather up|catch",
-    "go": "go to|walk to|look at|find|approach|search for|go over to|drive to|take a look at|consider|locate|look for",
+    "go": "go to|walk to|look at|find|approach|search for|go over to|drive to|take a look at|"
+          "have a look at|have a look in|consider|locate|look for",
     "clear": "clear|empty|clean out|clear up|strip|empty out|vacate|free|free up",
     "tidy": "tidy|tidy up|clean|clean up|declutter|wipe|clean off|sort out",
     "move": "move|relocate|transfer|shift|transport|haul|push|pull|roll|wheel|slide|drag|shove|reposition|migrate|walk|"
@@ -43,7 +44,8 @@ _VERBS: Final[dict[Deed, str]] = {
     "paint": "paint|colour|color|dye|repaint|recolour|recolor|tint|reupholster|upholster|varnish|lacquer|spray",
     "rename": "rename|call|name|relabel|label",
     "furnish": "furnish|refurnish|convert|transform|redo|redecorate|re-furnish|refit|repurpose|remodel",
-    "equip": "equip|stock|fill|fill up|outfit|load|restock|fit out|kit out|populate|refill|pack",
+    "equip": "equip|brighten up|brighten|liven up|spruce up|cheer up|"
+             "stock|fill|fill up|outfit|load|restock|fit out|kit out|populate|refill|pack",
     "enlarge": "enlarge|extend|expand|widen|grow|increase|raise",
     "shrink": "shrink|cut|reduce|decrease|cut down|narrow|limit|lower|bring down",
     "make": "make",

@@ -161,7 +161,7 @@ LYING: Final = frozenset("lying standing sitting hanging lie stand sit hang".spl
 RESTING_VERBS: Final = frozenset("is are lies stands sits hangs".split())
 SO_DOING: Final = frozenset("do does is are shall should may".split())
 STAYING: Final = frozenset("stay remain fine untouched unchanged alone".split())
-BACK_IN_PLACE: Final = frozenset("where it they was were to its place there again".split())
+BACK_IN_PLACE: Final = frozenset("where it they was were to in its the place there again".split())
 AWAY: Final = frozenset("away out off completely altogether entirely too".split())
 EARLIER_STEPS: Final = frozenset(
     "the that it this last latest previous my your edit change step one instruction thing what you did just again "
@@ -211,7 +211,7 @@ BEFORE_SPOTS: Final = frozenset("the a an one any far back free main front room"
 BEFORE_PLACES: Final = frozenset(
     "somewhere anywhere just right directly all still already currently straight exactly".split()
 )
-NEAR_SPOTS: Final = frozenset("by at next near beside close to in opposite under right against".split())
+NEAR_SPOTS: Final = frozenset("over by at next near beside close to in opposite under right against".split())
 BEFORE_STOREYS: Final = frozenset("the all both each every our of".split())
 
 # Sentences around clauses
@@ -231,7 +231,7 @@ HEADINGS: Final = frozenset("thing state task list step change order room scene 
 JOINING: Final = frozenset("and but then while plus so &".split())
 AFTER_CLAUSES: Final = frozenset(
     "too also again instead anymore altogether now there here already completely together each only ) first back "
-    "neatly nicely somewhere asap today both either yet visible properly immediately away".split()
+    "neatly nicely somewhere asap today overnight both either yet visible properly immediately away".split()
 )
 
 # Questions

@@ -102,7 +102,7 @@ PARTICIPLES_OF_REST: Final = frozenset(
 )
 COURTESIES: Final = frozenset(
     "please pls plz thanks thank thx kindly hi hello hey dear ok okay yes sorry alright well cheers thankyou "
-    "hm hmm oh ah ty sir team mansion ugh wow oops damn haha lol btw fyi folks guys".split()
+    "hiya howdy hm hmm oh ah ty sir team mansion ugh wow oops damn haha lol btw fyi folks guys".split()
 )
 ADVERBS: Final = frozenset(
     "now also too again just really very quite quickly simply immediately asap first next finally afterwards "

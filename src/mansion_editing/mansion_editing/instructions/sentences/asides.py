@@ -109,49 +109,81 @@ class Asides(Progress):
         if self._fills_gaps(words, first):
             return
         whole = self._so_far()
-        start, end = end_of_judged_predicate(words, self.lexicon)
-        if end:
-            self._go_back(first)
-            self._read_rest([*words[:start], *words[end:]], later, marked=marked, depth=depth)
-            if len(self.unknown) == len(first["unknown"]):
-                quote = self._quote(words, start, end - 1)
-                self.statements.append(Mention(quote=quote, passed_over=True))
-                return
+        if self._reads_beside_judgement(words, later, first, marked=marked, depth=depth):
+            return
         listed = listed_in(self._reader(words))
         for start, end in _parts(words):
             if listed and start == 0 and listed[0].start < words[end - 1].end < listed[-1].start:
                 continue
-            part, rest = words[start:end], [*words[:start], *words[end:]]
-            before = start == 0
-            staying = bool(rest) and not before and end == len(words) and self._reader(_trimmed(part)).says_what_stays()
-            if not before and end == len(words) and fills_gaps(_trimmed(part)):
-                self._go_back(first)
-                self._read_rest(_trimmed(rest), later, marked=marked, depth=depth)
-                if len(self.unknown) == len(first["unknown"]) and self._fills_gaps(_trimmed(part), self._so_far()):
-                    return
-            if staying:
-                self._go_back(first)
-                self._read_sentence(_trimmed(rest), marked=marked)
-                self._read_sentence(_trimmed(part), marked=False)
-                if len(self.unknown) == len(first["unknown"]):
-                    return
-            wrong = self._stands_wrong(part, (rest or later) if before else [])
-            if not (wrong or self._is_aside(part, followed=before and bool(rest or later), marked=marked)):
-                continue
-            self._go_back(first)
-            if before and self._is_unclear(part, rest or later):
-                continue
-            if before:
-                self._pass_over(part, rest or later)
-                rest = list(self._with_listed(rest))
-            if rest:
-                again = self._with_subject(part, _trimmed(rest)) if before else _trimmed(rest)
-                self._read_rest(again, later, marked=marked and before, depth=depth)
-            if len(self.unknown) == len(first["unknown"]):
-                if not before:
-                    self._pass_over(part, later if end == len(words) else [])
+            last = start > 0 and end == len(words)
+            if last and self._reads_before_end(words, start, later, first, marked=marked, depth=depth):
+                return
+            if self._reads_beside(words, (start, end), later, first, marked=marked, depth=depth):
                 return
         self._go_back(whole)
+
+    def _reads_beside_judgement(
+        self, words: Sequence[Word], later: Sequence[Word], first: dict[str, Any], *, marked: bool, depth: int
+    ) -> bool:
+        """Read a sentence without the first of two predicates, which only judges; return whether that is understood."""
+        start, end = end_of_judged_predicate(words, self.lexicon)
+        if not end:
+            return False
+        self._go_back(first)
+        self._read_rest([*words[:start], *words[end:]], later, marked=marked, depth=depth)
+        if len(self.unknown) > len(first["unknown"]):
+            return False
+        self.statements.append(Mention(quote=self._quote(words, start, end - 1), passed_over=True))
+        return True
+
+    def _reads_before_end(
+        self, words: Sequence[Word], at: int, later: Sequence[Word], first: dict[str, Any], *, marked: bool, depth: int
+    ) -> bool:
+        """Read a sentence whose end only says what stays, or that gaps are filled; return whether it is understood."""
+        rest, part = _trimmed(words[:at]), _trimmed(words[at:])
+        if fills_gaps(part):
+            self._go_back(first)
+            self._read_rest(rest, later, marked=marked, depth=depth)
+            if len(self.unknown) == len(first["unknown"]) and self._fills_gaps(part, self._so_far()):
+                return True
+        if not rest or not self._reader(part).says_what_stays():
+            return False
+        self._go_back(first)
+        self._read_sentence(rest, marked=marked)
+        self._read_sentence(part, marked=False)
+        return len(self.unknown) == len(first["unknown"])
+
+    def _reads_beside(
+        self,
+        words: Sequence[Word],
+        part_at: tuple[int, int],
+        later: Sequence[Word],
+        first: dict[str, Any],
+        *,
+        marked: bool,
+        depth: int,
+    ) -> bool:
+        """Read a sentence without a part that asks for nothing; return whether it is understood then."""
+        start, end = part_at
+        part, rest = words[start:end], [*words[:start], *words[end:]]
+        before = start == 0
+        wrong = self._stands_wrong(part, (rest or later) if before else [])
+        if not (wrong or self._is_aside(part, followed=before and bool(rest or later), marked=marked)):
+            return False
+        self._go_back(first)
+        if before and self._is_unclear(part, rest or later):
+            return False
+        if before:
+            self._pass_over(part, rest or later)
+            rest = list(self._with_listed(rest))
+        if rest:
+            again = self._with_subject(part, _trimmed(rest)) if before else _trimmed(rest)
+            self._read_rest(again, later, marked=marked and before, depth=depth)
+        if len(self.unknown) > len(first["unknown"]):
+            return False
+        if not before:
+            self._pass_over(part, later if end == len(words) else [])
+        return True
 
     def _gives_up_what_becomes_another(self, words: Sequence[Word], later: Sequence[Word]) -> bool:
         """Whether a room is told to be needed no longer before ``turn it into an office``."""

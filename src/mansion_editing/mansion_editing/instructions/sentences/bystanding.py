@@ -315,7 +315,12 @@ def is_purpose(words: Sequence[Word], lexicon: Lexicon) -> bool:
     if texts[:2] != ["so", "that"] or len(words) < 4 or "," in texts:
         return False
     rest = words[2:]
-    people = rest[0].text in PERSONS | RELATIVES | {"it", "they", "you"}
+    able = next((k for k, word in enumerate(rest) if word.text in ("can", "could")), 0)
+    named = any(lexicon.is_object((w.text,)) and not lexicon.is_own_room((w.text,)) for w in rest)
+    people = rest[0].text in PERSONS | RELATIVES | {"it", "they", "you"} or (
+        1 < able <= 7 and rest[0].text in ("the", "our", "my", "a", "every", "nobody") and not named
+    )
     if any(w.kind in ("number", "ordinal") or w.text in STATE_WORDS or w.text in COLOUR_WORDS for w in rest):
         return False
+    texts = texts[:-1] if able and texts[-1] in ("there", "here") else texts
     return people and not ({*texts} & {"there", "only", "no", "not", "just", "all", "each", "every"})

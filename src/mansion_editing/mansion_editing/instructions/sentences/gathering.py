@@ -179,7 +179,7 @@ class Gathering(Tails):
             self.statements[-len(listed) :] = moved_all
         elif (isinstance(last, Remove) or is_only_fetched(last)) and last.things.noun and moves_it(statement):
             moved = Move(things=last.things, place=statement.place, quote=self._from_to(last, statement))
-            if re.search(r"\bnot\b|n't\b", last.quote):  # "we do not need it here: take it to the hall"
+            if re.search(r"\b(not|no|No)\b|n't\b", last.quote):  # "we do not need it here: take it to the hall"
                 moved = msgspec.structs.replace(moved, quote=statement.quote)
                 self.statements[-1:] = [Mention(quote=last.quote), moved]
             else:

@@ -25,6 +25,7 @@ def owners_named(words: Sequence[Word], lexicon: Lexicon) -> list[Word]:
             continue
         if word.text in ("his", "her", "their", "its") and following:
             owner = next((w for w in reversed(out) if _owns(w, following, lexicon)), None)
+            owner = None if out and out[-1].text == "and" and word.text in ("its", "their") else owner
             if owner is None and word.text == "its":
                 word = Word("the", word.raw, "word", word.start, word.end)
             if owner is not None:

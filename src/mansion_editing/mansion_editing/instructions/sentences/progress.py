@@ -56,9 +56,8 @@ class Progress:
         self.undecided = False
 
     def _quote(self, words: Sequence[Word], start: int, end: int) -> str:
-        if start >= end:
-            return ""
-        return self.text[words[start].start : words[min(end, len(words)) - 1].end]
+        said = words[start:end]
+        return self.text[min(word.start for word in said) : max(word.end for word in said)] if said else ""
 
     def _names_anything(self, words: Sequence[Word]) -> bool:
         """Whether words name an object or a room of the building."""

@@ -70,6 +70,7 @@ from mansion_editing.state import SceneState
 __all__ = ["read_instruction"]
 
 
+_MISSING: Final = re.compile(r"\b(too few|short)\b", re.IGNORECASE)
 _TOO_MANY: Final = re.compile(r"\btoo (many|much)\b", re.IGNORECASE)
 
 
@@ -129,6 +130,7 @@ class _Reader(
         self.unknown += self._instead_of_nothing() + self._complained_in_vain()
         if not self.unknown:
             self.unknown = unaccounted(self.text, self.words, self.statements, self.lexicon) or self._asks_in_vain()
+        self.statements += self._told_to_be_missing()
         if not self.unknown and all(isinstance(statement, Mention) for statement in self.statements):
             self.unknown = [self.text.strip()]
         told = msgspec.json.encode(self.statements).decode()
@@ -140,6 +142,16 @@ class _Reader(
         statements = turned_by_list(with_storeys(ordered), self.text)
         statements = sets_as_one(sparing_what_goes(statements), self.lexicon)
         return Instruction(statements=statements, not_understood=self.unknown, ignored=ignored)
+
+    def _told_to_be_missing(self) -> list[Statement]:
+        """Return what is told to be missing somewhere as new there, where nothing else is asked."""
+        topic = self.topic
+        told = bool(self.statements) and all(isinstance(statement, Mention) for statement in self.statements)
+        missing = topic is not None and topic.amount.kind == "more" and topic.place is not None
+        if topic is None or topic.place is None or not (told and missing) or not _MISSING.search(self.text):
+            return []
+        things = msgspec.structs.replace(topic, place=None)
+        return [Add(things=things, place=topic.place, quote=self.statements[-1].quote)]
 
     def _introduces(self, statement: Statement, later: Sequence[Statement]) -> bool:
         """Whether things of a general name are told one by one later: ``something to eat with: two forks``."""
@@ -352,47 +364,14 @@ class _Reader(
         recounted = self._recounted(reader, words, at)
         if recounted:
             return recounted
-        last = self.statements[-1] if self.statements else None
-        if isinstance(last, Furnish) and must_contain(reader, at):
-            try:
-                contents, end = reader.contained(at + 2)
-            except NotUnderstood:
-                contents, end = [], at
-            if contents and (end >= len(words) or words[end].kind == "mark"):
-                self._take(contents)
-                return end
-        reader.follows = isinstance(last, Add | Ensure | Move)
-        try:
-            found, end = reader.read(at)
-            affirmed = reader.taken_affirmed()
-            if affirmed is not None and not (self.is_last and reader.skip(end) >= len(words)):
-                reader.topic = msgspec.structs.replace(affirmed, definite=True)
-                found = [Mention(quote=self._quote(words, at, end))]
-            for other in self.frames:
-                first, reader.frame = reader.frame, other
-                found = [*found, *reader.read(at)[0]]
-                reader.frame = first
-        except NotUnderstood as fault:
-            stop = max(fault.end, at + 1)
-            if isinstance(fault, TwoReadings):
-                self.undecided = True
-                self.unknown.append(f"which things belong to which part of: {self._quote(words, at, stop)}")
-                return stop
-            more = self._more_of_the_same(reader, words, at)
-            if more is not None:
-                return more
-            told = self._told_of_thing(reader, at)
-            if (told and reader.skip(told) < len(words)) or (told and not self.is_last):
-                self.statements.append(Mention(quote=self._quote(words, at, told)))
-                return told
-            only_told = verb_at(words, at, self.lexicon) is None and is_told(words[at:stop], self._is_named)
-            if only_told or is_background(words[at:stop]) or self._is_label(words, at, stop):
-                rooms = self._take_up_what_is_told(words[at:stop])
-                self.statements.append(Mention(rooms=rooms, quote=self._quote(words, at, stop)))
-            else:
-                start = min(fault.start, at) if fault.start < len(words) else at
-                self.unknown.append(self._quote(words, start, stop))
+        stop = self._contained(reader, words, at) or self._forgotten(reader, words, at)
+        if stop:
             return stop
+        reader.follows = bool(self.statements) and isinstance(self.statements[-1], Add | Ensure | Move)
+        try:
+            found, end = self._clause_at(reader, words, at)
+        except NotUnderstood as fault:
+            return self._read_otherwise_told(reader, words, at, fault)
         found, end = in_place_of(reader, found, end)
         self._name_ones(reader, found)
         topic, reader.topic = reader.topic, None
@@ -404,9 +383,83 @@ class _Reader(
             self.topic = topic
         self.clause = [of_each_room(statement) for statement in found]
         end, exact = self._read_tail(reader, words, end)
-        found = self.clause
-        self._take([exactly(statement) for statement in found] if exact else found)
+        self._take([exactly(statement) for statement in self.clause] if exact else self.clause)
         return end
+
+    def _forgotten(self, reader: ClauseReader, words: Sequence[Word], at: int) -> int:
+        """Read ``actually, forget the bowl``, which takes back what was asked for before; return its end, else 0."""
+        while reader.text(at) in ("actually", ",", "no", "wait"):
+            at += 1
+        item = reader.item(at + 1 + (reader.text(at + 1) == "about")) if reader.text(at) == "forget" else None
+        if item is None or not item.phrase.definite or item.is_room or reader.skip(item.end) < len(words):
+            return 0
+        noun = " ".join(item.phrase.noun.words)
+        asked = [s for s in self.statements if isinstance(s, Add | Ensure | Move) and s.things.noun == noun]
+        if len(asked) != 1 or not noun:
+            return 0
+        whole = asked[0].quote
+        kept = re.sub(r"[,\s]*(and)?\s*(an?|the|\d+|\w+)?\s*$", "", whole[: whole.lower().rfind(noun.split()[-1])])
+        if any(s.quote == whole and isinstance(s, Mention) for s in self.statements) or not kept:
+            return 0
+        left = [s for s in self.statements if s is not asked[0]]
+        self.statements[:] = [msgspec.structs.replace(s, quote=kept) if s.quote == whole else s for s in left]
+        self.statements.append(Mention(quote=self._quote(words, at, item.end)))
+        return item.end
+
+    def _contained(self, reader: ClauseReader, words: Sequence[Word], at: int) -> int:
+        """Read ``it must contain a piano`` of a room that was furnished just before; return its end, 0 for others."""
+        last = self.statements[-1] if self.statements else None
+        if not isinstance(last, Furnish) or not must_contain(reader, at):
+            return 0
+        try:
+            contents, end = reader.contained(at + 2)
+        except NotUnderstood:
+            return 0
+        if not contents or not (end >= len(words) or words[end].kind == "mark"):
+            return 0
+        self._take(contents)
+        return end
+
+    def _clause_at(self, reader: ClauseReader, words: Sequence[Word], at: int) -> tuple[list[Statement], int]:
+        """Read a clause in each of the places that its sentence began with; what is only affirmed asks for nothing.
+
+        Raises
+        ------
+        NotUnderstood
+        """
+        found, end = reader.read(at)
+        affirmed = reader.taken_affirmed()
+        if affirmed is not None and not (self.is_last and reader.skip(end) >= len(words)):
+            reader.topic = msgspec.structs.replace(affirmed, definite=True)
+            found = [Mention(quote=self._quote(words, at, end))]
+        for other in self.frames:
+            first, reader.frame = reader.frame, other
+            found = [*found, *reader.read(at)[0]]
+            reader.frame = first
+        return found, end
+
+    def _read_otherwise_told(self, reader: ClauseReader, words: Sequence[Word], at: int, fault: NotUnderstood) -> int:
+        """Read words that make no clause as more of the last one or as what is only told; return their end."""
+        stop = max(fault.end, at + 1)
+        if isinstance(fault, TwoReadings):
+            self.undecided = True
+            self.unknown.append(f"which things belong to which part of: {self._quote(words, at, stop)}")
+            return stop
+        more = self._more_of_the_same(reader, words, at)
+        if more is not None:
+            return more
+        told = self._told_of_thing(reader, at)
+        if (told and reader.skip(told) < len(words)) or (told and not self.is_last):
+            self.statements.append(Mention(quote=self._quote(words, at, told)))
+            return told
+        only_told = verb_at(words, at, self.lexicon) is None and is_told(words[at:stop], self._is_named)
+        if only_told or is_background(words[at:stop]) or self._is_label(words, at, stop):
+            rooms = self._take_up_what_is_told(words[at:stop])
+            self.statements.append(Mention(rooms=rooms, quote=self._quote(words, at, stop)))
+        else:
+            start = min(fault.start, at) if fault.start < len(words) else at
+            self.unknown.append(self._quote(words, start, stop))
+        return stop
 
     def _name_ones(self, reader: ClauseReader, found: Sequence[Statement]) -> None:
         """Let ``a second one`` after a wish mean what was wished for."""

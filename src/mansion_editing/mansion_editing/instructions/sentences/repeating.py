@@ -117,6 +117,8 @@ class Repeating(Progress):
         item = reader.item(at)
         if item is None or item.is_room or reader.subjects(at) or item.phrase.amount.kind == "none":
             return None
+        if words[at].raw in ("its", "their") and isinstance(last, Remove):
+            return None  # the chairs of the desks that go, which are some of those there
         if reader.tells_states(at):
             return None
         end = item.end + (reader.text(item.end) in ("too", "also"))

@@ -53,6 +53,7 @@ from mansion_editing.instructions.statements import (
     Statement,
     Swap,
     Things,
+    Turn,
 )
 
 __all__ = ["Tails"]
@@ -126,7 +127,9 @@ class Tails(Resulting, Counting):
             self.statements.append(Mention(quote=self._quote(words, at, meant), passed_over=True))
             return meant
         more = (
-            self._until_so_many_are_left(words, at)
+            self._turned_around(words, at)
+            or self._listed_rooms(reader, words, at)
+            or self._until_so_many_are_left(words, at)
             or self._so_that_so_many_are_there(words, at)
             or self._in_state(reader, at)
             or self._without_touching(reader, at)
@@ -151,6 +154,10 @@ class Tails(Resulting, Counting):
         contrast = self._contrasted(reader, at + 2) if pair in (("rather", "than"), ("instead", "of")) else 0
         if contrast:
             return contrast
+        rather = pair[0] == "than" and "rather" in {word.text for word in words[:at]}
+        other = self._contrasted(reader, at + 1) if rather else 0
+        if other:
+            return other
         if pair in _PAIRS_AFTER_CLAUSES:
             return at + 2
         return at + 1 if words[at].text in COURTESIES or self._ends_clause(reader, at) else 0
@@ -190,7 +197,8 @@ class Tails(Resulting, Counting):
             return False
         number = words[at + 2]
         ends = at + 3 >= len(words) or words[at + 3].kind == "mark"
-        counted = [s.things.amount for s in self.clause if isinstance(s, Ensure) and s.things.amount.kind == "some"]
+        brought = [s for s in self.clause if isinstance(s, Add | Ensure)]
+        counted = [s.things.amount for s in brought if s.things.amount.kind == "some"]
         other = len(counted) == len(self.clause) == 1 and counted[0].number not in (0, number.value)
         return number.kind == "number" and ends and other
 
@@ -199,6 +207,8 @@ class Tails(Resulting, Counting):
         text = reader.text(at)
         if text == "in":
             return self._comes_in(reader, at + 1)
+        if text in ("around", "round", "over") and self._ends_at(reader, at + 1):
+            return bool(self.clause) and all(isinstance(s, Swap) for s in self.clause)
         if text == "up" and self._ends_at(reader, at + 1):
             return all(isinstance(s, Add | Ensure) for s in self.clause)  # "hang one up"
         return text in AFTER_CLAUSES and (text != "each" or _is_of_several(self.clause))
@@ -405,6 +415,37 @@ class Tails(Resulting, Counting):
         things = msgspec.structs.replace(done[0].things, amount=left)
         quote = done[0].quote + self.text[words[at - 1].end : words[end - 1].end]
         self.clause = [msgspec.structs.replace(done[0], things=things, quote=quote)]
+        return end
+
+    def _turned_around(self, words: Sequence[Word], at: int) -> int:
+        """Return the end of ``so it faces the other way`` after a half turn; 0 for other words."""
+        start = at + (words[at].text == ",")
+        said = [word.text for word in words[start : start + 7]]
+        it = 1 + (said[1:2] == ["that"])
+        faces = said[:1] == ["so"] and said[it : it + 1] in (["it"], ["they"]) and said[it + 1 : it + 2] == ["face"]
+        half = bool(self.clause) and all(isinstance(s, Turn) and s.degrees == 180.0 for s in self.clause)
+        return start + it + 5 if faces and half and said[it + 2 : it + 5] == ["the", "other", "way"] else 0
+
+    def _listed_rooms(self, reader: ClauseReader, words: Sequence[Word], at: int) -> int:
+        """Read ``: the study, the office and the hall`` after all rooms of a kind, which are named once more."""
+        given = [s.place.rooms for s in self.clause if isinstance(s, Add | Ensure)]
+        every = bool(given) and all(rooms is not None and rooms.every and not rooms.number for rooms in given)
+        if words[at].text != ":" or not every or len(given) < len(self.clause):
+            return 0
+        end, named = at + 1, 0
+        while (
+            (item := reader.item(end)) is not None
+            and item.phrase.definite
+            and reader.lexicon.is_own_room(item.phrase.noun.words)
+        ):
+            named, end = named + 1, item.end
+            after = reader.conjunction(end)
+            if not after:
+                break
+            end = after
+        if named < 2 or not self._ends_at(reader, end):
+            return 0
+        self.statements.append(Mention(quote=self._quote(words, at + 1, end)))
         return end
 
     def _so_that_so_many_are_there(self, words: Sequence[Word], at: int) -> int:

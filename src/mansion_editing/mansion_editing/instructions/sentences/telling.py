@@ -27,7 +27,7 @@ from mansion_editing.instructions.phrases.words import (
 from mansion_editing.instructions.sentences.background import end_of_background
 from mansion_editing.instructions.sentences.progress import Progress
 from mansion_editing.instructions.sentences.refinement import is_open, narrowed, with_noun_at
-from mansion_editing.instructions.statements import Amount, Ensure, Mention, Place, Things
+from mansion_editing.instructions.statements import Add, Amount, Ensure, Mention, Place, Things
 
 __all__ = ["Telling"]
 
@@ -183,17 +183,25 @@ class Telling(Progress):
     def _end_of_present_number(self, words: Sequence[Word], at: int) -> int:
         """Read ``, at the moment it is a dozen`` after a wished number; return its end, 0 for others."""
         last = self.statements[-1] if self.statements else None
-        if not isinstance(last, Ensure) or last.things.amount.kind not in ("exactly", "at_most"):
+        if not isinstance(last, Add | Ensure) or last.things.amount.kind not in ("exactly", "at_most", "some"):
             return 0
         said = [word.text for word in words[at:]]
         start = next((k for k, text in enumerate(said) if text not in (",", "-", "and", "but", "right")), len(said))
-        end = start + 1
+        now = said[start : start + 1] in (["now"], ["currently"], ["presently"])
+        end = start + now
         while said[end : end + 1] and said[end] in _COUNTING:
             end += 1
-        counted = end < len(said) and (words[at + end].kind == "number" or said[end] == "dozen") and end > start + 1
+        there = said[start : start + 1] == ["there"] and bool({"only", "just"} & {*said[start:end]})
+        counted = end < len(said) and (words[at + end].kind == "number" or said[end] == "dozen") and end > start + now
         ends = at + end + 1 >= len(words) or words[at + end + 1].kind == "mark"
-        if said[start : start + 1] not in (["now"], ["currently"], ["presently"]) or not counted or not ends:
+        wished = last.things.amount.number
+        fewer = counted and words[at + end].kind == "number" and words[at + end].value < wished
+        in_all = last.things.amount.kind != "some" or (there and fewer)
+        if not (now or there) or not counted or not ends or not in_all:
             return 0
+        if isinstance(last, Add):  # "four chairs, there are only two" are four in all
+            things = msgspec.structs.replace(last.things, amount=Amount(kind="exactly", number=wished))
+            self.statements[-1] = Ensure(things=things, place=last.place, each=last.each, quote=last.quote)
         self.statements.append(Mention(quote=self._quote(words, at + start, at + end + 1)))
         return at + end + 1
 
