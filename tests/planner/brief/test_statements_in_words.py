@@ -204,6 +204,47 @@ def statements(brief: str) -> list[str]:
                 "1 study, in each apartment, floors 2 and 3",
             ],
         ),
+        (
+            "A bank. Hall with three counters and two tables, a lobby, office, vault in the basement, archive.",
+            [
+                "building: bank",
+                "1 hall",
+                "3 counters, no others, in hall",
+                "2 tables, no others, in hall",
+                "1 lobby",
+                "1 office",
+                "1 vault, basement 1",
+                "1 archive",
+            ],
+        ),
+        (
+            "A house of two floors: bedroom with a bed, study with a desk and a chair, bathroom on every floor.",
+            [
+                "building: house",
+                "2 storeys",
+                "1 bedroom",
+                "1 bed, in bedroom",
+                "1 study",
+                "1 desk, in study",
+                "1 chair, in study",
+                "1 bathroom, each of floors 1 and 2",
+            ],
+        ),
+        (
+            "A house. Kitchen with a dishwasher open to the dining room.",
+            [
+                "building: house",
+                "1 kitchen",
+                "kitchen next to dining room",
+                "1 dishwasher, in kitchen",
+                "1 dining room",
+            ],
+        ),
+        ("A museum of natural history with a shop.", ["building: museum", "[natural history]", "1 shop"]),
+        (
+            "A laboratory with four labs. Each lab gets two fume hoods and an eye wash.",
+            ["building: laboratory", "4 labs", "2 fume hoods, no others, in each lab", "[eye wash]"],
+        ),
         ("A hostel with luggage lockers.", ["building: hostel", "luggage lockers"]),
     ],
 )

@@ -2,6 +2,7 @@
 
 from mansion_planner.brief.facts import MaterialFact
 from mansion_planner.brief.lexicon import Mention
+from mansion_planner.brief.phrase import FUNCTION_WORDS
 from mansion_planner.brief.qualifiers import is_property
 from mansion_planner.brief.reading import Reading
 from mansion_planner.brief.similarity import room_of_building
@@ -124,6 +125,8 @@ def read_style(reading: Reading, *, named: bool) -> None:
             reading.take(last, last + 1)
         following = reading.mention_at.get(mention.last)
         terrace = following is not None and following.room == "roof_terrace" and reading.word(following.last) != "house"
+        if not called and _is_subject(reading, mention):
+            continue
         if not called and (mention.room or mention.building or terrace or reading.word(mention.first) == "green"):
             continue
         reading.facts.styles.append((mention.style, reading.span(mention.first, mention.last)))
@@ -137,6 +140,12 @@ def read_style(reading: Reading, *, named: bool) -> None:
     reading.facts.styles.sort(
         key=lambda style: (is_property(style[1].words.lower()), reading.knowledge.styles[style[0]].like == "")
     )
+
+
+def _is_subject(reading: Reading, mention: Mention) -> bool:
+    """Whether a style's word is part of what a building is about: "a museum of natural history"."""
+    noun = reading.kind(mention.last) == "word" and reading.word(mention.last) not in FUNCTION_WORDS
+    return reading.word(mention.first - 1) == "of" and noun and mention.last not in reading.mention_at
 
 
 def _tells_no_style(reading: Reading, mention: Mention, *, modifies: bool) -> bool:

@@ -53,6 +53,10 @@ def read_fittings(reading: Reading, phrases: list[Phrase]) -> None:
         if reading.word(index) in ("fitted", "equipped", "furnished") and reading.word(index + 1) == "with"
     }
     for number, phrase in enumerate(phrases):
+        if number and _goes_on_furniture(reading, phrases[number - 1], phrase):
+            reading.taken.difference_update(range(phrase.begin, phrase.last))
+            phrases[number] = replace(phrase, head="unknown", room_type="")
+            continue
         workplaces = phrase.name == "workplace" and phrase.counted
         if (phrase.head != "room" and not workplaces) or phrase.areas:
             continue
@@ -67,6 +71,20 @@ def read_fittings(reading: Reading, phrases: list[Phrase]) -> None:
         ):
             category = "bar_counter" if counter else category
             phrases[number] = replace(phrase, head="object", category=category, room_type="")
+
+
+def _goes_on_furniture(reading: Reading, before: Phrase, phrase: Phrase) -> bool:
+    """Whether an unknown name that may be no room goes on with furniture: "two fume hoods and an eye wash"."""
+    doubtful = phrase.head == "room" and not phrase.known and reading.word(phrase.noun_end - 1) in _DOUBTFUL
+    return (
+        doubtful
+        and before.head == "object"
+        and reading.words(before.last, phrase.begin) in (("and", "a"), ("and", "an"))
+    )
+
+
+_DOUBTFUL = frozenset({"wash", "post", "pool", "booth", "station"})
+"""Nouns that head names of rooms and of things alike."""
 
 
 def _is_fixture(reading: Reading, room: Phrase, phrase: Phrase) -> bool:

@@ -564,7 +564,7 @@ _HAVING = frozenset("with has have having a an one its own each every of on them
 def _leads_into(gap: tuple[str, ...]) -> bool:
     """Whether the words between furniture and a room put the one into the other: "in the", "into each"."""
     return any(word in _INTO for word in gap) and not any(
-        word in (",", "and", "with", ";", "next", "beside", "near", "from") for word in gap
+        word in (",", "and", "with", ";", "next", "beside", "near", "from", "open", "opening", "close") for word in gap
     )
 
 

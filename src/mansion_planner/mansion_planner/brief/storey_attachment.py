@@ -329,7 +329,7 @@ class _Walk:
             return listed
         titled = self.building is not None and self.reading.sentence[self.phrases[self.building].first] == sentence
         if not opened and not titled:
-            below = place.refs[0].kind == "basement" or self.reading.word(place.last) == ","
+            below = place.refs[0].kind in ("basement", "every") or self.reading.word(place.last) == ","
             return left[-1:] if self._asyndetic(left) and (below or not place.led) else left
         if len(left) > 1 and self._is_bracketed(left[-1]):
             return [left[-1], *self._claimed(place, left[:-1], opened=opened)]
@@ -377,8 +377,12 @@ class _Walk:
 
     def _asyndetic(self, left: list[int]) -> bool:
         """Whether commas alone part a list, so that what follows is of its last entry: "shop, cafe upstairs"."""
-        joints = [self.reading.words(self.phrases[a].last, self.phrases[b].first) for a, b in itertools.pairwise(left)]
-        return len(left) > 2 and all(_AND.isdisjoint(words) for words in joints)
+        joints = [
+            self.reading.words(self.phrases[a].last, self.phrases[b].first)
+            for a, b in itertools.pairwise(left)
+            if self.phrases[b].head != "object"  # "a hall with counters and machines, an office"
+        ]
+        return len(joints) > 1 and all(_AND.isdisjoint(words) for words in joints)
 
     def _suits(self, number: int, place: Place) -> bool:
         phrase = self.phrases[number]
@@ -425,7 +429,7 @@ class _Walk:
         """Whether storeys are one room together: "the two floors above are one apartment"."""
         phrase, reading = self.phrases[number], self.reading
         verb = reading.words(place.last, phrase.first) in (("are",), ("is",), ("form",), ("become",))
-        return verb and phrase.counted and phrase.count == 1
+        return verb and reading.kind(phrase.first) == "number" and reading.value(phrase.first) == 1
 
     def _is_total(self, phrase: Phrase, place: Place) -> bool:
         """Whether a large number of rooms is that of all the storeys named after it: "40 offices on floors 2 to 5"."""
