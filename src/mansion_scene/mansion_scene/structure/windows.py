@@ -4,7 +4,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from mansion_knowledge import is_class
+from mansion_knowledge import default_knowledge, is_class
 from mansion_msgs_py.shapes import Segment
 from mansion_scene.structure.boundaries import BoundarySegment, reentrant_corners, usable_part
 from mansion_scene.structure.openings import Opening
@@ -55,6 +55,7 @@ _KINDS: tuple[tuple[str, WindowKind | None], ...] = (
     ("sleeping", WindowKind(1.5, 1.3, 0.9, 1.0, "hung")),
 )
 _DEFAULT = WindowKind(1.5, 1.4, 0.9, 1.0)
+_DWELLING = WindowKind(1.8, 1.4, 0.9, 0.9, "hung")
 _NARROWEST = 0.6
 
 
@@ -65,7 +66,7 @@ def window_kind(region: Region) -> WindowKind | None:
     for name, kind in _KINDS:
         if is_class(region.room_type, name):
             return kind
-    return _DEFAULT
+    return _DWELLING if default_knowledge().room(region.room_type).unit else _DEFAULT
 
 
 def usual_window(region: Region) -> WindowKind:
