@@ -10,8 +10,8 @@ from typing import TypeVar
 import msgspec
 
 from mansion_assets.library.building_assets import assets_of
-from mansion_bringup.building.assets import asset_uses, assets_in
 from mansion_bringup.building.files import kept_files
+from mansion_bringup.building.own_assets import asset_uses, assets_in
 from mansion_bringup.building.receipt import receipt
 from mansion_bringup.check.cores import check_cores
 from mansion_bringup.check.fault import Fault
@@ -138,7 +138,7 @@ def records(folder: Path, scenes: Mapping[int, FloorScene]) -> dict[str, bytes]:
     Parameters
     ----------
     folder : Path
-        Of the building.
+        The building's folder.
     scenes : mapping of int to FloorScene
         All floors as they are now.
 

@@ -45,7 +45,7 @@ class Documents:
     Parameters
     ----------
     folder : Path
-        Of the building.
+        The building's folder.
     allowed : AllowedFolders
         Where copies may be kept.
     """
@@ -56,7 +56,7 @@ class Documents:
         self._copies = folder / COPIES
 
     def present(self, path: str) -> bytes | None:
-        """Return what a document holds on disk; ``None`` where it is not there."""
+        """Return what a document holds on disk; ``None`` if it does not exist."""
         file = self._folder / path
         return file.read_bytes() if file.is_file() else None
 
@@ -131,7 +131,7 @@ class Documents:
         if not parts or path.startswith("/") or ".." in parts or parts[0] in ("edits", "state"):
             raise MansionError(
                 ErrorCode.INVALID_PAYLOAD,
-                f"{path[:200]!r} is no document of a building; name a file below the building's folder",
+                f"{path[:200]!r} is not a document of a building; name a file below the building's folder",
                 path="$.documents",
             )
 

@@ -1,4 +1,4 @@
-"""What the documents of a building say of one room: read from them, and put back changed.
+"""The parts of a building's documents that describe one room: read from them, and put back changed.
 
 A room stands in three documents: its floor's scene (name, type, finishes, light), the building's program and the
 floor's room graph.

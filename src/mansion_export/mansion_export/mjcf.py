@@ -10,7 +10,7 @@ import numpy as np
 
 from mansion_assets.catalogue import Catalogue
 from mansion_assets.convex import Hull
-from mansion_assets.physique import FRICTION
+from mansion_assets.mass_properties import FRICTION
 from mansion_export.articulation import Assembly, Moving, assemblies, pose_at
 from mansion_export.building_model import floor_model
 from mansion_export.cavities import is_loose, loose_colliders
@@ -252,17 +252,6 @@ def _document(scene: FloorScene, model: Model, writer: _Writer, mesh_dir: str) -
     (x0, y0), (x1, y1) = points.min(0).tolist(), points.max(0).tolist()
     cx, cy = (x0 + x1) / 2, (y0 + y1) / 2
     reach = max(x1 - x0, y1 - y0)
-    materials = "\n".join(
-        f"    <material name={quoteattr(name)} "
-        f'rgba="{number_list((*material.color, material.alpha))}" '
-        f'specular="{0.5 * (1.0 - material.roughness):.3g}" '
-        f'shininess="{1.0 - material.roughness:.3g}" emission="{material.emission:.3g}"/>'
-        for material, name in writer.materials.items()
-    )
-    meshes = "\n".join(f"    {asset}" for asset in writer.assets.values())
-    hulls = "\n".join(
-        f'    <mesh name="{name}" vertex="{corners}" inertia="shell"/>' for corners, name in writer.hulls.items()
-    )
     bodies = "\n".join(f"    {body}" for body in writer.bodies)
     return f"""<mujoco model={quoteattr(f"{scene.building_id} {model.name}")}>
   <compiler angle="degree" meshdir={quoteattr(mesh_dir)} autolimits="true"/>
@@ -283,9 +272,7 @@ def _document(scene: FloorScene, model: Model, writer: _Writer, mesh_dir: str) -
   </visual>
   <asset>
     <texture type="skybox" builtin="gradient" {_sky(scene)} width="128" height="128"/>
-{materials}
-{meshes}
-{hulls}
+{_assets(writer)}
   </asset>
   <worldbody>
     <light name="sun" type="directional" dir="0.35 0.5 -0.79" diffuse="0.35 0.34 0.32" castshadow="false"/>
@@ -298,6 +285,22 @@ xyaxes="1 0 0 0 0.84 0.55" fovy="45"/>
   </worldbody>
 {_contacts(writer.excluded)}</mujoco>
 """
+
+
+def _assets(writer: _Writer) -> str:
+    """Return the materials, the meshes that are drawn, and the hulls that collide."""
+    materials = "\n".join(
+        f"    <material name={quoteattr(name)} "
+        f'rgba="{number_list((*material.color, material.alpha))}" '
+        f'specular="{0.5 * (1.0 - material.roughness):.3g}" '
+        f'shininess="{1.0 - material.roughness:.3g}" emission="{material.emission:.3g}"/>'
+        for material, name in writer.materials.items()
+    )
+    meshes = "\n".join(f"    {asset}" for asset in writer.assets.values())
+    hulls = "\n".join(
+        f'    <mesh name="{name}" vertex="{corners}" inertia="shell"/>' for corners, name in writer.hulls.items()
+    )
+    return f"{materials}\n{meshes}\n{hulls}"
 
 
 def _contacts(excluded: Sequence[tuple[str, str]]) -> str:

@@ -10,7 +10,7 @@ import numpy as np
 
 from mansion_assets.catalogue import Catalogue
 from mansion_assets.convex import Hull
-from mansion_assets.physique import FRICTION
+from mansion_assets.mass_properties import FRICTION
 from mansion_export.articulation import Assembly, Moving, assemblies, pose_at
 from mansion_export.building_model import building_models
 from mansion_export.collision import Colliders, Shape, physique_of, shape_scaled

@@ -231,7 +231,7 @@ def wall_surfaces(wall: Wall, bodies: WallBodies) -> list[Surface]:
     ----------
     wall : Wall
     bodies : WallBodies
-        Of the wall's floor: where it is cut, and how far it goes on at corners.
+        Bodies of the floor's walls: where this one is cut, and how far it goes on at corners.
 
     Returns
     -------

@@ -1,4 +1,4 @@
-"""The error object that every service, command and client speaks."""
+"""The error that every service, command and client reports."""
 
 import errno
 from typing import Any, Final
@@ -20,7 +20,7 @@ __all__ = [
 
 
 MOST_CHARACTERS: Final = 2_000
-"""Of a message: input that it quotes may have any length. A hint stands at its end, so that the middle gives way."""
+"""Longest message: input that it quotes may have any length. A hint stands at its end, so the middle is left out."""
 
 MOST_IN_DETAILS: Final = 8_000
 """Characters of a text among the details, and entries of a list."""

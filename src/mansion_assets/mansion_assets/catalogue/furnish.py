@@ -103,10 +103,10 @@ _LOYALTY = 0.7
 """Probability that a room takes the building's own variant of a category."""
 
 _MANY = 6
-"""From so many copies asked for on, they stand in rows and columns."""
+"""Number of requested copies from which they stand in rows and columns."""
 
 _FIELD = 10
-"""From so many copies on, what stands at walls stands in rows and columns, unless it is shallow or a bed."""
+"""Number of copies from which what stands at walls stands in rows and columns, unless it is shallow or a bed."""
 
 _SHALLOW = 0.7
 """Depth of what lines walls in any number, metres."""
@@ -445,7 +445,7 @@ class _Draft:
         return self.style.pick(fitting, self.rng)
 
     def _asked_asset(self, assets: list[Asset], wanted: int) -> Asset:
-        """Draw an asset of which as many as are asked for leave enough floor free, one of the smallest at need."""
+        """Draw an asset whose requested copies leave enough floor free, or else one of the smallest."""
         roomy = [a for a in assets if wanted * a.footprint <= _ASKED_SHARE * self.area]
         if self.compact or not roomy:
             least = min(a.footprint for a in assets)

@@ -1,4 +1,4 @@
-"""A room's program with the furniture that the brief asks for worked in."""
+"""Work the furniture that a brief asks for into a room's program."""
 
 import math
 from collections.abc import Collection, Iterable, Sequence

@@ -4,6 +4,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from mansion_knowledge.essentials import Need, needs_of, pieces_there, still_wanted
+from mansion_knowledge.furnished_as import furnished_as
 from mansion_msgs_py.scene import FloorScene, SceneObject, SceneRoom
 
 __all__ = ["Equipment", "equipment_of"]
@@ -46,7 +47,7 @@ class Equipment:
 def equipment_of(scene: FloorScene, room: SceneRoom, objects: Iterable[SceneObject]) -> Equipment:
     """Return the equipment of a finished room from its objects and from what was left out of it."""
     return Equipment(
-        needs_of(room.room_type, (room.name, *room.aliases)),
+        needs_of(furnished_as(room.room_type, scene.building_type, room.name), (room.name, *room.aliases)),
         [(thing.category, thing.size[0]) for thing in objects],
         {lost.name: lost.reason for lost in scene.discarded if lost.room == room.id},
     )

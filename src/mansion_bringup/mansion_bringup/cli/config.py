@@ -1,4 +1,4 @@
-"""``mansion config``: which settings hold, and where each comes from."""
+"""``mansion config``: the settings in effect, and where each comes from."""
 
 import os
 from collections.abc import Iterator
@@ -52,7 +52,7 @@ def register(app: typer.Typer) -> None:
 
 def config(
     context: typer.Context,
-    command: Annotated[list[str] | None, typer.Argument(help="Of this command alone, all options.")] = None,
+    command: Annotated[list[str] | None, typer.Argument(help="Only this command, with all its options.")] = None,
     as_json: AsJson = False,
 ) -> None:
     """Show which settings hold and where each comes from: a file, the environment, or a command's own default.

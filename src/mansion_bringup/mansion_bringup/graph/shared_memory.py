@@ -234,7 +234,7 @@ def _locked_by(pid: int, descriptor: str, shm: Path) -> Segment | None:
 def _unread_ports(names: set[str], shm: Path) -> set[Segment]:
     """Return the ports among `names` that have no lock file.
 
-    Fast DDS makes the port of a peer that was killed anew, without a lock, while it still sends to that peer.
+    Fast DDS recreates the port of a peer that was killed, without a lock, while it still sends to that peer.
     """
     ports = [name for name in names if PORT.fullmatch(name) and not names & {name + suffix for suffix in SUFFIXES}]
     return {Segment(name, memory) for name in ports if (memory := _id_at(shm / name)) is not None}
@@ -295,7 +295,7 @@ def _remove(segment: Segment, shm: Path) -> bool:
         if unlocked and (changed or _is_mapped(segment) or all(map(os.path.lexists, locks))):
             lock.unlink(missing_ok=True)
         elif not changed:
-            # The lock file comes last: who finds none may make the port anew.
+            # The lock file comes last: whoever finds none may recreate the port.
             for path in (memory, shm / f"sem.{segment.name}_mutex", lock):
                 if _id_at(path) is not None:
                     path.unlink(missing_ok=True)

@@ -1,7 +1,8 @@
 """Carry out an instruction that was read: each statement with tools, the whole checked, and landed or dropped."""
 
 import re
-from dataclasses import replace
+from collections.abc import Generator
+from dataclasses import dataclass, field, replace
 from typing import Final
 
 import msgspec
@@ -14,7 +15,7 @@ from mansion_editing.instructions.doing.carrying_out import carry
 from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.descriptions import things_of
 from mansion_editing.instructions.statements import Ask, History, Instruction, Keep, Mention, Things, When
-from mansion_editing.runs.policies import Policy, Unmet, Verdict
+from mansion_editing.runs.policies import Action, Outcome, Policy, Unmet, Verdict
 from mansion_editing.runs.run import run_policy
 from mansion_editing.state import SceneState
 from mansion_msgs_py.codec import to_builtins
@@ -123,65 +124,98 @@ def statement_policy(editor: SceneEditor, instruction: Instruction, *, partly: b
         As of `carry_out`.
     """
     asked = [statement for statement in instruction.statements if not isinstance(statement, Mention)]
-    missed: list[str] = []
-    if instruction.not_understood:
-        words = "; ".join(repr(part[:80]) for part in instruction.not_understood)
-        if not (partly and asked):
-            openings = any(_OPENINGS.search(part) for part in instruction.not_understood)
-            reason = f"not understood: {words}; {_OF_OPENINGS if openings else _EXAMPLES}"
-            return Verdict(reason, failed=[reason])
-        missed.append(f"not understood: {words}")
-    if not asked:
-        return Verdict("the words ask for nothing", failed=["the words ask for nothing"])
+    unread = _unread(instruction)
+    if not asked or (unread and not partly):
+        reason = f"{unread}; {_accepted(instruction)}" if unread else "the words ask for nothing"
+        return Verdict(reason, failed=[reason])
     try:
         instruction = repeated(instruction, editor)
     except MansionError as error:
         return _refused(error, "")
-    state = editor.state
-    steps: list[Step] = []
-    replies: list[str] = []
-    before = state.copied()
-    answers: list[tuple[Ask, bool]] = []
-    context = replace(context_of(editor), kept=_kept(instruction, state))
-    for statement in instruction.statements:
-        mark = len(state.pending)
-        try:
-            if isinstance(statement, When):
-                if _answer(statement.ask, answers, state, context) != statement.holds:
-                    replies.append(f"{statement.quote}: not so, nothing had to change")
-                    continue
-                statement = statement.then
-            done = yield from carry(statement, state, context)
-        except (Unmet, MansionError) as error:
-            if not partly:
-                return _refused(error, statement.quote)
-            state.roll_back(mark)
-            missed.append(_refused(error, statement.quote).summary)
-            continue
-        after = state.copied()
-        step = Step(statement, context, before, after)
-        wrong = faults([step]) if partly else []
-        if wrong:
-            state.roll_back(mark)
-            missed += wrong
-            continue
-        steps.append(step)
-        replies += [done.reply] if done.reply else []
-        replies += moved_aside(step)
-        before, context = after, done.context
-    found = faults(steps)
+    context = replace(context_of(editor), kept=_kept(instruction, editor.state))
+    course = _Course(editor.state, context, missed=[unread] if unread else [])
+    refused = yield from _carried_out(instruction, course, partly=partly)
+    if refused is not None:
+        return refused
+    found = faults(course.steps)
     if found:
         return Verdict(f"the edit was dropped: {'; '.join(found)}", failed=found)
     if all(isinstance(statement, Ask) for statement in asked):
-        remember(editor, context)
-        return Verdict(" ".join(replies), replies, question=True)
-    if partly and not steps:
-        return Verdict("; ".join(missed), failed=missed)
-    replies += [f"not done: {reason}" for reason in missed]
+        remember(editor, course.context)
+        return Verdict(" ".join(course.replies), course.replies, question=True)
+    if partly and not course.steps:
+        return Verdict("; ".join(course.missed), failed=course.missed)
+    replies = [*course.replies, *(f"not done: {reason}" for reason in course.missed)]
     passed = [s.quote for s in instruction.statements if isinstance(s, Mention) and s.passed_over]
     replies += [f"not acted on: {quote!r}" for quote in passed]
     told = f" (ignored, as scenes do not record it: {', '.join(instruction.ignored)})" if instruction.ignored else ""
     return Verdict("; ".join(replies) + told, replies)
+
+
+@dataclass
+class _Course:
+    """How far the statements of an instruction are carried out.
+
+    Attributes
+    ----------
+    missed : list of str
+        What was not understood or could not be done.
+    answers : list
+        Conditions that were looked at, and whether they held.
+    """
+
+    state: SceneState
+    context: Context
+    missed: list[str]
+    steps: list[Step] = field(default_factory=list)
+    replies: list[str] = field(default_factory=list)
+    answers: list[tuple[Ask, bool]] = field(default_factory=list)
+
+
+def _unread(instruction: Instruction) -> str:
+    """Return words for what was not understood; empty where all was."""
+    words = "; ".join(repr(part[:80]) for part in instruction.not_understood)
+    return f"not understood: {words}" if words else ""
+
+
+def _accepted(instruction: Instruction) -> str:
+    """Return words for what can be asked for instead of what was not understood."""
+    openings = any(_OPENINGS.search(part) for part in instruction.not_understood)
+    return _OF_OPENINGS if openings else _EXAMPLES
+
+
+def _carried_out(
+    instruction: Instruction, course: _Course, *, partly: bool
+) -> Generator[Action, Outcome, Verdict | None]:
+    """Carry out the statements in turn; return the refusal of the first that cannot be, where all have to."""
+    before = course.state.copied()
+    for statement in instruction.statements:
+        mark = len(course.state.pending)
+        try:
+            if isinstance(statement, When):
+                if _answer(statement.ask, course.answers, course.state, course.context) != statement.holds:
+                    course.replies.append(f"{statement.quote}: not so, nothing had to change")
+                    continue
+                statement = statement.then
+            done = yield from carry(statement, course.state, course.context)
+        except (Unmet, MansionError) as error:
+            refused = _refused(error, statement.quote)
+            if not partly:
+                return refused
+            course.state.roll_back(mark)
+            course.missed.append(refused.summary)
+            continue
+        after = course.state.copied()
+        step = Step(statement, course.context, before, after)
+        wrong = faults([step]) if partly else []
+        if wrong:
+            course.state.roll_back(mark)
+            course.missed += wrong
+            continue
+        course.steps.append(step)
+        course.replies += [*([done.reply] if done.reply else []), *moved_aside(step)]
+        before, course.context = after, done.context
+    return None
 
 
 def _answer(ask: Ask, answers: list[tuple[Ask, bool]], state: SceneState, context: Context) -> bool:

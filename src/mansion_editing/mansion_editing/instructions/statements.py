@@ -107,6 +107,8 @@ class Rooms(msgspec.Struct, frozen=True, kw_only=True, tag=True):
         Right above or below `base` ("the room above the kitchen").
     others : bool
         Not the one that was mentioned last, or that things come from ("the other bedroom").
+    but : tuple of Rooms
+        Exceptions ("every room except the toilet").
     """
 
     words: str = ""
@@ -122,6 +124,7 @@ class Rooms(msgspec.Struct, frozen=True, kw_only=True, tag=True):
     base: str = ""
     over: bool = False
     others: bool = False
+    but: "tuple[Rooms, ...]" = ()
 
 
 class Things(msgspec.Struct, frozen=True, kw_only=True, tag=True):

@@ -11,7 +11,7 @@ from mansion_editing.robot_passages import passages_of
 from mansion_editing.structure.displaced_objects import Settled, settle
 from mansion_editing.structure.rebuilding import Rebuilt
 from mansion_editing.structure.standing_checks import RoomSpace
-from mansion_editing.structure.storeys import Storey, Workshop, node_of
+from mansion_editing.structure.storey_documents import Storey, Workshop, node_of
 from mansion_editing.structure.wall_moves import MovedWall
 from mansion_msgs_py.scene import Discard, FloorScene, Light, SceneObject, SceneRoom
 from mansion_scene.lighting import room_lights
@@ -20,7 +20,7 @@ from mansion_scene.spawn import free_region, place_spawn
 __all__ = ["Finished", "finish"]
 
 _MOST_UNSETTLED = 0.35
-"""Share of a room's furniture from which it is furnished anew rather than piece by piece."""
+"""Share of a room's furniture from which it is furnished again rather than piece by piece."""
 
 _MOST_LOST = 0.1
 """Share of a room's furniture that may be lost without that."""
@@ -35,7 +35,7 @@ class Finished:
     settled : dict of str to Settled
         By room, what became of its objects.
     anew : dict of str to Counter
-        By room that was furnished anew, what it had and has no more, by category.
+        For each room that was refurnished, what it lost, by category.
     """
 
     scene: FloorScene
@@ -62,7 +62,7 @@ def finish(
     moves : sequence of MovedWall
         By the rooms' ids in the scene.
     anew : collection of str
-        Rooms to furnish anew; others are where their furniture cannot stay, or would leave a robot no way.
+        Rooms to furnish again; others are where their furniture cannot stay, or would leave a robot no way.
     """
     structure = rebuilt.structure
     scene = msgspec.structs.replace(
@@ -111,7 +111,7 @@ class _Work:
         self._put(room, result.objects)
 
     def furnish(self, room: SceneRoom) -> None:
-        """Furnish a room anew."""
+        """Furnish a room again."""
         program = next((entry for entry in self.storey.floor.rooms if entry.id == node_of(room)), None)
         requested = program.objects if program is not None else []
         seed, catalogue = self.storey.program.seed, self.workshop.catalogue
@@ -167,7 +167,7 @@ def _under_free_names(objects: Sequence[SceneObject], taken: Collection[str]) ->
 
 
 def _lit(scene: FloorScene, before: FloorScene, touched: Collection[str]) -> FloorScene:
-    """Return a scene with the lights of touched rooms made anew, and the robot's start where it can be."""
+    """Return a scene with the lights of touched rooms made again, and the robot's start where it can be."""
     lights: list[Light] = [light for light in before.lights if light.room is None]
     by_room: Mapping[str, list[Light]] = {
         room.id: room_lights(room, scene.objects)

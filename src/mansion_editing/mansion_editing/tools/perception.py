@@ -1,4 +1,4 @@
-"""What the static state answers: SearchAssets, ListObjects, CheckSurface, SearchContents, and what words refer to."""
+"""Questions to the static state: SearchAssets, ListObjects, CheckSurface, SearchContents; what words refer to."""
 
 import math
 import re

@@ -21,7 +21,7 @@ CABIN_GAP, CABIN_WALL = 0.08, 0.05
 """Between shaft and cabin, and of the cabin's walls; metres. The gap is for lifts without details."""
 
 FACINGS: dict[float, Point] = {0.0: (0.0, 1.0), 90.0: (-1.0, 0.0), 180.0: (0.0, -1.0), -90.0: (1.0, 0.0)}
-"""The y axis of a frame that is turned by so many degrees."""
+"""The y axis of a frame that is turned by that many degrees."""
 
 
 @dataclass(frozen=True, slots=True)

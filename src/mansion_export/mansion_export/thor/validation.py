@@ -368,7 +368,7 @@ def _check_reachability(house: Json) -> list[HouseFault]:
         else:
             counts[home] += 1
     found += [
-        HouseFault("reach", name, f"{count} reachable positions, {ENOUGH_POSITIONS} are asked")
+        HouseFault("reach", name, f"{count} reachable positions, {ENOUGH_POSITIONS} are required")
         for name, count in counts.items()
         if count < ENOUGH_POSITIONS
     ]

@@ -134,7 +134,7 @@ def run_node(make: Callable[[], Node], args: Sequence[str] | None = None, *, thr
     args : sequence of str, optional
         Command line with ``--ros-args``; ``sys.argv`` when absent.
     threads : int
-        Of the executor.
+        Threads of the executor.
 
     Raises
     ------

@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+from mansion_planner.brief.asides import TRIALS
 from mansion_planner.brief.building import MADE_INTO
 from mansion_planner.brief.phrase import PLAIN, Phrase
 from mansion_planner.brief.reading import Reading
@@ -41,7 +42,10 @@ def _is_tried(reading: Reading, phrase: Phrase) -> bool:
     at = phrase.begin - 1
     while reading.word(at) in ("the", "our", "a", "an", "some", "new"):
         at -= 1
-    if reading.word(at) not in ("of", "with", "on", "about") or reading.word(at - 1) not in _TRIALS:
+    trial = phrase.noun_end - phrase.begin == 1 and reading.word(phrase.begin) in TRIALS
+    if trial and not phrase.counted and reading.word(at) == "for" and reading.word(phrase.last) in ("of", "about"):
+        return True  # "for the study of children"
+    if reading.word(at) not in ("of", "with", "on", "about") or reading.word(at - 1) not in TRIALS:
         return False
     return "for" in reading.words(max(at - 4, 0), at - 1)
 
@@ -53,9 +57,6 @@ def _is_predicate(reading: Reading, phrase: Phrase) -> bool:
     return said and len(words) > 1 and all(word in _SEPARATE for word in words[:-1])
 
 
-_TRIALS = frozenset(
-    "trial test testing experiment research evaluation simulation training development study project".split()
-)
 _SEPARATE = frozenset("separate separated different distinct independent divided own individual".split())
 
 

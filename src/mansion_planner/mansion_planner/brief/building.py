@@ -6,7 +6,7 @@ from functools import cached_property
 
 from mansion_planner.brief.furniture_words import furniture_of
 from mansion_planner.brief.lexicon import lexicon_of
-from mansion_planner.brief.phrase import FUNCTION_WORDS, PEOPLE, PLAIN, Phrase
+from mansion_planner.brief.phrase import BARE_BUILDINGS, FUNCTION_WORDS, PEOPLE, PLAIN, Phrase
 from mansion_planner.brief.qualifiers import subject_of_building
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
 from mansion_planner.brief.room_names import CONTRASTS
@@ -102,7 +102,8 @@ class _Candidate:
     @property
     def is_room(self) -> bool:
         """Whether it can be a room as well: an office, a workshop."""
-        return self.phrase.head == "room" or self.phrase.building == "office"
+        whole = self.reading.word(self.phrase.noun_end - 1) in BARE_BUILDINGS  # "an office building"
+        return not whole and (self.phrase.head == "room" or self.phrase.building == "office")
 
     @cached_property
     def earlier(self) -> bool:

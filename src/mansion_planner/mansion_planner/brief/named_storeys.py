@@ -320,7 +320,7 @@ class NamedStoreys:
     def _is_middle(self, index: int) -> bool:
         """Whether "middle" stands for the storeys in between: "Middle: three flats", "in the middle two offices"."""
         reading, following = self.reading, self.reading.word(index + 1)
-        if reading.word(index) != "middle":
+        if reading.word(index) not in ("middle", "mid"):
             return False
         if following in (":", "=") and reading.starts(index):
             return True

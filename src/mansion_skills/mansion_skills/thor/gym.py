@@ -31,7 +31,7 @@ class ThorGym(Robot, Closing):
         One that runs; without it AI2-THOR is started (extra ``thor``) with `parameters`.
     session : str
     reset : bool
-        Begin anew instead of where the session was left.
+        Start over instead of continuing where the session was left.
     force : bool
         Pass ``forceAction`` to what hands do.
     durable : bool

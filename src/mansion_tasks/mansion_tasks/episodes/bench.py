@@ -148,7 +148,7 @@ def _check_building(file: Path, building: Path) -> None:
         raise MansionError(
             ErrorCode.NOT_FOUND,
             f"{building} holds no building.json, but {file} names it as its building; put both back, or make the "
-            "tasks anew with `mansion task generate`",
+            "tasks again with `mansion task generate`",
             path="$.building",
         )
 

@@ -132,7 +132,7 @@ class Observer:
     port : SkillPort
     task : Task
     access : Access
-        Of the agent.
+        What the agent may know.
     """
 
     def __init__(self, port: SkillPort, task: Task, access: Access) -> None:

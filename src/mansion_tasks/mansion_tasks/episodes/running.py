@@ -32,7 +32,7 @@ class EpisodeOptions:
     Attributes
     ----------
     seed : int
-        Of the whole bench; each episode's own comes from it, the task and the agent.
+        Seed of the whole bench; each episode's own comes from it, the task and the agent.
     lessons : tuple of str
         What the agent learned before.
     pictures : callable, optional

@@ -6,6 +6,7 @@ from mansion_editing.instructions.clauses.colours import Colours
 from mansion_editing.instructions.clauses.items import Item, NotUnderstood, joined_places
 from mansion_editing.instructions.clauses.states import States, state_set
 from mansion_editing.instructions.phrases.places import read_place
+from mansion_editing.instructions.phrases.verbs import verb_at
 from mansion_editing.instructions.phrases.word_sets import BACK_IN_PLACE
 from mansion_editing.instructions.phrases.words import STATE_WORDS
 from mansion_editing.instructions.statements import (
@@ -34,17 +35,30 @@ class Adding(States, Colours):
         laid = self._laid(at, place)
         if laid is not None:
             return laid
-        if self.text(at) in ("lay", "prepare", "arrange") and place == at + 1:
-            table = self.holder_at(place)
-            if table is not None and table.phrase.definite and self.text(table.end) in (":", "for"):
-                return self._equip(at, place)
+        if self._is_table_laid(at, place):
+            return self._equip(at, place)
         door = self._door_between(at, place)
         if door is not None:
             return door
         place = self._fronted_holder(at, place) or self._fronted(place)
         for_whom = self.text(place) in ("me", "us") and self.text(place + 1) != "to"
         items = self.items(place + for_whom)
+        if items[0].is_room and self.text(items[-1].end) == "with":
+            return self._equip(at, place)
+        return self._brought_otherwise(at, place, items) or self._added_at(at, place, items)
+
+    def _is_table_laid(self, at: int, place: int) -> bool:
+        """Whether ``lay the table for`` begins at a place, which names what is laid and not what is put somewhere."""
+        if self.text(at) not in ("lay", "prepare", "arrange") or place != at + 1:
+            return False
+        table = self.holder_at(place)
+        return table is not None and table.phrase.definite and self.text(table.end) in (":", "for")
+
+    def _brought_otherwise(self, at: int, place: int, items: list[Item]) -> tuple[list[Statement], int] | None:
+        """Read ``put the mug away``, ``put the mug back``, ``put the lamp on``, ``fetch the mug from the desk``."""
         end = items[-1].end
+        if self.text(at) == "put" and self.text(end) == "away":
+            return self._put_away(items, self.quote(at, end + 1)), end + 1
         back = self.text(end) == "back" or "back" in (w.text for w in self.words[at:place])
         if back and len(items) == 1 and not items[0].places and (items[0].phrase.refers or items[0].phrase.definite):
             end += self.text(end) == "back"
@@ -55,17 +69,16 @@ class Adding(States, Colours):
         if len(items) == 1 and verb in ("put", "leave") and self.text(end) in ("on", "off"):
             state, value = STATE_WORDS[self.text(end)]
             return [state_set(items[0].things(), state, self.quote(at, end + 1), value=value)], end + 1
-        if items[0].is_room and self.text(end) == "with":
-            return self._equip(at, place)
         source_only = bool(items[0].places) and all(p.source for p in items[0].places)
-        if (
-            len(items) == 1
-            and self.text(at) in ("fetch", "bring", "get", "carry", "take")
-            and items[0].phrase.definite
-            and source_only
-        ):
+        fetched = verb in ("fetch", "bring", "get", "carry", "take") and items[0].phrase.definite and source_only
+        if fetched and len(items) == 1:
             self.topic = items[0].things()
             return [Mention(quote=self.quote(at, end))], end
+        return None
+
+    def _added_at(self, at: int, place: int, items: list[Item]) -> tuple[list[Statement], int]:
+        """Return that things come to their places, with what comes along."""
+        end = items[-1].end
         structure = self._new_core(items, at, end)
         if structure is not None:
             return [structure], end
@@ -75,7 +88,8 @@ class Adding(States, Colours):
         joined, end = self._joined_places(end)
         if any(item.is_room for item in items):
             raise NotUnderstood(place, end)
-        more = self._more_of_them(items[0], self.quote(at, end)) if verb == "add" and len(items) == 1 else None
+        alone = self.text(at) == "add" and len(items) == 1
+        more = self._more_of_them(items[0], self.quote(at, end)) if alone else None
         out = [more or self._added(items, item, self.quote(at, end)) for item in items]
         for extra in further:
             out += [self._elsewhere(statement, extra) for statement in out[: len(items)]]
@@ -86,6 +100,12 @@ class Adding(States, Colours):
             out += [msgspec.structs.replace(statement, place=place_too) for statement in out[: len(items)]]
         out = [msgspec.structs.replace(statement, quote=self.quote(at, end)) for statement in out]
         return self.with_companions(out, at, end)
+
+    def _put_away(self, items: list[Item], quote: str) -> list[Statement]:
+        """Read ``put the keyboard on the desk away``: what is there goes."""
+        if any(item.is_room or not (item.phrase.definite or item.phrase.refers) for item in items):
+            raise NotUnderstood(items[0].phrase.start, items[-1].end)
+        return [self._removed(items, item, (), (), quote) for item in items]
 
     def _fronted_holder(self, at: int, place: int) -> int:
         """Read ``inside`` and ``on it`` before what is new ("put inside two apples") into the frame; 0 for others."""
@@ -128,7 +148,8 @@ class Adding(States, Colours):
                 break
             places, end = self.places(after)
             place = joined_places(list(places))[0]
-            if self.phrase(end) is not None or (place.anchor is None and place.rooms is None):
+            begins = verb_at(self.words, end, self.lexicon) is not None  # "and in the kitchen remove the mugs"
+            if begins or self.phrase(end) is not None or (place.anchor is None and place.rooms is None):
                 break
             listed = listed or self.text(after - 1) != ","
             out.append(place)
@@ -162,15 +183,22 @@ class Adding(States, Colours):
         new = main.by if isinstance(main, Replace) else main.things
         near = Place(relation="beside", anchor=Things(refers="last", definite=True, amount=Amount(number=0)))
         goal = near if isinstance(main, Replace) else main.place
+        end_of_goal = 0
         if isinstance(main, Add | Ensure) and main.place == Place():
-            return self._with_contents(said[:-1], main, at, place + 1)
+            goal, end_of_goal = self._goal_after_each(place + 1)
+            if goal == Place():
+                return self._with_contents(said[:-1], main, at, place + 1)
+            main = msgspec.structs.replace(main, place=goal)
+            said = [*said[:-1], main]
         try:
             others = self.items(place + 1)
         except NotUnderstood:
             return said, end
         stop = others[-1].end + (self.text(others[-1].end) == "each")
         each = each or stop > others[-1].end
+        stop = max(stop, end_of_goal)
         quote = self.quote(at, stop)
+        said = [msgspec.structs.replace(s, quote=quote) if s is main else s for s in said]
         times = max(1, new.amount.number) if each else 1
         out = [*said]
         for other in others:
@@ -184,6 +212,17 @@ class Adding(States, Colours):
                 where = Place(relation="on", anchor=last) if on_it else goal
             out.append(Add(things=things, place=where, quote=quote))
         return out, stop
+
+    def _goal_after_each(self, at: int) -> tuple[Place, int]:
+        """Read where things go after ``with a chair each``: ``to the open office``; no place where none is told."""
+        try:
+            others = self.items(at)
+        except NotUnderstood:
+            return Place(), 0
+        if any(other.places for other in others) or self.text(others[-1].end) != "each":
+            return Place(), 0
+        places, end = self.places(others[-1].end + 1)
+        return (self._framed(joined_places(places))[0], end) if places else (Place(), 0)
 
     def _with_contents(
         self, said: list[Statement], main: Add | Ensure, at: int, place: int
@@ -210,6 +249,13 @@ class Adding(States, Colours):
         whom = self.text(place) in ("him", "her") and self.text(place + 1) in ("a", "an", "another", "two", "some")
         if whom or self.text(place) in ("me", "us"):
             return self._add(at, place + 1)
+        surface = self.surface(place)
+        coat = 0 if surface is None else surface[1]
+        while coat and self.text(coat) in ("a", "an", "new", "fresh", "coat", "lick", "of", "paint", "touch"):
+            coat += 1
+        colour = self.colour_at(coat) if surface is not None else None
+        if surface is not None and colour is not None:
+            return self._painted(surface[0], colour[0], colour[1], self.quote(at, colour[2])), colour[2]
         where = self.item(place)
         if where is None:
             raise NotUnderstood(at, self.boundary(at))

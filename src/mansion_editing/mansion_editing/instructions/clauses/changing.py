@@ -2,12 +2,14 @@
 
 from typing import Final
 
+import msgspec
+
 from mansion_editing.instructions.clauses.items import Item, NotUnderstood
 from mansion_editing.instructions.clauses.moving import Moving
 from mansion_editing.instructions.clauses.sizes import Sizes
 from mansion_editing.instructions.clauses.wishes import Wishes
 from mansion_editing.instructions.phrases.word_sets import PROPERTIES
-from mansion_editing.instructions.statements import Furnish, Mention, Reshape, Statement
+from mansion_editing.instructions.statements import Add, Amount, Ensure, Furnish, Mention, Reshape, Statement
 
 __all__ = ["Changing"]
 
@@ -85,14 +87,42 @@ class Changing(Wishes, Moving, Sizes):
             colour = self.colour_at(surface[1])
             if colour is not None:
                 return self._painted(surface[0], colour[0], colour[1], self.quote(at, colour[2])), colour[2]
-        if self.text(place) == "it" and place + 1 < len(self.words) and self.words[place + 1].kind == "number":
-            return self._wanted(at, place + 1)
+        counted = place + 1 < len(self.words) and self.words[place + 1].kind == "number"
+        if self.text(place) == "it" and counted and self._amount_of_area(place + 1) is None:
+            said, stop = self._wanted(at, place + 1)
+            if (self.text(stop), self.text(stop + 1)) == ("instead", "of") and self.words[stop + 2 :]:
+                stop += 3 if self.words[stop + 2].kind == "number" else 0
+            return [_in_number(statement) for statement in said], stop  # "make it six chairs"
         room = self.item(place, places=False)
         if room is not None and room.is_room and "into" in [word.text for word in self.words[room.end : room.end + 6]]:
             return self._furnish(at, place)
         item = self.item(place)
         if item is None:
             raise NotUnderstood(at, self.boundary(at))
+        end = item.end
+        resized = self._made_larger(item, at) or self._a_little(item, end, at)
+        if resized is not None:
+            return resized
+        colour = self.colour_at(end)
+        if colour is not None:
+            return self._painted([item], colour[0], colour[1], self.quote(at, colour[2])), colour[2]
+        found = self._predicate(item, end, at)
+        if found is not None:
+            return found
+        it = item.phrase.refers == "last" and not item.phrase.noun.words and not item.phrase.plural
+        kind = self.kind_of_room(end) if it or item.phrase.noun.kind in ("room", "both") else None
+        if kind is not None and not (it and self.lexicon.is_object(tuple(kind[0].split()))):
+            return [Furnish(rooms=item.rooms(), kind=kind[0], quote=self.quote(at, kind[1]))], kind[1]
+        raise NotUnderstood(at, self.boundary(at))
+
+    def _made_larger(self, item: Item, at: int) -> tuple[list[Statement], int] | None:
+        """Read ``10 m2 larger``, ``smaller by 10 m2`` of a room.
+
+        Raises
+        ------
+        NotUnderstood
+            Where it is not told by how much.
+        """
         end = item.end
         area = self._amount_of_area(end)
         if area is not None:
@@ -111,9 +141,6 @@ class Changing(Wishes, Moving, Sizes):
                     what="area", rooms=rooms, area=value * (sign or 1.0), absolute=absolute or not sign, quote=quote
                 )
             ], stop
-        little = self._a_little(item, end, at)
-        if little is not None:
-            return little
         if self.text(end) in ("larger", "bigger", "smaller", "wider"):
             sign = -1.0 if self.text(end) == "smaller" else 1.0
             area = self._amount_of_area(end + 1)
@@ -122,14 +149,13 @@ class Changing(Wishes, Moving, Sizes):
                 change = Reshape(what="area", rooms=item.rooms(), area=sign * area[0], absolute=area[1], quote=quote)
                 return [change], area[2]
             raise NotUnderstood(at, self.boundary(at))
-        colour = self.colour_at(end)
-        if colour is not None:
-            return self._painted([item], colour[0], colour[1], self.quote(at, colour[2])), colour[2]
-        found = self._predicate(item, end, at)
-        if found is not None:
-            return found
-        it = item.phrase.refers == "last" and not item.phrase.noun.words and not item.phrase.plural
-        kind = self.kind_of_room(end) if it or item.phrase.noun.kind in ("room", "both") else None
-        if kind is not None and not (it and self.lexicon.is_object(tuple(kind[0].split()))):
-            return [Furnish(rooms=item.rooms(), kind=kind[0], quote=self.quote(at, kind[1]))], kind[1]
-        raise NotUnderstood(at, self.boundary(at))
+        return None
+
+
+def _in_number(statement: Statement) -> Statement:
+    """Return things of a kind that are named with their number as so many in all."""
+    if not isinstance(statement, Add) or not statement.things.noun or statement.things.amount.kind != "some":
+        return statement
+    amount = Amount(kind="exactly", number=statement.things.amount.number)
+    things = msgspec.structs.replace(statement.things, amount=amount)
+    return Ensure(things=things, place=statement.place, each=statement.each, quote=statement.quote)

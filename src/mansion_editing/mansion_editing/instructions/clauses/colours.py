@@ -73,8 +73,9 @@ class Colours(Outcomes):
             return None
         places, end = self.places(covering[2])
         rooms = joined_places(places)[0].rooms if places else self.frame.rooms
-        if rooms is None or any(p.place.anchor is not None for p in places):
+        if any(p.place.anchor is not None for p in places):
             return None
+        rooms = Rooms(same=True) if rooms is None else rooms
         finish = Finish(rooms=rooms, part="floor", colour=covering[0], material=covering[1], quote=self.quote(at, end))
         return [finish], end
 
@@ -102,6 +103,7 @@ class Colours(Outcomes):
 
     def surface(self, at: int) -> tuple[tuple[Surface, Rooms], int] | None:
         place = at
+        its = at < len(self.words) and self.words[at].raw in ("its", "their") and self.text(at + 1) in _PART
         while self.text(place) in BEFORE_SURFACES:
             place += 1
         if self.text(place) in _PART:
@@ -109,6 +111,7 @@ class Colours(Outcomes):
             end += self.text(end) in ("colour", "color", "finish", "material", "covering", "paint")
             places, end = self.places(end)
             rooms = joined_places(places)[0].rooms if places else self.frame.rooms
+            rooms = Rooms(same=True) if rooms is None and its else rooms
             return None if rooms is None else ((part, rooms), end)
         for length in (4, 3, 2, 1):
             head = place + length

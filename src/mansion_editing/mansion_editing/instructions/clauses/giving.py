@@ -41,6 +41,8 @@ class Giving(Outcomes):
         out = [self._given(item, goal, quote, each=each) for item in items]
         out = [_there(s) for s in out] if served else out
         stop = self._end_of_each_person(end) if served else end
+        if served and stop == end and persons > 1 and all(self._is_bare(item.phrase) for item in items):
+            return [_for_persons(s, persons) for s in out], end  # "for six: plate, knife and fork"
         if stop > end and not persons:
             raise NotUnderstood(at, stop)
         return [_for_persons(s, persons) for s in out] if stop > end else out, stop
@@ -55,9 +57,14 @@ class Giving(Outcomes):
         """Return the end of ``each``, ``per person`` after what is given; the place itself where there is none."""
         if self.text(at) in ("each", "apiece"):
             return at + 1
+        if (self.text(at), self.text(at + 1)) == ("for", "each") and self._ends_clause_at(at + 2):
+            return at + 2
         per = self.text(at) == "per" or (self.text(at), self.text(at + 1)) == ("for", "each")
         after = at + 1 + (self.text(at) == "for")
         return after + 1 if per and self.text(after) in PEOPLE | PERSONS | {"head", "seat"} else at
+
+    def _ends_clause_at(self, at: int) -> bool:
+        return at >= len(self.words) or self.words[at].kind == "mark"
 
     def _further(self, at: int) -> bool:
         """Whether words after a holder ask for more than there is: ``set the table for two more people``."""

@@ -57,43 +57,60 @@ class Keeping(Staying, Wishes, TooMany, Arranging, Removing):
         left = self._left_over(at, place)
         if left is not None:
             return left
-        rest = place
-        while self.text(rest) in ALL_THE_REST:
-            rest += 1
-        if rest > place and self.text(rest) in LEFT_ALONE:
-            while self.text(rest) in LEFT_AS_IT_IS:
-                rest += 1
+        rest = self._end_of_rest_left(place)
+        if rest:
             return [Mention(quote=self.quote(at, rest))], rest
-        others_there = self._rest_there(place)
-        if others_there and others_there > place + 1:
-            there = self.places(others_there)[1]
-            while self.text(there) in LEFT_AS_IT_IS:
-                there += 1
-            if there >= len(self.words) or self.words[there].kind == "mark":
-                return [Mention(quote=self.quote(at, there))], there
         way = self._way_stays_free(at, place, kept=True)
         if way is not None:
             return way
         items = self.items(place)
-        end = items[-1].end
-        item = items[0]
-        others = self._others_elsewhere(at, items)
-        if others is not None:
-            return others
-        end += self.text(end) in ("inside", "there", "here")
+        return self._others_elsewhere(at, items) or self._left_so(at, items) or self._left_there(at, place, items)
+
+    def _end_of_rest_left(self, at: int) -> int:
+        """Return the end of ``all else as it is``, ``the rest there`` that is left; 0 for other words."""
+        rest = at
+        while self.text(rest) in ALL_THE_REST:
+            rest += 1
+        if rest > at and self.text(rest) in LEFT_ALONE:
+            while self.text(rest) in LEFT_AS_IT_IS:
+                rest += 1
+            if self.phrase(rest) is None:
+                return rest
+        others_there = self._rest_there(at)
+        if not others_there or others_there <= at + 1:
+            return 0
+        there = self.places(others_there)[1]
+        while self.text(there) in LEFT_AS_IT_IS:
+            there += 1
+        return there if there >= len(self.words) or self.words[there].kind == "mark" else 0
+
+    def _left_so(self, at: int, items: list[Item]) -> tuple[list[Statement], int] | None:
+        """Read ``leave the door open``, ``leave both lamps on in the hall``."""
+        end = self._past_there(items[-1].end)
         stated = end
         while self.text(stated) in LEFT_SO:
             stated += 1
-        if self.text(stated) in STATE_WORDS and (stated == end or self.phrase(stated + 1) is None):
-            end = stated
-            state, value = STATE_WORDS[self.text(end)]
-            where, stop = self.places(end + 1)
-            quote = self.quote(at, stop)
-            placed = [Item(i.phrase, (*i.places, *where), stop) for i in items]
-            return [self._state_of(placed, i, state, (), quote, value=value) for i in placed], stop
+        if self.text(stated) not in STATE_WORDS or not (stated == end or self.phrase(stated + 1) is None):
+            return None
+        state, value = STATE_WORDS[self.text(stated)]
+        where, stop = self.places(stated + 1)
+        quote = self.quote(at, stop)
+        placed = [Item(i.phrase, (*i.places, *where), stop) for i in items]
+        return [self._state_of(placed, i, state, (), quote, value=value) for i in placed], stop
+
+    def _past_there(self, at: int) -> int:
+        return at + (self.text(at) in ("inside", "there", "here"))
+
+    def _left_there(self, at: int, place: int, items: list[Item]) -> tuple[list[Statement], int]:
+        """Read ``leave the sofa alone``, and ``leave two mugs on the desk``, which puts them there."""
+        item, end = items[0], self._past_there(items[-1].end)
         alone = end
         while self.text(alone) in KEPT_AS_IT_IS:
             alone += 1
+        goal = item.goal()[0].rooms
+        fetched = item.phrase.refers == "last" and not item.phrase.noun.words and goal is not None and bool(goal.words)
+        if fetched and alone == end and len(items) == 1:
+            return self._add(at, place)  # "take the ladder and leave it in the hall"
         there = item.phrase.definite and self.text(end - 1) == "there"  # "leave the brown one in there"
         if there or alone > end or (item.phrase.definite and not any(p.place.relation for p in item.places)):
             quote = self.quote(at, alone)

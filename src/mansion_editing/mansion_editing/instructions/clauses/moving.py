@@ -5,6 +5,7 @@ from collections.abc import Sequence
 import msgspec
 
 from mansion_editing.instructions.clauses.items import Item, NotUnderstood, joined_places
+from mansion_editing.instructions.clauses.outcomes import places_besides
 from mansion_editing.instructions.clauses.shifting import Shifting
 from mansion_editing.instructions.phrases.places import ReadPlace, read_place, with_place
 from mansion_editing.instructions.phrases.words import MODALS
@@ -36,8 +37,9 @@ class Moving(Shifting):
         if any(item.is_room for item in items):
             raise NotUnderstood(place, end)
         if besides:
-            further, end = self.places(end + (self.text(end) == ","))
-            if not further:
+            further, stop = self.places(end + (self.text(end) == ","))
+            end = stop if further else end
+            if not further and not any(p.goal for p in items[-1].places):
                 raise NotUnderstood(place, end)
             items = [*items[:-1], Item(items[-1].phrase, (*items[-1].places, *further), end)]
         if (
@@ -52,7 +54,7 @@ class Moving(Shifting):
         out: list[Statement] = []
         quote = self.quote(at, end)
         for item in items:
-            own = item.places or items[-1].places
+            own = item.places or places_besides(item, items[-1])
             source, goal, _ = self._source_and_goal(own)
             if goal == Place():
                 raise NotUnderstood(at, end)
@@ -81,8 +83,13 @@ class Moving(Shifting):
         quote = self.quote(at, end)
         if len(items) == 1 and _means_two(items[0]):
             return [Swap(one=items[0].things(), other=items[0].things(), quote=quote)], end
-        pair = _of_two_rooms(items[0]) if len(items) == 1 else None
-        if pair is not None:
+        of_each = _of_two_rooms(items[0]) if len(items) == 1 else None
+        if of_each is not None:
+            return [Swap(one=of_each[0], other=of_each[1], quote=quote)], end
+        names = items[0].rooms().words.split(JOINED) if len(items) == 1 and items[0].is_room else []
+        if len(names) == 2:
+            floors = items[0].rooms().floors
+            pair = [Rooms(words=name, floors=floors) for name in names]
             return [Swap(one=pair[0], other=pair[1], quote=quote)], end
         if len(items) == 2 and items[0].is_room and items[1].is_room:
             return [Swap(one=items[0].rooms(), other=items[1].rooms(), quote=quote)], end
@@ -118,6 +125,8 @@ class Moving(Shifting):
         if one is not None and _means_two(one) and one.end == stop:
             quote = self.quote(at, stop + 2)
             return [Swap(one=one.things(), other=one.things(), quote=quote)], stop + 2
+        if one is not None and self.text(stop + 2) == "with":
+            return self._changes_places_with(at, one, stop)
         if one is None or self.text(one.end) != "and":
             return None
         other = subjects.item(one.end + 1)
@@ -134,6 +143,22 @@ class Moving(Shifting):
         return [
             Swap(one=self._within_frame(one.things()), other=self._within_frame(other.things()), quote=quote)
         ], end + 2
+
+    def _changes_places_with(self, at: int, one: Item, stop: int) -> tuple[list[Statement], int] | None:
+        """Read ``the dresser in room 1 should swap places with the one in room 3``; the verb is at `stop`."""
+        end = one.end
+        while self.text(end) in MODALS or self.text(end) in ("to", "please", "has", "have", "need"):
+            end += 1
+        self.last_noun = one.phrase.noun if one.phrase.noun.words else self.last_noun
+        other = self.item(stop + 3)
+        if end != stop or other is None or other.is_room != one.is_room or not one.phrase.definite:
+            return None
+        quote = self.quote(at, other.end)
+        if one.is_room:
+            return [Swap(one=one.rooms(), other=other.rooms(), quote=quote)], other.end
+        other = self._named(other, [one])
+        first, second = (self._within_frame(item.things()) for item in (one, other))
+        return [Swap(one=first, other=second, quote=quote)], other.end
 
     def _replaced_by(self, at: int, place: int, joint: int) -> tuple[list[Statement], int]:
         """Read ``X with Y``: an exchange of places where both are there, else something new for something old."""

@@ -22,7 +22,15 @@ from mansion_editing.instructions.statements import (
     Things,
 )
 
-__all__ = ["Outcomes", "at_receiver", "begins_in_a_room", "everything_at", "goes_on_from_a_room", "named_as"]
+__all__ = [
+    "Outcomes",
+    "at_receiver",
+    "begins_in_a_room",
+    "everything_at",
+    "goes_on_from_a_room",
+    "named_as",
+    "places_besides",
+]
 
 _RUBBISH: Final = frozenset("rubbish trash garbage dump skip tip landfill".split())
 """Where things go that leave the building."""
@@ -178,17 +186,30 @@ class Outcomes(Sentence):
     def _given(self, item: Item, goal: Place, quote: str, *, each: bool) -> Statement:
         own = item.goal()[0]
         place = at_receiver(own, goal)
-        if place.relation == "on" and place.anchor is not None and self.lexicon.stands(item.phrase.noun.words):
+        on_it = place.anchor is not None and self._may_be_on(item, tuple(place.anchor.noun.split()))
+        stands = not on_it and self.lexicon.stands(item.phrase.noun.words)
+        if place.relation == "on" and place.anchor is not None and stands:
             place = msgspec.structs.replace(place, relation="around" if item.phrase.plural else "beside")
         if item.phrase.amount.kind in ("exactly", "at_least", "at_most"):
             return Ensure(things=item.phrase.things(), place=place, each=each, quote=quote)
+        source = joined_places([p for p in item.places if p.source])[0]
+        if source != Place() and not each:  # "give the den the desk from the study"
+            known = item.phrase.definite or self._is_partitive(item.phrase)
+            things = with_place(item.phrase.things(), source)
+            return Move(things=self._all_if_plural(things) if known else things, place=goal, quote=quote)
         return Add(things=item.phrase.things(), place=place, each=each, quote=quote)
+
+    def _may_be_on(self, item: Item, holder: tuple[str, ...]) -> bool:
+        """Whether a general word for one thing has kinds that lie on furniture such as this: a plant for each desk."""
+        noun = item.phrase.noun.words
+        return not item.phrase.plural and self.lexicon.has_small_kinds(noun) and self.lexicon.carries(holder)
 
     def _removed(
         self, items: Sequence[Item], item: Item, more: Sequence[ReadPlace], besides: tuple[Things, ...], quote: str
     ) -> Statement:
         at = items.index(item)
-        own = item.places or next((other.places for other in (*items[at:], *reversed(items[:at])) if other.places), ())
+        others = (places_besides(item, other) for other in (*items[at:], *reversed(items[:at])))
+        own = item.places or next((places for places in others if places), ())
         place, _ = self._framed(joined_places([*own, *more]))
         things = self._in_each_room(item.phrase)
         number = next((b.amount.number for b in besides if b.refers == "last" and b.amount.number), 0)
@@ -247,6 +268,12 @@ class Outcomes(Sentence):
             return place
         self.frame, _ = joined_places(following)
         return end
+
+
+def places_besides(item: Item, other: Item) -> tuple[ReadPlace, ...]:
+    """Return the places of another thing of a list that the first is at too: not ``around it``, which is at itself."""
+    noun = " ".join(item.phrase.noun.words)
+    return tuple(p for p in other.places if p.place.anchor is None or p.place.anchor.noun != noun)
 
 
 def goes_on_from_a_room(places: Sequence[ReadPlace]) -> bool:

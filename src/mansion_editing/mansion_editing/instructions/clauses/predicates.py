@@ -1,5 +1,7 @@
 """What is said of a subject: that it is on, gone, red, on the desk, or has something."""
 
+from typing import Final
+
 import msgspec
 
 from mansion_editing.instructions.clauses.colours import Colours
@@ -7,7 +9,8 @@ from mansion_editing.instructions.clauses.items import Item, NotUnderstood, join
 from mansion_editing.instructions.clauses.outcomes import at_receiver
 from mansion_editing.instructions.clauses.states import States
 from mansion_editing.instructions.clauses.ways import Ways
-from mansion_editing.instructions.phrases.places import with_place
+from mansion_editing.instructions.phrases.places import ReadPlace, with_place
+from mansion_editing.instructions.phrases.verb_words import Deed
 from mansion_editing.instructions.phrases.verbs import verb_at
 from mansion_editing.instructions.phrases.word_sets import (
     ANY_LONGER,
@@ -42,6 +45,10 @@ from mansion_editing.instructions.statements import (
 )
 
 __all__ = ["Predicates"]
+
+_CARRYING: Final = frozenset("carry bear store".split())
+_GETTING: Final = frozenset("need require get lack deserve miss use".split())
+"""Verbs by which something comes besides what is there."""
 
 
 class Predicates(States, Colours, Ways):
@@ -117,87 +124,76 @@ class Predicates(States, Colours, Ways):
         if found is None:
             return None
         deed, after = found
-        if deed == "remove" and not negated:
+        if negated:
+            return None
+        if deed == "remove":
             places, end = self.places(after)
             things = self._all_if_plural(Item(item.phrase, (*item.places, *places), end).things())
             return [Remove(things=things, quote=self.quote(at, end))], end
-        if deed == "clear" and not negated:
-            if self.text(after) in ("of", "from"):
-                gone = self.items(after + 1)
-                return self._gone_from(item, gone, self.quote(at, gone[-1].end)), gone[-1].end
-            after += self.text(after) in ("up", "out", "off")
-            after, spare = self.exceptions(after)
-            return [Clear(place=self._emptied(item), spare=spare, quote=self.quote(at, after))], after
-        if negated:
-            return None
+        if deed == "clear":
+            return self._said_cleared(item, after, at)
+        if deed in ("move", "add"):
+            return self._said_put(item, deed, after, at)
+        return self._said_changed(item, deed, after, at)
+
+    def _said_cleared(self, item: Item, after: int, at: int) -> tuple[list[Statement], int]:
+        """Read ``should be cleared of mugs``, ``must be empty but for the lamp``, up to the end of the participle."""
+        if self.text(after) in ("of", "from"):
+            gone = self.items(after + 1)
+            return self._gone_from(item, gone, self.quote(at, gone[-1].end)), gone[-1].end
+        after += self.text(after) in ("up", "out", "off")
+        after, spare = self.exceptions(after)
+        return [Clear(place=self._emptied(item), spare=spare, quote=self.quote(at, after))], after
+
+    def _said_put(self, item: Item, deed: Deed, after: int, at: int) -> tuple[list[Statement], int]:
+        """Read ``should be moved to the hall``, ``should be put on the desk``, up to the end of the participle."""
         if deed == "move" and self.text(after) == ":":
             self.topic = item.things()
             return [Mention(quote=self.quote(at, after))], after
-        if deed in ("move", "add"):
-            places, end = self.places(after)
-            if places or self.text(after) in ("there", "instead"):
-                whole = Item(item.phrase, (*item.places, *places), end)
-                if deed == "move":
-                    source, goal, _ = self._source_and_goal(whole.places)
-                    if places and self.text(places[0].start) in ("upstairs", "downstairs"):
-                        source, goal = joined_places(item.places)[0], joined_places(places)[0]
-                    things = item.phrase.things() if source == Place() else with_place(item.phrase.things(), source)
-                    return [Move(things=self._all_if_plural(things), place=goal, quote=self.quote(at, end))], end
-                return [self._added([whole], whole, self.quote(at, end))], end
+        places, end = self._onward(after)
+        if not places and self.text(after) not in ("there", "instead"):
             return [self._added([item], item, self.quote(at, after))], after
+        whole = Item(item.phrase, (*item.places, *places), end)
+        if deed == "add":
+            return [self._added([whole], whole, self.quote(at, end))], end
+        source, goal, _ = self._source_and_goal(whole.places)
+        if places and self.text(places[0].start) in ("upstairs", "downstairs"):
+            source, goal = joined_places(item.places)[0], joined_places(places)[0]
+        things = item.phrase.things() if source == Place() else with_place(item.phrase.things(), source)
+        return [Move(things=self._all_if_plural(things), place=goal, quote=self.quote(at, end))], end
+
+    def _said_changed(self, item: Item, deed: Deed, after: int, at: int) -> tuple[list[Statement], int] | None:
+        """Read ``should be replaced by a sofa``, ``painted red``, ``called Den``, up to the end of the participle."""
         if deed == "replace" and self.text(after) in ("with", "by"):
             new = self.items(after + 1)
-            quote = self.quote(at, new[-1].end)
-            return [Replace(things=self._all_if_plural(item.things()), by=new[0].phrase.things(), quote=quote)], new[
-                -1
-            ].end
-        if deed == "paint":
-            colour = self.colour_at(after)
-            if colour is not None:
-                return self._painted([item], colour[0], colour[1], self.quote(at, colour[2])), colour[2]
+            end = new[-1].end
+            things = self._all_if_plural(item.things())
+            return [Replace(things=things, by=new[0].phrase.things(), quote=self.quote(at, end))], end
+        colour = self.colour_at(after) if deed == "paint" else None
+        if colour is not None:
+            return self._painted([item], colour[0], colour[1], self.quote(at, colour[2])), colour[2]
         if deed == "equip" and self.text(after) == "with":
             new = self.items(after + 1)
-            quote = self.quote(at, new[-1].end)
-            goal = self._receiver(item)
+            quote, goal = self.quote(at, new[-1].end), self._receiver(item)
             return [self._given(n, goal, quote, each=item.phrase.each) for n in new], new[-1].end
         if deed == "rename":
-            after += self.text(after) in ("to", "as")
-            name, stop = self.name_at(after)
+            name, stop = self.name_at(after + (self.text(after) in ("to", "as")))
             return [Rename(room=item.rooms(), name=name, quote=self.quote(at, stop))], stop
-        if deed == "furnish" and self.text(after) in ("as", "into", "like"):
-            kind = self.phrase(after + 1)
-            if kind is not None:
-                words = " ".join((*filter(None, [kind.noun.owned]), *kind.noun.words))
-                return [Furnish(rooms=item.rooms(), kind=words, quote=self.quote(at, kind.end))], kind.end
-        return None
+        kind = self.phrase(after + 1) if deed == "furnish" and self.text(after) in ("as", "into", "like") else None
+        if kind is None:
+            return None
+        words = " ".join((*filter(None, [kind.noun.owned]), *kind.noun.words))
+        return [Furnish(rooms=item.rooms(), kind=words, quote=self.quote(at, kind.end))], kind.end
 
     def _said_having(self, item: Item, place: int, at: int, negated: bool) -> tuple[list[Statement], int] | None:
         """Read ``needs two chairs``, ``should have a clock``, ``must not contain any knives``."""
         word = self.text(place)
         if word == "do" and self.text(place + 1) == "with":
             return self._said_having(item, place + 1, at, negated)
-        used = word == "use" and self.text(place - 1) in ("could", "can")
-        if word in ("has", "have") and self.text(place + 1) == "no" and self.text(place + 2) in ("business", "place"):
-            places, end = self.places(place + 3 + (self.text(place + 3) == "being"))
-            gone = Item(item.phrase, (*item.places, *places), end).things()
-            gone = self._as_certain(item, gone)
-            return [Remove(things=self._all_if_plural(gone), quote=self.quote(at, end))], end
-        if item.is_room and word in ("has", "have") and self._lacks_use(place + 1):
-            return [Mention(rooms=item.rooms(), quote=self.quote(at, self._lacks_use(place + 1)))], self._lacks_use(
-                place + 1
-            )
-        lacked = self._said_alone_without(item, place, at, negated)
+        lacked = self._said_out_of_place(item, place, at) or self._said_alone_without(item, place, at, negated)
         if lacked is not None:
             return lacked
-        if (
-            word not in HAVE
-            and word not in ("carry", "bear", "store")
-            and not (word == "with" and self.text(place - 1) == "do")
-            and not used
-            and word not in WANTING
-        ):
-            return None
-        if self.text(place + 1) == "to":
+        if not self._is_having(place) or self.text(place + 1) == "to":
             return None
         wanted = self.item(place + 1) if word in ("want", "need") else None
         if wanted is not None and self._participle(wanted.end) is not None:
@@ -211,10 +207,31 @@ class Predicates(States, Colours, Ways):
         end = new[-1].end
         while self.text(end) in ("on", "in", "inside") and self.text(end + 1) in ("it", "them", "there"):
             end += 2
-        goal = self._receiver(item)
         quote = self.quote(at, end)
         if negated:
             return self._gone_from(item, new, quote), end
+        return self._had(item, word, new, quote), end
+
+    def _is_having(self, at: int) -> bool:
+        """Whether a word says that a subject has something, or needs it."""
+        word, before = self.text(at), self.text(at - 1)
+        used = word == "use" and before in ("could", "can")
+        return word in HAVE | WANTING | _CARRYING or used or (word == "with" and before == "do")
+
+    def _said_out_of_place(self, item: Item, place: int, at: int) -> tuple[list[Statement], int] | None:
+        """Read ``has no business in the library``, and ``has nowhere to hang clothes`` of a room."""
+        if self.text(place) not in ("has", "have"):
+            return None
+        if self.text(place + 1) == "no" and self.text(place + 2) in ("business", "place"):
+            places, end = self.places(place + 3 + (self.text(place + 3) == "being"))
+            gone = self._as_certain(item, Item(item.phrase, (*item.places, *places), end).things())
+            return [Remove(things=self._all_if_plural(gone), quote=self.quote(at, end))], end
+        end = self._lacks_use(place + 1) if item.is_room else 0
+        return ([Mention(rooms=item.rooms(), quote=self.quote(at, end))], end) if end else None
+
+    def _had(self, item: Item, verb: str, new: list[Item], quote: str) -> list[Statement]:
+        """Return that a subject has or is given things; what it needs comes besides what is there."""
+        goal = self._receiver(item)
         each = item.phrase.each or item.phrase.amount.kind == "all" or (item.phrase.plural and item.phrase.definite)
         out: list[Statement] = []
         for thing in new:
@@ -222,21 +239,15 @@ class Predicates(States, Colours, Ways):
             where = at_receiver(own, goal)
             if thing.phrase.amount.kind == "none":
                 out += self._gone_from(item, [thing], quote)
+            elif any(p.source for p in thing.places):
+                out.append(self._given(thing, goal, quote, each=each))
             elif thing.phrase.definite and own != Place() and not thing.phrase.plural:
                 out.append(Move(things=thing.phrase.things(), place=where, or_new=True, quote=quote))
-            elif thing.phrase.amount.kind == "more" or word in (
-                "need",
-                "require",
-                "get",
-                "lack",
-                "deserve",
-                "miss",
-                "use",
-            ):
+            elif thing.phrase.amount.kind == "more" or verb in _GETTING:
                 out.append(self._given(thing, goal, quote, each=each))
             else:
                 out.append(Ensure(things=thing.phrase.things(), place=where, each=each, quote=quote))
-        return out, end
+        return out
 
     def _as_certain(self, item: Item, things: Things) -> Things:
         """Return a thing that is named without an article, as in notes, as the certain one that is there."""
@@ -269,65 +280,96 @@ class Predicates(States, Colours, Ways):
         return [Mention(quote=quote)], lacking.end
 
     def _said_gone(self, item: Item, place: int, at: int, negated: bool) -> tuple[list[Statement], int] | None:
-        """Read ``must go``, ``should disappear``, ``goes``."""
+        """Read ``must go``, ``should stay``, ``is no longer needed``, ``comes out of the hall``."""
         word = self.text(place)
         if word in ("stay", "remain") or (word == "be" and self.text(place + 1) == "left"):
-            end = place + 1
-            if self.text(end) in STATE_WORDS and word in ("stay", "remain") and self.phrase(end + 1) is None:
-                return self._said_state(item, end, at, negated)
-            if negated:
-                raise NotUnderstood(at, self.boundary(at))  # where it shall go is not told
-            if self._is_bare(item.phrase) and word in ("stay", "remain") and not negated:
-                return self._bare_stays(item, end, at)
-            if item.phrase.amount.number and not item.phrase.definite and not negated:
-                return self._remaining(item, place + 1 + (word == "be"), at)
-            places, after = self.places(end)
-            end = after if places and not any(p.goal for p in places) else end
-            while self.text(end) in STAYING_AS_IT_IS:
-                end += 1
-            kept = Item(item.phrase, (*item.places, *(places if end == after else ())), end)
-            return [Keep(things=self._all(kept.things()), quote=self.quote(at, end))], end
+            return self._said_to_stay(item, place, at, negated)
         if word in ("needed", "required", "wanted", "necessary"):
-            end = place + 1
-            while self.text(end) in ANY_LONGER:
-                end += 1
-            if negated:
-                return [Remove(things=self._all_if_plural(item.things()), quote=self.quote(at, end))], end
-            places, end = self.places(end + (self.text(end) == ","))
-            if places and not item.phrase.definite:
-                whole = Item(item.phrase, (*item.places, *places), end)
-                return self._there(whole, whole.goal(), self.quote(at, end)), end
-        if word in ("go", "disappear", "vanish", "leave") and not negated:
-            rubbish = self._rubbish(place + 1) if word == "go" else 0
-            if rubbish:
-                gone = self._within_frame(item.things())
-                return [Remove(things=self._all_if_plural(gone), quote=self.quote(at, rubbish))], rubbish
-            exchanged = self._goes_for(item, place + 1, at) if word == "go" else None
-            if exchanged is not None:
-                return exchanged
-            left = self.item(place + 1) if word == "leave" else None
-            if left is not None and left.is_room:
-                gone = with_place(item.things(), Place(rooms=left.rooms()))
-                return [Remove(things=self._all_if_plural(gone), quote=self.quote(at, left.end))], left.end
-            if left is not None and left.phrase.definite and self.lexicon.carries(left.phrase.noun.words):
-                rooms = joined_places(list(left.places))[0].rooms
-                gone = with_place(item.things(), Place(anchor=left.phrase.things(), rooms=rooms))
-                return [Remove(things=self._all_if_plural(gone), quote=self.quote(at, left.end))], left.end
-            places, end = self.places(place + 1)
-            if not places or all(p.source and not p.goal for p in places):
-                end += self.text(end) == "away" or self._ends_with_out(end)
-                whole = Item(item.phrase, (*item.places, *places), end)
-                gone = self._as_certain(item, self._within_frame(whole.things()))
-                return [Remove(things=self._all_if_plural(gone), quote=self.quote(at, end))], end
+            needed = self._said_needed(item, place + 1, at, negated)
+            if needed is not None:
+                return needed
+        if negated:
+            return None
+        if word in ("go", "disappear", "vanish", "leave"):
+            return self._said_to_go(item, place, at)
+        out = word == "come" and self.text(place + 1) == "out" and self._ends_with_out(place + 1)
+        if out and item.phrase.definite:
+            gone = self._all_if_plural(self._within_frame(item.things()))
+            return [Remove(things=gone, quote=self.quote(at, place + 2))], place + 2
+        if word not in BEING_SOMEWHERE:
+            return None
+        places, end = self._onward(place + 1)
+        return ([self._brought(item, places, self.quote(at, end))], end) if places else None
+
+    def _onward(self, at: int) -> tuple[tuple[ReadPlace, ...], int]:
+        """Read places, and where something goes on from them: ``out of the bathroom and into the study``."""
+        places, end = self.places(at)
+        if places and all(p.source for p in places) and self.text(end) in ("and", ","):
+            more, stop = self.places(end + 1)
+            if more and more[0].goal:
+                return (*places, *more), stop
+        return places, end
+
+    def _said_to_stay(self, item: Item, place: int, at: int, negated: bool) -> tuple[list[Statement], int] | None:
+        """Read ``should stay on``, ``stays where it is``, ``may be left``; the verb is at a place."""
+        word, end = self.text(place), place + 1
+        if self.text(end) in STATE_WORDS and word in ("stay", "remain") and self.phrase(end + 1) is None:
+            return self._said_state(item, end, at, negated)
+        if negated:
+            raise NotUnderstood(at, self.boundary(at))  # where it shall go is not told
+        if self._is_bare(item.phrase) and word in ("stay", "remain"):
+            return self._bare_stays(item, end, at)
+        if item.phrase.amount.number and not item.phrase.definite:
+            return self._remaining(item, place + 1 + (word == "be"), at)
+        places, after = self.places(end)
+        end = after if places and not any(p.goal for p in places) else end
+        while self.text(end) in STAYING_AS_IT_IS:
+            end += 1
+        kept = Item(item.phrase, (*item.places, *(places if end == after else ())), end)
+        return [Keep(things=self._all(kept.things()), quote=self.quote(at, end))], end
+
+    def _said_needed(self, item: Item, end: int, at: int, negated: bool) -> tuple[list[Statement], int] | None:
+        """Read ``is needed in the hall``, ``is no longer needed``, up to the end of the participle."""
+        while self.text(end) in ANY_LONGER:
+            end += 1
+        if negated:
+            return [Remove(things=self._all_if_plural(item.things()), quote=self.quote(at, end))], end
+        places, end = self.places(end + (self.text(end) == ","))
+        if not places or item.phrase.definite:
+            return None
+        whole = Item(item.phrase, (*item.places, *places), end)
+        return self._there(whole, whole.goal(), self.quote(at, end)), end
+
+    def _said_to_go(self, item: Item, place: int, at: int) -> tuple[list[Statement], int]:
+        """Read ``must go``, ``goes into the hall``, ``leaves the kitchen``; the verb is at a place."""
+        word = self.text(place)
+        rubbish = self._rubbish(place + 1) if word == "go" else 0
+        if rubbish:
+            gone = self._within_frame(item.things())
+            return [Remove(things=self._all_if_plural(gone), quote=self.quote(at, rubbish))], rubbish
+        exchanged = self._goes_for(item, place + 1, at) if word == "go" else None
+        if exchanged is not None:
+            return exchanged
+        left = self.item(place + 1) if word == "leave" else None
+        whence = None if left is None else self._left_by(left)
+        if left is not None and whence is not None:
+            gone = self._all_if_plural(with_place(item.things(), whence))
+            return [Remove(things=gone, quote=self.quote(at, left.end))], left.end
+        places, end = self.places(place + 1)
+        if places and not all(p.source and not p.goal for p in places):
             return [self._brought(item, places, self.quote(at, end))], end
-        if word in BEING_SOMEWHERE and not negated:
-            places, end = self.places(place + 1)
-            if places and all(p.source for p in places) and self.text(end) in ("and", ","):
-                more, stop = self.places(end + 1)  # "must come out of the bathroom and into the study"
-                places, end = ((*places, *more), stop) if more and more[0].goal else (places, end)
-            if places:
-                return [self._brought(item, places, self.quote(at, end))], end
-        return None
+        end += self.text(end) == "away" or self._ends_with_out(end)
+        whole = Item(item.phrase, (*item.places, *places), end)
+        gone = self._as_certain(item, self._within_frame(whole.things()))
+        return [Remove(things=self._all_if_plural(gone), quote=self.quote(at, end))], end
+
+    def _left_by(self, left: Item) -> Place | None:
+        """Return the room or the furniture that something leaves; None for others."""
+        if left.is_room:
+            return Place(rooms=left.rooms())
+        if not (left.phrase.definite and self.lexicon.carries(left.phrase.noun.words)):
+            return None
+        return Place(anchor=left.phrase.things(), rooms=joined_places(list(left.places))[0].rooms)
 
     def _goes_for(self, item: Item, at: int, start: int) -> tuple[list[Statement], int] | None:
         """Read ``the armchair goes for a beanbag``: something new comes in its place.

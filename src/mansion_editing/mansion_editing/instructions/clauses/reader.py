@@ -16,11 +16,13 @@ from mansion_editing.instructions.phrases.verb_words import Deed
 from mansion_editing.instructions.phrases.verbs import verb_at
 from mansion_editing.instructions.statements import (
     JOINED,
+    Add,
     Amount,
     Move,
     Paint,
     Place,
     Remove,
+    Rooms,
     SetState,
     Statement,
     Things,
@@ -126,6 +128,16 @@ class ClauseReader(Keeping, Changing, Taking, PastSteps, Fronting):
         counted = items[0].phrase.amount.kind in ("all", "all_but", "half", "some")
         return leaving and counted and self.text(places[0].start) in ("out", "off") and not items[0].phrase.refers
 
+    def _comes_in_notes(self, items: Sequence[Item], after: int) -> bool:
+        """Whether notes say that new things come in: ``the shelf out, an exam table in``."""
+        ends = after >= len(self.words) or self.words[after].kind == "mark" or self.text(after) == "and"
+        gone = {"out", "go", "away"} & {word.text for word in self.words[: items[0].phrase.start]}
+        return ends and bool(gone) and all(self._is_new(item) for item in items)
+
+    def _is_new(self, item: Item) -> bool:
+        phrase = item.phrase
+        return not (item.is_room or item.places or phrase.definite or phrase.refers or phrase.noun.unknown)
+
     def _verbless(self, at: int) -> tuple[list[Statement], int]:
         """Read things with their places and no verb: ``three apples in a bowl on the table``."""
         items = self.items(at)
@@ -148,6 +160,9 @@ class ClauseReader(Keeping, Changing, Taking, PastSteps, Fronting):
             raise NotUnderstood(at, self.boundary(at))
         if items[0].phrase.definite and not self.follows and self.text(end) not in ("out", "away", "gone"):
             raise NotUnderstood(at, end)
+        if self.text(end) == "in" and self._comes_in_notes(items, end + 1):
+            here, quote = Place(rooms=Rooms(same=True)), self.quote(at, end + 1)
+            return [Add(things=item.phrase.things(), place=here, quote=quote) for item in items], end + 1
         if self.text(end) in ("out", "away", "gone"):
             quote = self.quote(at, end + 1)
             return [self._removed(items, item, (), (), quote) for item in items], end + 1
@@ -168,7 +183,7 @@ class ClauseReader(Keeping, Changing, Taking, PastSteps, Fronting):
         return out, end
 
 
-def sparing(statement: SetState | Remove | Paint, besides: tuple[Things, ...]) -> Statement:
+def sparing(statement: SetState | Remove | Paint | Move, besides: tuple[Things, ...]) -> Statement:
     """Return what is done with all of a kind but for exceptions: ``all plants except the one in the study``."""
     noun = statement.things.noun
     besides = tuple(_in_the_kind(one, statement.things.place) for one in besides)

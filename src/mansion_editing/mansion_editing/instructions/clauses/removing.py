@@ -128,6 +128,8 @@ class Removing(Moving):
         if any(p.source for item in items for p in item.places):
             return self._remove(at, place)
         end = items[-1].end
+        end += self.text(end) in ("clean", "down", "properly", "up")
+        end += 2 * ((self.text(end), self.text(end + 1)) in (("a", "bit"), ("a", "little")))
         staying = self._only_stays(end)
         if staying is not None:
             quote = self.quote(at, staying[1])

@@ -6,7 +6,7 @@ from mansion_editing.instructions.clauses.items import Item
 from mansion_editing.instructions.clauses.outcomes import Outcomes
 from mansion_editing.instructions.phrases.measures import read_length
 from mansion_editing.instructions.phrases.places import read_place
-from mansion_editing.instructions.statements import Shift, Spot, Statement, Things
+from mansion_editing.instructions.statements import Move, Place, Shift, Spot, Statement, Things
 
 __all__ = ["Shifting"]
 
@@ -30,6 +30,9 @@ class Shifting(Outcomes):
             return None
         places = []
         end = item.end
+        nearer = self._nearer(at, item)
+        if nearer is not None:
+            return nearer
         while True:
             found = self._length_and_way(end)
             if found is not None:
@@ -45,6 +48,20 @@ class Shifting(Outcomes):
         return [
             Shift(things=self._all_if_plural(things), metres=metres, way=way, mark=mark, spot=spot, quote=quote)
         ], stop
+
+    def _nearer(self, at: int, item: Item) -> tuple[list[Statement], int] | None:
+        """Read ``a bit closer to the sofa`` without a length: it comes near it."""
+        end = item.end
+        while self.text(end) in ("a", "little", "bit", "tad", "slightly", "somewhat", "over", "much", "right"):
+            end += 1
+        if self.text(end) not in ("closer", "nearer") or read_length(self.words, end + 1) is not None:
+            return None
+        way = self._way_at(end)
+        if way is None or read_length(self.words, way[3]) is not None or way[2] in ("wall", "corner"):
+            return None
+        place = Place(spot=way[2]) if way[1] is None else Place(relation="near", anchor=way[1])
+        things = self._all_if_plural(item.phrase.things())
+        return [Move(things=things, place=place, quote=self.quote(at, way[3]))], way[3]
 
     def _length_and_way(self, at: int) -> tuple[float, _Goal] | None:
         """Read a length and a direction, in either order."""

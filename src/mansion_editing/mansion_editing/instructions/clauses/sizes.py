@@ -46,7 +46,12 @@ class Sizes(Outcomes):
         end += self.text(end) in ("down", "up")
         kept = Item(item.phrase, tuple(p for p in item.places if p.end <= end), end)
         area = self._amount_of_area(end)
-        room = item.phrase.noun.kind in ("room", "both") and self.text(start + 1) not in ("number", "amount", "count")
+        it = item.phrase.refers == "last" and not item.phrase.noun.words and not item.phrase.plural
+        room = (it or item.phrase.noun.kind in ("room", "both")) and self.text(start + 1) not in (
+            "number",
+            "amount",
+            "count",
+        )
         if area is not None and room:
             value = area[0] if area[1] else sign * area[0]
             quote = self.quote(at, area[2])

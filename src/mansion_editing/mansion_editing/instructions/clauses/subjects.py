@@ -69,7 +69,7 @@ class Subjects(Lacks):
         if len(subjects) > 1 and not (follows and (shared or joined)):
             return None
         denied = self.text(at) == "neither"
-        lack = None if asked else self._told_to_lack(subjects, at, denied=denied)
+        lack = None if asked else self._told_to_lack(subjects, at, denied=denied) or self._told_empty(subjects, at)
         if lack is not None:
             return lack
         out: list[Statement] = []
@@ -81,6 +81,21 @@ class Subjects(Lacks):
             out += found[0]
             end = found[1]
         return out, end
+
+    def _told_empty(self, subjects: Sequence[Item], at: int) -> tuple[list[Statement], int] | None:
+        """Read ``the wardrobe is empty``, which tells how it is, before what is asked of it."""
+        end = subjects[-1].end
+        if len(subjects) > 1 or end >= len(self.words) or self.words[end].raw not in ("is", "are", "looks", "look"):
+            return None
+        end += 1 + (self.text(end + 1) in ("still", "quite", "completely", "totally", "so", "too", "now", "almost"))
+        if self.text(end) not in ("empty", "bare") or not (
+            end + 1 >= len(self.words) or self.words[end + 1].kind == "mark"
+        ):
+            return None
+        item, quote = subjects[0], self.quote(at, end + 1)
+        if not item.is_room:
+            self.topic = item.things()
+        return [Mention(rooms=item.rooms() if item.is_room else None, quote=quote)], end + 1
 
     def _with_load(self, item: Item) -> Item:
         """Return furniture that goes or comes with what is on it: ``the desk with everything on it``."""
@@ -140,8 +155,10 @@ class Subjects(Lacks):
                 break
         while self.text(end) in MODALS or self.text(end) in ("also", "then", "to", "now", "has", "have", "is", "are"):
             end += 1
-        if self.text(end) != "come":
+        if self.text(end) != "come" and (self.text(end), self.text(end + 1)) != ("go", "in"):
             return None
+        if self.text(end) == "go" and self.phrase(end + 2) is not None:
+            return None  # "two apples go in the bowl"
         places, stop = self.places(end + 1)
         if not places and self.text(end + 1) not in ("in", "along", "inside"):
             return None

@@ -54,6 +54,8 @@ class Taking(Adding, Removing):
 
     def _bring(self, at: int, place: int) -> tuple[list[Statement], int]:
         """Read ``bring the mug to the kitchen``; ``get the mug off the desk`` takes it away."""
+        if self.text(place) in ("me", "us"):
+            return self._add(at, place)
         if self.text(at) == "get":
             items = self.items(place)
             places = items[-1].places

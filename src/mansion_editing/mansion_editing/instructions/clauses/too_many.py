@@ -65,13 +65,16 @@ class TooMany(Outcomes):
 
     def _not_so_many(self, at: int) -> tuple[list[Statement], int] | None:
         """Read ``we do not need six easels in the art room`` before ``four are enough``."""
-        if self.text(at) not in ("we", "i") or (self.text(at + 1), self.text(at + 2)) != ("not", "need"):
+        nobody = self.text(at) == "nobody" and self.text(at + 1) == "need"
+        ours = self.text(at) in ("we", "i") and (self.text(at + 1), self.text(at + 2)) == ("not", "need")
+        if not (ours or nobody):
             return None
-        item = self.item(at + 3)
+        item = self.item(at + 3 - nobody)
         if item is None or item.phrase.amount.number < 2 or not self._is_counted(item):
             return None
         rest = {word.text for word in self.words[item.end :]}
-        if self.text(item.end) not in (",", "and", "-") or not rest & _ENOUGH:
+        ends = item.end >= len(self.words)
+        if not ends and (self.text(item.end) not in (",", "and", "-", ";") or not (rest & _ENOUGH or nobody)):
             return None
         return self._told(at, item, joined_places(list(item.places))[0], item.end)
 
@@ -141,6 +144,7 @@ class TooMany(Outcomes):
             return None
         first = begun.phrase
         partitive = self._is_partitive(first) or (first.refers == "last" and self.text(first.end - 1) == "them")
+        partitive = partitive or (self._is_bare_number(first) and first.end >= len(self.words))
         if not partitive or first.amount.kind != "some" or not first.amount.number or first.amount.of:
             return None
         items = self.items(place)

@@ -1,5 +1,7 @@
 """What somebody wants, and what there should be."""
 
+from typing import Final
+
 import msgspec
 
 from mansion_editing.instructions.clauses.coordination import is_one_list
@@ -30,6 +32,9 @@ from mansion_editing.instructions.phrases.words import BE, MODALS
 from mansion_editing.instructions.statements import Amount, Mention, Place, Statement, Things
 
 __all__ = ["Wishes"]
+
+_DISUSED: Final = frozenset("like use play watch read wear".split())
+"""Verbs of what somebody does not do with a thing, which the next clause is about."""
 
 
 class Wishes(Subjects, Negations):
@@ -198,11 +203,14 @@ class Wishes(Subjects, Negations):
         place += self.text(place) == "rather" and self.text(place + 1) != "not"
         if self.text(place) in OPINIONS:
             return self.read(place + 1 + (self.text(place + 1) in ("that", "you")) + (self.text(place + 2) == "to"))
-        disliked = self.text(place + 1) == "like" and "would" not in (w.text for w in self.words[at:place])
+        disliked = self.text(place + 1) in _DISUSED and "would" not in (w.text for w in self.words[at:place])
         if self.text(place) == "not" and disliked:
             items = self.items(place + 2)
             self.topic = items[0].things()
-            return [Mention(quote=self.quote(at, items[-1].end))], items[-1].end
+            end = items[-1].end
+            while self.text(end) in ANY_LONGER:
+                end += 1
+            return [Mention(quote=self.quote(at, end))], end
         if self.text(place) == "not" and self.text(place + 1) in ("want", "like", "wish"):
             return self._unwanted(at, place + 2)
         longer = {"anymore", "longer"} & {w.text for w in self.words} or "any more" in self.quote(at, len(self.words))
@@ -284,7 +292,7 @@ class Wishes(Subjects, Negations):
 
     def _unwanted(self, at: int, place: int) -> tuple[list[Statement], int]:
         """Read ``we do not want any chairs in the lobby``: they are to go."""
-        while self.text(place) in ("to", "see", "have", "find", "there", "be"):
+        while self.text(place) in ("to", "see", "have", "find", "there", "be") or self.text(place) in ANY_LONGER:
             place += 1
         place += 2 * (self.text(place) == "you" and self.text(place + 1) == "to")
         verb = verb_at(self.words, place, self.lexicon)
@@ -310,22 +318,10 @@ class Wishes(Subjects, Negations):
             nothing = self._nothing(place)
             if nothing is not None:
                 return nothing
-        if self.text(place) == "to":
-            place += 1
-            if self.text(place) in ("have", "see", "get", "find"):
-                place += 1
-            elif verb_at(self.words, place, self.lexicon) is None and self.item(place + 1) is not None:
-                item = self.item(place + 1)
-                assert item is not None
-                if self.text(item.end) not in (",", "so", "and", "but") or "so" not in (
-                    self.text(item.end),
-                    self.text(item.end + 1),
-                ):
-                    raise NotUnderstood(at, self.boundary(at))
-                self.topic = item.things()
-                return [Mention(quote=self.quote(at, item.end))], item.end
-            else:
-                return self.read(place)
+        if self.text(place) == "to" and self.text(place + 1) in ("have", "see", "get", "find"):
+            place += 2
+        elif self.text(place) == "to":
+            return self._wanted_to_do(at, place + 1)
         if self.text(place) == "you" and self.text(place + 1) == "to":
             return self.read(place + 2)
         if self.text(place) == "you" and verb_at(self.words, place + 1, self.lexicon) is not None:
@@ -346,6 +342,21 @@ class Wishes(Subjects, Negations):
             found = self._predicate(item, item.end, at)
             if found is not None:
                 return found
+        return self._wanted_things(at, place)
+
+    def _wanted_to_do(self, at: int, place: int) -> tuple[list[Statement], int]:
+        """Read what somebody wants to do: a clause, or ``paint the wall, so ...``, which tells what comes next is about."""
+        item = self.item(place + 1) if verb_at(self.words, place, self.lexicon) is None else None
+        if item is None:
+            return self.read(place)
+        following = (self.text(item.end), self.text(item.end + 1))
+        if following[0] not in (",", "so", "and", "but") or "so" not in following:
+            raise NotUnderstood(at, self.boundary(at))
+        self.topic = item.things()
+        return [Mention(quote=self.quote(at, item.end))], item.end
+
+    def _wanted_things(self, at: int, place: int) -> tuple[list[Statement], int]:
+        """Read things that are wanted at their places."""
         items = self.items(place)
         end = items[-1].end
         out: list[Statement] = []

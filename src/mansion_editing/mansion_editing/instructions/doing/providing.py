@@ -310,6 +310,7 @@ def _place_one(
         if found is None:
             return "", f"{target.anchor.id} is gone"
         carrier = object_info(state, *found)
+        assets = sorted(assets, key=lambda asset: state.catalogue.asset(asset.asset_id).mount != "surface")
         relation = relation_of(place.relation, carrier, state)
         made, reason = yield from place_any(
             assets, carrier.id, relation, colour=colour, name=things.noun, wishes=wishes

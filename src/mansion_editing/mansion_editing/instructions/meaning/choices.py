@@ -23,7 +23,17 @@ from mansion_editing.state import SceneState
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import SceneObject
 
-__all__ = ["Fit", "able_ones", "at_home", "concerned", "from_there", "one_room_each", "things_meant", "too_few"]
+__all__ = [
+    "Fit",
+    "able_ones",
+    "at_home",
+    "concerned",
+    "from_there",
+    "is_of_its_room",
+    "one_room_each",
+    "things_meant",
+    "too_few",
+]
 
 Fit: TypeAlias = Callable[[str], bool]
 """Whether a room, by its id, fits the rest of a statement."""
@@ -195,15 +205,35 @@ def _counted_out(
     if things.plural and amount.number <= 1:
         return found
     if means_one(things) or (things.refers == "last" and not things.plural and things.noun):
-        return _the_one(things, found, context, prefer)
+        return _the_one(state, things, found, context, prefer)
     if things.refers == "last" and (not amount.number or amount.number >= count):
         return found
     number = max(1, amount.number)
     if number > count:
         raise too_few(things, found)
+    found = _counted_here(state, things, found, number, context)
     if things.definite and not things.refers and number < count and not amount.of:
         raise ambiguous(thing_words(things), [title_of(state, item) for item in found], [i.id for i in found])
     return _any_of(state, found, number)
+
+
+def _counted_here(
+    state: SceneState, things: Things, found: list[SceneObject], number: int, context: Context
+) -> list[SceneObject]:
+    """Return those in the room that was mentioned last, of which so many are taken where words tell no place.
+
+    Raises
+    ------
+    Ambiguous
+        Where no room was mentioned, or that one has too few, and several have such things.
+    """
+    rooms = list(dict.fromkeys(item.room for item in found))
+    if things.place is not None or things.refers or things.owned or things.definite or len(rooms) < 2:
+        return found
+    here = [item for item in found if item.room in context.rooms]
+    if len(here) >= number:
+        return here
+    raise ambiguous(thing_words(things), [f"those in {room_title(state, room)}" for room in rooms], rooms)
 
 
 def _half(things: Things, found: list[SceneObject]) -> int:
@@ -213,7 +243,11 @@ def _half(things: Things, found: list[SceneObject]) -> int:
 
 
 def _the_one(
-    things: Things, found: list[SceneObject], context: Context, prefer: Callable[[SceneObject], bool] | None
+    state: SceneState,
+    things: Things,
+    found: list[SceneObject],
+    context: Context,
+    prefer: Callable[[SceneObject], bool] | None,
 ) -> list[SceneObject]:
     last = [item for item in found if item.id in context.things]
     found = last if len(last) == 1 else found
@@ -222,10 +256,18 @@ def _the_one(
         return [item for item in found if item.mount == "ceiling"] or found
     near = context.nearest([item.room for item in found])
     here = [item for item in found if item.room in near]
-    found = preferred if len(preferred) == 1 else here if len(here) == 1 else found
+    own = [item for item in here if is_of_its_room(state, item, things.noun)]
+    found = next((few for few in (preferred, here, own) if len(few) == 1), found)
     if len(found) > 1:
         raise ambiguous(thing_words(things), [title_of(None, item) for item in found], [item.id for item in found])
     return found
+
+
+def is_of_its_room(state: SceneState, item: SceneObject, noun: str) -> bool:
+    """Whether a room is named as the thing in it is: the dining table of the dining room."""
+    room = state.room(item.room)
+    first = stems(noun)[:1]
+    return room is not None and len(stems(noun)) > 1 and first == stems(room[1].name or room[1].room_type)[:1]
 
 
 def _names_lights(things: Things) -> bool:

@@ -35,6 +35,11 @@ def rooms_of(state: SceneState, rooms: Rooms, context: Context) -> list[str]:
 
 
 def _rooms_of(state: SceneState, rooms: Rooms, context: Context) -> list[SceneRoom]:
+    if rooms.but:
+        spared = {room.id for one in rooms.but for room in _rooms_of(state, one, context)}
+        return [
+            room for room in _rooms_of(state, msgspec.structs.replace(rooms, but=()), context) if room.id not in spared
+        ]
     if JOINED in rooms.words:
         names = rooms.words.split(JOINED)
         each = [msgspec.structs.replace(rooms, words=words, every=False, number=0) for words in names]

@@ -4,8 +4,7 @@ import math
 from collections.abc import Set
 from dataclasses import dataclass
 
-from mansion_assets.catalogue.vocabulary import stems
-from mansion_editing.instructions.meaning.choices import Fit, one_room_each, too_few
+from mansion_editing.instructions.meaning.choices import Fit, is_of_its_room, one_room_each, too_few
 from mansion_editing.instructions.meaning.context import Context, ambiguous
 from mansion_editing.instructions.meaning.descriptions import anchors_of, things_of
 from mansion_editing.instructions.meaning.numbers import is_one, means_one
@@ -113,7 +112,7 @@ def _alike(
         return last if place.relation in ("on", "in") else last[:1]
     near = context.nearest([item.room for item in found])
     found = [item for item in found if item.room in near]
-    own = {item.id for item in found if _is_of_its_room(state, item, anchor.noun)}
+    own = {item.id for item in found if is_of_its_room(state, item, anchor.noun)}
     found = [item for item in found if item.id in own] or found
     kinds = {(item.room, item.category) for item in found}
     if len(found) == 1:
@@ -121,13 +120,6 @@ def _alike(
     if place.relation in ("on", "in") and len(kinds) == 1:
         return found
     raise ambiguous(thing_words(anchor), [title_of(state, item) for item in found], [item.id for item in found])
-
-
-def _is_of_its_room(state: SceneState, item: SceneObject, noun: str) -> bool:
-    """Whether a room is named as the thing in it is: the dining table of the dining room."""
-    room = state.room(item.room)
-    first = stems(noun)[:1]
-    return room is not None and len(stems(noun)) > 1 and first == stems(room[1].name or room[1].room_type)[:1]
 
 
 def _between(state: SceneState, place: Place, found: list[SceneObject], context: Context) -> list[Target]:

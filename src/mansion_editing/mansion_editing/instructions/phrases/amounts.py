@@ -94,6 +94,8 @@ def read_amount(words: Sequence[Word], at: int) -> Amounted:
         return Amount(kind="more", number=2), False, False, at + 1
     if number is not None and words[at].text not in ("double", "twin", "triple", "single"):
         return _counted(words, at, number, definite=False)
+    if first in ("its", "their", "his", "her", "the") and text_at(words, at + 1) == "own":
+        return Amount(number=1), False, False, at + 2  # "each desk its own lamp"
     if first in DETERMINERS:
         return _definite(words, at)
     return Amount(number=0), False, False, at

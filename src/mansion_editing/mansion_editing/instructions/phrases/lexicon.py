@@ -63,7 +63,8 @@ class Lexicon:
     def _room_names(self) -> frozenset[tuple[str, ...]]:
         shortened = {name[:-1] for name in self._whole_room_names if _may_be_shortened(name)}
         kinds = {room.room_type for _, room in self._state.rooms()}
-        return self._whole_room_names | shortened | {name for kind in kinds for name in _names_of_kind(kind)}
+        others = {name for kind in kinds for name in _names_of_kind(kind) if len(name) > 1 or not self.is_object(name)}
+        return self._whole_room_names | shortened | others
 
     @cached_property
     def _whole_room_names(self) -> frozenset[tuple[str, ...]]:
@@ -146,6 +147,12 @@ class Lexicon:
         most = 2 * mounts.count("floor") > len(mounts)
         return most if general else mounts[:1] == ["floor"]
 
+    def has_small_kinds(self, words: tuple[str, ...]) -> bool:
+        """Whether a general word names kinds that stand and kinds that lie on furniture: plants."""
+        kinds = vocabulary_of(self._state.catalogue).nouns(" ".join(words))
+        exact = vocabulary_of(self._state.catalogue).exact(words)
+        return not exact and any(self._state.catalogue.by_category(kind)[0].mount == "surface" for kind in kinds)
+
     def is_loose(self, words: tuple[str, ...]) -> bool:
         """Whether words name what lies on or in furniture."""
         kinds = vocabulary_of(self._state.catalogue).nouns(" ".join(words))
@@ -216,9 +223,9 @@ def _names_of_rooms(state: SceneState) -> Iterator[tuple[str, ...]]:
 
 
 def _names_of_kind(room_type: str) -> frozenset[tuple[str, ...]]:
-    """Return the other names of several words of a kind of room; a single word may name a thing as well."""
+    """Return the other names of a kind of room: the lab of a laboratory."""
     entry = default_knowledge().rooms.get(room_type)
-    return frozenset() if entry is None else frozenset(stems(name) for name in entry.synonyms if " " in name)
+    return frozenset() if entry is None else frozenset(stems(name) for name in entry.synonyms)
 
 
 def _may_be_shortened(name: tuple[str, ...]) -> bool:

@@ -40,7 +40,7 @@ def written_out(words: Sequence[Word], text: str) -> list[Word]:
     """
     out = _abbreviated(words)
     out = _with_exchanges(out, text)
-    out = _with_arrows(out, text)
+    out = _with_arrows(_with_differences(out), text)
     out = [word for at, word in enumerate(out) if not _is_colon_of_list(out, at)]
     return _with_ways(out)
 
@@ -94,6 +94,29 @@ def _in_brackets(words: Sequence[Word], at: int) -> list[Word]:
         return [word] if word.text != "(" else []
     on = replace(word, text="on", raw="on", kind="word")
     return [on] if text_at(words, at + 1) in DETERMINERS else [on, _inserted("the", word.end)]
+
+
+def _with_differences(words: list[Word]) -> list[Word]:
+    """Write ``chairs -2, plants +1`` as ``2 chairs less, 1 plants more``."""
+    out: list[Word] = []
+    at = 0
+    while at < len(words):
+        sign = words[at]
+        number = words[at + 1] if at + 1 < len(words) else None
+        start = _start_of_part(out)
+        signed = sign.text in ("-", "+") and number is not None and number.kind == "number" and number.start == sign.end
+        ends = at + 2 >= len(words) or words[at + 2].kind == "mark"
+        noun = out[start:]
+        apart = bool(noun) and noun[-1].kind == "word" and noun[-1].end < sign.start and len(noun) <= _LONGEST_NAME
+        if number is None or not (signed and ends and apart):
+            out.append(sign)
+            at += 1
+            continue
+        more = _inserted("more" if sign.text == "+" else "less", number.end)
+        first = noun[0].start
+        out[start:] = [replace(number, start=first, end=first), *noun, more]
+        at += 2
+    return out
 
 
 def _with_arrows(words: list[Word], text: str) -> list[Word]:

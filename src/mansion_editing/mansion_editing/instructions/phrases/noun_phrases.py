@@ -171,6 +171,9 @@ def _coloured(words: Sequence[Word], noun: Noun, at: int) -> tuple[Noun, int]:
         return replace(noun, colour=COLOUR_WORDS[first]), place + 2
     if first in _COLOUR and second in COLOUR_WORDS:
         return replace(noun, colour=COLOUR_WORDS[second]), place + 2
+    ends = place + 1 >= len(words) or words[place + 1].kind == "mark"
+    if noun.words == ("one",) and first in COLOUR_WORDS and ends:
+        return replace(noun, colour=COLOUR_WORDS[first]), place + 1
     return noun, at
 
 

@@ -125,6 +125,8 @@ def _split(
             continue
         if (number and room) or (own and not lexicon.is_called(span)):
             thing = False
+        if thing and len(span) > 1 and lexicon.is_called(span) and lexicon.is_called(span[-1:]):
+            room = own = room and lexicon.is_room(span[-1:])  # a reception desk is a desk
         if not (room or thing) and not (len(span) == 1 and (span[0] in ANYTHING or span[0] in HYPERNYMS)):
             continue
         kind = "object"

@@ -512,6 +512,7 @@ def _merged_rooms(one: Rooms | None, other: Rooms | None) -> Rooms | None:
         base=one.base or other.base,
         over=one.over or other.over,
         others=one.others or other.others,
+        but=one.but or other.but,
     )
 
 

@@ -5,7 +5,15 @@ from dataclasses import replace
 from itertools import takewhile
 from typing import Final
 
-from mansion_editing.instructions.phrases.words import DETERMINERS, PREPOSITIONS, PRONOUNS, Word, next_mark, text_at
+from mansion_editing.instructions.phrases.words import (
+    DETERMINERS,
+    PREPOSITIONS,
+    PRONOUNS,
+    UNRECORDED,
+    Word,
+    next_mark,
+    text_at,
+)
 
 __all__ = ["reworded"]
 
@@ -28,6 +36,19 @@ _PHRASES: Final[dict[tuple[str, ...], tuple[str, ...]]] = {
     ("not", "need", "no", "more"): ("not", "need", "anymore"),
     ("not", "needed", "no", "more"): ("not", "needed", "anymore"),
     ("nor", "the"): ("and", "the"),
+    ("no", "longer", "want"): ("not", "want"),
+    ("no", "longer", "need"): ("not", "need", "anymore"),
+    **{("along", "with", which): ("and", which) for which in ("the", "its", "their", "all", "both")},
+    **{("together", "with", which): ("and", which) for which in ("the", "its", "their", "all", "both")},
+    ("bring", "the", "number"): ("increase", "the", "number"),
+    ("raise", "the", "number"): ("increase", "the", "number"),
+    ("still", "lack"): ("lack",),
+    **{("in", its, "spot"): ("in", "its", "place") for its in ("its", "that", "their")},
+    **{("where", it, was): ("in", "its", "place") for it in ("it", "that") for was in ("was", "stood")},
+    ("where", "it", "used", "to", "be"): ("in", "its", "place"),
+    ("where", "it", "is", "now"): ("in", "its", "place"),
+    ("in", "whichever", "corner", "is", "free"): ("in", "a", "corner"),
+    ("still", "need"): ("need",),
     ("apart", "of"): ("apart", "from"),
     ("except", "of"): ("except", "for"),
     ("with", "the", "exception", "of"): ("except", "for"),
@@ -88,6 +109,7 @@ _PHRASES: Final[dict[tuple[str, ...], tuple[str, ...]]] = {
     ("for", "the", "time", "being"): ("for", "now"),
     ("for", "the", "moment"): ("for", "now"),
     ("at", "the", "moment"): ("now",),
+    ("at", "present"): ("now",),
     ("right", "now"): ("now",),
     ("out", "of", "the", "way"): ("away",),
     ("only", "be"): ("be", "only"),
@@ -111,6 +133,21 @@ _AT_EDGES: Final = frozenset(("if", "you", modal) for modal in ("would", "can", 
 """Courtesies at the beginning or the end of a sentence."""
 _SEEING_TO_IT: Final = frozenset((modal, "you", "see", "to", "it") for modal in ("would", "can", "could"))
 """What a sentence ends with that has said what to see to."""
+
+_ADVERBIALS: Final = frozenset(
+    tuple(said.split())
+    for said in (
+        "of course|though|tho|obviously|naturally|certainly|definitely|honestly|to be honest|frankly|as always|"
+        "as agreed|as discussed|as promised|as mentioned|as said|as i said|by the way|if you ask me|in my opinion|"
+        "for a change|once and for all|for good|just in case|for sure|for safety|i think|i guess|i suppose|i believe|"
+        "as far as i know|with immediate effect|effective immediately|first of all|last but not least|ideally|"
+        "or something similar|or something like that|or the like|or similar|"
+        "preferably|if at all possible|while we are at it|where possible|if that is ok|if that is okay|"
+        "if that is possible|if it is not too much trouble|if you get the time"
+    ).split("|")
+)
+"""What speakers add at the edge of a clause, of themselves and the occasion: ``of course``, ``as discussed``."""
+_LONGEST_ADVERBIAL: Final = max(map(len, _ADVERBIALS))
 
 _FEW: Final = frozenset("one two three four five".split())
 _IN_ORDER: Final = (("after", "that"), ("after", "this"), ("in", "the", "end"), ("at", "the", "end"), ("once", "done"))
@@ -140,6 +177,10 @@ def reworded(words: Sequence[Word]) -> list[Word]:
             out += _in_place_of(phrase, _PHRASES[tuple(word.text for word in phrase)])
             at += length
             continue
+        if words[at].text == "each" and text_at(words, at - 1) in _OUT | {"at"} and _is_end(words, at + 1):
+            out += [words[at], *_in_place_of(words[at : at + 1], ("of",)), *_in_place_of(words[at : at + 1], ("them",))]
+            at += 1
+            continue
         made = _MADE.get(text_at(words, at + 1)) if words[at].text == "make" else None
         if made is not None and text_at(words, at + 2) in DETERMINERS | PRONOUNS:
             out += _in_place_of(words[at : at + 2], made)
@@ -155,13 +196,32 @@ def reworded(words: Sequence[Word]) -> list[Word]:
             out += _in_place_of(words[at : at + courtesy], ("please",))
             at += courtesy
             continue
-        ended = _end_of_order(words, at)
+        ended = _end_of_adverbial(words, at) or _end_of_order(words, at)
         if ended > at:
             at = ended
             continue
         if words[at].text in _LATER and at and _is_edge(words, at, at + 1):
             out += _in_place_of(words[at : at + 1], ("please",))
             at += 1
+            continue
+        if words[at].text == "form" and text_at(words, at + 1) in DETERMINERS and at and words[at - 1].kind == "word":
+            out.append(replace(words[at], text="from"))
+            at += 1
+            continue
+        if _is_taken_from(words, at):
+            at += 1
+            continue
+        if words[at].text == "whatever" and text_at(words, at + 1) in ("is", "lie", "stand"):
+            out += _in_place_of(words[at : at + 1], ("everything",)) + _in_place_of(words[at : at + 1], ("that",))
+            at += 1
+            continue
+        if words[at].text == "," and text_at(words, at - 1) in UNRECORDED and text_at(words, at + 1) in UNRECORDED:
+            at += 1
+            continue
+        enough = _as_many_as_missing(words, at)
+        if enough:
+            out += _in_place_of(words[at : at + enough], ("make", "it"))
+            at += enough
             continue
         if _is_foreign(words, at):
             new = "of" if words[at].text == "from" else "that"
@@ -182,6 +242,49 @@ def _end_of_order(words: Sequence[Word], at: int) -> int:
     following = text_at(words, at + length)
     subject = following in DETERMINERS | PRONOUNS | {",", "please", "there", "i", "we", "you"}
     return at + length + (following == ",") if length and subject else at
+
+
+def _is_taken_from(words: Sequence[Word], at: int) -> bool:
+    """Whether ``away`` stands before ``from`` where something is taken: it was there, and goes on elsewhere."""
+    clause = takewhile(lambda word: word.kind != "mark" and word.text != "and", reversed(words[:at]))
+    taken = any(word.text in ("take", "bring", "carry", "get", "fetch") for word in clause)
+    return text_at(words, at) == "away" and text_at(words, at + 1) == "from" and taken
+
+
+def _as_many_as_missing(words: Sequence[Word], at: int) -> int:
+    """Return how many words ``add as many as are missing so there are`` is before the number that there shall be."""
+    said = [word.text for word in words[at : at + 14]]
+    if said[:1] not in (["add"], ["bring"], ["put"]) or said[1:4] != ["as", "many", "as"]:
+        return 0
+    end = 4 + (said[4:5] in (["are"], ["is"]))
+    if said[end : end + 1] not in (["missing"], ["needed"], ["necessary"], ["required"], ["needs"], ["need"]):
+        return 0
+    end += 1 + (said[end + 1 : end + 2] == ["to"]) + (said[end + 1 : end + 2] == ["so"])
+    end += said[end : end + 1] == ["that"]
+    there = said[end : end + 2] == ["there", "are"]
+    counted = at + end + 2 < len(words) and words[at + end + 2].kind == "number"
+    return end + 2 if there and counted else 0
+
+
+def _end_of_adverbial(words: Sequence[Word], at: int) -> int:
+    """Return the end of ``, of course``, ``as discussed,`` at the edge of a clause; 0 where there is none."""
+    comma = text_at(words, at) == ","
+    start = at + comma
+    for count in range(_LONGEST_ADVERBIAL, 0, -1):
+        end = start + count
+        if tuple(w.text for w in words[start:end]) not in _ADVERBIALS:
+            continue
+        begins = not at or words[at - 1].kind == "mark"
+        ends = _is_end(words, end)
+        if comma:
+            placed = ends or text_at(words, start) in ("ideally", "preferably")
+            return end + (ends and text_at(words, end) == "," and _is_end(words, end + 1)) if placed else 0
+        if begins and text_at(words, end) == ",":
+            return end + 1
+        if ends or (begins and text_at(words, end) in PREPOSITIONS | DETERMINERS | {"please", "i", "we", "you"}):
+            return end
+        return end if text_at(words, start) in ("ideally", "preferably", "or") else 0
+    return 0
 
 
 def _exceptions_first(words: Sequence[Word]) -> Sequence[Word]:

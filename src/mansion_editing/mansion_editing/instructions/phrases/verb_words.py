@@ -17,7 +17,7 @@ _VERBS: Final[dict[Deed, str]] = {
            "add|put|place|lay|install|position|supply|provide|insert|drop|stick|deposit|park|stand|hang|mount|spawn|"
            "create|include|store|hide|serve|spread|fix|arrange|distribute|rest|shelve|line up|set up|"
            "set out|lay out|squeeze|tuck|fit|attach|introduce|order|buy|build in|throw in|lean|display|plug in|"
-           "assemble|"
+           "assemble|bring in|"
            "scatter|drape|put up|put down|put out|add in|put in|put back|place back|set down|put on|dock|situate|"
            "generate|organise|organize|prepare|decorate|procure|leave behind|slot|slide in|nest|sit|"
            "lay down|rack|file|organize|stow|stash",
@@ -38,7 +38,7 @@ _VERBS: Final[dict[Deed, str]] = {
     "switch": "turn|switch|power|flip|flick",
     "open": "open|unshut|open up",
     "close": "close|shut|close up|shut down",
-    "start": "activate|start|light|ignite|light up|start up|boot|boot up|enable|run",
+    "start": "activate|preheat|start|light|ignite|light up|start up|boot|boot up|enable|run",
     "stop": "deactivate|stop|extinguish|dim|disable|kill",
     "paint": "paint|colour|color|dye|repaint|recolour|recolor|tint|reupholster|upholster|varnish|lacquer|spray",
     "rename": "rename|call|name|relabel|label",

@@ -114,7 +114,8 @@ ADVERBS: Final = frozenset(
 UNRECORDED: Final = frozenset(
     "nice new small large big clean fresh cosy cozy comfortable modern old fancy simple pretty beautiful lovely little "
     "tiny huge tall long wide low high round rectangular dirty tasty warm cute elegant cheap sturdy soft heavy "
-    "stylish ripe".split()
+    "stylish ripe smaller larger bigger taller newer nicer better softer brighter wider comfier prettier "
+    "lighter".split()
 )
 """Adjectives that are understood but that no scene describes."""
 
@@ -128,6 +129,7 @@ VAGUE: Final = frozenset(
     "round rectangular particular required necessary freestanding stray second-hand visible "
     "matching useless unneeded unnecessary remaining respective "
     "awful ugly horrible hideous terrible dreadful ghastly nasty tacky silly stupid damn bloody wretched boring "
+    "smaller larger bigger taller newer nicer better softer brighter wider comfier prettier lighter "
     "folded gorgeous wonderful charming favourite precious trusty".split()
 )
 BREAKS: Final = frozenset([",", ";", ".", ":", "!", "?", "\n", "-", "(", ")", '"', "*", "/", "=", "#", "|", "[", "]"])
@@ -153,6 +155,9 @@ _SHORT: Final = {
     ),
 }  # fmt: skip
 _ID: Final = re.compile(r"\b[fF]-?\d+/[A-Za-z0-9_./-]*[A-Za-z0-9_]|\b[a-z]+(?:_[a-z0-9]+)+\b")
+_DOUBLE: Final = str.maketrans(dict.fromkeys("“”„«»", '"'))
+_SINGLE: Final = re.compile(r"(?<![A-Za-z0-9])'([^'\n]{1,40})'(?![A-Za-z0-9])")
+"""A name between single quotation marks, and no genitive."""
 _DOTTED: Final = re.compile(r"\b(fl|flr|rm|no|nr|approx|ca|st|incl|mr|mrs|ms|dr|prof)\.(?=\s)", re.IGNORECASE)
 """Abbreviations whose point ends no sentence."""
 
@@ -168,8 +173,9 @@ def split_words(text: str, speller: Speller, kept: frozenset[str]) -> list[Word]
         English words that are no mistakes, though the speller does not know them.
     """
     text = _DOTTED.sub(r"\1 ", text)
+    text = _SINGLE.sub(r'"\1"', text.replace("’", "'").replace("‘", "'").replace("`", "'").translate(_DOUBLE))
     ids = {match.start(): match for match in _ID.finditer(text)}
-    hidden = _ID.sub(lambda match: "q" * len(match.group()), text.replace("’", "'").replace("`", "'"))
+    hidden = _ID.sub(lambda match: "q" * len(match.group()), text)
     words = [
         Word(ids[t.start].group(), ids[t.start].group(), "id", t.start, t.end)
         if t.start in ids

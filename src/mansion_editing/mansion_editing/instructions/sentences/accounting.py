@@ -17,6 +17,7 @@ from mansion_editing.instructions.phrases.runs import SHADES
 from mansion_editing.instructions.phrases.verb_words import VERB_WORDS
 from mansion_editing.instructions.phrases.words import FUNCTION_WORDS, VAGUE, Word, text_at
 from mansion_editing.instructions.statements import (
+    Add,
     Ask,
     Clear,
     Ensure,
@@ -46,6 +47,12 @@ _DENYING: Final = (Remove, Clear, Forbid, Keep, SetState, Ask, Reach, Swap, Repl
 _LIMITING: Final = frozenset(["none", "at_most", "at_least", "exactly", "all_but"])
 _ALTERNATIVES: Final = frozenset(["or", "either", "whichever"])
 _WHOLE: Final = frozenset("each every both".split())
+_SPOTS: Final = frozenset("wall corner window door".split())
+_NEAR_SPOTS: Final = frozenset("opposite by at near beside against next in to".split())
+_PLACING: Final = (Add, Ensure, Move)
+_SUBJECTS: Final = frozenset("the our my room guest bedroom meeting classroom".split())
+"""What ``only`` tells apart from others that were given something before."""
+_BEFORE_ROOMS: Final = frozenset("the our my in from to into of".split())
 _OTHERS: Final = frozenset("other others rest remaining remainder".split())
 _OF_ANY_OF_THEM: Final = (Remove, Clear, Forbid, Keep, Ask)
 """Statements in which things joined by "or" are all meant."""
@@ -116,7 +123,11 @@ def _is_left_out(said: Sequence[Word], at: int, group: Sequence[Statement], told
         return not (
             further or told.kinds & _LIMITING or "outside" in told.flags or any(isinstance(s, _DENYING) for s in group)
         )
+    if text == "only" and text_at(said, at - 1) in ("", ",", "and", "but"):
+        return text_at(said, at + 1) in _SUBJECTS and all(isinstance(s, Add) for s in group)
     if text in _ALTERNATIVES:
+        if text == "either" and text_at(said, at + 1) == "side":
+            return False
         limit = text_at(said, at + 1) in ("more", "fewer", "less") and told.kinds & {"at_least", "at_most"}
         return not limit and not all(isinstance(s, _OF_ANY_OF_THEM) or _is_none(s) for s in group)
     if text == "half":
@@ -127,7 +138,7 @@ def _is_left_out(said: Sequence[Word], at: int, group: Sequence[Statement], told
     if text in _OTHERS:
         turned = text_at(said, at + 1) in ("way", "direction") and 180.0 in told.numbers
         return not turned and not (
-            told.flags & {"others", "spare"} or told.kinds & {"all_but", "more", "exactly", "half"}
+            told.flags & {"others", "spare"} or told.kinds & {"all_but", "more", "exactly", "at_most", "half"}
         )
     if text in COLOUR_WORDS:
         return COLOUR_WORDS[text] not in told.words and text not in SHADES
@@ -136,7 +147,21 @@ def _is_left_out(said: Sequence[Word], at: int, group: Sequence[Statement], told
             told.flags & {"states"}
             or any(isinstance(s, SetState | Remove | Clear | Move | Keep | Forbid) for s in group)
         )
-    return _is_lost_noun(said, at, group, lexicon)
+    if text in _SPOTS and text_at(said, at - 1) in ("the", "a") and any(isinstance(s, _PLACING) for s in group):
+        before = {word.text for word in said[max(0, at - 3) : at]}
+        following = text_at(said, at + 1)
+        part = following in ("of", "to", "between") or lexicon.is_object((text, following))
+        return bool(before & _NEAR_SPOTS) and not part and not lexicon.is_object((text_at(said, at - 1), text))
+    return _is_lost_room(said, at, told, lexicon) or _is_lost_noun(said, at, group, lexicon)
+
+
+def _is_lost_room(said: Sequence[Word], at: int, told: _Told, lexicon: Lexicon) -> bool:
+    """Whether a room of the building is named of which no statement has a word: ``the desk from the study``."""
+    for length in (3, 2, 1):
+        span = tuple(word.text for word in said[at : at + length])
+        if len(span) == length and lexicon.is_own_room(span) and text_at(said, at - 1) in _BEFORE_ROOMS:
+            return not told.words & {word for word in span if word != "room"}
+    return False
 
 
 def _is_part(said: Sequence[Word], at: int) -> bool:

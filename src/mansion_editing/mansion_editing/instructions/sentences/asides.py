@@ -29,6 +29,7 @@ from mansion_editing.instructions.sentences.bystanding import (
     tells_whose,
 )
 from mansion_editing.instructions.sentences.circumstances import is_circumstance
+from mansion_editing.instructions.sentences.judgements import cannot_do, end_of_judged_predicate, is_judgement
 from mansion_editing.instructions.sentences.lacking import given_where_none_is
 from mansion_editing.instructions.sentences.progress import Progress
 from mansion_editing.instructions.sentences.taking_up import listed_in, with_list_for_pronoun
@@ -66,6 +67,9 @@ _MOST_ASIDES: Final = 3
 _TAKING_UP: Final = frozenset("it its them they one there that this those these another ones both".split())
 """Words by which a sentence goes on with what the one before it told of."""
 
+
+_WITHOUT_SUBJECT: Final = frozenset("stay remain should must needs belongs".split())
+"""Verbs of a clause whose subject the one before it names: ``the cup is on the desk, should be on the shelf``."""
 
 _TELLING_OF_ONE: Final = frozenset("one another second theirs own".split())
 """Words without which nothing is said of what has one already."""
@@ -105,6 +109,14 @@ class Asides(Progress):
         if self._fills_gaps(words, first):
             return
         whole = self._so_far()
+        start, end = end_of_judged_predicate(words, self.lexicon)
+        if end:
+            self._go_back(first)
+            self._read_rest([*words[:start], *words[end:]], later, marked=marked, depth=depth)
+            if len(self.unknown) == len(first["unknown"]):
+                quote = self._quote(words, start, end - 1)
+                self.statements.append(Mention(quote=quote, passed_over=True))
+                return
         listed = listed_in(self._reader(words))
         for start, end in _parts(words):
             if listed and start == 0 and listed[0].start < words[end - 1].end < listed[-1].start:
@@ -156,7 +168,7 @@ class Asides(Progress):
 
     def _with_subject(self, told: Sequence[Word], rest: Sequence[Word]) -> Sequence[Word]:
         """Return ``stays off`` after ``The shredder is broken`` with its subject."""
-        if not rest or rest[0].text not in ("stay", "remain"):
+        if not rest or rest[0].text not in _WITHOUT_SUBJECT:
             return rest
         item = self._reader(told).item(0)
         return rest if item is None else [*told[: item.end], *rest]
@@ -168,7 +180,10 @@ class Asides(Progress):
         if words and (words[0].text in _ALIKE or (words[0].text == "so" and text_at(words, 1) in BE | MODALS | {"do"})):
             return False
         joints = [at for at, word in enumerate(words) if word.text in _CUTS | _JOINTS | BEFORE_VERBS | {"or"}]
-        if any(verb_at(words, at + 1, self.lexicon) is not None for at in joints):
+        if followed and not marked and cannot_do(words):
+            return True
+        orders = (at for at in joints if verb_at(words, at + 1, self.lexicon) is not None)
+        if any(words[at].text != "so" or at + 2 < len(words) for at in orders):
             return False
         if marked or is_rhetorical(words):
             return is_rhetorical(words)
@@ -178,7 +193,7 @@ class Asides(Progress):
             return True
         if followed and gives_up_room(words, self.lexicon):
             return True
-        if tells_whose(words) or lacks_a_place(words, self.lexicon):
+        if tells_whose(words) or lacks_a_place(words, self.lexicon) or is_judgement(words, self.lexicon):
             return True
         if called or is_purpose(words, self.lexicon) or asks_for_nothing(words, self.lexicon, followed=followed):
             return True
@@ -200,9 +215,14 @@ class Asides(Progress):
         quote = self._quote(words, 0, len(words))
         untouched = () if taken_up else named
         where = [things for things in named if not things.noun and things.place is not None]
-        if len(where) == 1 and is_circumstance(words, self.lexicon, followed=True):
+        told_where = is_judgement(words, self.lexicon) or is_circumstance(words, self.lexicon, followed=True)
+        if len(where) == 1 and told_where:
             rooms = where[0].place.rooms if where[0].place is not None else None
+            rooms = rooms if rooms != Rooms() else None
             untouched = tuple(things for things in untouched if things is not where[0])
+        elif told_where and rooms is None:
+            within = _rooms_within(self._reader(words))
+            rooms = within[0] if len(within) == 1 else None
         self.statements.append(Mention(quote=quote, rooms=rooms, passed_over=True, untouched=untouched))
 
     def _take_up_what_is_told(self, words: Sequence[Word]) -> Rooms | None:
@@ -364,6 +384,13 @@ def _own_rooms(reader: ClauseReader) -> list[Rooms]:
             found += [rooms] if item.phrase.definite or rooms.words.rpartition(" ")[2].isdecimal() else []
         at = at + 1 if item is None or item.end <= at else item.end
     return found
+
+
+def _rooms_within(reader: ClauseReader) -> list[Rooms]:
+    """Return the rooms in which something is or happens, as words tell it: ``anything in the pantry``."""
+    items = (reader.item(at) for at in range(1, len(reader.words)) if reader.text(at - 1) in ("in", "into"))
+    rooms = [item.rooms() for item in items if item is not None and item.is_room and item.phrase.definite]
+    return [one for at, one in enumerate(rooms) if one.words and one not in rooms[:at]]
 
 
 def _named(reader: ClauseReader) -> tuple[Things, ...]:

@@ -8,7 +8,7 @@ import msgspec
 
 from mansion_editing.instructions.statements import Add, Ensure, Mention, Move, Place, Remove, Statement
 
-__all__ = ["with_last_of_them_first", "with_old_ones_first"]
+__all__ = ["with_companions_first", "with_last_of_them_first", "with_old_ones_first"]
 
 _OLD: Final = re.compile(r"\bthe (?:old|existing|previous|former|current|present)\b", re.IGNORECASE)
 
@@ -27,6 +27,19 @@ def with_old_ones_first(statements: Sequence[Statement]) -> list[Statement]:
         first = msgspec.structs.replace(first, or_new=False) if isinstance(first, Move) else first
         brought = Add(things=new.things, place=new.place, each=new.each, quote=new.quote)
         return [*out[:at], first, brought, *out[at + 1 : old], *with_old_ones_first(out[old + 1 :])]
+    return out
+
+
+def with_companions_first(statements: Sequence[Statement]) -> list[Statement]:
+    """Return what stands around furniture before that furniture goes or moves: ``the table and its chairs``."""
+    out = list(statements)
+    for at in range(1, len(out)):
+        owner, own = out[at - 1], out[at]
+        if not isinstance(own, Remove | Move) or type(owner) is not type(own) or owner.quote != own.quote:
+            continue
+        anchor = None if own.things.place is None else own.things.place.anchor
+        if isinstance(owner, Remove | Move) and anchor is not None and anchor.noun == owner.things.noun:
+            out[at - 1], out[at] = own, owner
     return out
 
 

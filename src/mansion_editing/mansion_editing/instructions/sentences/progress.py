@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 
 from mansion_editing.instructions.phrases.clock_times import without_times_of_headings
+from mansion_editing.instructions.phrases.frames import without_frames
 from mansion_editing.instructions.phrases.lexicon import Lexicon
 from mansion_editing.instructions.phrases.limits import limits_before
 from mansion_editing.instructions.phrases.mending import mended
@@ -31,13 +32,14 @@ class Progress:
         self.lexicon = Lexicon(state)
         self.floors = state.floors
         words = without_times_of_headings(split_words(text, self.lexicon.speller, self.lexicon.kept))
-        plain = in_usual_order(reworded(mended(written_out(words, text), self.lexicon)))
+        plain = in_usual_order(without_frames(reworded(mended(written_out(words, text), self.lexicon))))
         self.words = without_remarks(totals_before(limits_before(plain)))
         self.words = counted_from_ground(self.words, text, brief, self.floors)
         self.statements: list[Statement] = []
         self.unknown: list[str] = []
         self.topic: Things | None = None
         self.spared: tuple[Things, ...] = ()
+        self.exception = ""
         self.frames: tuple[Place, ...] = ()
         self.heading = Place()
         self.last_noun: Noun | None = None

@@ -1,15 +1,14 @@
 """Instructions in English to statements: sentences, their clauses in order, and what one sentence tells of another."""
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from itertools import pairwise
 from typing import Final, Literal
 
 import msgspec
 
 from mansion_assets.catalogue.descriptions import hypernyms_of
-from mansion_editing.instructions.clauses.items import NotUnderstood, TwoReadings
-from mansion_editing.instructions.clauses.outcomes import everything_at
+from mansion_editing.instructions.clauses.items import NotUnderstood, TwoReadings, joined_places
 from mansion_editing.instructions.clauses.reader import ClauseReader, of_each_room
 from mansion_editing.instructions.phrases.lexicon import HYPERNYMS
 from mansion_editing.instructions.phrases.places import merged, read_place
@@ -25,66 +24,45 @@ from mansion_editing.instructions.sentences.conditions import Condition, begins_
 from mansion_editing.instructions.sentences.correcting import Correcting
 from mansion_editing.instructions.sentences.depending import Depending
 from mansion_editing.instructions.sentences.former_places import with_former_places
+from mansion_editing.instructions.sentences.gathering import Gathering
 from mansion_editing.instructions.sentences.headings import Headings
 from mansion_editing.instructions.sentences.lacking_some import LackingSome
 from mansion_editing.instructions.sentences.lids import opened_as_whole
-from mansion_editing.instructions.sentences.old_ones import with_last_of_them_first, with_old_ones_first
+from mansion_editing.instructions.sentences.old_ones import (
+    with_companions_first,
+    with_last_of_them_first,
+    with_old_ones_first,
+)
 from mansion_editing.instructions.sentences.owners import owners_named
 from mansion_editing.instructions.sentences.questions import read_question
 from mansion_editing.instructions.sentences.recounting import Recounting
 from mansion_editing.instructions.sentences.referring import Referring
 from mansion_editing.instructions.sentences.refinement import (
-    adds_it,
-    counted_by,
-    counts_those_brought,
     exactly,
-    goes_as_well,
-    goes_while_others_stay,
     in_place_of,
-    is_everything,
-    is_only_fetched,
-    is_surplus,
-    left_where_brought,
-    moved_on,
-    moves_it,
     must_contain,
-    only_brings_it,
-    removes_all_of_it,
-    removes_what_went,
     sets_as_one,
-    spared_of,
     sparing_what_goes,
-    surplus_of,
-    tells_of_surplus,
-    tells_who_may_stay,
     turned_by_list,
     with_noun_at,
     with_storeys,
 )
 from mansion_editing.instructions.sentences.repeating import Repeating
 from mansion_editing.instructions.sentences.scene_setting import SceneSetting
-from mansion_editing.instructions.sentences.tails import Tails
-from mansion_editing.instructions.sentences.taken_off import taken_off
 from mansion_editing.instructions.sentences.telling import Telling
 from mansion_editing.instructions.statements import (
     Add,
-    Clear,
     Ensure,
-    Finish,
     Furnish,
     Instruction,
     Keep,
     Mention,
     Move,
-    Paint,
     Place,
-    Remove,
     Rename,
-    Reshape,
     Rooms,
     SetState,
     Statement,
-    Things,
     When,
 )
 from mansion_editing.state import SceneState
@@ -114,7 +92,17 @@ def read_instruction(text: str, state: SceneState, brief: str = "") -> Instructi
 
 
 class _Reader(
-    Asides, LackingSome, Telling, Tails, Headings, Repeating, Referring, Depending, Correcting, SceneSetting, Recounting
+    Asides,
+    LackingSome,
+    Telling,
+    Gathering,
+    Headings,
+    Repeating,
+    Referring,
+    Depending,
+    Correcting,
+    SceneSetting,
+    Recounting,
 ):
     """Reads one instruction."""
 
@@ -147,7 +135,8 @@ class _Reader(
         topics = [word for word, following in pairwise(self.words) if word.text in TOPICS and following.text in PRINTED]
         plain = [*(word for word in self.words if word.text in UNRECORDED), *topics]
         ignored = list(dict.fromkeys(w.raw for w in plain if not re.search(rf'"noun":"[^"]*\b{w.text}\b', told)))
-        ordered = with_takings_first(with_last_of_them_first(with_old_ones_first(self.statements)), self.lexicon)
+        ordered = with_companions_first(with_last_of_them_first(with_old_ones_first(self.statements)))
+        ordered = with_takings_first(ordered, self.lexicon)
         statements = turned_by_list(with_storeys(ordered), self.text)
         statements = sets_as_one(sparing_what_goes(statements), self.lexicon)
         return Instruction(statements=statements, not_understood=self.unknown, ignored=ignored)
@@ -256,6 +245,7 @@ class _Reader(
             if words[at].text == "otherwise":
                 self._read_consequence(words, at)
                 return
+            at = self._read_later_frame(reader, at)
             at, condition = self._read_condition(reader, words, at)
             first = len(self.statements)
             if condition is not None:
@@ -271,6 +261,23 @@ class _Reader(
             at = self._goes_to_rest(reader, at) or self._read_clause(reader, words, at)
             if reader.text(at) == ":":
                 self._tidied_before(reader, start)
+
+    def _read_later_frame(self, reader: ClauseReader, at: int) -> int:
+        """Read a room that a later clause begins with: ``leave the hall, but in the kitchen remove the mugs``."""
+        if (
+            at == 0
+            or reader.text(at - 1) not in ("and", "but", "while", ",")
+            or reader.text(at) not in ("in", "upstairs")
+        ):
+            return at
+        places, end = reader.places(at)
+        place = joined_places(places)[0] if places else Place()
+        after = end + (reader.text(end) == ",")
+        told = place.rooms is not None and place == Place(rooms=place.rooms) and not any(p.source for p in places)
+        if not told or verb_at(reader.words, after, self.lexicon) is None:
+            return at
+        reader.frame = place
+        return after
 
     def _tidied_before(self, reader: ClauseReader, start: int) -> None:
         """Let ``tidy the office:`` tell where all of it is that comes after the colon."""
@@ -335,7 +342,7 @@ class _Reader(
         end, things = reader.exceptions(at)
         if not things or reader.text(end) != ",":
             return at
-        self.spared = things
+        self.spared, self.exception = things, self._quote(reader.words, at, end)
         return end + 1
 
     def _read_clause(self, reader: ClauseReader, words: Sequence[Word], at: int) -> int:
@@ -407,168 +414,6 @@ class _Reader(
         if wished and reader.last_noun is None:
             reader.last_noun = reader.phrase_of(wished)
 
-    def _take(self, found: Iterable[Statement]) -> None:
-        """Add statements; what stays is an exception of what is cleared or removed just before."""
-        for statement in found:
-            last = self.statements[-1] if self.statements else None
-            if self.spared and isinstance(statement, Clear):
-                statement = msgspec.structs.replace(statement, spare=(*statement.spare, *self.spared))
-                self.spared = ()
-            if isinstance(statement, Keep):
-                statement = left_where_brought(statement, last) or self._of_the_kind(statement)
-            if isinstance(statement, SetState | Remove | Paint | Move):
-                statement = self._those_elsewhere(statement)
-            if isinstance(statement, Remove):
-                statement, self.statements[:] = taken_off(statement, self.statements, self._reader_of)
-                last = self.statements[-1] if self.statements else None
-            if _says_again(statement, last):
-                continue
-            if isinstance(statement, Rename) and statement.room == Rooms(same=True):
-                self._rename_it(statement, last)
-                continue
-            if isinstance(statement, Remove) and isinstance(last, Add | Ensure | Move) and last.things.noun:
-                statement = _one_of_its_kind(statement, last.things)
-            readers = (self._extends, self._spares, self._moves_on, self._tells_of_rest)
-            if not any(reads(statement, last) for reads in readers):
-                self.statements += self._room_and_thing(statement)
-
-    def _rename_it(self, statement: Rename, last: Statement | None) -> None:
-        """Rename the room of the statement before; after a colon, the name is all that becomes of it."""
-        if not isinstance(last, Furnish | Finish | Reshape | Mention) or last.rooms is None:
-            self.unknown.append(statement.quote)
-            return
-        between = self._from_to(last, statement)[len(last.quote) : -len(statement.quote)]
-        if isinstance(last, Furnish) and last.kind == statement.name.lower() and between.strip() == ":":
-            statement = msgspec.structs.replace(statement, quote=self._from_to(last, statement))
-            self.statements.pop()
-        self.statements.append(msgspec.structs.replace(statement, room=last.rooms))
-
-    def _room_and_thing(self, statement: Statement) -> list[Statement]:
-        """Return what shall be left alone as the thing and the room that are called so: the bar, the kennel."""
-        if not isinstance(statement, Keep) or statement.things.place is not None or statement.things.refers:
-            return [statement]
-        noun = tuple(statement.things.noun.split())
-        if not noun or statement.things.plural or not self.lexicon.is_own_room(noun):
-            return [statement]
-        room = Place(rooms=Rooms(words=statement.things.noun))
-        whole = Keep(things=everything_at(room), quote=statement.quote)
-        return [statement, whole] if self.lexicon.is_here(statement.things.noun) else [whole]
-
-    def _reader_of(self, quote: str) -> ClauseReader:
-        return self._reader(self._words_of(quote))
-
-    def _extends(self, statement: Statement, last: Statement | None) -> bool:
-        """Read more of what the last statement clears or brings; return whether that is all."""
-        if isinstance(last, Clear) and isinstance(statement, Clear) and _is_of_it(statement, last):
-            self.statements[-1] = msgspec.structs.replace(last, spare=(*last.spare, *statement.spare))
-            return True
-        if isinstance(last, Add | Ensure) and isinstance(statement, Ensure) and counts_those_brought(statement, last):
-            self.statements[-1] = counted_by(last, statement, self._from_to(last, statement))
-            return True
-        return False
-
-    def _spares(self, statement: Statement, last: Statement | None) -> bool:
-        """Read what stays of what the last statement clears or removes; return whether it does."""
-        if isinstance(statement, Keep) and is_everything(statement.things):
-            return False
-        spared = spared_of(statement) if isinstance(last, Clear) else ()
-        if isinstance(last, Clear) and spared:
-            self.statements[-1] = msgspec.structs.replace(last, spare=(*last.spare, *spared))
-            return True
-        if tells_who_may_stay(statement):
-            self.unknown.append(statement.quote)  # it is not told where
-            return True
-        if not isinstance(statement, Keep):
-            return False
-        alone = not isinstance(last, Clear | Remove) and not statement.things.place
-        if alone and re.match(r"(keep|leave) (only|just)\b", statement.quote.lower()):
-            self.unknown.append(statement.quote)  # it is not told what all else is
-            return True
-        only = re.search(r"\b(only|just|nothing but)\b", statement.quote)
-        if isinstance(last, Remove) and last.things.noun and only and not self._removed_together()[2:]:
-            self.unknown.append(statement.quote)  # more than what was named would have to go
-            return True
-        if isinstance(last, Remove) and last.things.amount.kind == "all":
-            but = msgspec.structs.replace(last.things, beside=(*last.things.beside, statement.things))
-            self.statements[-1] = msgspec.structs.replace(last, things=but)
-            return True
-        return False
-
-    def _moves_on(self, statement: Statement, last: Statement | None) -> bool:
-        """Read where what the last statement removes or moves goes; return whether it does."""
-        if not isinstance(statement, Move):
-            return False
-        together = [s for s in self.statements if isinstance(s, Move) and last is not None and s.quote == last.quote]
-        onward = moved_on(together, statement) if isinstance(last, Move) else None
-        listed = self._removed_together()
-        if onward is not None:
-            quote = self._from_to(together[0], statement)
-            self.statements[-len(together) :] = [msgspec.structs.replace(move, quote=quote) for move in onward]
-        elif len(listed) > 1 and moves_it(statement) and statement.things.plural:
-            quote = self._from_to(listed[0], statement)
-            moved_all = [Move(things=gone.things, place=statement.place, quote=quote) for gone in listed]
-            self.statements[-len(listed) :] = moved_all
-        elif (isinstance(last, Remove) or is_only_fetched(last)) and last.things.noun and moves_it(statement):
-            moved = Move(things=last.things, place=statement.place, quote=self._from_to(last, statement))
-            self.statements[-1] = moved
-        else:
-            return False
-        return True
-
-    def _tells_of_rest(self, statement: Statement, last: Statement | None) -> bool:
-        """Read what becomes of those beyond the number that shall be; return whether that is said."""
-        if isinstance(last, Ensure) and isinstance(statement, Move | Remove) and is_surplus(statement, last):
-            rest = surplus_of(last, statement.things)
-            self.statements[-1] = msgspec.structs.replace(statement, things=rest)
-            return True
-        shared = goes_while_others_stay(statement, last)
-        if shared is not None:
-            self.statements[-1] = shared
-            return True
-        if goes_as_well(statement, last):
-            self.unknown.append(statement.quote)  # another one, or the same one further on
-            return True
-        if tells_of_surplus(statement):
-            self.undecided = True
-            self.unknown.append(statement.quote)  # it is not told how many shall be there
-            return True
-        if isinstance(last, Ensure) and isinstance(statement, Remove) and statement.things.refers == "others":
-            self.statements[-1] = msgspec.structs.replace(exactly(last), quote=self._from_to(last, statement))
-            return True
-        return False
-
-    def _removed_together(self) -> list[Remove]:
-        """Return the removals of several things that the last clause asked for."""
-        last = self.statements[-1] if self.statements else None
-        if not isinstance(last, Remove):
-            return []
-        return [s for s in self.statements if isinstance(s, Remove) and s.quote == last.quote and s.things.noun]
-
-    def _of_the_kind(self, keep: Keep) -> Keep:
-        """Return ``those in the corridor`` as things of the kind that was mentioned before."""
-        things = keep.things
-        before = next((getattr(s, "things", None) for s in reversed(self.statements) if hasattr(s, "things")), None)
-        bare = things.noun == "one" or (things.refers == "last" and not things.noun)
-        last = self.statements[-1] if self.statements else None
-        if bare and things.place is None and isinstance(last, Move) and last.place.rooms is not None:
-            things = msgspec.structs.replace(things, place=Place(rooms=last.place.rooms))  # "the one already up there"
-        if not bare or things.place is None or not isinstance(before, Things) or not before.noun:
-            return keep
-        named = msgspec.structs.replace(things, noun=before.noun, refers="", definite=True, plural=True)
-        return msgspec.structs.replace(keep, things=named)
-
-    def _those_elsewhere(self, statement: SetState | Remove | Paint | Move) -> SetState | Remove | Paint | Move:
-        """Return ``those in the study`` as things of the kind that was named before: ``the lights here off, ...``."""
-        things = statement.things
-        rooms = None if things.place is None else things.place.rooms
-        bare = things.refers == "last" and not things.noun and things.plural and not things.amount.number
-        if not bare or rooms is None or not rooms.words or not re.search(r"\bthose\b", statement.quote.lower()):
-            return statement
-        told = (getattr(before, "things", None) for before in reversed(self.statements))
-        noun = next((before.noun for before in told if isinstance(before, Things) and before.noun), "")
-        named = things if not noun else msgspec.structs.replace(things, noun=noun, refers="")
-        return msgspec.structs.replace(statement, things=named)
-
     def _reads_question(self, reader: ClauseReader, words: Sequence[Word], at: int, *, marked: bool) -> bool:
         try:
             found = read_question(reader, words, at, marked=marked)
@@ -632,33 +477,3 @@ class _Reader(
             place = read.place if place == Place() else merged(place, read.place)
         reader.frame = place
         return after if not comma else end + 1
-
-
-def _one_of_its_kind(statement: Remove, named: Things) -> Remove:
-    """Return ``one in the hall`` as one of the kind that was just named: ``two benches here, one in the hall goes``."""
-    things = statement.things
-    bare = things.refers == "last" and not things.noun and not things.definite and not things.amount.of
-    elsewhere = things.place is not None and things.place.rooms is not None and bool(things.place.rooms.words)
-    if not bare or not elsewhere or things.amount.kind != "some" or not things.amount.number:
-        return statement
-    return msgspec.structs.replace(statement, things=msgspec.structs.replace(things, noun=named.noun, refers=""))
-
-
-def _says_again(statement: Statement, last: Statement | None) -> bool:
-    """Whether a statement only says once more what the last one asks for: ``add a door and put it in``."""
-    if isinstance(last, Clear):
-        return removes_all_of_it(statement)
-    if isinstance(last, Reshape):
-        return last.what == "door" and adds_it(statement)
-    if isinstance(last, Remove):
-        return removes_what_went(statement)
-    return isinstance(last, Add | Ensure | Move) and isinstance(statement, Move) and only_brings_it(statement)
-
-
-def _is_of_it(statement: Clear, last: Clear) -> bool:
-    """Whether a clearing only tells what stays of the one before: ``clear the desk, keep only the lamp on it``."""
-    return _is_at_it(statement.place) and bool(statement.spare) and last.place.anchor is not None
-
-
-def _is_at_it(place: Place) -> bool:
-    return place.anchor is not None and place.anchor.refers == "last" and not place.anchor.noun

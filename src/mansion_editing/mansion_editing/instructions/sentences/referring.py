@@ -43,6 +43,7 @@ class Referring(Progress):
         if missing and present and _is_bare_it(getattr(statement, "things", None), many=True):
             self.unknown.append(statement.quote)  # what was told to be missing is not there
             return statement
+        statement = self._switched_off(self._in_each_named(statement))
         told = self._about_topic(self._about_room(self._about_holder(self._put_there(self._cleared(statement)))))
         bare = isinstance(told, Ensure) and _is_bare_it(told.things, many=True)
         counting = bool(self.statements) and counts_those_brought(told, self.statements[-1])
@@ -52,10 +53,35 @@ class Referring(Progress):
             return Mention(quote=told.quote)  # "eight is enough" of what nothing tells
         return told
 
+    def _switched_off(self, statement: Statement) -> Statement:
+        """Return ``off with it`` as switching off, where that is what switches."""
+        if not isinstance(statement, Remove) or not statement.quote.lower().startswith("off with"):
+            return statement
+        meant = self.topic if statement.things.refers and self.topic is not None else statement.things
+        if not meant.noun or not self.lexicon.takes_state(tuple(meant.noun.split()), "on"):
+            return statement
+        return SetState(things=statement.things, state="on", value=False, quote=statement.quote)
+
+    def _in_each_named(self, statement: Statement) -> Statement:
+        """Return ``in each of them`` as in each of the rooms that were named before."""
+        place = getattr(statement, "place", None)
+        if not isinstance(place, Place) or place.rooms != Rooms(same=True, every=True) or place.anchor is not None:
+            return statement
+        places = (p for s in reversed(self.statements) for p in (getattr(s, "place", None), _place_of_things(s)))
+        told = (p.rooms for p in places if isinstance(p, Place) and p.rooms is not None)
+        rooms = next((rooms for rooms in told if rooms.every and rooms.words), None)
+        if rooms is None and self.topic is not None and self.topic.place is not None:
+            rooms = self.topic.place.rooms
+        if rooms is None or not rooms.every:
+            return statement
+        return msgspec.structs.replace(statement, place=msgspec.structs.replace(place, rooms=rooms))
+
     def _cleared(self, statement: Statement) -> Statement:
         """Return ``clear it`` of furniture as emptying it, and of what is loose as taking it away."""
         if not isinstance(statement, Clear) or not _is_bare_it(statement.place.anchor, many=True):
             return statement
+        if statement.quote.lower().startswith("empty"):
+            return statement  # a bin, a box: what it holds goes
         last = next((s for s in reversed(self.statements) if not isinstance(s, Mention)), None)
         meant = self.topic if self.topic is not None else getattr(last, "things", None)
         noun = tuple(meant.noun.split()) if isinstance(meant, Things) else ()
@@ -99,7 +125,7 @@ class Referring(Progress):
         if not self.lexicon.carries(tuple(holder.noun.split())):
             return statement
         told = self.statements[-1] if self.statements else None
-        there = getattr(statement, "place", None) == Place(rooms=Rooms(same=True))
+        there = getattr(statement, "place", None) == Place(rooms=Rooms(same=True)) and bool(thing.noun)
         if there and isinstance(told, Mention) and holder is self.topic and told.quote.lower().startswith("there"):
             self.unknown.append(statement.quote)  # on it, in it or only in its room
             return statement
@@ -192,6 +218,11 @@ def _of_what_lacks(statement: Add | Ensure | Move, topic: Things, rooms: Rooms) 
         return statement
     where = place if place.rooms is not None else msgspec.structs.replace(place, rooms=rooms)
     return msgspec.structs.replace(statement, things=things, place=where)
+
+
+def _place_of_things(statement: Statement) -> Place | None:
+    things = getattr(statement, "things", None)
+    return things.place if isinstance(things, Things) else None
 
 
 def _is_bare_it(things: Things | None, *, many: bool = False) -> bool:

@@ -31,6 +31,7 @@ __all__ = [
     "counting_those_there",
     "counts_those_brought",
     "exactly",
+    "given_but_to",
     "goes_as_well",
     "goes_while_others_stay",
     "held_there",
@@ -45,6 +46,7 @@ __all__ = [
     "must_contain",
     "narrowed",
     "only_brings_it",
+    "placed_at_last",
     "removes_all_of_it",
     "removes_what_went",
     "sets_as_one",
@@ -169,7 +171,7 @@ def _is_in_it(statement: Statement, rooms: Rooms) -> bool:
     return where is None or where.same or where == rooms
 
 
-_INSTEAD: Final = (("instead", "of"), ("in", "exchange", "for"), ("in", "return", "for"))
+_INSTEAD: Final = (("instead", "of"), ("rather", "than"), ("in", "exchange", "for"), ("in", "return", "for"))
 
 
 def in_place_of(reader: ClauseReader, found: list[Statement], end: int) -> tuple[list[Statement], int]:
@@ -180,8 +182,19 @@ def in_place_of(reader: ClauseReader, found: list[Statement], end: int) -> tuple
     new = found[-1]
     if old is None or old.is_room or not isinstance(new, Add | Ensure):
         return found, end
-    things = old.things() if new.place == Place() else with_place(old.things(), Place(rooms=new.place.rooms))
+    if old.phrase.refers == "last" and not old.phrase.noun.words:
+        return found, end if old.places else old.end  # "six chairs instead of four"
+    named = old.things() if old.phrase.noun.words[-1:] != ("one",) else _kind_of(old.things(), new.things)
+    things = named if new.place.rooms is None else with_place(named, Place(rooms=new.place.rooms))
+    if new.place.anchor is not None or new.place.spot:
+        gone = Remove(things=things, quote=new.quote)  # it comes elsewhere: "in front of the sofa"
+        return [*found[:-1], gone, new], old.end
     return [*found[:-1], Replace(things=things, by=new.things, quote=new.quote)], old.end
+
+
+def _kind_of(one: Things, named: Things) -> Things:
+    """Return ``the rectangular one`` as one of the kind that was named before it."""
+    return msgspec.structs.replace(one, noun=named.noun)
 
 
 def so_many(statement: Add | Ensure, topic: Things) -> Statement:
@@ -214,6 +227,54 @@ def moved_on(last: Sequence[Move], statement: Move) -> list[Move] | None:
     if rooms is not None and (place.rooms is None or (place.rooms.same and not place.rooms.words)):
         place = msgspec.structs.replace(place, rooms=rooms)
     return [msgspec.structs.replace(move, place=place, or_new=False) for move in last]
+
+
+def given_but_to(statement: Add | Ensure, spared: Sequence[Things]) -> Add | Ensure | None:
+    """Return what each of several places is given, but for those excepted: ``on every table but the one in the bar``.
+
+    None where the places are not all of a kind, or what is excepted is none of them.
+    """
+    place = statement.place
+    anchor, rooms = place.anchor, place.rooms
+    spared_rooms = [one.place.rooms for one in spared if not one.noun and one.place is not None and one.place.rooms]
+    if anchor is None and rooms is not None and rooms.every and len(spared_rooms) == len(spared):
+        but = tuple(msgspec.structs.replace(one, every=False) for one in spared_rooms)
+        place = msgspec.structs.replace(place, rooms=msgspec.structs.replace(rooms, but=(*rooms.but, *but)))
+        return msgspec.structs.replace(statement, place=place)
+    if (
+        anchor is None
+        or anchor.amount.kind != "all"
+        or not all(one.noun in ("", "one", anchor.noun, statement.things.noun) for one in spared)
+    ):
+        return None
+    beside = tuple(msgspec.structs.replace(one, noun=anchor.noun, refers="") for one in spared)
+    holders = msgspec.structs.replace(anchor, beside=(*anchor.beside, *beside))
+    return msgspec.structs.replace(statement, place=msgspec.structs.replace(place, anchor=holders))
+
+
+def placed_at_last(statements: Sequence[Statement], onward: Move) -> list[Add | Ensure]:
+    """Return new things of the last clause at the place that the next one names; none where it moves other ones.
+
+    ``Add three towels to the bathroom and lay them on the shelf`` brings them to the shelf of the bathroom.
+    """
+    last = statements[-1] if statements else None
+    if not isinstance(last, Add | Ensure):
+        return []
+    together = [s for s in statements if isinstance(s, Add | Ensure) and s.quote == last.quote]
+    things, goal = onward.things, onward.place
+    several = len(together) > 1 or last.things.plural or last.things.amount.number > 1
+    bare = things.refers == "last" and not things.noun and things.place is None and things.plural == several
+    counted = things.amount.number in (0, sum(max(1, new.things.amount.number) for new in together))
+    rooms = [new.place.rooms for new in together if not new.each and new.place == Place(rooms=new.place.rooms)]
+    where = rooms[0] if rooms else None
+    same = len(rooms) == len(together) and all(other == where for other in rooms)
+    elsewhere = goal.rooms is not None and bool(goal.rooms.words) and where not in (None, goal.rooms)
+    if not (bare and counted and same) or elsewhere or goal.outside or (goal.anchor is None and not goal.spot):
+        return []
+    if statements[-len(together) :] != together or (goal.anchor is not None and goal.anchor.refers):
+        return []
+    place = msgspec.structs.replace(goal, rooms=where or goal.rooms)
+    return [msgspec.structs.replace(new, place=place) for new in together]
 
 
 def counts_those_brought(statement: Statement, last: Statement) -> bool:

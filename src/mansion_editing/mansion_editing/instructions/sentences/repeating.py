@@ -15,6 +15,7 @@ from mansion_editing.instructions.statements import (
     Amount,
     Ensure,
     Finish,
+    Forbid,
     History,
     Mention,
     Move,
@@ -25,6 +26,7 @@ from mansion_editing.instructions.statements import (
     Replace,
     Rooms,
     SetState,
+    Things,
     Turn,
 )
 
@@ -170,6 +172,8 @@ class Repeating(Progress):
     def _none_there(self, reader: ClauseReader, words: Sequence[Word], at: int) -> int | None:
         """Read ``and none in the dining room either`` after ``No knives in the kitchen``."""
         last = self.statements[-1] if self.statements else None
+        if isinstance(last, Add | Ensure):
+            return self._none_elsewhere(reader, words, at, last)
         denied = isinstance(last, Remove) and "no" in last.quote.lower().split() and last.things.amount.kind == "all"
         if not isinstance(last, Remove) or not denied or at == 0 or reader.text(at) != "none":
             return None
@@ -188,6 +192,30 @@ class Repeating(Progress):
             return None
         there = msgspec.structs.replace(last.things, place=place)
         self.statements.append(msgspec.structs.replace(last, things=there, quote=self._quote(words, at, end)))
+        return end
+
+    def _none_elsewhere(self, reader: ClauseReader, words: Sequence[Word], at: int, last: Add | Ensure) -> int | None:
+        """Read ``but none on the bed`` after what is brought elsewhere: no such thing comes there."""
+        if (
+            reader.text(at) != "none"
+            or at == 0
+            or words[at - 1].text not in ("and", "but", ",")
+            or not last.things.noun
+        ):
+            return None
+        places, end = reader.places(at + 1)
+        place, each = joined_places(places)
+        told = bool(places) and place.anchor is not None and not (place.outside or each or place.anchor.refers)
+        if (
+            not told
+            or any(read.source or read.goal for read in places)
+            or (end < len(words) and words[end].kind != "mark")
+        ):
+            return None
+        if place.rooms is None and last.place.rooms is not None:
+            place = msgspec.structs.replace(place, rooms=last.place.rooms)
+        things = Things(noun=last.things.noun, amount=Amount(kind="all", number=0), plural=True)
+        self.statements.append(Forbid(things=things, place=place, quote=self._quote(words, at, end)))
         return end
 
     def _surface_too(self, reader: ClauseReader, words: Sequence[Word], at: int, last: Finish) -> int | None:

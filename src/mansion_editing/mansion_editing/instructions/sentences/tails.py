@@ -9,7 +9,14 @@ from mansion_editing.instructions.clauses.items import NotUnderstood, joined_pla
 from mansion_editing.instructions.clauses.reader import ClauseReader, sparing
 from mansion_editing.instructions.phrases.loads import end_of_load
 from mansion_editing.instructions.phrases.places import read_place, with_place
-from mansion_editing.instructions.phrases.word_sets import AFTER_CLAUSES, BESIDE_RELATIONS, JOINING, PEOPLE
+from mansion_editing.instructions.phrases.word_sets import (
+    AFTER_CLAUSES,
+    BESIDE_RELATIONS,
+    EVENTS,
+    JOINING,
+    PEOPLE,
+    RELATIVES,
+)
 from mansion_editing.instructions.phrases.words import (
     COURTESIES,
     DETERMINERS,
@@ -26,6 +33,7 @@ from mansion_editing.instructions.sentences.conditions import on_condition, read
 from mansion_editing.instructions.sentences.counting import Counting
 from mansion_editing.instructions.sentences.lacking import end_of_presence, given_where_none_is, lacking_at
 from mansion_editing.instructions.sentences.purposes import end_of_purpose
+from mansion_editing.instructions.sentences.refinement import given_but_to
 from mansion_editing.instructions.sentences.resulting import Resulting
 from mansion_editing.instructions.statements import (
     Add,
@@ -68,6 +76,8 @@ _DISTURBING: Final = frozenset(
 )
 
 
+_BEING_LEFT: Final = frozenset("until there are is only just left remain of them".split())
+"""Words of ``until there are only two of them left``, besides the number."""
 _INTENTS: Final = frozenset("welcome surprise treat greeting memento thank-you present gift joke reward".split())
 """What something is meant as, which no scene records."""
 
@@ -86,78 +96,88 @@ class Tails(Resulting, Counting):
         """
         exact = False
         while end < len(words):
-            comma = words[end].text in (",", "and")
-            rest = tuple(w.text for w in words[end + comma : end + comma + 3])
-            if rest in _EVERY_ONE:
-                end = self._past_whole_building(reader, end + comma + 3)
-                continue
-            if self._denies_number(words, end):
-                end, exact = end + 3, True
-                continue
-            if rest == ("not", "one", "more"):
-                end, exact = end + comma + 3, True
-                continue
-            limit = tuple(w.text for w in words[end + comma : end + comma + 2])
-            if limit[:1] in (("no",), ("not",)) and limit[1:] in (("more",), ("less",), ("fewer",)):
-                end, exact = end + comma + 2, True
-                continue
-            text = words[end].text
-            pair = (text, words[end + 1].text if end + 1 < len(words) else "")
-            counted = self._in_number(reader, end)
-            if counted:
-                end = counted
-                continue
-            meant = self._end_of_intent(words, end)
-            if meant:
-                self.statements.append(Mention(quote=self._quote(words, end, meant), passed_over=True))
-                end = meant
-                continue
-            opened = self._in_state(reader, end)
-            if opened:
-                end = opened
-                continue
-            untouched = self._without_touching(reader, end)
-            if untouched:
-                end = untouched
-                continue
-            told = end_of_presence(reader, end) or self._where_none_is(reader, end) or self._so_each_has_one(words, end)
-            told = told or self._and_nothing_else(words, end) or end_of_purpose(words, end, self.clause)
-            if told:
-                self.statements.append(Mention(quote=self._quote(words, end, told)))
-                end = told
-                continue
-            beside = self._besides(reader, end)
-            if beside:
-                end = beside
-                continue
-            fits = self._if_it_fits(words, end)
-            depends = 0 if fits else self._depends_on(reader, end + (text == ","))
-            if depends:
-                end = depends
-            elif fits:
-                end = fits
-            elif self._takes_its_place(words, end) or [w.text for w in words[end : end + 3]] == ["from", "now", "on"]:
-                end += 3
-            elif pair in (("rather", "than"), ("instead", "of")) and self._contrasted(reader, end + 2):
-                end = self._contrasted(reader, end + 2)
-            elif pair in _PAIRS_AFTER_CLAUSES:
-                end += 2
-            elif text in COURTESIES or self._ends_clause(reader, end):
-                end += 1
-            else:
+            limit = self._end_of_limit(words, end)
+            stop = limit or self._end_of_addition(reader, words, end) or self._end_of_adjunct(reader, words, end)
+            if not stop:
                 break
+            end, exact = stop, exact or bool(limit)
+        return self._end_of_remark(reader, words, end), exact
+
+    def _end_of_limit(self, words: Sequence[Word], at: int) -> int:
+        """Return the end of ``, no more``, ``, not four``, by which a number is meant exactly; 0 for others."""
+        if self._denies_number(words, at):
+            return at + 3
+        start = at + (words[at].text in (",", "and"))
+        said = tuple(word.text for word in words[start : start + 3])
+        if said == ("not", "one", "more"):
+            return start + 3
+        return start + 2 if said[:1] in (("no",), ("not",)) and said[1:2] in (("more",), ("less",), ("fewer",)) else 0
+
+    def _end_of_addition(self, reader: ClauseReader, words: Sequence[Word], at: int) -> int:
+        """Read what tells more of what the clause asks for, or what it is for; return its end, 0 for other words."""
+        start = at + (words[at].text in (",", "and"))
+        if tuple(word.text for word in words[start : start + 3]) in _EVERY_ONE:
+            return self._past_whole_building(reader, start + 3)
+        counted = self._in_number(reader, at)
+        if counted:
+            return counted
+        meant = self._end_of_intent(words, at)
+        if meant:
+            self.statements.append(Mention(quote=self._quote(words, at, meant), passed_over=True))
+            return meant
+        more = (
+            self._until_so_many_are_left(words, at)
+            or self._so_that_so_many_are_there(words, at)
+            or self._in_state(reader, at)
+            or self._without_touching(reader, at)
+        )
+        if more:
+            return more
+        told = end_of_presence(reader, at) or self._where_none_is(reader, at) or self._so_each_has_one(words, at)
+        told = told or self._and_nothing_else(words, at) or end_of_purpose(words, at, self.clause)
+        if told:
+            self.statements.append(Mention(quote=self._quote(words, at, told)))
+        return told or self._besides(reader, at)
+
+    def _end_of_adjunct(self, reader: ClauseReader, words: Sequence[Word], at: int) -> int:
+        """Read a condition, a contrast or a courtesy after a clause; return its end, 0 for other words."""
+        pair = (words[at].text, text_at(words, at + 1))
+        fits = self._if_it_fits(words, at)
+        depends = fits or self._depends_on(reader, at + (words[at].text == ","))
+        if depends:
+            return depends
+        if self._takes_its_place(words, at) or (*pair, text_at(words, at + 2)) == ("from", "now", "on"):
+            return at + 3
+        contrast = self._contrasted(reader, at + 2) if pair in (("rather", "than"), ("instead", "of")) else 0
+        if contrast:
+            return contrast
+        if pair in _PAIRS_AFTER_CLAUSES:
+            return at + 2
+        return at + 1 if words[at].text in COURTESIES or self._ends_clause(reader, at) else 0
+
+    def _end_of_remark(self, reader: ClauseReader, words: Sequence[Word], end: int) -> int:
+        """Return the end of a remark after a clause; what is none and begins no other clause is not understood."""
         if end >= len(words) or words[end].kind == "mark" or words[end].text in JOINING:
-            return end, exact
+            return end
         if end_of_background(words, end) > end or reader.starts_clause(end):
-            return end, exact
+            return end
         stop = reader.boundary(end)
         aside = words[end].text in _BEFORE_ASIDES or self._is_for_some_purpose(words[end:stop])
         aside = aside and not any(w.kind == "number" for w in words[end:stop])
+        aside = aside and not self._is_for_somewhere(words[end:stop])
+        quote = self._quote(words, end, stop)
         if aside and not self._names_anything(words[end:stop]):
-            self.statements.append(Mention(quote=self._quote(words, end, stop)))
-            return stop, exact
-        self.unknown.append(self._quote(words, end, stop))
-        return stop, exact
+            self.statements.append(Mention(quote=quote))
+        else:
+            self.unknown.append(quote)
+        return stop
+
+    def _is_for_somewhere(self, words: Sequence[Word]) -> bool:
+        """Whether ``for the lab`` after new things without a place may be their place, of no known name."""
+        new = bool(self.clause) and all(isinstance(s, Add | Ensure) and s.place == Place() for s in self.clause)
+        named = len(words) > 2 and words[0].text == "for" and words[1].text in ("the", "our", "my")
+        somebody = PEOPLE | PERSONS | RELATIVES | EVENTS
+        return new and named and not any(w.text in somebody or w.text.endswith("ing") for w in words[2:])
 
     def _past_whole_building(self, reader: ClauseReader, at: int) -> int:
         """Return the end of ``in the building`` after ``every single one``, which leaves nothing out."""
@@ -179,6 +199,8 @@ class Tails(Resulting, Counting):
         text = reader.text(at)
         if text == "in":
             return self._comes_in(reader, at + 1)
+        if text == "up" and self._ends_at(reader, at + 1):
+            return all(isinstance(s, Add | Ensure) for s in self.clause)  # "hang one up"
         return text in AFTER_CLAUSES and (text != "each" or _is_of_several(self.clause))
 
     def _comes_in(self, reader: ClauseReader, after: int) -> bool:
@@ -302,11 +324,16 @@ class Tails(Resulting, Counting):
 
     def _all_except(self, reader: ClauseReader, at: int) -> int:
         """Read ``, except for the one in the bathroom`` after what is done with all of a kind."""
-        if not self.clause or not all(isinstance(s, SetState | Remove | Paint) for s in self.clause):
-            return 0
-        if reader.text(at + (reader.text(at) == ",")) not in _EXCEPTING:
+        if not self.clause or reader.text(at + (reader.text(at) == ",")) not in _EXCEPTING:
             return 0
         end, spared = reader.exceptions(at)
+        if spared and all(isinstance(s, Add | Ensure) for s in self.clause):
+            given = [given_but_to(s, spared) for s in self.clause if isinstance(s, Add | Ensure)]
+            kept = [s for s in given if s is not None]
+            self.clause = [*kept] if len(kept) == len(given) else self.clause
+            return end if len(kept) == len(given) else 0
+        if not all(isinstance(s, SetState | Remove | Paint) for s in self.clause):
+            return 0
         done = [s for s in self.clause if isinstance(s, SetState | Remove | Paint)]
         if not spared or any(s.things.amount.kind != "all" for s in done):
             return 0
@@ -348,9 +375,59 @@ class Tails(Resulting, Counting):
         joined += text_at(words, joined) == "and"
         said = (text_at(words, joined), text_at(words, joined + 1))
         plain = all(isinstance(s, SetState | Remove | Paint | Swap | Clear | Keep) for s in self.clause)
+        plain = plain or (all(isinstance(s, Add | Ensure) for s in self.clause) and self._goes_where_all_went())
         if joined == at or said not in (("nothing", "else"), ("nothing", "more")) or not plain:
             return 0
         return joined + 2 if next_mark(words, joined) == joined + 2 else 0
+
+    def _goes_where_all_went(self) -> bool:
+        """Whether new things come to furniture that was cleared just before: ``clear it, then put a lamp on it``."""
+        last = next((s for s in reversed(self.statements) if not isinstance(s, Mention)), None)
+        cleared = last.place.anchor if isinstance(last, Clear) else None
+        goals = [s.place.anchor for s in self.clause if isinstance(s, Add | Ensure)]
+        return cleared is not None and all(
+            goal is not None and (goal.noun == cleared.noun or (goal.refers == "last" and not goal.noun))
+            for goal in goals
+        )
+
+    def _until_so_many_are_left(self, words: Sequence[Word], at: int) -> int:
+        """Read ``until only two are left`` after things that go or move: all but so many of them do."""
+        end = next_mark(words, at)
+        numbers = [word for word in words[at:end] if word.kind == "number"]
+        said = {word.text for word in words[at:end]} - {word.text for word in numbers}
+        done = [s for s in self.clause if isinstance(s, Remove | Move)]
+        all_of_them = len(done) == len(self.clause) == 1 and done[0].things.plural and done[0].things.definite
+        if text_at(words, at) != "until" or len(numbers) != 1 or not said <= _BEING_LEFT or not all_of_them:
+            return 0
+        if not said & {"left", "remain", "there"} or done[0].things.amount.kind not in ("all", "some"):
+            return 0
+        left = Amount(kind="all_but", number=int(numbers[0].value))
+        things = msgspec.structs.replace(done[0].things, amount=left)
+        quote = done[0].quote + self.text[words[at - 1].end : words[end - 1].end]
+        self.clause = [msgspec.structs.replace(done[0], things=things, quote=quote)]
+        return end
+
+    def _so_that_so_many_are_there(self, words: Sequence[Word], at: int) -> int:
+        """Read ``so that there are three`` after what is brought, which then are three with those there."""
+        start = at + (words[at].text == ",")
+        said = [word.text for word in words[start : start + 5]]
+        there = 1 + (said[1:2] == ["that"])
+        if said[:1] != ["so"] or said[there : there + 2] not in (["there", "are"], ["we", "have"], ["it", "has"]):
+            return 0
+        number = start + there + 2
+        brought = [s for s in self.clause if isinstance(s, Add | Ensure)]
+        if len(brought) != 1 or len(self.clause) != 1 or number >= len(words) or words[number].kind != "number":
+            return 0
+        end = number + 1
+        while text_at(words, end) in ("of", "them", "in", "all", "total", "altogether", "there"):
+            end += 1
+        if not (end >= len(words) or words[end].kind == "mark") or brought[0].each:
+            return 0
+        amount = Amount(kind="exactly", number=int(words[number].value))
+        things = msgspec.structs.replace(brought[0].things, amount=amount)
+        quote = brought[0].quote + self.text[words[at - 1].end : words[end - 1].end]
+        self.clause = [Ensure(things=things, place=brought[0].place, quote=quote)]
+        return end
 
     def _end_of_intent(self, words: Sequence[Word], at: int) -> int:
         """Return the end of ``as a welcome``, ``as a surprise for Ann``; 0 for words that ask for something."""

@@ -41,7 +41,7 @@ _BEFORE_OCCASIONS: Final = frozenset("for after before during given despite unti
 
 _I: Final = frozenset(["i", "we", "i'd", "we'd"])
 _ABLE: Final = frozenset("i we he she you it they everyone everybody people anyone".split())
-_COUNTING: Final = frozenset("it there is are a we have has got still about they that".split())
+_COUNTING: Final = frozenset("it there is are a we have has got still about they that just only single".split())
 _TAKING_UP: Final = frozenset("it one ones them that this those these".split())
 _BECOMING: Final = frozenset("go stay remain disappear vanish".split())
 """Verbs that say what shall become of their subject."""
