@@ -201,8 +201,8 @@ def test_the_command_builds_what_the_single_command_builds(tmp_path: Path) -> No
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (["a flat", "--from", "briefs.txt"], "--from takes all briefs from its file, without a brief"),
-        (["--from", "briefs.txt", "--graph"], "--from takes all briefs from its file, without --graph"),
+        (["a flat", "--from", "briefs.txt"], "--from takes all briefs from its file; leave out the brief"),
+        (["--from", "briefs.txt", "--graph"], "--from takes all briefs from its file; leave out --graph"),
         ([], "there is no brief; give a sentence, a plan with --plan, or a file with --from"),
     ],
 )

@@ -30,7 +30,7 @@ class WorldBuilding:
     Attributes
     ----------
     row : BuildingRow
-        What the manifest says of it: description, kind, split, difficulty, floors, rooms, objects, ...
+        Its row in the manifest: description, kind, split, difficulty, floors, rooms, objects, ...
     folder : Path
     """
 

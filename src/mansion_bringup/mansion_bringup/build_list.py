@@ -41,7 +41,7 @@ def build_list(
     Raises
     ------
     MansionError
-        As `make_world`. A brief that cannot be built is no error: its result says why.
+        As `make_world`. A brief that cannot be built is not an error: its result says why.
     """
     make_world(
         folder,

@@ -39,7 +39,7 @@ def new_faults(before: Mapping[int, FloorScene], after: Mapping[int, FloorScene]
 
     Notes
     -----
-    Most edits change objects and what is said of rooms alone, so that only names, poses and reach can go wrong. Faults
+    Most edits change only objects and descriptions of rooms, so that only names, poses and reach can go wrong. Faults
     of names and poses concern one object, an object and what carries it, or two objects that meet: only those that
     changed and those around them are judged. Reach is judged for the whole building, and only when something that
     stands on a floor or hangs on a wall changed. A floor that is new or has other walls, openings or cores is judged
@@ -69,7 +69,7 @@ def new_faults(before: Mapping[int, FloorScene], after: Mapping[int, FloorScene]
 
 
 def _structure(scene: FloorScene) -> tuple[object, ...]:
-    """Return what a floor is built of, without what is said of its rooms and without materials."""
+    """Return what a floor is built of, without the descriptions of its rooms and without materials."""
     rooms = [(r.id, r.kind, r.polygon, r.holes, r.net_polygon, r.net_holes, r.ceiling_height) for r in scene.rooms]
     walls = [(w.id, w.segment, w.thickness, w.height, w.exterior, w.left, w.right) for w in scene.walls]
     shell = (scene.outline, scene.holes, scene.elevation, scene.height)

@@ -137,7 +137,7 @@ class Documents:
 
 
 def _content(path: str, data: bytes) -> Any:
-    """Return what a document says of itself, without what is derived from others each time that an edit lands."""
+    """Return the content of a document, without what is derived from others each time an edit lands."""
     if is_scene(path):
         return {**_object(data), "revision": 0}
     if path == INDEX:

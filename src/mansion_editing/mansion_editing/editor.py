@@ -315,7 +315,7 @@ class SceneEditor:
         Raises
         ------
         MansionError
-            As `save` does, and ``INVALID_PAYLOAD`` for a path that is no document of the building.
+            As `save` does, and ``INVALID_PAYLOAD`` for a path that is not a document of the building.
         """
 
         def act() -> str:

@@ -21,7 +21,7 @@ __all__ = ["parts_of", "program_with", "records_of", "scene_with", "topology_wit
 def parts_of(
     scene: FloorScene, room_id: str, program: RoomProgram | None = None, node: TopologyNode | None = None
 ) -> RoomParts | None:
-    """Return what is said of a room; ``None`` where the scene has no such room."""
+    """Return the description of a room; ``None`` if the scene has no such room."""
     room = next((room for room in scene.rooms if room.id == room_id), None)
     if room is None:
         return None

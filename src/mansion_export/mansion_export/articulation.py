@@ -14,7 +14,7 @@ from mansion_assets.joints import DOOR_OPENS, Joint
 from mansion_assets.meshes import Link, links
 from mansion_assets.solids import Vec3
 from mansion_export.asset_surfaces import part_surfaces
-from mansion_export.collision import Shape, lies_flat, physique_of, piece_shape, shape_scaled
+from mansion_export.collision import Shape, lies_flat, mass_properties_of, piece_shape, shape_scaled
 from mansion_export.door_sides import swing_side
 from mansion_export.model import Mesh, Node, Part, merge_surfaces
 from mansion_export.opening_meshes import leaf_parts
@@ -163,7 +163,7 @@ def _moving(
     name: str, mesh: Mesh, shapes: tuple[Shape, ...], joint: Joint, position: float, mass: float, scale: Size3
 ) -> Moving:
     """Return a part whose joint resists so much that it stays where it is put."""
-    center = np.array(physique_of([shape_scaled(shape, scale) for shape in shapes], mass).center)
+    center = np.array(mass_properties_of([shape_scaled(shape, scale) for shape in shapes], mass).center)
     axis = np.array(joint.axis)
     away = center - np.array(joint.origin)
     reach = float(np.linalg.norm(away - axis * (axis @ away))) if joint.kind == "hinge" else 1.0

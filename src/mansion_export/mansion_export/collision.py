@@ -20,7 +20,16 @@ from mansion_geometry.robot_body import FLAT
 from mansion_msgs_py.scene import FloorScene, SceneObject, StairDetails
 from mansion_msgs_py.shapes import Point3, Size3
 
-__all__ = ["Colliders", "Shape", "bounds_of", "ground_boxes", "lies_flat", "physique_of", "piece_shape", "shape_scaled"]
+__all__ = [
+    "Colliders",
+    "Shape",
+    "bounds_of",
+    "ground_boxes",
+    "lies_flat",
+    "mass_properties_of",
+    "piece_shape",
+    "shape_scaled",
+]
 
 FLOOR_DEPTH = 0.2
 """Thickness of the ground below the finished floor, metres."""
@@ -131,7 +140,7 @@ def shape_scaled(shape: Shape, scale: Size3) -> Shape:
     return box_scaled(shape, scale)
 
 
-def physique_of(shapes: Sequence[Shape], mass: float) -> MassProperties:
+def mass_properties_of(shapes: Sequence[Shape], mass: float) -> MassProperties:
     """Return the mass, centre and inertia of a body of one density that these shapes make up."""
     return mass_properties(
         [shape if isinstance(shape, Hull) else Piece(shape.center, shape.size) for shape in shapes], mass

@@ -29,7 +29,7 @@ class Buffer:
     Attributes
     ----------
     accessors : list of dict
-        What the file's JSON says of the arrays.
+        The arrays as the file's JSON describes them.
     """
 
     def __init__(self) -> None:
@@ -127,7 +127,7 @@ class Textures:
         return content
 
     def document(self) -> Json:
-        """Return what the file's JSON says of pictures."""
+        """Return the pictures as the file's JSON describes them."""
         if not self.images:
             return {}
         return {"images": self.images, "textures": self.textures, "samplers": [{"wrapS": 10497, "wrapT": 10497}]}

@@ -14,7 +14,7 @@ from mansion_assets.mass_properties import FRICTION
 from mansion_export.articulation import Assembly, Moving, assemblies, pose_at
 from mansion_export.building_model import floor_model
 from mansion_export.cavities import is_loose, loose_colliders
-from mansion_export.collision import Colliders, Shape, ground_boxes, physique_of, shape_scaled
+from mansion_export.collision import Colliders, Shape, ground_boxes, mass_properties_of, shape_scaled
 from mansion_export.licences import licence_records, xml_notice
 from mansion_export.materials import surface_material
 from mansion_export.model import Material, Mesh, Model, Node, Surface
@@ -347,7 +347,7 @@ def _freedom(name: str, solid: _Solid, mass: float | None) -> list[str]:
 
 def _inertial(shapes: Sequence[Shape], mass: float) -> str:
     """Return the mass, centre and inertia of a body of one density."""
-    body = physique_of(shapes, mass)
+    body = mass_properties_of(shapes, mass)
     i = body.inertia
     values = (i[0, 0], i[1, 1], i[2, 2], i[0, 1], i[0, 2], i[1, 2])
     inertia = " ".join(f"{float(value):.6g}" for value in values)

@@ -1,5 +1,6 @@
 """How a building is presented to people: titles of floors and rooms, and the side that faces the viewer."""
 
+import re
 from collections.abc import Sequence
 
 import numpy as np
@@ -57,7 +58,7 @@ def _count(number: int) -> str:
 def room_title(room: SceneRoom) -> str:
     """Return the name that a person reads: the room's own, or its type in words."""
     name = room.name or room.id.rsplit("/", 1)[-1]
-    words = name.replace("_", " ").strip()
+    words = re.sub(r"\b(men|women|children)s\b", r"\1's", name.replace("_", " ").strip(), flags=re.IGNORECASE)
     return words[:1].upper() + words[1:]
 
 

@@ -144,7 +144,7 @@ def load_settings(environment: Mapping[str, str] | None = None, *, file: Path | 
 def settings_and_places(
     environment: Mapping[str, str] | None = None, *, file: Path | None = None
 ) -> tuple[LlmSettings, dict[str, str]]:
-    """Return the settings as `load_settings` does, and for those that are no defaults where each comes from."""
+    """Return the settings as `load_settings` does, and where each comes from that is not a default."""
     environment = os.environ if environment is None else environment
     values = _file_values(environment, file)
     places = dict.fromkeys(values, "the configuration file")

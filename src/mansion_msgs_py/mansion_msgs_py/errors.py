@@ -32,11 +32,11 @@ SYSTEM_REFUSALS: Final = frozenset(
         errno.ENFILE, errno.ENAMETOOLONG, errno.ENOTDIR, errno.EISDIR,
     )
 )  # fmt: skip
-"""Errors that tell of the machine or of a path, and of no fault of Mansion's."""
+"""Errors about the machine or a path, which are not faults of Mansion."""
 
 
 class ErrorCode:
-    """Codes of errors that are no skill status."""
+    """Codes of errors that are not skill statuses."""
 
     INVALID_PAYLOAD: Final = "INVALID_PAYLOAD"
     """The JSON does not fit the payload type; `path` is the fault's JSON path."""

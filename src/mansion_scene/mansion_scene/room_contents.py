@@ -59,7 +59,11 @@ _PANEL_WALL = 0.4  # metres of wall on each side of a lift's landing door
 
 
 class FloorOpenings(Protocol):
-    """The walls, doors and windows of a floor: its structure, or its finished scene."""
+    """The rooms, walls, doors and windows of a floor: its structure, or its finished scene."""
+
+    @property
+    def rooms(self) -> Sequence[SceneRoom]:
+        """All rooms."""
 
     @property
     def walls(self) -> Sequence[Wall]:
@@ -250,6 +254,7 @@ class RoomFurnisher:
             items=items,
             requested=asked,
             compact=compact,
+            beside=tuple(other.room_type for other in self._structure.rooms if other.id != room.id),
         )
 
     def _placed(self, room: SceneRoom, wishes: RoomFurnishing, *, high_windows: bool = True) -> PlacementResult:

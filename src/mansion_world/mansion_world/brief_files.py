@@ -46,7 +46,7 @@ _COLUMNS: Final = _Row.__struct_fields__
 PlanReader = Callable[[Path], BuildingPlan]
 
 Rows = Iterator[tuple[int, Mapping[str, Any] | str]]
-"""Line numbers with what is said there, or with what is wrong there."""
+"""Line numbers with the row there, or with what is wrong with it."""
 
 
 def read_briefs(

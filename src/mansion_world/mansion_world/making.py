@@ -157,7 +157,7 @@ def _cannot_write(run: _Run, why: str) -> MansionError:
 
 def _stopped(run: _Run, why: str) -> MansionError:
     done = f"{run.next_place - run.missing} of {run.count} buildings are done"
-    return MansionError(ErrorCode.UNAVAILABLE, f"{why}; {done}, run the same command again to continue")
+    return MansionError(ErrorCode.UNAVAILABLE, f"{why}; {done}; run the same command again to continue")
 
 
 def _work(
@@ -232,7 +232,7 @@ def _found_finished(run: _Run, request: WorldRequest) -> bool:
 
 
 def _is_of(record: Record, request: WorldRequest) -> bool:
-    """Whether a record tells of the building that a request asks for; a line of a list may have changed."""
+    """Whether a record is of the building that a request asks for; a line of a list may have changed."""
     row = record.building
     return (row.path, row.id) == (building_path(request.index, request.name), building_id_of(request.request))
 

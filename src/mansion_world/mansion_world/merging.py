@@ -1,8 +1,8 @@
 """Worlds that were made apart joined into one.
 
 Buildings keep their folders' contents, their ids and, where no other world has it, their index; a world whose indices
-are taken gets the next ones. Splits are drawn anew with the seed of the first world, so that requests in the same words
-are in one split, whichever world they come from.
+are taken gets the next ones. Splits are drawn again with the seed of the first world, so that requests in the same
+words are in one split, whichever world they come from.
 """
 
 from collections.abc import Callable, Sequence

@@ -79,7 +79,7 @@ class BuildingRow(msgspec.Struct, frozen=True, kw_only=True):
     task_metres : float
         Mean of what the robot drives for them when their plans are run; 0 without tasks.
     tasks_undone : int
-        Drafts that the oracle could not do, and that are no tasks.
+        Drafts that the oracle could not do, and that are therefore not tasks.
     no_tasks : str
         Why tasks that were asked for are missing altogether; empty otherwise.
     bytes, sha256 : int, str

@@ -160,7 +160,7 @@ class WorldFolder:
         return _read(SetAside, self._aside_file(index, attempt))
 
     def move_records(self, indices: Mapping[str, int]) -> None:
-        """Give the records of buildings the indices that are said of their paths, and drop all others."""
+        """Give the records of buildings the indices that are stated for their paths, and drop all others."""
         found = list(self.records())
         moved = [record for record in found if indices.get(record.building.path) != record.building.index]
         for record in moved:

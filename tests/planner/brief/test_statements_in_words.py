@@ -152,6 +152,58 @@ def statements(brief: str) -> list[str]:
             "A supermarket with a cafe. The sales hall must be bigger than everything else, namely 550 m2.",
             ["building: supermarket", "1 cafe", "1 sale hall of 550 m2", "[bigger]", "[else]"],
         ),
+        (
+            "An office of three floors. GF: lobby. 1F + 2F: 8 team offices per floor, each 20 m2, and a kitchenette.",
+            [
+                "building: office",
+                "3 storeys",
+                "1 lobby, ground floor",
+                "8 team offices of 20 m2, each of floors 2 and 3",
+                "1 kitchenette, each of floors 2 and 3",
+            ],
+        ),
+        (
+            "A bookshop: the shop with 20 bookshelves and the till.",
+            ["building: bookshop", "1 shop", "20 bookshelves, no others, in shop", "1 till, in shop"],
+        ),
+        (
+            "A fitness club with a sauna. All on the first floor of a shopping centre.",
+            ["building: fitness club", "1 sauna"],
+        ),
+        (
+            "A hotel: kitchen, restaurant, lobby. The kitchen is adjacent to the restaurant but not to the lobby.",
+            [
+                "building: hotel",
+                "1 kitchen",
+                "1 restaurant",
+                "1 lobby",
+                "kitchen next to restaurant",
+                "kitchen away from lobby",
+            ],
+        ),
+        (
+            "A house: hall, upstairs three bedrooms; garage attached to the side.",
+            ["building: house", "1 hall", "3 bedrooms, floor 2", "1 garage", "[side]"],
+        ),
+        (
+            "A post office with a lobby and a sorting hall. The public must not get into the sorting hall.",
+            ["building: post office", "1 lobby", "1 sorting hall", "[get]"],
+        ),
+        (
+            "A youth centre: kitchen for cooking classes, office, disco room. The disco must be away from the office.",
+            ["building: youth centre", "1 kitchen", "1 office", "1 disco room", "disco room away from office"],
+        ),
+        ("We are converting a church into a climbing centre.", ["building: climbing centre"]),
+        (
+            "A townhouse: the ground floor is a shop and the two floors above are one apartment with a study.",
+            [
+                "building: townhouse",
+                "1 shop, ground floor",
+                "3 storeys",
+                "1 apartment, floors 2 and 3",
+                "1 study, in each apartment, floors 2 and 3",
+            ],
+        ),
         ("A hostel with luggage lockers.", ["building: hostel", "luggage lockers"]),
     ],
 )

@@ -76,7 +76,7 @@ class Annotations:
         self._files: dict[Path, Any] = {}
 
     def of(self, model: Path) -> Annotation | None:
-        """Return what is said of a model, by its file's name or its folder's; None where nothing is.
+        """Return the annotation of a model, by the name of its file or its folder; None if there is none.
 
         Raises
         ------

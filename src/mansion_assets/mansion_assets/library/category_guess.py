@@ -19,7 +19,7 @@ _VAGUE: Final = frozenset(
     "machine stand unit case box set light board station system table object item piece thing equipment device "
     "furniture rack bar frame holder".split()
 )
-"""Heads of names that alone do not say what a thing is: a pinball machine is no washing machine."""
+"""Heads of names that alone do not say what a thing is: a pinball machine is not a washing machine."""
 
 _ID: Final = re.compile(r"[0-9a-f]{12,}|[0-9a-f]{8}-[0-9a-f-]{20,}")
 

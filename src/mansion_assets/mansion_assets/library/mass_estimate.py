@@ -34,7 +34,7 @@ _DENSITIES: Final[dict[str, float]] = {
 
 _SOFT: Final = frozenset({"fabric", "leather"})
 _FRAME, _SLIM = 400.0, 0.15
-"""The density of what only has a cover of such, and the share of its box that its pieces fill less of: a floor lamp."""
+"""Density of objects with only a soft cover, such as floor lamps, and the share of the box that they fill at most."""
 
 _MIXED: Final = 200.0
 """The same of things of which no material is known."""

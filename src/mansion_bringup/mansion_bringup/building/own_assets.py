@@ -20,7 +20,7 @@ def assets_in(scenes: Sequence[FloorScene]) -> list[Asset]:
 
 
 def asset_uses(assets: Sequence[Asset], scenes: Sequence[FloorScene]) -> list[OwnAssetUse] | msgspec.UnsetType:
-    """Return what a report says of the user's assets; nothing where there are none."""
+    """Return the part of a report about the user's assets; unset if there are none."""
     counts = Counter(item.asset for scene in scenes for item in scene.objects)
     uses = [
         OwnAssetUse(

@@ -337,7 +337,7 @@ def _chosen(words: list[str] | None, library: list[str] | None, category: str) -
 
 
 def _row(asset: "Asset") -> dict[str, Any]:
-    """Return what a list says of an asset."""
+    """Return the row of an asset in a list."""
     if asset.record:
         source, licence = asset.source or "own", asset.licence or "not stated"
     else:

@@ -182,7 +182,7 @@ def build(
 ) -> None:
     """Build a furnished building from one sentence, or one from each line of a file.
 
-    The folder appears whole or not at all; an interrupted build goes on where it was when run again. It holds the
+    The folder appears whole or not at all; an interrupted build continues where it stopped when run again. It holds the
     floors, their plans and a picture; maps and models come with --formats, or later from `mansion export`.
 
     Examples:
@@ -245,7 +245,7 @@ def _report(result: "BuildResult", *, as_json: bool) -> None:
 
 
 def _refuse_beside_a_list(description: str | None, options: Mapping[str, bool]) -> None:
-    beside = ["a brief"] if description is not None else []
+    beside = ["the brief"] if description is not None else []
     beside += [name for name, given in options.items() if given]
     if beside:
         raise MansionError(ErrorCode.INVALID_PAYLOAD, f"--from takes all briefs from its file; leave out {beside[0]}")

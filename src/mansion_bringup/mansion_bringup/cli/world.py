@@ -58,7 +58,7 @@ def make(
 ) -> None:
     """Make a world of buildings, or go on with one.
 
-    Run again, the command goes on where it was; with a larger number it adds buildings to those that are there.
+    Run again, the command continues where it stopped; with a larger number it adds buildings to the existing ones.
 
     Examples:
 
@@ -223,7 +223,7 @@ def agents(
 ) -> None:
     """Let agents try the tasks of a world: logs in its folder `agents`, a row each in manifest/trials.jsonl.
 
-    An interrupted run goes on where it ended. `mansion world stats` then shows success by difficulty.
+    An interrupted run continues where it stopped. `mansion world stats` then shows success by difficulty.
 
     Examples:
 

@@ -29,7 +29,7 @@ def progress_topic(service: str) -> str | None:
 
 
 def progress_line(topic: str, text: str, arguments: Any = None) -> str | None:
-    """Return what a message of such a topic says, None where it is of another session than the call's.
+    """Return the text of a message of such a topic; None if it belongs to another session than the call's.
 
     Parameters
     ----------

@@ -34,7 +34,7 @@ QUEUE: Final = 1000
 
 
 def definition_of(kind: Any) -> str:
-    """Return the definition of a message class and of all types in it, from what the class says of itself.
+    """Return the definition of a message class and of all types in it, from the description in the class.
 
     Parameters
     ----------

@@ -194,7 +194,7 @@ def _segment_files(shm: Path) -> set[str]:
 
 
 def _file_id(status: os.stat_result) -> FileId | None:
-    """Return the identity of a file; None for another user's, and for what is no plain file."""
+    """Return the identity of a file; None for another user's, and for anything but a plain file."""
     if status.st_uid != os.geteuid() or not stat.S_ISREG(status.st_mode):
         return None
     return FileId(status.st_dev, status.st_ino, status.st_mtime_ns)

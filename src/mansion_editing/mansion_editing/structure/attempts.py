@@ -28,7 +28,7 @@ class Change:
         Rooms whose objects may move; all others keep theirs as they are.
     moves : sequence of MovedWall
         By the rooms' ids in the scene.
-    anew : collection of str
+    refurnished : collection of str
         Rooms to furnish again.
     released : collection of str
         Ids of doors that need not stay where they are.
@@ -39,7 +39,7 @@ class Change:
     passages: Sequence[Passage]
     may_change: Collection[str]
     moves: Sequence[MovedWall] = ()
-    anew: Collection[str] = ()
+    refurnished: Collection[str] = ()
     released: Collection[str] = ()
 
 
@@ -61,13 +61,13 @@ def attempt(change: Change, workshop: Workshop) -> Outcome:
     """
     rebuilt = rebuild(change.before, change.after, change.passages, change.released)
     _require_entrance(change, rebuilt)
-    first = _finished(change, rebuilt, workshop, change.anew)
+    first = _finished(change, rebuilt, workshop, change.refurnished)
     faults = _new_faults(change, first, workshop)
     finished = first
     # Furniture that was moved piece by piece may stand in its own way: only furnishing the room as a whole helps then.
     crowded = [r for r in first.settled if r in change.may_change and any(_names(fault, r) for fault in faults)]
     if faults and crowded:
-        finished = _finished(change, rebuilt, workshop, {*change.anew, *crowded})
+        finished = _finished(change, rebuilt, workshop, {*change.refurnished, *crowded})
         faults = _new_faults(change, finished, workshop)
     if faults:
         raise MansionError(
@@ -83,8 +83,8 @@ def attempt(change: Change, workshop: Workshop) -> Outcome:
     return Outcome(Reshaped(after, said), finished.losses)
 
 
-def _finished(change: Change, rebuilt: Rebuilt, workshop: Workshop, anew: Collection[str]) -> Finished:
-    return finish(change.after, rebuilt, workshop, moves=change.moves, anew=anew)
+def _finished(change: Change, rebuilt: Rebuilt, workshop: Workshop, refurnished: Collection[str]) -> Finished:
+    return finish(change.after, rebuilt, workshop, moves=change.moves, refurnished=refurnished)
 
 
 def _new_faults(change: Change, finished: Finished, workshop: Workshop) -> Sequence[str]:

@@ -204,13 +204,13 @@ def _built(storeys: Sequence[Storey], place: _Place, workshop: Workshop, judge: 
         ``INFEASIBLE`` with what would be wrong.
     """
     faults: Sequence[str] = ()
-    for anew in (False, True):
+    for refurnished in (False, True):
         done: list[Reshaped] = []
         program = _with_core(storeys[0], place.core)
         for storey, (giver, passage) in zip(storeys, place.rooms, strict=True):
             change = _change(replace(storey, program=program), storey, place.core, giver, passage)
-            if anew:
-                change = replace(change, anew={giver.id})
+            if refurnished:
+                change = replace(change, refurnished={giver.id})
             done.append(attempt(change, replace(workshop, judge=lambda scene: ())).reshaped)
             program = done[-1].storey.program
         faults = judge({one.storey.number: one.storey.scene for one in done})

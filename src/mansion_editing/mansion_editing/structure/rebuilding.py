@@ -37,7 +37,7 @@ class Rebuilt:
         Rooms whose floor, doors or windows differ from before.
     new_doors : list of Door
     lost_doors : list of Door
-        Doors of before that are no longer there, or elsewhere.
+        Former doors that are gone or elsewhere.
     """
 
     structure: FloorStructure

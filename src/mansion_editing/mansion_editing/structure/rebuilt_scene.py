@@ -34,22 +34,29 @@ class Finished:
     ----------
     settled : dict of str to Settled
         By room, what became of its objects.
-    anew : dict of str to Counter
+    refurnished : dict of str to Counter
         For each room that was refurnished, what it lost, by category.
     """
 
     scene: FloorScene
     settled: dict[str, Settled] = field(default_factory=dict)
-    anew: dict[str, Counter[str]] = field(default_factory=dict)
+    refurnished: dict[str, Counter[str]] = field(default_factory=dict)
 
     @property
     def losses(self) -> int:
         """How many objects are no longer there."""
-        return sum(len(settled.lost) for settled in self.settled.values()) + sum(n.total() for n in self.anew.values())
+        return sum(len(settled.lost) for settled in self.settled.values()) + sum(
+            n.total() for n in self.refurnished.values()
+        )
 
 
 def finish(
-    storey: Storey, rebuilt: Rebuilt, workshop: Workshop, *, moves: Sequence[MovedWall] = (), anew: Collection[str] = ()
+    storey: Storey,
+    rebuilt: Rebuilt,
+    workshop: Workshop,
+    *,
+    moves: Sequence[MovedWall] = (),
+    refurnished: Collection[str] = (),
 ) -> Finished:
     """Return the scene of a storey on its new structure.
 
@@ -61,7 +68,7 @@ def finish(
     workshop : Workshop
     moves : sequence of MovedWall
         By the rooms' ids in the scene.
-    anew : collection of str
+    refurnished : collection of str
         Rooms to furnish again; others are where their furniture cannot stay, or would leave a robot no way.
     """
     structure = rebuilt.structure
@@ -76,7 +83,7 @@ def finish(
     )
     work = _Work(storey, rebuilt, workshop, scene)
     for room in structure.rooms:
-        if room.id in anew:
+        if room.id in refurnished:
             work.furnish(room)
         elif room.id in rebuilt.touched:
             work.settle(room, [move for move in moves if room.id in (move.gainer, move.giver)])
@@ -84,7 +91,9 @@ def finish(
     for room in structure.rooms:
         if room.id in shut and room.id in work.settled:
             work.furnish(room)
-    return Finished(_lit(work.scene, storey.scene, rebuilt.touched | set(work.anew)), work.settled, work.anew)
+    return Finished(
+        _lit(work.scene, storey.scene, rebuilt.touched | set(work.refurnished)), work.settled, work.refurnished
+    )
 
 
 class _Work:
@@ -93,7 +102,7 @@ class _Work:
     def __init__(self, storey: Storey, rebuilt: Rebuilt, workshop: Workshop, scene: FloorScene) -> None:
         self.storey, self.rebuilt, self.workshop, self.scene = storey, rebuilt, workshop, scene
         self.settled: dict[str, Settled] = {}
-        self.anew: dict[str, Counter[str]] = {}
+        self.refurnished: dict[str, Counter[str]] = {}
         self._new_doors = {door.id for door in rebuilt.new_doors}
 
     def _before(self, room: SceneRoom) -> list[SceneObject]:
@@ -118,7 +127,7 @@ class _Work:
         objects, discarded = self.workshop.furnisher(self.scene, room, [], requested, seed, catalogue)
         self.settled.pop(room.id, None)
         before = Counter(item.category for item in self._before(room))
-        self.anew[room.id] = before - Counter(item.category for item in objects)
+        self.refurnished[room.id] = before - Counter(item.category for item in objects)
         elsewhere = {item.id for item in self.scene.objects if item.room != room.id}
         self._put(room, _under_free_names(objects, elsewhere))
         left = [entry for entry in self.scene.discarded if entry.room != room.id]

@@ -74,7 +74,7 @@ def object_sentences(finished: Finished) -> list[str]:
             said.append(f"{_names(settled.placed)} stand{'s' if len(settled.placed) == 1 else ''} elsewhere in {room}.")
         if settled.lost:
             said.append(f"{room} has no place left for {_names([item.id for item in settled.lost])}.")
-    for room, lost in finished.anew.items():
+    for room, lost in finished.refurnished.items():
         missing = [_pieces(category, count) for category, count in sorted(lost.items())]
         said.append(f"{room} is refurnished" + (f", without {listed(missing)}." if missing else "."))
     return said

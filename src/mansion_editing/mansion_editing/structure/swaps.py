@@ -53,7 +53,7 @@ def swap_rooms(storey: Storey, room_id: str, other_id: str, workshop: Workshop) 
         after=with_shapes(rewired, {a: shapes[b], b: shapes[a]}),
         passages=_passages(before.scene, room, other),
         may_change={room.id, other.id},
-        anew={room.id, other.id},
+        refurnished={room.id, other.id},
         released=inner,
     )
     done = _with_fitting_doors(change, workshop)

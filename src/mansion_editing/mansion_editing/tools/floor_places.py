@@ -90,7 +90,7 @@ class FloorSpace:
     Parameters
     ----------
     skip : collection of str
-        Objects that are no obstacle, because they are what is being moved.
+        Objects that are not obstacles, because they are being moved.
 
     Notes
     -----

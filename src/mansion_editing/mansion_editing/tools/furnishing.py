@@ -261,7 +261,7 @@ def _furnish(
 
 
 def _beside(standing: Sequence[SceneObject], asked: Sequence[RequestedObject]) -> list[RequestedObject]:
-    """Return what is to be brought: what is asked for less what stands there, and no more of what stands there."""
+    """Return the furniture to add: the requested objects except those already there, and no more of the latter."""
     left = [
         msgspec.structs.replace(
             wish, count=max(0, wish.count - sum(answers(wish.category, item.category) for item in standing))

@@ -111,7 +111,7 @@ def free_places(
     size : (w, d, h)
         Size of the object.
     skip : iterable of str
-        Objects that are no obstacle, because they are what is being moved.
+        Objects that are not obstacles, because they are being moved.
     most : int
         Greatest number of places, spread over ledges and over each ledge.
     near : (x, y), optional

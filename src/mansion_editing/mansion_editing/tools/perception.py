@@ -147,7 +147,7 @@ def _report(
 
 
 def object_info(state: SceneState, floor: int, item: SceneObject) -> ObjectInfo:
-    """Return what a tool says of an object, with the properties of its asset in the catalogue."""
+    """Return a tool's description of an object, with the properties of its asset in the catalogue."""
     return ObjectInfo(
         id=item.id,
         category=item.category,

@@ -31,8 +31,11 @@ HEDGE: Final = (0.5, 0.9)
 SHRUBS: Final = 0.75
 """From the walls to the middle of the shrubs along them, metres."""
 
-FRONT: Final = 7.0
-"""Metres on either side of the main door before which no tree hides the front."""
+ENDS: Final = 0.22
+"""Share of a side of the building at either end before which trees stand."""
+
+DOORSTEP: Final = 6.0
+"""From a tree's trunk to doors and the sign above them, metres."""
 
 TREE_CLEAR: Final = 1.7
 """From a tree's trunk to walls, paths and other trees, metres."""
@@ -75,25 +78,24 @@ def plot_parts(scene: FloorScene, slab: Polygon) -> Iterator[Part]:
     row = shrubs(along_walls(slab, SHRUBS), around.difference(green).buffer(0.3), scene.seed, GROUND)
     if row:
         yield Node(f"{prefix}/shrubs", f"{prefix}/shrubs", "site"), row
-    # Crowns may overhang the edge of the plot, but neither walls nor ways, nor do they hide the front.
+    # Crowns may overhang the edge of the plot, but neither walls nor ways, and they hide no front.
     free = green.difference(slab.buffer(TREE_CLEAR)).difference(paths.buffer(TREE_CLEAR)).buffer(-1.0)
-    free = free.difference(_front(scene, margin))
+    free = free.difference(_before_windows(slab, margin))
+    for door in outer_doors(scene):
+        free = free.difference(shapely.Point(door.segment[0]).buffer(DOORSTEP))
     for number, (x, y, height) in enumerate(tree_places(free, scene.seed, most=5 if home else 6), 1):
         name = f"{prefix}/tree_{number}"
         yield Node(name, name, "site"), tree(x, y, height, GROUND)
 
 
-def _front(scene: FloorScene, margin: float) -> BaseGeometry:
-    """Return the ground before the main door and the windows beside it."""
-    doors = [door for door in outer_doors(scene) if door.kind != "garage"]
-    if not doors:
-        return Polygon()
-    door = max(doors, key=lambda door: (door.kind == "entrance", door.width))
-    (ax, ay), (bx, by) = door.segment
-    x, y = (ax + bx) / 2, (ay + by) / 2
-    dx, dy = outward(door, Polygon(scene.outline, scene.holes))
-    side = LineString([(x - FRONT * dy, y + FRONT * dx), (x + FRONT * dy, y - FRONT * dx)])
-    return side.buffer(margin + 1.0, cap_style="flat")
+def _before_windows(slab: Polygon, margin: float) -> BaseGeometry:
+    """Return the ground before the middles of a building's sides, where trees would hide it."""
+    x0, y0, x1, y1 = slab.bounds
+    across, along = ENDS * (x1 - x0), ENDS * (y1 - y0)
+    far = 2 * margin
+    return shapely.union(
+        box(x0 + across, y0 - far, x1 - across, y1 + far), box(x0 - far, y0 + along, x1 + far, y1 - along)
+    )
 
 
 def _ground(shape: BaseGeometry, top: float, material: Material, *, bottom: float = GROUND - 0.1) -> list[Surface]:

@@ -9,7 +9,7 @@ import numpy as np
 import shapely
 from shapely.geometry import LineString, Polygon, box
 
-from mansion_export.exterior.entrances import ABOVE, THICKNESS, outer_doors, outward
+from mansion_export.exterior.entrances import ABOVE, THICKNESS, accent, outer_doors, outward
 from mansion_export.exterior.lettering import lettering
 from mansion_export.materials import named
 from mansion_export.model import Material, Node, Part, Surface
@@ -52,7 +52,7 @@ def sign_parts(scene: FloorScene) -> Iterator[Part]:
     base = door.height + ABOVE + THICKNESS + 0.1
     board = box(-BORDER, -BORDER / 2, wide + BORDER, height + BORDER / 2)
     text = shapely.affinity.scale(letters, height, height, origin=(0, 0))
-    surfaces = [_upright(board, 0.0, BOARD, named("slate_roof"), (start, along, out, base))]
+    surfaces = [_upright(board, 0.0, BOARD, accent(scene), (start, along, out, base))]
     frame = start, along, out, base
     surfaces += [
         _upright(part, BOARD, BOARD + RAISED, named("signal_white"), frame) for part in shapely.get_parts(text)

@@ -65,7 +65,7 @@ def cabin_frame(core: SceneCore, scene: FloorScene) -> CabinFrame:
 def free_floor(scene: FloorScene) -> BaseGeometry:
     """Return the floor that nothing lower than `mansion_geometry.robot_body.CLEARANCE` stands or hangs on; metres.
 
-    Doors between rooms count as open, for a fleet asks for them to be opened; outer doors and stairs are no floor.
+    Doors between rooms count as open, for a fleet asks for them to be opened; outer doors and stairs are not floor.
     """
     rooms = [Polygon(room.polygon, room.holes) for room in scene.rooms if room.kind != "stair"]
     depths = depth_of_doors(scene)

@@ -45,6 +45,8 @@ def _is_tried(reading: Reading, phrase: Phrase) -> bool:
     trial = phrase.noun_end - phrase.begin == 1 and reading.word(phrase.begin) in TRIALS
     if trial and not phrase.counted and reading.word(at) == "for" and reading.word(phrase.last) in ("of", "about"):
         return True  # "for the study of children"
+    if phrase.name.rpartition("_")[2] == "class" and phrase.plural and not phrase.counted and reading.word(at) == "for":
+        return True  # "a kitchen for cooking classes"
     if reading.word(at) not in ("of", "with", "on", "about") or reading.word(at - 1) not in TRIALS:
         return False
     return "for" in reading.words(max(at - 4, 0), at - 1)
@@ -139,6 +141,7 @@ def _is_bystander(reading: Reading, phrase: Phrase, sites: set[int]) -> bool:
     tried = _is_tried(reading, phrase) or _is_predicate(reading, phrase)
     owned = _is_given_up(reading, phrase) or _is_destination(reading, phrase)
     made = reading.word(phrase.last) in MADE_INTO and reading.word(phrase.last + 1) in ("into", "to")
+    made = made or (phrase.building != "" and reading.word(phrase.last) == "into" and not phrase.counted)
     return (
         made
         or tried

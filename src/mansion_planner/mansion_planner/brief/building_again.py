@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from mansion_planner.brief.phrase import Phrase
-from mansion_planner.brief.reading import Reading
+from mansion_planner.brief.reading import FLOOR_WORDS, Reading
 from mansion_planner.brief.storey_attachment import Attachment
 
 __all__ = ["leave_out_other_names"]
@@ -50,6 +50,9 @@ def _is_where_it_stands(reading: Reading, phrase: Phrase, named: Phrase | None) 
     """Whether a phrase is what holds the building, or what it was: "inside one flat", "a riad turned hotel"."""
     if named is None:
         return False
+    storey = reading.word(phrase.first - 1) == "of" and reading.word(phrase.first - 2) in FLOOR_WORDS
+    if phrase.building and storey and phrase.determiner in ("a", "an") and phrase.first > named.first:
+        return True  # "a gym ... all on the first floor of a shopping centre"
     turned = {"turned", "converted", "cum"} & set(reading.words(phrase.begin, phrase.noun_end))
     return bool(turned) or (phrase.count == 1 and _holds_all(reading, phrase, named))
 

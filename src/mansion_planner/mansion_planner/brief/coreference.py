@@ -173,6 +173,8 @@ def _same_name(phrase: Phrase, other: Phrase) -> bool:
         return False
     if phrase.name == other.name or other.name.endswith("_" + phrase.name):
         return True
+    if phrase.determiner == "the" and other.name == f"{phrase.name}_room":
+        return True  # "the disco" of a disco room
     of_several = phrase.determiner == "the" and (other.count or 2) > 1
     if of_several and phrase.name.endswith("_" + other.name) and not {"'", "’"} & set(phrase.label):
         return True

@@ -8,7 +8,7 @@ from mansion_planner.brief.phrase import FUNCTION_WORDS, Phrase
 from mansion_planner.brief.reading import Place, Reading
 from mansion_planner.brief.refusals import refusal_after, refused_before
 
-__all__ = ["negated_phrases", "read_completeness"]
+__all__ = ["MOTIONS", "negated_phrases", "read_completeness"]
 
 _BEFORE = frozenset(
     """
@@ -125,6 +125,8 @@ _CLAUSE_OPENERS = frozenset({",", "and", "but", "so", "also", "please"})
 _CONTRASTS = frozenset(
     "to in on at from into onto near next beside by towards toward inside of for like as under".split()
 )
+MOTIONS = frozenset({"get", "go", "come", "walk", "pass", "look", "see", "wander", "run", "lead"})
+"""Verbs of who must not go somewhere."""
 _REFUSALS = frozenset("veto vetoe reject refuse dislike hate detest replace".split())
 _TIGHT = frozenset("narrow small low tight short slim steep little cramped poor".split())
 _COMPARISONS = frozenset(
@@ -276,6 +278,8 @@ def _negation(reading: Reading, index: int) -> int:
         return 2  # "we do not need private offices", "Don't need cafe"
     if reading.word(index) not in _BEFORE or reading.word(index + 1) in _COMPARISONS:
         return 0
+    if reading.word(index + 1) in MOTIONS and reading.word(index + 2) in ("into", "through", "to", "in", "inside"):
+        return 0  # "the public must not get into the sorting hall" is about who goes there
     if reading.word(index) == "not" and reading.word(index + 1) in _CONTRASTS:
         return 0  # "open to the dining room, not to the hall" is about the relation
     if reading.word(index) == "not" and reading.word(index + 1) in (

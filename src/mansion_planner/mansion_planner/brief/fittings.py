@@ -60,10 +60,10 @@ def read_fittings(reading: Reading, phrases: list[Phrase]) -> None:
         before = phrases[number - 1] if number else None
         fit = fitted.get(reading.sentence[phrase.first], phrase.first)
         listed = fit < phrase.first and (",", "plus") not in itertools.pairwise(reading.words(fit, phrase.first))
-        locker = phrase.name == "locker" and before is not None and _is_locker(reading, before, phrase)
+        listed_thing = phrase.name in _THINGS_TOO and before is not None and _is_listed_thing(reading, before, phrase)
         counter = before is not None and _is_counter_of(reading, before, phrase)
         if counter or (
-            category and (listed or locker or (before is not None and _is_fixture(reading, before, phrase)))
+            category and (listed or listed_thing or (before is not None and _is_fixture(reading, before, phrase)))
         ):
             category = "bar_counter" if counter else category
             phrases[number] = replace(phrase, head="object", category=category, room_type="")
@@ -86,7 +86,12 @@ def _is_counter_of(reading: Reading, room: Phrase, phrase: Phrase) -> bool:
     return counter and between in (("with", "its"), ("and", "its"), ("with", "a"), ("with",))
 
 
-def _is_locker(reading: Reading, before: Phrase, phrase: Phrase) -> bool:
-    """Whether "eight lockers" and "a bed and a locker" are furniture: those counted, or named with furniture."""
+def _is_listed_thing(reading: Reading, before: Phrase, phrase: Phrase) -> bool:
+    """Whether "eight lockers" and "20 shelves and the till" are furniture: several counted, or named with furniture."""
     between = set(reading.words(before.last, phrase.begin))
-    return (phrase.counted and phrase.plural) or (before.head == "object" and between <= {"and", "+", "a", ",", "one"})
+    counted = phrase.name == "locker" and phrase.counted and phrase.plural
+    return counted or (before.head == "object" and between <= {"and", "+", "a", ",", "one", "the"})
+
+
+_THINGS_TOO = frozenset({"locker", "till", "checkout", "cash_register", "register"})
+"""Furniture whose noun names a room as well."""

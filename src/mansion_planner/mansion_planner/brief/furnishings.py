@@ -321,7 +321,8 @@ _DORMITORIES = frozenset({"dorm_room", "hostel_dorm", "bunk_room"})
 _UNSEATED = frozenset(
     """
     bedroom storage garage parking bike_storage bathroom toilet cloakroom apparatus_bay dorm_room hostel_dorm
-    bunk_room hotel_room archive warehouse apartment holding_cell
+    bunk_room hotel_room archive warehouse apartment holding_cell gym spinning_room yoga_studio sports_hall
+    climbing_room dance_studio indoor_pool sauna changing_room shower_area
     """.split()
 )
 

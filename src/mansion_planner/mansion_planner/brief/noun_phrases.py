@@ -161,6 +161,7 @@ def _by_its_modifier(reading: Reading, phrases: list[Phrase], begin: int, end: i
         and (reading.sentence[phrase.first] < sentence or (elided and phrase.last <= begin))
         and set(words) < set(phrase.name.split("_"))
         and words[-1] not in HEAD_TYPES
+        and not PLAIN.issuperset(words)
     ]
     return named[0] if len({phrase.name for phrase in named}) == 1 else None
 
@@ -431,6 +432,9 @@ def _room_by_head(reading: Reading, begin: int, end: int) -> Phrase | None:
         return None
     if _is_of_resident(reading, begin, end):
         return finished_phrase(reading, "room", begin, end, room="bedroom")
+    told = _mention_ending(reading, begin, end - 1) if last == "room" else None
+    if told is not None and told.room not in ("", "reception") and not told.building and told.first == begin:
+        return finished_phrase(reading, "room", begin, end, room=told.room)  # "a disco room"
     kind = similar_room_type(name, reading.knowledge)
     same = _without_plurals(name) == _without_plurals(kind)  # "childrens room"
     return finished_phrase(reading, "room", begin, end, room=kind, known=same)

@@ -58,7 +58,26 @@ def read_relations(reading: Reading, phrases: list[Phrase], excluded_phrases: se
         relations.append(relation)
         reading.take(with_adverbs(reading, relation.first), relation.last)
         index = max(last, index + 1)
+        excepted = _excepted(reading, phrases, rooms, relation)
+        if excepted is not None:
+            relations.append(excepted)
+            reading.take(excepted.first, excepted.last)
+            index = max(index, excepted.last)
     return relations
+
+
+def _excepted(reading: Reading, phrases: list[Phrase], rooms: list[int], relation: Relation) -> Relation | None:
+    """Return what a relation excepts: "adjacent to the restaurant but not to the lobby"."""
+    first = phrases[relation.rights[-1]].last
+    if relation.apart or reading.words(first, first + 2) not in (("but", "not"), (",", "not")):
+        return None
+    last = first + 2
+    while reading.word(last) in ("to", "with", "near", "by", "beside", "next"):
+        last += 1
+    other = next((n for n in rooms if 0 <= phrases[n].begin - last <= 1 and n > relation.rights[-1]), None)
+    if other is None or last == first + 2:
+        return None
+    return Relation(relation.lefts, (other,), True, first, last)
 
 
 def _of_subject(reading: Reading, phrases: list[Phrase], relation: Relation, before: Relation | None) -> Relation:

@@ -98,6 +98,7 @@ def _end_of_what_is_measured(reading: Reading, measure: Measure, phrases: list[P
     ):
         comma = comma or reading.word(before) == ","
         before -= 1
+    before += reading.word(before) == "per" and reading.word(before + 1) in FLOOR_WORDS
     if reading.word(before) in FLOOR_WORDS and reading.word(before - 1) in ("per", "by", "each", "every"):
         at = before - 1 - (reading.word(before - 2) in ("on", "in", "at"))
         if at in ends:

@@ -73,7 +73,7 @@ def _by_family(reading: Reading, phrase: Phrase, family: str) -> Phrase | None:
     return None
 
 
-_BIG = frozenset({"big", "large", "main", "great", "huge", "grand", "tall"})
+_BIG = frozenset({"big", "large", "main", "great", "huge", "grand", "tall", "public"})
 """What is said of a hall where people meet; a hall that leads to other rooms is not told of so."""
 _DWELT_IN = frozenset({"home", "lodging"})
 """Families of buildings whose cabins are to sleep in."""

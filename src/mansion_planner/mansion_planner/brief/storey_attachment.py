@@ -61,6 +61,9 @@ def _several(place: Place) -> bool:
     return len(place.refs) > 1 or place.refs[0].kind == "range"
 
 
+_DRIVEN_INTO = frozenset({"garage", "parking", "loading_dock", "apparatus_bay", "car_workshop"})
+
+
 @dataclass(frozen=True)
 class Attachment:
     """The storeys of a phrase; `each`: its number holds for each of them."""
@@ -128,6 +131,8 @@ class _Walk:
         left: list[int] = []
         for position, (kind, number, _) in enumerate(items):
             if kind == "phrase":
+                if carried is not None and scope is carried and self._is_driven_into(number, carried):
+                    scope, opened = self.heading, False  # "upstairs two bedrooms; garage at the side"
                 if scope is not None:
                     self._give(number, scope, trailing=False)
                 left.append(number)
@@ -382,6 +387,10 @@ class _Walk:
         storey = self.reading.knowledge.room(phrase.room_type).storey
         return not (storey == "ground" and place.refs[0].kind in ("top", "roof", "basement"))
 
+    def _is_driven_into(self, number: int, place: Place) -> bool:
+        """Whether cars go into a room, so that an upper storey named before a semicolon is not its own."""
+        return self.phrases[number].room_type in _DRIVEN_INTO and place.refs[0].kind in ("upper", "top", "roof")
+
     def _give(self, number: int, place: Place, *, trailing: bool) -> None:
         if number in self.found and not trailing:
             return
@@ -399,6 +408,7 @@ class _Walk:
         several = several or (place.refs[0].kind == "top" and place.refs[0].first > 1 and distributed)
         several = several or (place.refs[0].kind == "upper" and self._plural_upper(place))
         several = several and not (place.refs[0].kind == "middle" and not self._plural_upper(place))
+        several = several and not (not trailing and self._are_one(place, number))
         phrase = self.phrases[number]
         near = self.reading.words(max(phrase.first - 4, 0), place.first if trailing else phrase.first)
         rest = tuple(itertools.takewhile(lambda word: word != ".", self.reading.words(phrase.last, phrase.last + 3)))
@@ -410,6 +420,12 @@ class _Walk:
             or (trailing and self._is_total(phrase, place))
         )
         self.found[number] = Attachment(place.refs, several and not shared)
+
+    def _are_one(self, place: Place, number: int) -> bool:
+        """Whether storeys are one room together: "the two floors above are one apartment"."""
+        phrase, reading = self.phrases[number], self.reading
+        verb = reading.words(place.last, phrase.first) in (("are",), ("is",), ("form",), ("become",))
+        return verb and phrase.counted and phrase.count == 1
 
     def _is_total(self, phrase: Phrase, place: Place) -> bool:
         """Whether a large number of rooms is that of all the storeys named after it: "40 offices on floors 2 to 5"."""

@@ -205,7 +205,8 @@ class _Pair:
 
     def _are_ensuite(self) -> bool:
         """Whether rooms to sleep in have as many rooms that are called en suite: "bedrooms with en-suite bathrooms"."""
-        ensuite = self.phrase.room_type == "ensuite_bathroom" or self.phrase.name.startswith("ensuite_")
+        attached = self.reading.word(self.phrase.begin) in ("attached", "private") and self.phrase.room_type in PRIVATE
+        ensuite = self.phrase.room_type == "ensuite_bathroom" or self.phrase.name.startswith("ensuite_") or attached
         several = self.phrase.plural and not self.phrase.counted and self.owner.plural
         return ensuite and several and self.owner.room_type in SLEEPING and self.gap <= {"with", "having", "and"}
 

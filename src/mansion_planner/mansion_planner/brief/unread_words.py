@@ -1,6 +1,7 @@
 """Record the words of a brief that no statement was made of."""
 
 from mansion_planner.brief.asides import aside_tokens
+from mansion_planner.brief.exclusions import MOTIONS
 from mansion_planner.brief.phrase import FUNCTION_WORDS, PLAIN, PREDICATES
 from mansion_planner.brief.qualifiers import is_property
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
@@ -38,7 +39,9 @@ _YARDS = frozenset({"courtyard", "patio", "yard", "atrium", "cloister"})
 """What an outline is read from where a building stands around it."""
 
 _REQUESTS = frozenset(
-    "design generate imagine think thank suppose assume kindly hereby attach attached regards".split()
+    """
+    design generate imagine think thank suppose assume kindly hereby attach attached regards turn convert converting
+    """.split()
 )
 """Words that ask for a building and say nothing of it."""
 _FORMS = frozenset({"form", "plan", "shape", "format", "layout", "outline"})
@@ -110,6 +113,12 @@ def _restricts(reading: Reading, index: int) -> bool:
     word = reading.word(index)
     if reading.word(index - 1) == "(" and reading.word(index + 1) == ")" and word in PLAIN:
         return True  # "kitchen (open)"
+    if (
+        word in MOTIONS
+        and reading.word(index - 1) in ("not", "never")
+        and reading.word(index + 1) in ("into", "through")
+    ):
+        return True  # "the public must not get into the hall"
     if word == "only" and (reading.word(index + 1) in _WAYS or _after_way(reading, index)):
         return True  # "reached only through the kitchen", "from the kitchen only"
     if word == "only" and reading.plural(index - 1) and reading.breaks(index + 1):

@@ -24,6 +24,7 @@ from mansion_planner.brief.facts import BriefFacts, MaterialFact
 from mansion_planner.brief_checks import check_total_area
 from mansion_planner.program.allocation import allocate
 from mansion_planner.program.arrangement import Arrangement, best_arrangement, neighbours, unmet_neighbours
+from mansion_planner.program.compact_outline import with_compact_outline
 from mansion_planner.program.decisions import Decisions, decide
 from mansion_planner.program.massing import MassingWish, choose_shape, storey_area, typical_room, vertical_method
 from mansion_planner.program.model import CoreWish, Massing, Placement, Sketch, Storey, aliases_of
@@ -68,6 +69,7 @@ def plan_program(
     area, of_area = storey_area(decisions, bare, allocation, knowledge, cores)
     if decisions.area_stated and area <= MAX_FLOOR_AREA:
         check_total_area(area * decisions.floors)  # sketching so many rooms would take minutes
+    decisions = with_compact_outline(decisions, area, stairs)
     shape, of_shape = choose_shape(decisions, area, stairs, generator)
     wish = MassingWish(
         area, decisions.building, cores, exact=decisions.area_stated,

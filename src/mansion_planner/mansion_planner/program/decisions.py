@@ -48,9 +48,9 @@ class Decisions:
     area_stated : bool
         `area` follows from what the brief or the request states.
     outline : Polygon, optional
-        The given footprint.
+        The given footprint, or the outline of a home that is too small for wings along a corridor.
     free_form : bool
-        The outline is given and is no rectangle.
+        `outline` is no rectangle.
     furniture : dict of (int, str) to list of RequestedObject
         What the brief wants in a room, by storey and room id.
     given_up : BriefFacts

@@ -286,7 +286,7 @@ def _spacings(floor: Floor, spec: Spec, unit: Unit, copies: int, aisle: float) -
     """
     lane = floor.passage
     if len(unit.parts) == 1 and not spec.role.table:
-        beside = floor.gap
+        beside = 0.5 if spec.role.exercise else floor.gap
         return [
             *((beside, 1.25 * aisle), (beside, aisle), (beside, 0.75), (beside, 0.6), (beside, lane)),
             *((aisle, aisle), (0.6, 0.6), (lane, lane), (lane, beside)),

@@ -129,7 +129,7 @@ def astar(blocked: Mask, start: int, goal: int) -> Ints:
                 step = _SQRT2 if dr != 0 and dc != 0 else 1.0
                 near = nr * columns + nc
                 cost = best[cell] + step
-                # Sums of steps in another order differ by rounding; that is no improvement.
+                # Sums of steps in another order differ by rounding; that is not an improvement.
                 if cost < best[near] - 1e-9:
                     best[near] = cost
                     came[near] = cell

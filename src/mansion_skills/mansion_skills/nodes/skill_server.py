@@ -177,7 +177,7 @@ class SkillServer(MansionNode):
             self.repeat(1.0 / camera_rate, self._publish_pictures)
 
     def facts(self) -> Iterable[tuple[str, object]]:
-        """Return what the diagnostics say of the sessions, and of what is left out."""
+        """Return the facts that the diagnostics report about the sessions and about what is left out."""
         for session in self.engine.sessions:
             where = f"{session.world.building.building_id} floor {session.robot.floor}"
             yield f"session {session.name or 'default'}", where

@@ -87,7 +87,7 @@ def run_bench(
     Raises
     ------
     MansionError
-        For files that are no task sets, agents that do not exist, or a model or node that is not there. Logs of
+        For files that are not task sets, agents that do not exist, or a model or node that is not available. Logs of
         finished episodes stay, so that the same call goes on from them.
     """
     check_agents(list(bench.agents))

@@ -130,7 +130,7 @@ def _steps(
                 raise
             return "agent_failed", str(error), False
         except Exception as error:
-            # Code of the user's: a fault in it ends this episode, and the bench goes on.
+            # Code of the user's: a fault in it ends this episode, and the bench continues.
             return "agent_failed", _place_of(error), False
         if isinstance(choice, Stop):
             return "agent_stopped", choice.reason, choice.done

@@ -345,7 +345,7 @@ class Wishes(Subjects, Negations):
         return self._wanted_things(at, place)
 
     def _wanted_to_do(self, at: int, place: int) -> tuple[list[Statement], int]:
-        """Read what somebody wants to do: a clause, or ``paint the wall, so ...``, which tells what comes next is about."""
+        """Read what somebody wants to do: a clause, or ``paint the wall, so ...``, which tells what the next is about."""
         item = self.item(place + 1) if verb_at(self.words, place, self.lexicon) is None else None
         if item is None:
             return self.read(place)
