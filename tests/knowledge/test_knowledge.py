@@ -60,6 +60,16 @@ def test_building_types_are_grouped_by_family_and_by_words() -> None:
     assert groups.filler_of("worship") == groups.filler["other"]
 
 
+@pytest.mark.parametrize("kind", ["house", "penthouse", "apartment_building", "tree house", "apartment building"])
+def test_people_live_in_homes_and_in_blocks_of_flats(kind: str) -> None:
+    assert default_knowledge().is_dwelling(kind)
+
+
+@pytest.mark.parametrize("kind", ["media_house", "nursing home", "opera_house", "office", "hotel"])
+def test_a_building_whose_name_sounds_like_a_home_is_none(kind: str) -> None:
+    assert not default_knowledge().is_dwelling(kind)
+
+
 def test_a_users_folder_extends_the_groups_of_building_types(tmp_path: Path) -> None:
     (tmp_path / "building_groups.toml").write_text('[facade.igloo]\nwords = ["igloo"]\nmaterials = ["white_render"]\n')
     groups = load_knowledge([tmp_path]).groups

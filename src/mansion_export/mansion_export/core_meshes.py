@@ -197,7 +197,7 @@ def core_sign(scene: FloorScene, core: SceneCore) -> list[Surface]:
     Where the wall is too low, the sign hangs before the door's head. Stairs of a home have no sign.
     """
     door = next((door for door in scene.doors if door.id == core.door), None)
-    if door is None or (core.type == "stair" and default_knowledge().groups.is_dwelling(scene.building_type)):
+    if door is None or (core.type == "stair" and default_knowledge().is_dwelling(scene.building_type)):
         return []
     walls = {wall.id: wall for wall in scene.walls}
     wall = walls.get(door.wall)

@@ -65,6 +65,15 @@ class KnowledgeBase:
         """Return the room type of that name, or the one most like storage for an unknown name."""
         return self.rooms.get(name) or self.rooms["storage"]
 
+    def is_dwelling(self, building_type: str) -> bool:
+        """Whether people live in a building of a type in households; of one that is not known its name tells.
+
+        A nursing home and a media house are none, whatever their names.
+        """
+        known = self.buildings.get(building_type.lower().replace(" ", "_"))
+        by_name = self.groups.is_dwelling(building_type)
+        return by_name if known is None else known.family == "home" or (known.family == "lodging" and by_name)
+
 
 def default_knowledge() -> KnowledgeBase:
     """Return the knowledge base that Mansion ships, with the folders that ``MANSION_KNOWLEDGE`` names; loaded once."""

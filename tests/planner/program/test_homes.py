@@ -4,9 +4,23 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from mansion_geometry.randomness import item_generator
+from mansion_knowledge import default_knowledge
 from mansion_msgs_py.program import BuildingProgram
 from mansion_msgs_py.request import BuildRequest
+from mansion_planner.brief import read_brief
 from mansion_planner.plan import plan_building
+from mansion_planner.program.bands import Segment
+from mansion_planner.program.blocks import DOOR, Block
+from mansion_planner.program.building import PlannedBuilding, plan_program
+from mansion_planner.program.home_orders import home_orders
+from mansion_planner.program.model import short_edges, touching
+from mansion_planner.program.planned_rooms import planned_room
+
+
+def sketched(text: str, seed: int) -> PlannedBuilding:
+    request, knowledge = BuildRequest(description=text, seed=seed), default_knowledge()
+    return plan_program(request, read_brief(text, knowledge), knowledge, "b", item_generator(seed, "program"))
 
 
 def plan(text: str, seed: int = 0) -> BuildingProgram:
@@ -102,3 +116,46 @@ def test_a_flat_without_one_is_reached_through_its_living_room() -> None:
 def test_bathrooms_lie_by_the_bedrooms(text: str, below: int, above: int) -> None:
     found = [[room.room_type for room in floor.rooms].count("bathroom") for floor in plan(text).floors]
     assert found == [below, above]
+
+
+@pytest.mark.parametrize("brief", ["a two-storey house", "a townhouse", "a villa"])
+@pytest.mark.parametrize("seed", [0, 1, 2])
+def test_the_hall_of_a_home_is_no_longer_than_its_doors_need(brief: str, seed: int) -> None:
+    building = sketched(brief, seed)
+    for index, sketch in building.sketches.items():
+        (hall,) = sketch.corridors
+        _, low, end, high = hall.boxes[0]
+        fronts = [box for p in sketch.rooms for box in p.boxes if p.parent == hall.id]
+        doors = [box[0] for box in fronts if low in (box[1], box[3]) or high in (box[1], box[3])]
+        assert end <= max(max(doors), *(core.box[2] for core in building.massing.cores)) + DOOR + 0.8
+        assert not short_edges(sketch)
+        assert hall.area < 0.24 * building.envelopes[index].area
+
+
+def test_the_rest_of_a_hall_goes_to_a_room_of_free_area_and_no_bathroom() -> None:
+    for seed in range(3):
+        building = sketched("a two-storey house with a living room of 24 m2", seed)
+        for placement in (p for sketch in building.sketches.values() for p in sketch.rooms):
+            low, high = building.massing.south, building.massing.south + building.massing.corridor
+            if any(box[1] == low and box[3] == high for box in placement.boxes):
+                assert not placement.room.fixed and not placement.room.kind.wet
+
+
+@pytest.mark.parametrize("brief", ["a two-storey house", "a villa", "a house with four bedrooms and a utility room"])
+def test_kitchen_dining_and_living_room_are_one_group(brief: str) -> None:
+    sketch = sketched(brief, 0).sketches[1]
+    kitchens = [p for p in sketch.rooms if p.room.kind.name == "kitchen"]
+    days = [p for p in sketch.rooms if p.room.kind.name in ("dining_room", "living_room")]
+    assert kitchens and any(touching(a, b) for a in kitchens for b in days)
+
+
+def test_the_widest_rooms_are_tried_at_the_end_of_the_hall() -> None:
+    knowledge = default_knowledge()
+    blocks = tuple(
+        Block(planned_room(knowledge.room(name), knowledge)) for name in ("living_room", "bathroom", "bedroom")
+    )
+    segment = Segment("main", True, 0.0, 12.0, 5.0, 4.0, blocks=blocks)
+    orders = [[block.host.kind.name for block in order[0].blocks] for order in home_orders([segment])]
+    assert orders[0] == [block.host.kind.name for block in blocks]
+    assert orders[1][-1] == "living_room"
+    assert all(order[-1] != "bathroom" for order in orders)

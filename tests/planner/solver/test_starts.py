@@ -3,16 +3,16 @@
 import numpy as np
 import pytest
 
-from mansion_msgs_py.layout import FloorProblem, ProblemNode
+from mansion_msgs_py.layout import FloorProblem, ProblemNode, SeedRange
 from mansion_msgs_py.topology import Edge
 from mansion_planner.solver import SolverOptions
 from mansion_planner.solver.annealing import Annealing
 from mansion_planner.solver.cut_rounds import RoundsResult, build_cut_rounds, run_rounds
-from mansion_planner.solver.grid import Grid, major_lines, make_grid, spaced_lines
+from mansion_planner.solver.grid import AREA, Grid, major_lines, make_grid, spaced_lines
 from mansion_planner.solver.options import Budget
 from mansion_planner.solver.partition import Partition, State, make_state
 from mansion_planner.solver.problem import FloorModel, Goal, make_goal, make_model
-from mansion_planner.solver.starts import carve_open_links, flood
+from mansion_planner.solver.starts import carve_open_links, flood, planned_partition
 from mansion_planner.solver.wall_search import AttemptStarts
 from problem_floors import box, flat
 
@@ -112,3 +112,25 @@ def test_large_floors_carve_what_each_other_search_leaves_open(rooms: int, carve
         assert start is not None
         kept = (expected == 0) & (labels != 0)
         assert bool((start[kept] == 0).all()) == (attempt in carved)
+
+
+def test_boxes_are_painted_in_the_order_that_gives_each_room_its_area() -> None:
+    # The strip has more floor beside it in its box than the hall has, and yet lies over the hall's box.
+    places = {
+        "hall": (20.0, (0, 6), (0, 4)),
+        "strip": (6.0, (4, 10), (0, 2)),
+        "closet": (2.0, (4, 6), (1, 2)),
+        "store": (4.0, (6, 10), (1, 2)),
+    }
+    nodes = [
+        ProblemNode(id=name, type="main" if name == "hall" else "Entities", area=area, seed_box=SeedRange(x=x, y=y))
+        for name, (area, x, y) in places.items()
+    ]
+    outline = [(0, 0), (10, 0), (10, 2), (6, 2), (6, 4), (0, 4)]
+    model = make_model(FloorProblem(boundary=outline, nodes=nodes), OPTIONS)
+    found = planned_partition(model, major_lines(model))
+    assert found is not None
+    rows, columns = found.labels.shape
+    sizes = found.grid.cells.geometry[:rows, :columns, AREA]
+    painted = {room.id: sizes[found.labels == k].sum() for k, room in enumerate(model.rooms)}
+    assert painted == pytest.approx({name: place[0] for name, place in places.items()})

@@ -51,7 +51,7 @@ def plot_parts(scene: FloorScene, slab: Polygon) -> Iterator[Part]:
     slab : Polygon
         Its ground plan, outer walls included.
     """
-    home = default_knowledge().groups.is_dwelling(scene.building_type)
+    home = default_knowledge().is_dwelling(scene.building_type)
     x0, y0, x1, y1 = slab.bounds
     margin = MARGIN[home]
     edge = box(x0 - margin, y0 - margin, x1 + margin, y1 + margin)

@@ -8,7 +8,8 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
-from mansion_planner.program.bands import Block, Segment, fill_segments, front_order, group_blocks, lay_block, with_rows
+from mansion_planner.program.bands import Segment, fill_segments, front_order, with_rows
+from mansion_planner.program.blocks import Block, group_blocks, lay_block
 from mansion_planner.program.massing import MassingWish, corridor_width
 from mansion_planner.program.model import (
     LIFT,

@@ -13,8 +13,12 @@ from mansion_msgs_py.program import Downgrade
 from mansion_planner.brief.facts import AdjacencyFact
 from mansion_planner.program.aisle_sketch import aisle_massings, plan_price
 from mansion_planner.program.allocation import Allocation
+from mansion_planner.program.back_of_house import behind_staff_rooms
 from mansion_planner.program.decisions import Decisions
+from mansion_planner.program.dining_kitchens import with_kitchen
 from mansion_planner.program.footprint import free_cores, free_massing, sketch_free
+from mansion_planner.program.hall_sketch import most_fronts
+from mansion_planner.program.home_orders import HOME_PAIRS
 from mansion_planner.program.massing import MassingWish, choose_massing, gross_area, rectangle_massing
 from mansion_planner.program.model import (
     Massing,
@@ -36,10 +40,11 @@ from mansion_planner.program.plan_quality import (
     strips,
     swollen_rooms,
 )
-from mansion_planner.program.public_toilets import TOILETS, with_public_toilets
+from mansion_planner.program.public_toilets import TOILETS, Served, served_by, with_public_toilets
 from mansion_planner.program.setbacks import set_back
+from mansion_planner.program.shared_washrooms import for_sleepers
 from mansion_planner.program.storey_forms import capacity, form_of, sketched
-from mansion_planner.program.storey_rooms import fill_storey, fit_areas, hub_area, name_rooms
+from mansion_planner.program.storey_rooms import MOST_ROOMS, fill_storey, fit_areas, hub_area, listed_area, name_rooms
 
 __all__ = [
     "Arrangement",
@@ -178,6 +183,7 @@ def _loosened_where_missed(decisions: Decisions, layout: Arrangement) -> Arrange
 def wanted_pairs(decisions: Decisions) -> list[tuple[str, str]]:
     """Return room types to be side by side: the brief's wishes last, so that they win."""
     usual = [("kitchen", "dining_room"), ("commercial_kitchen", "restaurant"), ("commercial_kitchen", "cafeteria")]
+    usual = [*HOME_PAIRS, *usual] if decisions.building.family == "home" else usual
     return usual + [_names(fact) for fact in decisions.facts.adjacent]
 
 
@@ -251,23 +257,34 @@ def _arranged(
 ) -> Arrangement:
     """Fill every storey of a massing with rooms and sketch it; a copy shares its original's."""
     frame = _frame(decisions, massing, storeys, generator)
-    filled: dict[int, Storey] = {}
+    filled = _filled(decisions, massing, storeys, allocation, knowledge)
     sketches: dict[int, Sketch] = {}
     envelopes: dict[int, Envelope] = {}
     pairs = wanted_pairs(decisions)
-    for bare in storeys:
-        source = filled.get(bare.copy) if bare.copy is not None else None
-        rooms = source.rooms if source is not None else _rooms(bare, massing, allocation, knowledge, decisions)
-        storey = filled[bare.index] = replace(bare, rooms=rooms)
-        sketches[storey.index] = (
-            sketches[source.index] if source is not None else _sketch(decisions, massing, storey, pairs)
-        )
+    for storey in filled:
+        source = sketches.get(storey.copy) if storey.copy is not None else None
+        sketches[storey.index] = source or _sketch(decisions, massing, storey, pairs)
         envelopes[storey.index] = (
             Envelope.of(decisions.outline)
             if decisions.free_form and decisions.outline is not None
             else envelope_of(massing, storey, frame)
         )
-    return Arrangement(massing, frame, list(filled.values()), sketches, envelopes)
+    return Arrangement(massing, frame, filled, sketches, envelopes)
+
+
+def _filled(
+    decisions: Decisions, massing: Massing, storeys: Sequence[Storey], allocation: Allocation, knowledge: KnowledgeBase
+) -> list[Storey]:
+    """Return the storeys with their rooms; the entrance storey is filled last, with the toilets that others lack."""
+    filled: dict[int, Storey] = {}
+    others = Served()
+    for bare in sorted(storeys, key=lambda storey: storey.role in ("single", "ground")):
+        source = filled.get(bare.copy) if bare.copy is not None else None
+        rooms = source.rooms if source is not None else _rooms(bare, massing, allocation, knowledge, decisions, others)
+        storey = filled[bare.index] = replace(bare, rooms=rooms)
+        hub = max(capacity(massing, storey) - sum(room.gross for room in rooms), 0.0)
+        others += served_by(storey, hub, knowledge)
+    return [filled[storey.index] for storey in storeys]
 
 
 def _massing(decisions: Decisions, wish: MassingWish, generator: np.random.Generator) -> Massing:
@@ -301,31 +318,50 @@ def _sketch(decisions: Decisions, massing: Massing, storey: Storey, pairs: list[
     return sketched(massing, storey, storey.hub.name, pairs, unwanted_pairs(decisions))
 
 
+def _named(decisions: Decisions) -> list[str]:
+    """Return the rooms that the brief wants beside or apart from others."""
+    return [name for fact in (*decisions.facts.adjacent, *decisions.facts.apart) for name in _names(fact)]
+
+
 _MOST_HUB = 0.75
 """Of a public hall's storey, what its main room takes at most: the rest is for toilets, stores and staff."""
 
+_MOST_STORE = 0.9
+"""The same of a hall for cars, goods or machines, which takes all that the rooms of its list leave."""
+
 
 def _rooms(
-    storey: Storey, massing: Massing, allocation: Allocation, knowledge: KnowledgeBase, decisions: Decisions
+    storey: Storey,
+    massing: Massing,
+    allocation: Allocation,
+    knowledge: KnowledgeBase,
+    decisions: Decisions,
+    others: Served,
 ) -> tuple[PlannedRoom, ...]:
-    """Choose a storey's rooms, with their areas and names."""
+    """Choose a storey's rooms, with their areas and names; `others` are the building's other storeys."""
     stated = hub_area(storey, allocation)
-    hall = form_of(massing, storey).hall
+    form = form_of(massing, storey)
+    hall = form.hall
     if decisions.free_form and decisions.outline is not None:
         cores = sum(box_area(core.box) for core in massing.cores)
         room, share = 0.84 * (decisions.outline.area - cores), 0.0
     else:
         room, share = capacity(massing, storey), 0.0
+    stores = hall and storey.hub.zone == "service"
     if hall:
-        most = room if storey.use.family == "home" else _MOST_HUB * room
-        share = stated or min(max(storey.hub.usual, 0.38 * room), most)
-    filled = fill_storey(storey, allocation, knowledge, room, hub_share=share)
-    chosen = with_public_toilets(storey, filled, allocation, knowledge, share)
+        most = room if storey.use.family == "home" else (_MOST_STORE if stores else _MOST_HUB) * room
+        usual = room - listed_area(storey, allocation, knowledge) if stores else 0.38 * room
+        share = stated or min(max(storey.hub.usual, usual), most)
+    most = most_fronts(form) if hall else MOST_ROOMS
+    filled = fill_storey(storey, allocation, knowledge, room, hub_share=share, most_rooms=most)
+    filled = with_kitchen(filled, storey, allocation, knowledge, share)
+    chosen = with_public_toilets(storey, filled, allocation, knowledge, share, others)
+    chosen = behind_staff_rooms(for_sleepers(chosen, storey), storey, _named(decisions))
     if hall and stated:
         room -= share
     elif hall:
         asked = sum(r.gross for r in chosen)
         wanted = sum(r.gross for r in chosen if r.stated)
         share = max(storey.hub.least, 0.5 * share, min(share, room - wanted))
-        room = min(room - share, max(asked, 0.45 * room))
+        room = min(room - share, asked if stores else max(asked, 0.45 * room))
     return name_rooms(fit_areas(chosen, room), storey.hub.name)

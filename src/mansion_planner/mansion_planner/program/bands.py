@@ -1,251 +1,16 @@
-"""Lay rooms out in bands along corridors: blocks of rooms, and the stretches of band that they are distributed over."""
+"""Lay rooms out in bands along corridors: the stretches of band that blocks of rooms are distributed over."""
 
 from collections.abc import Sequence
 
 import msgspec
 
-from mansion_knowledge.norms import load_norms
+from mansion_planner.program.blocks import Block, widened
 from mansion_planner.program.model import Box, Massing, PlannedRoom, Wing
-from mansion_planner.program.plan_quality import STRIP
 
-__all__ = [
-    "Block",
-    "Segment",
-    "bring_together",
-    "fill_segments",
-    "front_order",
-    "group_blocks",
-    "lay_block",
-    "widened",
-    "with_rows",
-]
+__all__ = ["Segment", "bring_together", "fill_segments", "front_order", "with_rows"]
 
-DOOR = 1.5
-"""Least contact of a room with what it is reached from, with a margin over the 1.20 m of a door, metres."""
-
-
-LEAST_FRONT = 1.3
-"""Least stretch of corridor, or of its host's wall, that a room gets, metres."""
-
-
-_WALL = 0.15
-"""What walls and rounding take of a room's width, metres."""
-
-
-def least_sides(room: PlannedRoom) -> tuple[float, float]:
-    """Return the least front and depth of a room in the front corner of another, metres."""
-    if _is_wide(room):
-        norm = load_norms().rules["accessible_toilet_size"]
-        return norm.figure + _WALL, norm.limit("length") + _WALL
-    return LEAST_FRONT, 1.2
-
-
-def _is_wide(room: PlannedRoom) -> bool:
-    """Whether a wheelchair turns in a room, however small it is."""
-    return room.kind.name in load_norms().rules["accessible_toilet_size"].rooms
-
-
-def widened(widths: list[float], least: list[float]) -> list[float]:
-    """Raise widths to their least; those that have more to spare give it, in proportion.
-
-    The sum stays; widths that cannot all have their least stay as they are.
-    """
-    need = sum(max(low - width, 0.0) for width, low in zip(widths, least))
-    spare = sum(max(width - low, 0.0) for width, low in zip(widths, least))
-    if need <= 0.0 or spare <= need:
-        return widths
-    return [low if width < low else width - (width - low) * need / spare for width, low in zip(widths, least)]
-
-
-class Block(msgspec.Struct, frozen=True):
-    """A room of full depth with small rooms cut from its front corner.
-
-    Attributes
-    ----------
-    host : PlannedRoom
-    smalls : tuple of PlannedRoom
-        Rooms too small for the band's depth, also reached from the corridor.
-    least : float
-        Metres of front that its place asks for.
-    """
-
-    host: PlannedRoom
-    smalls: tuple[PlannedRoom, ...] = ()
-    least: float = 0.0
-
-    @property
-    def gross(self) -> float:
-        """Area of the host with its suite and the small rooms."""
-        return self.host.gross + sum(room.area for room in self.smalls)
-
-    @property
-    def fixed(self) -> bool:
-        """Whether its width must not be scaled."""
-        return self.host.fixed
-
-    @property
-    def wants_light(self) -> bool:
-        """Whether one of its rooms wants a window."""
-        return any(room.kind.daylight for front in self.fronts() for room in front.each())
-
-    @property
-    def least_width(self) -> float:
-        """Metres of corridor that its rooms need at least."""
-        return max(self.least, sum(least_sides(room)[0] for room in self.fronts()))
-
-    def fronts(self) -> list[PlannedRoom]:
-        """Return the rooms that touch the corridor."""
-        return [*self.smalls, self.host]
-
-
-def _front_depth(area: float, depth: float) -> float:
-    """Return how deep a small room of `area` is made in a band of `depth`."""
-    return float(min(max((area * 1.25) ** 0.5, 1.8), max(depth - 1.8, 0.55 * depth)))
-
-
-def group_blocks(rooms: Sequence[PlannedRoom], depth: float, pairs: Sequence[tuple[str, str]]) -> list[Block]:
-    """Give each room that is too small for a band of `depth` to a larger neighbour as its front corner."""
-    narrow = [room for room in rooms if not room.suite and _is_narrow(room, depth)]
-    narrow.sort(key=lambda room: -room.area)
-    blocks = [Block(room) for room in rooms if not any(room is other for other in narrow)]
-    for room in narrow:
-        width = max(room.area / _front_depth(room.area, depth), least_sides(room)[0] if _is_wide(room) else 0.0)
-        hosts = [
-            number
-            for number, block in enumerate(blocks)
-            if not block.host.suite
-            and len(block.smalls) < 3
-            and _spare_front(block, depth) + room.area / depth >= width + _HOST_FRONT
-        ]
-        if hosts:
-            best = max(hosts, key=lambda number: _fit(blocks[number], room, depth, pairs))
-            blocks[best] = Block(blocks[best].host, (*blocks[best].smalls, room))
-        else:
-            blocks.append(Block(room))
-    return blocks
-
-
-_NARROW = 1.9
-"""Width below which a room is too narrow for the whole depth of a band, metres."""
-
-_HOST_FRONT = 1.9
-"""Least front of a room beside the small ones in its corner, metres."""
-
-
-def _is_narrow(room: PlannedRoom, depth: float) -> bool:
-    """Whether a room of a band's whole depth is too narrow; one that wants no window need not reach the outer wall."""
-    width = room.area / depth
-    return width < _NARROW or (not room.kind.daylight and width < depth / STRIP)
-
-
-def _spare_front(block: Block, depth: float) -> float:
-    width = block.gross / depth
-    return width - sum(room.area / _front_depth(room.area, depth) for room in block.smalls)
-
-
-def _fit(block: Block, room: PlannedRoom, depth: float, pairs: Sequence[tuple[str, str]]) -> float:
-    """Prefer hosts of kindred use with room to spare."""
-    same_zone = block.host.kind.zone == room.kind.zone
-    wanted = room.kind.name in block.host.kind.near or block.host.kind.name in room.kind.near
-    asked = any(
-        (block.host.called(one) and room.called(other)) or (block.host.called(other) and room.called(one))
-        for one, other in pairs
-    )
-    clean = not (room.kind.wet and "kitchen" in block.host.kind.name)
-    return (
-        3.0 * wanted
-        + 8.0 * asked
-        + 2.0 * clean
-        + 0.5 * same_zone
-        - 2.0 * len(block.smalls)
-        + min(_spare_front(block, depth), 12.0) / 6.0
-        - (1.0 if block.host.fixed else 0.0)
-    )
-
-
-def lay_block(block: Block, width: float, depth: float) -> list[tuple[PlannedRoom, list[Box]]]:
-    """Lay out a block in ``width x depth``; areas keep their proportions.
-
-    Returns
-    -------
-    list of (PlannedRoom, list of Box)
-        Boxes that make up each room, in the local frame.
-    """
-    scale = width * depth / block.gross
-    placed: list[tuple[PlannedRoom, list[Box]]] = []
-    x = 0.0
-    corner_boxes: list[Box] = []
-    for number, room in enumerate(block.smalls):
-        front, least = least_sides(room)
-        high = max(_front_depth(room.area * scale, depth), min(least, depth - 1.2))
-        after = sum(least_sides(other)[0] for other in (*block.smalls[number + 1 :], block.host))
-        wide = min(max(room.area * scale / high, front), max(width - x - after, 0.5))
-        high = min(high, max(room.area * scale / wide, least))
-        corner_boxes.append((x, 0.0, x + wide, high))
-        placed.append((room, [(x, 0.0, x + wide, high)]))
-        x += wide
-    if block.smalls:
-        boxes = [(x, 0.0, width, depth)]
-        boxes += [(box[0], box[3], box[2], depth) for box in corner_boxes]
-        placed.append((block.host, boxes))
-        return placed
-    return _lay_suite(block.host, width, depth, scale)
-
-
-def _lay_suite(host: PlannedRoom, width: float, depth: float, scale: float) -> list[tuple[PlannedRoom, list[Box]]]:
-    suite = host.suite
-    if not suite:
-        return [(host, [(0.0, 0.0, width, depth)])]
-    if len(suite) == 1 and not suite[0].suite:
-        return _lay_one(host, suite[0], width, depth, scale)
-    return _lay_columns(host, width, depth, scale)
-
-
-def _lay_one(
-    host: PlannedRoom, child: PlannedRoom, width: float, depth: float, scale: float
-) -> list[tuple[PlannedRoom, list[Box]]]:
-    """A child in the front corner when the front is wide enough (a hotel room's bath), else at the back."""
-    area = child.area * scale
-    high = _front_depth(area, depth)
-    wide = area / high
-    if width - wide >= DOOR and area < 0.4 * host.area * scale:
-        corner: Box = (0.0, 0.0, wide, high)
-        return [(host, [(wide, 0.0, width, depth), (0.0, high, wide, depth)]), (child, [corner])]
-    back = area / width
-    if back >= 1.5:
-        front = depth - back
-        return [(host, [(0.0, 0.0, width, front)]), (child, [(0.0, front, width, depth)])]
-    high = max(area / max(0.5 * width, 1.5), 1.5)
-    wide = area / high
-    boxes: list[Box] = [(0.0, 0.0, width, depth - high), (wide, depth - high, width, depth)]
-    return [(host, boxes), (child, [(0.0, depth - high, wide, depth)])]
-
-
-def _lay_columns(host: PlannedRoom, width: float, depth: float, scale: float) -> list[tuple[PlannedRoom, list[Box]]]:
-    """The host as a slab of full depth between two columns of its children."""
-    children = sorted(host.suite, key=lambda room: -room.gross)
-    columns: tuple[list[PlannedRoom], list[PlannedRoom]] = ([], [])
-    if len(children) <= 3:
-        columns[1].extend(children)
-    else:
-        for child in children:
-            sums = [sum(room.gross for room in column) for column in columns]
-            columns[0 if sums[0] <= sums[1] else 1].append(child)
-    placed: list[tuple[PlannedRoom, list[Box]]] = []
-    wide = [sum(room.gross for room in column) * scale / depth for column in columns]
-    least = [LEAST_FRONT if column else 0.0 for column in columns]
-    wide = widened([*wide, width - sum(wide)], [*least, LEAST_FRONT])[:2]
-    placed.append((host, [(wide[0], 0.0, width - wide[1], depth)]))
-    for number, column in enumerate(columns):
-        x0, x1 = (0.0, wide[0]) if number == 0 else (width - wide[1], width)
-        y = 0.0
-        ordered = sorted(column, key=lambda room: (not room.kind.wet, room.id))
-        whole = sum(child.gross for child in ordered) or 1.0
-        rises = widened([depth * child.gross / whole for child in ordered], [LEAST_FRONT] * len(ordered))
-        for child, high in zip(ordered, rises):
-            placed.append((child, [(x0, y, x1, y + high)]))
-            y += high
-    return placed
+_BESIDE_NICHE = 2.0
+"""Least metres of corridor of a room that also has the floor behind lifts."""
 
 
 class Segment(msgspec.Struct, frozen=True):
@@ -261,6 +26,8 @@ class Segment(msgspec.Struct, frozen=True):
         Coordinate of the corridor's edge across the bar.
     dark : bool
         It has no outer wall.
+    behind : float
+        Square metres of floor beside its beginning that its first room also has.
     """
 
     bar: str
@@ -272,6 +39,7 @@ class Segment(msgspec.Struct, frozen=True):
     wing: Wing | None = None
     blocks: tuple[Block, ...] = ()
     dark: bool = False
+    behind: float = 0.0
 
     @property
     def length(self) -> float:
@@ -281,11 +49,18 @@ class Segment(msgspec.Struct, frozen=True):
     @property
     def used(self) -> float:
         """Metres that its blocks wish for."""
-        return sum(block.gross for block in self.blocks) / self.depth
+        return sum(self._wishes())
+
+    def _wishes(self) -> list[float]:
+        """Return the metres that each block wishes for; the first has a part of its area elsewhere."""
+        wishes = [block.gross / self.depth for block in self.blocks]
+        if wishes and self.behind:
+            wishes[0] = max(wishes[0] - self.behind / self.depth, min(wishes[0], _BESIDE_NICHE))
+        return wishes
 
     def laid(self) -> list[tuple[Block, float, float]]:
         """Return each block with its place along the corridor; fixed areas keep their width where others can give."""
-        wishes = [block.gross / self.depth for block in self.blocks]
+        wishes = self._wishes()
         if not wishes:
             return []
         fixed = sum(w for w, block in zip(wishes, self.blocks) if block.fixed)

@@ -6,7 +6,10 @@ from dataclasses import replace
 
 import msgspec
 
-from mansion_planner.program.bands import Segment, fill_segments, front_order, group_blocks, lay_block
+from mansion_knowledge.norms import load_norms
+from mansion_planner.program.bands import Segment, fill_segments, front_order
+from mansion_planner.program.blocks import DOOR, group_blocks, lay_block
+from mansion_planner.program.home_orders import home_orders, home_price
 from mansion_planner.program.model import (
     Box,
     Corridor,
@@ -15,10 +18,13 @@ from mansion_planner.program.model import (
     PlannedRoom,
     Sketch,
     Storey,
+    behind_lifts,
+    box_area,
     far_stair,
     lobby_length,
     pocket,
 )
+from mansion_planner.program.plan_quality import fill
 from mansion_planner.program.separation import keep_apart
 
 __all__ = ["capacity", "sketch_storey"]
@@ -49,15 +55,19 @@ def sketch_storey(
     """
     length = _extent(massing, storey)
     ends, rest = _end_rooms(massing, storey.rooms, length)
-    stop = length - sum(room.gross / massing.depth for room in ends)
+    stop = length - sum((room.gross + box_area(_corner(massing))) / massing.depth for room in ends)
     if _is_one_room(massing, storey):
         ends, rest = list(storey.rooms), []
         stop = max(pocket(massing), lobby_length(massing, storey)) + _LANDING
     segments = _segments(massing, stop, lobby_length(massing, storey))
+    segments = _with_floor_behind_lifts(massing, storey, segments)
     depth = max(segment.depth for segment in segments)
     blocks = group_blocks(front_order(rest), depth, pairs)
     filled = keep_apart(fill_segments(segments, blocks, pairs), apart, pairs)
-    return _assemble(massing, storey, hub_id, filled, ends, stop, length)
+    if storey.use.family != "home":
+        return _assemble(massing, storey, hub_id, filled, ends, stop, length)
+    sketches = [_assemble(massing, storey, hub_id, order, ends, stop, length) for order in home_orders(filled)]
+    return min(sketches, key=lambda sketch: home_price(sketch, pairs, apart))
 
 
 _LANDING = 1.6
@@ -94,6 +104,32 @@ def _with_pocket(massing: Massing, rooms: list[Placement]) -> list[Placement]:
         else placement
         for placement in rooms
     ]
+
+
+def _with_niche(
+    niche: Box, rooms: list[Placement], corridors: list[Corridor]
+) -> tuple[list[Placement], list[Corridor]]:
+    """Return rooms and corridors with the floor behind the lifts: for the room beside it, else the hub."""
+    if not box_area(niche):
+        return rooms, corridors
+    beside = [
+        max(
+            (min(box[3], niche[3]) - max(box[1], niche[1]) for box in room.boxes if abs(box[0] - niche[2]) < 0.01),
+            default=0.0,
+        )
+        for room in rooms
+    ]
+    longest = max(beside, default=0.0)
+    if longest > _NICHE_DOOR:
+        number = beside.index(longest)
+        grown = msgspec.structs.replace(rooms[number], boxes=[*rooms[number].boxes, niche])
+        return [*rooms[:number], grown, *rooms[number + 1 :]], corridors
+    hub = replace(corridors[0], boxes=[*corridors[0].boxes, niche])
+    return rooms, [hub, *corridors[1:]]
+
+
+_NICHE_DOOR = 1.2
+"""Metres over which a room is open to the floor behind the lifts."""
 
 
 def _with_empty_bands(massing: Massing, corridors: list[Corridor], segments: list[Segment]) -> list[Corridor]:
@@ -138,26 +174,33 @@ def _corridors_of(
     main = sorted((x0, x1) for bar, _, x0, x1 in fronts if bar == "main")
     load = len(main) + len(massing.cores) + len(massing.wings) + ended
     pieces = max(1, -(-load // (HUB_CHILDREN + 2)))
-    cuts = _cut_positions(main, stop, pieces)
+    cuts = _cut_positions(main, stop, pieces, _ways_to_kitchens(fronts))
     xs = [0.0, *cuts, stop]
     corridors = []
     for number, (x0, x1) in enumerate(itertools.pairwise(xs)):
         name = hub_id if number == 0 else f"corridor_{number}"
         parent = "" if number == 0 else (hub_id if number == 1 else f"corridor_{number - 1}")
         corridors.append(Corridor(name, [(x0, low, x1, high)], parent))
-    hub = corridors[0]
-    lifts = [core.box for core in massing.cores if core.box[3] <= massing.south + 0.01]
-    if lobby and lifts:
-        edge, top = max(box[2] for box in lifts), max(box[3] for box in lifts)
-        hub.boxes.append((0.0, top, lobby, massing.south))
-        if lobby > edge:
-            hub.boxes.append((edge, 0.0, lobby, top))
+    corridors[0].boxes.extend(_lobby_boxes(massing, lobby))
     for core in massing.cores:
         if core.box[1] > high + 0.01 and core.box[0] < 0.5 * massing.length:
-            hub.boxes.append((core.box[0], high, core.box[2], core.box[1]))
-        elif core.box[1] > high + 0.01:
+            corridors[0].boxes.append((core.box[0], high, core.box[2], core.box[1]))
+        elif core.box[1] > high + 0.01 and not ended:
             corridors[-1].boxes.append((core.box[0], high, core.box[2], core.box[1]))
     return corridors + _wing_corridors(massing, corridors)
+
+
+def _lobby_boxes(massing: Massing, lobby: float) -> list[Box]:
+    """Return what a lobby of `lobby` metres takes of the lower band: the floor before, beside and behind the lifts."""
+    lifts = [core.box for core in massing.cores if core.box[3] <= massing.south + 0.01]
+    if not lobby or not lifts:
+        return []
+    edge, low, top = max(box[2] for box in lifts), min(box[1] for box in lifts), max(box[3] for box in lifts)
+    boxes: list[Box] = [(0.0, top, lobby, massing.south)] if massing.south - top > 0.01 else []
+    if lobby > edge:
+        boxes.append((edge, low, lobby, top))
+        boxes += [(0.0, 0.0, lobby, low)] if low > 0.0 else []
+    return boxes
 
 
 def _wing_corridors(massing: Massing, corridors: list[Corridor]) -> list[Corridor]:
@@ -181,12 +224,31 @@ def _wing_corridors(massing: Massing, corridors: list[Corridor]) -> list[Corrido
     return found
 
 
-def _cut_positions(main: list[tuple[float, float]], stop: float, pieces: int) -> list[float]:
-    """Choose where the main corridor is divided: every front keeps a door's width on one side."""
+def _ways_to_kitchens(fronts: Sequence[tuple[str, PlannedRoom, float, float]]) -> list[tuple[float, float]]:
+    """Return the stretches of the main corridor from the middle of a dining room to that of its nearest kitchen."""
+    rule = load_norms().rules["kitchen_of_dining"]
+    middles = [(room.kind.name, (x0 + x1) / 2) for bar, room, x0, x1 in fronts if bar == "main"]
+    kitchens = [x for name, x in middles if name in rule.others]
+    ways = [
+        (x, min(kitchens, key=lambda other: abs(other - x))) for name, x in middles if kitchens and name in rule.rooms
+    ]
+    return [(min(way), max(way)) for way in ways]
+
+
+def _cut_positions(
+    main: list[tuple[float, float]], stop: float, pieces: int, whole: Sequence[tuple[float, float]]
+) -> list[float]:
+    """Choose where the main corridor is divided: every front keeps a door's width on one side.
+
+    Stretches that are to stay whole are divided only where nothing else can be.
+    """
     cuts: list[float] = []
     for number in range(1, pieces):
         ideal = sorted(x0 for x0, _ in main)[min(number * len(main) // pieces, len(main) - 1)]
-        candidates = sorted({x for pair in main for x in pair}, key=lambda x: (abs(x - ideal), x))
+        candidates = sorted(
+            {x for pair in main for x in pair},
+            key=lambda x: (sum(low < x < high for low, high in whole), abs(x - ideal), x),
+        )
         for x in candidates:
             clear = all(max(x - x0, x1 - x) >= 1.5 or x <= x0 or x >= x1 for x0, x1 in main)
             if clear and 3.0 <= x <= stop - 3.0 and all(abs(x - other) > 4.0 for other in cuts):
@@ -248,8 +310,52 @@ def _closed(
     return [shortened if c is last else c for c in corridors], [widened if p is closing else p for p in rooms]
 
 
+def _is_open_to(corridors: list[Corridor], stop: float) -> bool:
+    """Whether the main corridor runs to the end of the bar."""
+    return abs([c for c in corridors if _is_main(c)][-1].boxes[0][2] - stop) < 0.01
+
+
+def _turned_in(
+    massing: Massing, corridors: list[Corridor], rooms: list[Placement], stop: float
+) -> tuple[list[Corridor], list[Placement]]:
+    """Return corridors and rooms, the hall of a home no longer than its doors need: a room at its end has the rest.
+
+    Of the rooms on both sides of the end it is the one that stays the more compact, and no wet one or one of a stated
+    area.
+    """
+    last = [c for c in corridors if _is_main(c)][-1]
+    x0, low, _, high = last.boxes[0]
+    fronts = [
+        (placement, box)
+        for placement in rooms
+        for box in placement.boxes
+        if (abs(box[3] - low) < 0.01 or abs(box[1] - high) < 0.01) and box[2] > x0
+    ]
+    doors = [max(box[0], x0) + DOOR for placement, box in fronts if placement.parent == last.id]
+    doors += [box[2] for box in last.boxes[1:]] + [core.box[2] for core in massing.cores if core.box[0] < stop / 2]
+    end = max(doors, default=stop)
+    takers = [
+        placement
+        for placement, box in fronts
+        if abs(box[2] - stop) < 0.01 and box[0] <= end - DOOR + 0.01
+        and (abs(box[3] - low) < 0.01 or not last.boxes[1:])  # the floor before a stair stays clear of its box
+        and not placement.room.fixed and not placement.room.kind.wet and not placement.room.suite
+    ]  # fmt: skip
+    if massing.wings or far_stair(massing) or stop - end < _WORTH_TURNING or not takers:
+        return corridors, rooms
+    rest: Box = (end, low, stop, high)
+    taker = max(takers, key=lambda placement: (round(fill([*placement.boxes, rest]), 2), placement.area))
+    shortened = replace(last, boxes=[(x0, low, end, high), *last.boxes[1:]])
+    grown = msgspec.structs.replace(taker, boxes=[*taker.boxes, rest])
+    return [shortened if c is last else c for c in corridors], [grown if p is taker else p for p in rooms]
+
+
+_WORTH_TURNING = 0.8
+"""Least metres of hall that a room takes."""
+
+
 def _bearing_lines(
-    massing: Massing, corridors: list[Corridor], segments: Sequence[Segment], lobby: float, stop: float
+    massing: Massing, corridors: list[Corridor], segments: Sequence[Segment], lobby: float, stop: float, *, home: bool
 ) -> dict[float, list[tuple[float, float]]]:
     """Return the stretches along x, by their y, where both sides of the main corridor are walls.
 
@@ -258,7 +364,9 @@ def _bearing_lines(
     mains = [c for c in corridors if _is_main(c)]
     end = max(corridor.boxes[0][2] for corridor in mains)
     far = min((core.box[0] for core in massing.cores if core.box[0] > 0.5 * massing.length), default=end)
-    lines = {massing.south + massing.corridor: [(pocket(massing), min(end, far))], massing.south: [(lobby, stop)]}
+    # A hall that ends before its bar may have given the rest to a room on either side.
+    south = end if home else stop
+    lines = {massing.south + massing.corridor: [(pocket(massing), min(end, far))], massing.south: [(lobby, south)]}
     for wing in massing.wings:
         y = massing.south + massing.corridor if wing.north else massing.south
         side = (wing.x1 - wing.x0 - massing.corridor) / 2
@@ -275,10 +383,31 @@ def _without(spans: list[tuple[float, float]], x0: float, x1: float) -> list[tup
     return [(a, b) for a, b in left + right if b - a > 0.5]
 
 
-def _core_parents(massing: Massing, corridors: list[Corridor]) -> dict[str, str]:
-    """Return the corridor that each core opens to: the hub, or the last piece for cores at the far end."""
+def _core_parents(massing: Massing, corridors: list[Corridor], closing: str) -> dict[str, str]:
+    """Return what each core opens to: the hub, or at the far end the room that closes the bar or the last piece.
+
+    Parameters
+    ----------
+    closing : str
+        The room around the stair at the far end; empty where the corridor reaches it.
+    """
     mains = [c for c in corridors if _is_main(c)]
-    return {core.id: mains[-1].id if core.box[0] >= 0.5 * massing.length else mains[0].id for core in massing.cores}
+    far = closing or mains[-1].id
+    return {core.id: far if core.box[0] >= 0.5 * massing.length else mains[0].id for core in massing.cores}
+
+
+def _corner(massing: Massing) -> Box:
+    """Return the box of the stair at the far end; an empty one where there is none."""
+    far = [core.box for core in massing.cores if core.box[0] >= 0.5 * massing.length]
+    return far[0] if far and far_stair(massing) else (0.0, 0.0, 0.0, 0.0)
+
+
+def _around_corner(massing: Massing, x0: float, x1: float) -> list[Box]:
+    """Return the boxes of a room over the whole depth of the bar, around the stair in its far corner."""
+    corner = _corner(massing)
+    if not box_area(corner):
+        return [(x0, 0.0, x1, massing.depth)]
+    return [(x0, 0.0, x1, corner[1]), (x0, corner[1], corner[0], massing.depth)]
 
 
 def _extent(massing: Massing, storey: Storey) -> float:
@@ -296,7 +425,7 @@ def capacity(massing: Massing, storey: Storey) -> float:
     if massing.court:
         total += (massing.court - massing.corridor) * massing.far_length
         total -= massing.corridor * massing.far_band * len(massing.wings)
-    total -= lobby_length(massing, storey) * massing.south
+    total -= lobby_length(massing, storey) * massing.south - box_area(_behind_lifts(massing, storey))
     total -= pocket(massing) * massing.north + far_stair(massing) * massing.north
     if massing.hall:
         hub = length * massing.corridor
@@ -304,14 +433,38 @@ def capacity(massing: Massing, storey: Storey) -> float:
     return total
 
 
+_HALL = 200.0
+"""Square metres from which a room closes the bar though a stair stands at its end."""
+
+
+def _behind_lifts(massing: Massing, storey: Storey) -> Box:
+    """Return the floor behind the lifts that a room has; on the entrance storey it is part of the lobby."""
+    return (0.0, 0.0, 0.0, 0.0) if storey.role in ("ground", "single") else behind_lifts(massing)
+
+
+def _with_floor_behind_lifts(massing: Massing, storey: Storey, segments: list[Segment]) -> list[Segment]:
+    """Return the stretches of band, where the first room beside the lifts also has the floor behind them."""
+    behind = _behind_lifts(massing, storey)
+    return [
+        msgspec.structs.replace(segment, behind=box_area(behind))
+        if segment.bar == "main" and not segment.north and segment.begin == behind[2] > 0.0
+        else segment
+        for segment in segments
+    ]
+
+
 def _end_rooms(
     massing: Massing, rooms: Sequence[PlannedRoom], length: float
 ) -> tuple[list[PlannedRoom], list[PlannedRoom]]:
-    """Choose the room that closes the bar over its whole depth: one too large for a band."""
-    if massing.wings or far_stair(massing):
+    """Choose the room that closes the bar over its whole depth: one too large for a band.
+
+    Where a stair stands at that end, only a hall does, with the stair in its corner.
+    """
+    if massing.wings:
         return [], list(rooms)
     deep = max(massing.north, massing.south)
-    large = [r for r in rooms if not r.suite and r.area > 2.4 * deep * deep and r.area > 90]
+    least = _HALL if far_stair(massing) else 90.0
+    large = [r for r in rooms if not r.suite and r.area > 2.4 * deep * deep and r.area > least]
     large = [r for r in large if r.area / massing.depth < 0.55 * length]
     if not large or len(rooms) < 2:
         return [], list(rooms)
@@ -326,7 +479,7 @@ def _segments(massing: Massing, stop: float, lobby: float) -> list[Segment]:
     segments: list[Segment] = []
     for is_north, begin in ((True, pocket(massing)), (False, lobby)):
         front, depth = (upper, north) if is_north else (south, south)
-        end = stop - (far_stair(massing) if is_north else 0.0)
+        end = min(stop, massing.length - far_stair(massing)) if is_north and far_stair(massing) else stop
         x = begin
         for wing in sorted(massing.wings, key=lambda w: w.x0):
             if wing.north is is_north:
@@ -386,13 +539,17 @@ def _assemble(
     x = stop
     for room in ends:
         wide = (length - stop) * room.gross / sum(end.gross for end in ends)
-        rooms.append(Placement(room, [(x, 0.0, x + wide, massing.depth)], _AT_END))
+        rooms.append(Placement(room, _around_corner(massing, x, x + wide), _AT_END))
         x += wide
     lobby = lobby_length(massing, storey)
     corridors = _corridors_of(massing, hub_id, fronts, stop, lobby, ended=bool(ends))
+    rooms, corridors = _with_niche(_behind_lifts(massing, storey), rooms, corridors)
     rooms = _with_parents(_with_pocket(massing, rooms), corridors, fronts)
     if not ends:
         corridors, rooms = _closed(massing, corridors, rooms, stop)
+        if storey.use.family == "home" and _is_open_to(corridors, stop):
+            corridors, rooms = _turned_in(massing, corridors, rooms, stop)
     corridors = _with_empty_bands(massing, corridors, segments)
-    bearing = _bearing_lines(massing, corridors, segments, lobby, stop)
-    return Sketch(corridors, rooms, _core_parents(massing, corridors), bearing=bearing)
+    bearing = _bearing_lines(massing, corridors, segments, lobby, stop, home=storey.use.family == "home")
+    closing = ends[0].id if ends and far_stair(massing) else ""
+    return Sketch(corridors, rooms, _core_parents(massing, corridors, closing), bearing=bearing)

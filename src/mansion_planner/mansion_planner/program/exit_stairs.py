@@ -9,7 +9,7 @@ from mansion_planner.program.allocation import Allocation
 from mansion_planner.program.decisions import Decisions
 from mansion_planner.program.model import Storey
 from mansion_planner.program.storey_rooms import base_rooms
-from mansion_planner.program.storeys import entries_of
+from mansion_planner.program.storeys import entries_of, is_hall
 
 __all__ = ["second_stair"]
 
@@ -25,6 +25,12 @@ _WIDEST_ROOM: Final = 150.0
 _WIDEST_STATED, _WIDEST_OWN = 120.0, 200.0
 """The same where only the rules of exits ask for two stairs: of rooms of the brief, and of the type's own list."""
 
+_WIDEST_GROUND = 300.0
+"""The same of the ground floor, where a hall may close the bar with the stair in its corner."""
+
+_WIDEST_BESIDE_HALL = 60.0
+"""Area of the largest room beside a hall that has a stair at both ends of its north side, square metres."""
+
 _DEPTH, _ASIDE = 13.0, 5.0
 """Usual depth of a bar of rooms along a corridor, and the way within a room to its door, metres."""
 
@@ -37,28 +43,63 @@ def second_stair(
 ) -> str:
     """Return why a building has a second stair at the far end of its corridor; empty where it has one stair.
 
-    Halls, houses and outlines that are set back or protrude have no place for it.
+    Houses, storeys of one room and outlines that are set back or protrude have no place for it.
     """
-    facts = decisions.facts
+    facts, hall = decisions.facts, is_hall(decisions)
     if (
-        decisions.building.family == "home" or decisions.building.parti != "spine"
-        or facts.setback or facts.protruding
+        decisions.building.family == "home" or not (hall or decisions.building.parti == "spine")
+        or facts.setback or facts.protruding or _has_storey_of_one_room(storeys, allocation)
     ):  # fmt: skip
         return ""
-    stated = max(
-        [fact.area or knowledge.room(fact.room_type).usual for each in allocation.wanted.values() for fact in each],
-        default=0.0,
-    )
-    own = max(
-        [entry.area or knowledge.room(entry.room_type).usual for storey in storeys for entry in entries_of(storey)],
-        default=0.0,
-    )
-    if len(storeys) >= 3 and decisions.area >= _LARGE and max(stated, own) <= _WIDEST_ROOM:
+    stated, own = (_widest(found, storeys) for found in (_stated(allocation, knowledge), _listed(storeys, knowledge)))
+    if len(storeys) >= 3 and decisions.area >= _LARGE and max(*stated, *own) <= _WIDEST_ROOM and not hall:
         return "more than 340 m2 a storey"
-    stated = max(stated, *allocation.furniture.values(), 0.0)
-    if decisions.outline is not None or decisions.area < _LEAST or stated > _WIDEST_STATED or own > _WIDEST_OWN:
+    upper = max(stated[1], *allocation.furniture.values(), 0.0)
+    most = (_WIDEST_BESIDE_HALL, _WIDEST_BESIDE_HALL) if hall else (_WIDEST_STATED, _WIDEST_OWN)
+    ground = most[0] if hall else _WIDEST_GROUND
+    if (
+        decisions.outline is not None or decisions.area < _LEAST
+        or upper > most[0] or own[1] > most[1] or max(stated[0], own[0]) > ground
+    ):  # fmt: skip
         return ""
     return _asked(decisions, storeys, allocation, knowledge)
+
+
+def _has_storey_of_one_room(storeys: Sequence[Storey], allocation: Allocation) -> bool:
+    """Whether a storey is to be a single room, which a corridor between two stairs would cut in two."""
+    return any(storey.index in allocation.complete and len(allocation.wanted[storey.index]) == 1 for storey in storeys)
+
+
+_Sizes = list[tuple[int, float]]
+"""Storeys and square metres of rooms."""
+
+
+def _stated(allocation: Allocation, knowledge: KnowledgeBase) -> _Sizes:
+    """Return the rooms that the brief asks for."""
+    return [
+        (floor, fact.area or knowledge.room(fact.room_type).usual)
+        for floor, facts in allocation.wanted.items()
+        for fact in facts
+    ]
+
+
+def _listed(storeys: Sequence[Storey], knowledge: KnowledgeBase) -> _Sizes:
+    """Return the rooms of the building type's own lists, without the hubs of halls."""
+    return [
+        (storey.index, entry.area or knowledge.room(entry.room_type).usual)
+        for storey in storeys
+        for entry in entries_of(storey)
+        if entry.room_type != storey.hub.name
+    ]
+
+
+def _widest(sizes: _Sizes, storeys: Sequence[Storey]) -> tuple[float, float]:
+    """Return the area of the largest room of the ground floor, and of all other storeys."""
+    ground = next((storey.index for storey in storeys if storey.role == "ground"), 1)
+    return (
+        max((area for floor, area in sizes if floor == ground), default=0.0),
+        max((area for floor, area in sizes if floor != ground), default=0.0),
+    )
 
 
 def _asked(decisions: Decisions, storeys: Sequence[Storey], allocation: Allocation, knowledge: KnowledgeBase) -> str:

@@ -5,7 +5,8 @@ from dataclasses import dataclass
 
 import msgspec
 
-from mansion_planner.program.bands import Block, Segment, bring_together, front_order, group_blocks, lay_block, widened
+from mansion_planner.program.bands import Segment, bring_together, front_order
+from mansion_planner.program.blocks import LEAST_FRONT, Block, group_blocks, lay_block, least_sides, widened
 from mansion_planner.program.model import (
     DOOR_WALL,
     Box,
@@ -16,12 +17,13 @@ from mansion_planner.program.model import (
     PlannedRoom,
     Sketch,
     Storey,
+    far_stair,
     joined_pairs,
     short_edges,
 )
 from mansion_planner.program.separation import keep_apart
 
-__all__ = ["sketch_hall"]
+__all__ = ["most_fronts", "sketch_hall"]
 
 _LEAST_HUB = 2.4
 """Metres of the outline's length that stay for the hub and the north side."""
@@ -58,7 +60,7 @@ def sketch_hall(
     """
     best = _arranged(massing, storey, hub_id, pairs, apart, _Arrangement())
     short = len(short_edges(best)) + len(joined_pairs(best, apart))
-    if not short:
+    if not short or far_stair(massing):
         return best
     price = (short, float("inf"))
     for arrangement in _others(len(storey.rooms)):
@@ -67,6 +69,21 @@ def sketch_hall(
         if found < price:
             best, price = sketch, found
     return best
+
+
+_FRONT = 3.0
+"""Metres of a hall's sides for each room that opens to it."""
+
+
+def most_fronts(massing: Massing) -> int:
+    """Return how many rooms well line a hall: along its north side beside the stair, and its far side."""
+    return int((massing.length - _begin(massing) - far_stair(massing) + massing.depth) / _FRONT)
+
+
+def _begin(massing: Massing) -> float:
+    """Return where the north side is free from: beside the first stair."""
+    near = [core.box for core in massing.cores if core.type == "stair" and core.box[0] < 0.5 * massing.length]
+    return max((box[2] for box in near), default=0.0)
 
 
 def _others(rooms: int) -> list[_Arrangement]:
@@ -116,24 +133,13 @@ def _arranged(
     length = massing.length - storey.setback + storey.extension
     depth = massing.depth
     stairs = [core for core in massing.cores if core.type == "stair"]
-    begin = max((core.box[2] for core in stairs), default=0.0)
-    rooms = front_order(storey.rooms)
-    if arrangement.north is None:
-        total = sum(room.gross for room in rooms)
-        band = _band_depth(total, length - begin, depth, [room.gross for room in rooms], stairs)
-        north, east = _split(group_blocks(rooms, band, pairs), band, length - begin)
-    else:
-        chosen = [rooms[n] for n in arrangement.north]
-        rest = [room for n, room in enumerate(rooms) if n not in arrangement.north]
-        band = sum(room.gross for room in chosen) / (length - begin)
-        band = min(max(band, 3.0 if stairs else 2.4), 0.6 * depth)
-        slim = any(room.area / band < 1.5 for room in chosen)
-        north = group_blocks(chosen, band, pairs) if slim else [Block(room) for room in chosen]
-        east = [Block(room) for room in rest]
+    begin, far = _begin(massing), far_stair(massing)
+    north, east, band = _divided(massing, front_order(storey.rooms), length, pairs, arrangement)
     row = [Segment("main", True, 0.0, 1.0, 0.0, band, blocks=tuple(north))]
     for first, second in pairs:
         row = bring_together(row, first, second)
     north = list(keep_apart(row, apart, pairs)[0].blocks)
+    east = _for_column(east, sum(block.gross for block in east) / depth)
     area = sum(block.gross for block in east)
     under = arrangement.under and bool(east)
     if under and north:
@@ -143,7 +149,7 @@ def _arranged(
     # Rooms that ask for more than there is are laid smaller, so that the hub and the north side keep their places.
     widest = max(length - begin - _LEAST_HUB, 1.0)
     column = min(area / depth, widest)
-    end = length if under else length - column
+    end = length - far if far else length if under else length - column
     if north and sum(block.gross for block in north) < 0.97 * (end - begin) * band:
         band = max(sum(block.gross for block in north) / (end - begin), 3.0 if stairs else 0.0)
     lined = Segment("main", True, begin, end, depth - band, band, blocks=tuple(north))
@@ -152,6 +158,52 @@ def _arranged(
     placements = _in_row(lined, massing, hub_id) + _in_column(east, (length - column, reach, column), hub_id)
     hub = Corridor(hub_id, _hub_boxes(massing, begin, length - column, band, lined=bool(north)))
     return Sketch([hub], placements, {core.id: hub_id for core in massing.cores})
+
+
+def _divided(
+    massing: Massing,
+    rooms: Sequence[PlannedRoom],
+    length: float,
+    pairs: list[tuple[str, str]],
+    arrangement: _Arrangement,
+) -> tuple[list[Block], list[Block], float]:
+    """Return the blocks of the north and of the far side of a hall, and the depth of the north side, metres.
+
+    With a stair at either end of the north side all rooms lie between the two.
+    """
+    depth, begin, far = massing.depth, _begin(massing), far_stair(massing)
+    stairs = [core for core in massing.cores if core.type == "stair"]
+    if far:
+        band = sum(room.gross for room in rooms) / (length - far - begin)
+        band = min(max(band, *(depth - core.box[1] for core in stairs)), 0.6 * depth)
+        return group_blocks(rooms, band, pairs), [], band
+    if arrangement.north is None:
+        total = sum(room.gross for room in rooms)
+        band = _band_depth(total, length - begin, depth, [room.gross for room in rooms], stairs)
+        return *_split(group_blocks(rooms, band, pairs), band, length - begin), band
+    chosen = [rooms[n] for n in arrangement.north]
+    rest = [room for n, room in enumerate(rooms) if n not in arrangement.north]
+    band = sum(room.gross for room in chosen) / (length - begin)
+    band = min(max(band, 3.0 if stairs else 2.4), 0.6 * depth)
+    slim = any(room.area / band < 1.5 for room in chosen)
+    north = group_blocks(chosen, band, pairs) if slim else [Block(room) for room in chosen]
+    return north, [Block(room) for room in rest], band
+
+
+def _for_column(east: list[Block], column: float) -> list[Block]:
+    """Return the blocks of the far side, those apart whose small rooms would be too narrow in a column so wide."""
+    found: list[Block] = []
+    for block in east:
+        deep = max((least_sides(room)[1] for room in block.smalls), default=0.0)
+        apart = [block] if column - deep >= LEAST_FRONT else [Block(room) for room in block.fronts()]
+        found += [_turned(each, column) if not each.smalls else each for each in apart]
+    return found
+
+
+def _turned(block: Block, column: float) -> Block:
+    """Return a block of one room, which lies along the column where that is narrower than the room is to be long."""
+    front, depth = least_sides(block.host)
+    return msgspec.structs.replace(block, least=depth) if front <= column < depth else block
 
 
 def _in_column(east: list[Block], place: tuple[float, float, float], hub_id: str) -> list[Placement]:
@@ -171,15 +223,16 @@ def _in_column(east: list[Block], place: tuple[float, float, float], hub_id: str
 
 def _hub_boxes(massing: Massing, begin: float, end: float, band: float, *, lined: bool) -> list[Box]:
     """Return what the rooms leave to the hub, around the cores."""
-    depth = massing.depth
+    depth, far = massing.depth, far_stair(massing)
     stairs = [core.box for core in massing.cores if core.type == "stair"]
     lifts = [core.box for core in massing.cores if core.type == "elevator"]
-    boxes: list[Box] = [(0.0, 0.0, end, depth - band)]
-    floor = min((box[1] for box in stairs), default=depth)
-    if stairs and floor > depth - band:
-        boxes.append((0.0, depth - band, begin, floor))
-    if not lined:
-        boxes[0] = (0.0, 0.0, end, depth - band if stairs else depth)
+    floor, top = min((box[1] for box in stairs), default=depth), depth - band
+    boxes: list[Box] = [(0.0, 0.0, end, top if lined or stairs else depth)]
+    if stairs and floor > top:
+        boxes.append((0.0, top, begin, floor))
+        boxes += [(end - far, top, end, floor)] if far else []
+    elif stairs and floor < top:
+        boxes = [(0.0, 0.0, end, floor), (begin, floor, end - far, top)]
     if lifts:
         edge, top = max(box[2] for box in lifts), max(box[3] for box in lifts)
         x0, _, x1, y1 = boxes[0]

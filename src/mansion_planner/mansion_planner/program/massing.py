@@ -283,7 +283,8 @@ def _bands(wish: MassingWish) -> list[tuple[float, float, float]]:
     if cores.stairs and area >= 150:
         south = min(max(math.sqrt(1.35 * wish.room), 4.0), 8.0)
         depth = min(max(stair + corridor + south, math.sqrt(area / 2.6)), math.sqrt(area / 1.2))
-        return [(stair, corridor, d - stair - corridor) for d in _around(depth, 11, 17)]
+        bands = [(stair, corridor, d - stair - corridor) for d in _around(depth, 11, 17)]
+        return [band for band in bands if band[2] >= _SHALLOWEST] or bands
     if cores.stairs:
         depth = min(max(math.sqrt(area / 1.25), 8.0), 10.5)
         upright = [(stair, corridor, d - stair - corridor) for d in (11, 12, 13)]
@@ -294,6 +295,9 @@ def _bands(wish: MassingWish) -> list[tuple[float, float, float]]:
     depth = min(max(math.sqrt(area / 1.5), 5.0), 16.0)
     return [((d - corridor) / 2, corridor, (d - corridor) / 2) for d in _around(depth, 5, 17)]
 
+
+_SHALLOWEST = 3.0
+"""Least depth of the rooms across the corridor from a public stair, metres."""
 
 _SHALLOW = 2.7
 """Least depth of the rooms across the corridor from a domestic stair that stands upright, metres."""
@@ -385,9 +389,12 @@ def _dimensions(wish: MassingWish, north: float, corridor: float, south: float, 
         length, wings, court = _plan_shape(wish, depth, corridor, least)
     lobby = 0.0
     corner = not any(wing.x0 < 1.0 for wing in wings)
+    if wish.cores.lifts and corner and _is_dead_end(wish, south):
+        # Lifts at the corridor end where it begins, and every core in whole metres.
+        north, south = north + south - math.floor(south + 1e-9), float(math.floor(south + 1e-9))
     if wish.cores.lifts and not hall and corner:
         lobby = max(4.0, 2.0 * wish.cores.lifts) if wish.use.family != "home" else 3.5
-    cores = _cores(wish, float(length), depth, north, south + corridor if not corner else -1.0)
+    cores = _cores(wish, float(length), depth, (north, south), south + corridor if not corner else -1.0)
     entrance = 3.0 if wish.area >= 220 and lobby else 0.0
     if wings and not hall:
         entrance = min(entrance, max(min(wing.x0 for wing in wings) - lobby - 3.0, 0.0))
@@ -433,12 +440,22 @@ def _plan_shape(wish: MassingWish, depth: float, corridor: float, least: int) ->
     return length, wings, float(court)
 
 
-def _cores(wish: MassingWish, length: float, depth: float, north: float, pocket: float) -> tuple[CoreBox, ...]:
+def _cores(
+    wish: MassingWish, length: float, depth: float, bands: tuple[float, float], pocket: float
+) -> tuple[CoreBox, ...]:
     """Place stairs in the upper corners and lifts in the lower one, each against two outer walls.
 
-    Where a wing takes the lower corner, `pocket` is the corridor's upper edge and the lifts stand beside the stair.
+    Where a lobby from there to the corridor would be a longer dead end than the rules of building allow, lifts stand at
+    the corridor. Where a wing takes the lower corner, `pocket` is the corridor's upper edge and the lifts stand beside
+    the stair.
+
+    Parameters
+    ----------
+    bands : (float, float)
+        Depth of the bands above and below the corridor, metres.
     """
     cores: list[CoreBox] = []
+    north, south = bands
     wide, high = wish.cores.stair
     if north < high - 0.01 and not (wish.hall and depth >= high + 10):
         wide, high = high, wide
@@ -454,6 +471,18 @@ def _cores(wish: MassingWish, length: float, depth: float, north: float, pocket:
                 CoreBox(f"elevator_{number + 1}", "elevator", (x0, float(low), x0 + LIFT, float(low + LIFT)), "south")
             )
             continue
-        box = (float(LIFT * number), 0.0, float(LIFT * (number + 1)), float(LIFT))
+        y0 = max(south - LIFT, 0.0) if _is_dead_end(wish, south) else 0.0
+        box = (float(LIFT * number), y0, float(LIFT * (number + 1)), y0 + LIFT)
         cores.append(CoreBox(f"elevator_{number + 1}", "elevator", box, "north"))
     return tuple(cores)
+
+
+_AROUND = 0.7
+"""By how many metres the way from the far corner of a lobby is longer than the lobby is deep."""
+
+
+def _is_dead_end(wish: MassingWish, lobby: float) -> bool:
+    """Whether a lift lobby is so deep, in metres, that it is a longer dead end than where two exits are needed."""
+    norm = load_norms().rules["dead_end"]
+    asked = wish.cores.stairs > 1 and norm.holds_for(wish.use.family) and not wish.hall
+    return asked and lobby + _AROUND > norm.limit(wish.use.name, wish.use.family)

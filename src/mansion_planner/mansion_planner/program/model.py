@@ -27,6 +27,7 @@ __all__ = [
     "Storey",
     "Wing",
     "aliases_of",
+    "behind_lifts",
     "box_area",
     "CoreWish",
     "LIFT",
@@ -370,10 +371,22 @@ def _given(room: PlannedRoom, scale: float) -> float:
 
 
 def lobby_length(massing: Massing, storey: Storey) -> float:
-    """Return the length of the lift lobby on a storey: larger where the building is entered."""
+    """Return the length of the lift lobby on a storey: larger where the building is entered.
+
+    Lifts that stand at the corridor have none above the entrance storey: their own length is returned.
+    """
     if not massing.lobby:
         return 0.0
-    return massing.lobby + (massing.entrance if storey.role in ("ground", "single") else 0.0)
+    if storey.role in ("ground", "single"):
+        return massing.lobby + massing.entrance
+    return behind_lifts(massing)[2] or massing.lobby
+
+
+def behind_lifts(massing: Massing) -> Box:
+    """Return the floor between the lifts at the corridor and the outer wall below; an empty box where there is none."""
+    lifts = [core.box for core in massing.cores if core.type == "elevator" and core.box[3] <= massing.south + 0.01]
+    low = min((box[1] for box in lifts), default=0.0)
+    return (0.0, 0.0, max(box[2] for box in lifts), low) if low > 0.0 else (0.0, 0.0, 0.0, 0.0)
 
 
 def pocket(massing: Massing) -> float:

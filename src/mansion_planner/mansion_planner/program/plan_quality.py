@@ -1,12 +1,14 @@
 """How good the plan of a storey is: proportions and sizes of its rooms, and which lack the window that they want."""
 
-from mansion_planner.program.model import Box, Massing, Placement, Sketch
+from mansion_planner.program.model import Box, Massing, Placement, PlannedRoom, Sketch, box_area
 
 __all__ = [
     "STRIP",
     "aspect",
     "comes_out_as_strips",
     "dark_rooms",
+    "fill",
+    "ragged",
     "shallow_garages",
     "shrunk_rooms",
     "strips",
@@ -33,6 +35,21 @@ def _sides(boxes: list[Box]) -> list[float]:
     wide = max(box[2] for box in boxes) - min(box[0] for box in boxes)
     high = max(box[3] for box in boxes) - min(box[1] for box in boxes)
     return sorted((wide, high))
+
+
+_COMPACT = 0.75
+"""Share of the rectangle around it that a compact room fills."""
+
+
+def fill(boxes: list[Box]) -> float:
+    """Return what share of the rectangle around a room its boxes fill; 1 where it has no floor."""
+    short, long = _sides(boxes)
+    return sum(box_area(box) for box in boxes) / (short * long) if short > 0.01 else 1.0
+
+
+def ragged(sketch: Sketch) -> list[Placement]:
+    """Return the rooms of a sketch that leave much of the rectangle around them to others."""
+    return [placement for placement in sketch.rooms if placement.boxes and fill(placement.boxes) < _COMPACT]
 
 
 def strips(sketch: Sketch) -> list[Placement]:
@@ -63,9 +80,20 @@ _SWOLLEN, _AT_LEAST = 2.0, 10.0
 """By how many times a room exceeds its planned area to count as swollen, and by how many square metres at least."""
 
 
+_SWOLLEN_WET, _AT_LEAST_WET = 1.5, 3.0
+"""The same of a bathroom or toilet of the brief, which nobody wants larger than it need be."""
+
+
 def swollen_rooms(sketch: Sketch) -> list[Placement]:
     """Return the rooms that fill a place far too large for them: a toilet alone in a band."""
-    return [p for p in sketch.rooms if p.boxes and p.area > max(_SWOLLEN * p.room.area, p.room.area + _AT_LEAST)]
+    return [p for p in sketch.rooms if p.boxes and p.area > _most(p.room)]
+
+
+def _most(room: PlannedRoom) -> float:
+    """Return the square metres from which on a room is swollen."""
+    small = room.kind.toilet and room.stated
+    times, more = (_SWOLLEN_WET, _AT_LEAST_WET) if small else (_SWOLLEN, _AT_LEAST)
+    return max(times * room.area, room.area + more)
 
 
 def comes_out_as_strips(sketch: Sketch) -> bool:

@@ -1,7 +1,8 @@
-"""Toilets of the entrance storey as the rules of building ask: for men, for women, and one for wheelchairs."""
+"""Toilets of public buildings as the rules of building ask: for men, for women, and one for wheelchairs."""
 
 import math
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import msgspec
 
@@ -11,10 +12,13 @@ from mansion_planner.program.allocation import Allocation
 from mansion_planner.program.model import PlannedRoom, Storey
 from mansion_planner.program.planned_rooms import planned_room
 
-__all__ = ["TOILETS", "with_public_toilets"]
+__all__ = ["TOILETS", "Served", "served_by", "with_public_toilets"]
 
-_STALL = 5.0
-"""Square metres of a restroom for one water closet or urinal, with its basin and the way to it."""
+_STALL, _BASIN = 5.75, 8.0
+"""Square metres of a restroom for each water closet or urinal, and for each washbasin, with the ways to them."""
+
+_WALLS = 1.6
+"""Square metres that walls take of a restroom."""
 
 _LEAST = 8.0
 """Square metres of a restroom for one sex."""
@@ -22,61 +26,154 @@ _LEAST = 8.0
 _MOST_SHARE = 0.15
 """Of a storey's rooms, what toilets may take beyond those of its own list: a small storey keeps its rooms."""
 
+_TURNING = 10.0
+"""Square metres of a restroom from which a wheelchair turns between its fixtures."""
+
 TOILETS = ("restroom", "toilet", "accessible_toilet")
 """Types of rooms that "the toilets" of a building may be."""
 
 
-def with_public_toilets(
-    storey: Storey, rooms: Sequence[PlannedRoom], allocation: Allocation, knowledge: KnowledgeBase, hub: float
-) -> list[PlannedRoom]:
-    """Return the rooms of a storey; on the entrance storey of a public building with the toilets of the rules.
+@dataclass(frozen=True)
+class Served:
+    """People on some storeys, and the water closets and washbasins that these have for them."""
 
-    Toilets that the brief states or refuses stay as they are.
+    people: float = 0.0
+    closets: int = 0
+    basins: int = 0
+
+    def __add__(self, other: "Served") -> "Served":
+        return Served(self.people + other.people, self.closets + other.closets, self.basins + other.basins)
+
+
+def served_by(storey: Storey, hub: float, knowledge: KnowledgeBase) -> Served:
+    """Return the people of a storey with its rooms and a hub of `hub` square metres, and what its toilets hold."""
+    norms, every = load_norms(), [room for top in storey.rooms for room in top.each()]
+    people = norms.people(storey.hub.name, hub, knowledge)
+    people += sum(norms.people(room.kind.name, room.area, knowledge) for room in every)
+    toilets = [room.area - _WALLS for room in every if room.kind.name in TOILETS]
+    closets, basins = (sum(max(1, int(area / each)) for area in toilets) for each in (_STALL, _BASIN))
+    return Served(people, closets, basins)
+
+
+def with_public_toilets(
+    storey: Storey,
+    rooms: Sequence[PlannedRoom],
+    allocation: Allocation,
+    knowledge: KnowledgeBase,
+    hub: float,
+    others: Served = Served(),
+) -> list[PlannedRoom]:
+    """Return the rooms of a storey of a public building with the toilets of the rules.
+
+    Those of the entrance storey serve whom the other storeys have too few for; an upper storey has toilets only where
+    its own list has. Toilets that the brief states or refuses stay as they are.
 
     Parameters
     ----------
     hub : float
         Square metres of the storey's hub, where it is its main room.
+    others : Served
+        The building's other storeys.
     """
     kept = list(rooms)
     own = [room for room in kept if room.kind.name in TOILETS]
     settled = any(room.stated for room in own) or not all(allocation.adds(name, storey.index) for name in TOILETS)
-    if settled or storey.role not in ("single", "ground"):
+    entrance = storey.role in ("single", "ground")
+    if settled or storey.role == "basement" or not (own or entrance):
         return kept
     before, whole = sum(room.gross for room in own), sum(room.gross for room in kept)
-    choices = _choices(storey, kept, knowledge, hub)
-    most = [_MOST_SHARE * (whole + (hub if number else 0.0)) + before for number in range(len(choices))]
-    wanted = next((rooms for rooms, area in zip(choices, most) if sum(room.gross for room in rooms) <= area), None)
-    if wanted is None:
-        return kept
-    place = kept.index(own[0]) if own else len(kept)
-    others = [room for room in kept if room not in own]
-    return [*others[:place], *wanted, *others[place:]]
+    need = _need_of(storey, kept, knowledge, hub, others if entrance else Served())
+    choices = _choices(need, kept, knowledge, accessible=entrance) if need is not None else []
+    for number, wanted in enumerate(choices):
+        most = _MOST_SHARE * (whole + (hub if number else 0.0)) + before
+        fitting = _within(wanted, most)
+        if fitting:
+            place = kept.index(own[0]) if own else len(kept)
+            rest = [room for room in kept if room not in own]
+            return [*rest[:place], *fitting, *rest[place:]]
+    return kept
+
+
+@dataclass(frozen=True)
+class _Need:
+    """What the toilets of a storey are for: shares of water closets for men and for women, and washbasins.
+
+    Attributes
+    ----------
+    separate : bool
+        Men and women have toilets of their own.
+    one_each : bool
+        One water closet is enough for each.
+    """
+
+    closets: dict[str, float]
+    basins: float
+    separate: bool
+    one_each: bool
+
+
+def _need_of(
+    storey: Storey, rooms: Sequence[PlannedRoom], knowledge: KnowledgeBase, hub: float, others: Served
+) -> _Need | None:
+    """Return what a storey needs for its own people, and of the building's for whom the others have too few."""
+    norms, family, kind = load_norms(), storey.use.family, storey.use.name
+    rule = norms.rules["separate_toilets"]
+    if not rule.holds_for(family):
+        return None
+    here = norms.people(storey.hub.name, hub, knowledge)
+    here += sum(norms.people(room.kind.name, room.area, knowledge) for top in rooms for room in top.each())
+    people = here + others.people
+    limits = {name: norms.rules[f"water_closets_{name}"].limit(kind, family) for name in ("men", "women")}
+    closets = {
+        name: max(math.ceil(people / 2 / limit) - others.closets / 2, here / 2 / limit)
+        for name, limit in limits.items()
+    }
+    basins = people / norms.rules["washbasins"].limit(kind, family) - others.basins
+    one_each = all(people / 2 <= limit for limit in limits.values())
+    return _Need(closets, basins, people > rule.limit(kind, family), one_each)
 
 
 def _choices(
-    storey: Storey, rooms: Sequence[PlannedRoom], knowledge: KnowledgeBase, hub: float
+    need: _Need, rooms: Sequence[PlannedRoom], knowledge: KnowledgeBase, *, accessible: bool
 ) -> list[list[PlannedRoom]]:
-    """Return the toilets for a storey's occupants, the best first, then for small storeys; none where its own do.
+    """Return the toilets that a storey may have, the best first, then for small storeys; none where its own do.
 
     Where one water closet is enough for each sex, two accessible toilets may serve instead of separate restrooms
     (International Plumbing Code 2018, 403.2.1).
     """
-    norms, family, kind = load_norms(), storey.use.family, storey.use.name
-    separate = norms.rules["separate_toilets"]
-    if not separate.holds_for(family):
-        return []
-    restroom, accessible = knowledge.room("restroom"), knowledge.room("accessible_toilet")
-    people = norms.people(storey.hub.name, hub, knowledge)
-    people += sum(norms.people(room.kind.name, room.area, knowledge) for top in rooms for room in top.each())
-    limits = {name: norms.rules[f"water_closets_{name}"].limit(kind, family) for name in ("men", "women")}
-    small = planned_room(accessible, knowledge, area=accessible.least)
-    if people <= separate.limit(kind, family):
-        return [] if any(room.kind.toilet for room in rooms) else [[small]]
-    closets = {name: math.ceil(people / 2 / limit) for name, limit in limits.items()}
+    kind = knowledge.room("accessible_toilet")
+    small = planned_room(kind, knowledge, area=kind.least)
+    if not need.separate:
+        return [[small]] if accessible and not any(_serves_wheelchairs(room) for room in rooms) else []
     toilets = []
-    for name in limits:
-        room = planned_room(restroom, knowledge, area=max(_LEAST, _STALL * closets[name]))
+    for name, closets in need.closets.items():
+        room = planned_room(knowledge.room("restroom"), knowledge, area=_area_for(closets, need.basins / 2))
         toilets.append(msgspec.structs.replace(room, id=f"{name}s_restroom", base=f"{name}s_restroom"))
-    choices = [[*toilets, planned_room(accessible, knowledge)]]
-    return choices if max(closets.values()) > 1 else [*choices, [small, small]]
+    if not accessible:
+        return [toilets]
+    best = [*toilets, planned_room(kind, knowledge)]
+    return [best, [small, small]] if need.one_each else [best]
+
+
+def _within(toilets: list[PlannedRoom], most: float) -> list[PlannedRoom]:
+    """Return toilets of `most` square metres, restrooms no smaller than their least; none where they do not fit."""
+    over = sum(room.gross for room in toilets) - most
+    spare = sum(max(room.area - _LEAST, 0.0) for room in toilets)
+    if over <= 0.0:
+        return toilets
+    if over > spare:
+        return []
+    return [
+        msgspec.structs.replace(room, area=room.area - max(room.area - _LEAST, 0.0) * over / spare) for room in toilets
+    ]
+
+
+def _area_for(closets: float, basins: float) -> float:
+    """Return the square metres of a restroom with so many closets and washbasins; with one of each it is small."""
+    several = [each * math.ceil(number) for each, number in ((_STALL, closets), (_BASIN, basins)) if number > 1]
+    return max([_LEAST, *(area + _WALLS for area in several)])
+
+
+def _serves_wheelchairs(room: PlannedRoom) -> bool:
+    """Whether a wheelchair turns in a toilet; bathrooms of other kinds are left as they are."""
+    return room.kind.toilet and (room.kind.name in ("accessible_toilet", "bathroom") or room.area >= _TURNING)

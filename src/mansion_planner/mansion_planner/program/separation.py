@@ -3,7 +3,8 @@
 import itertools
 from collections.abc import Iterable, Sequence
 
-from mansion_planner.program.bands import Block, Segment, with_rows
+from mansion_planner.program.bands import Segment, with_rows
+from mansion_planner.program.blocks import Block
 
 __all__ = ["keep_apart", "parted"]
 

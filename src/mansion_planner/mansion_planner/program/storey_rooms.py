@@ -12,10 +12,11 @@ from mansion_planner.program.model import PlannedRoom, Storey
 from mansion_planner.program.planned_rooms import planned_room
 from mansion_planner.program.storeys import entries_of
 
-__all__ = ["base_rooms", "fill_storey", "fit_areas", "hub_area", "listed_area", "name_rooms"]
+__all__ = ["MOST_ROOMS", "base_rooms", "fill_storey", "fit_areas", "hub_area", "listed_area", "name_rooms"]
 
 
 MOST_ROOMS = 34
+"""From so many rooms of a storey on, none is added that only fills up."""
 
 
 def base_rooms(storey: Storey, allocation: Allocation, knowledge: KnowledgeBase) -> list[PlannedRoom]:
@@ -48,7 +49,13 @@ def hub_area(storey: Storey, allocation: Allocation) -> float:
 
 
 def fill_storey(
-    storey: Storey, allocation: Allocation, knowledge: KnowledgeBase, capacity: float, *, hub_share: float = 0.0
+    storey: Storey,
+    allocation: Allocation,
+    knowledge: KnowledgeBase,
+    capacity: float,
+    *,
+    hub_share: float = 0.0,
+    most_rooms: int = MOST_ROOMS,
 ) -> list[PlannedRoom]:
     """Choose a storey's rooms: those asked for, then its type's list by priority, then what may repeat.
 
@@ -58,41 +65,62 @@ def fill_storey(
         Area for rooms, square metres.
     hub_share : float
         Area that the hub takes of it, where the hub is the main room.
+    most_rooms : int
+        From so many rooms on, none is added that only fills up.
     """
     rooms = base_rooms(storey, allocation, knowledge)
-    present = {fact.room_type for fact in allocation.wanted[storey.index]}
     budget = capacity - hub_share
     needed = _needed_entries(storey, allocation, knowledge)
     for entry in needed:
         kind = knowledge.room(entry.room_type)
         if sum(room.least for top in rooms for room in top.each()) + kind.least <= _CROWDED * budget:
             rooms.append(allocation.added(entry, knowledge))
+    rooms = _with_listed(storey, allocation, knowledge, rooms, budget, needed=needed, beside_hub=not hub_share)
     used = sum(room.gross for room in rooms)
-    repeats = []
-    for entry in (entry for entry in entries_of(storey) if entry not in needed):
-        kind = knowledge.room(entry.room_type)
-        if entry.repeat:
-            repeats.append(entry)
-        if not allocation.adds(kind.name, storey.index) or kind.name == storey.hub.name:
-            continue
-        count = 0 if entry.repeat else max(entry.count - (kind.name in present), 0)
-        for _ in range(count):
-            room = allocation.added(entry, knowledge)
-            if not hub_share:
-                room = _beside_others(room, budget)
-            small = min(room.gross, room.gross * 0.5 + 0.5 * kind.least)
-            if used + small <= budget * 1.03 or (not rooms and used + kind.least <= budget):
-                rooms.append(room)
-                used += room.gross
-    for entry in repeats:
-        kind = knowledge.room(entry.room_type)
-        while allocation.adds(kind.name, storey.index) and len(rooms) < MOST_ROOMS:
+    for entry in (entry for entry in entries_of(storey) if entry.repeat and entry not in needed):
+        while allocation.adds(entry.room_type, storey.index) and len(rooms) < most_rooms:
             room = allocation.added(entry, knowledge)
             if used + 0.72 * room.gross > budget:
                 break
             rooms.append(room)
             used += room.gross
-    return _topped_up(storey, allocation, knowledge, rooms, budget)
+    return _topped_up(storey, allocation, knowledge, rooms, budget, most_rooms)
+
+
+def _with_listed(
+    storey: Storey,
+    allocation: Allocation,
+    knowledge: KnowledgeBase,
+    rooms: Sequence[PlannedRoom],
+    budget: float,
+    *,
+    needed: Sequence[RoomEntry],
+    beside_hub: bool,
+) -> list[PlannedRoom]:
+    """Return the rooms with those of the storey's list that still fit, each as often as the list says.
+
+    Parameters
+    ----------
+    needed : sequence of RoomEntry
+        Entries of the list that are among the rooms already.
+    beside_hub : bool
+        The hub is a passage, and no room of the list may crowd the others out.
+    """
+    filled = list(rooms)
+    present = {fact.room_type for fact in allocation.wanted[storey.index]}
+    used = sum(room.gross for room in filled)
+    for entry in (entry for entry in entries_of(storey) if entry not in needed):
+        kind = knowledge.room(entry.room_type)
+        if not allocation.adds(kind.name, storey.index) or kind.name == storey.hub.name:
+            continue
+        for _ in range(0 if entry.repeat else max(entry.count - (kind.name in present), 0)):
+            room = allocation.added(entry, knowledge)
+            room = _beside_others(room, budget) if beside_hub else room
+            small = min(room.gross, room.gross * 0.5 + 0.5 * kind.least)
+            if used + small <= budget * 1.03 or (not filled and used + kind.least <= budget):
+                filled.append(room)
+                used += room.gross
+    return filled
 
 
 _MOST_OF_A_STOREY = 0.5
@@ -132,15 +160,22 @@ _CROWDED = 1.25
 
 
 def _topped_up(
-    storey: Storey, allocation: Allocation, knowledge: KnowledgeBase, rooms: Sequence[PlannedRoom], budget: float
+    storey: Storey,
+    allocation: Allocation,
+    knowledge: KnowledgeBase,
+    rooms: Sequence[PlannedRoom],
+    budget: float,
+    most: int,
 ) -> list[PlannedRoom]:
     """Return the rooms, with others of general use where the brief settles the number of those that would fill up."""
     filled = list(rooms)
+    if storey.hub.zone == "service":
+        return filled  # a hall for cars, goods or machines takes what is left
     kinds = [knowledge.room(name) for name in knowledge.groups.filler_of(storey.use.family)]
     kinds = [kind for kind in kinds if allocation.adds(kind.name, storey.index)]
     for kind in kinds * (1 if storey.use.family == "home" else 3):
         used = sum(room.gross for room in filled)
-        if used >= 0.82 * budget or len(filled) >= MOST_ROOMS:
+        if used >= 0.82 * budget or len(filled) >= most:
             break
         if used + 0.8 * kind.usual <= budget:
             filled.append(planned_room(kind, knowledge))

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from mansion_geometry.compiled import Floats, Ints, kernel
+from mansion_geometry.compiled import Bools, Floats, Ints, kernel
 from mansion_planner.solver.grid import AREA, CX, CY, HB, SAME_LINE, VB, Cells, Grid, make_grid
 from mansion_planner.solver.partition import COUNT, LEAST_BORDER, Partition, State, component, neighbour
 from mansion_planner.solver.problem import ACCESS, MIN_WIDTH, SEED_WEIGHT, SEED_X, SEED_Y, TARGET, FloorModel, Goal
@@ -15,6 +15,9 @@ UNCLAIMED = -1
 
 AREA_TOLERANCE = 0.03
 """Share by which a painted room may miss its area."""
+
+SLIVER = 0.001
+"""Share of its area that a painted room may have too much or too little without that another is painted over it."""
 
 Box = tuple[float, float, float, float]
 
@@ -36,14 +39,7 @@ def planned_partition(model: FloorModel, major: tuple[Floats, Floats]) -> Partit
         _with_lines(major[1], [side for box in boxes for side in (box[1], box[3])]),
     )
     labels = _painted(model, grid, boxes)
-    free = grid.base == -1
-    if (labels[free] == -1).any():
-        return None
-    sizes = grid.cells.geometry[..., AREA][: labels.shape[0], : labels.shape[1]]
-    painted = np.array([sizes[free & (labels == k)].sum() for k in range(len(boxes))])
-    if (np.abs(painted - model.targets) > AREA_TOLERANCE * model.targets).any():
-        return None
-    return Partition(grid, labels, 0.0)
+    return Partition(grid, labels, 0.0) if labels is not None else None
 
 
 def _boxes(model: FloorModel) -> list[Box] | None:
@@ -71,18 +67,47 @@ def _with_lines(lines: Floats, extra: list[float]) -> Floats:
     return np.array(kept)
 
 
-def _painted(model: FloorModel, grid: Grid, boxes: list[Box]) -> Ints:
-    labels = grid.base.copy()
-    rows, columns = labels.shape
+def _painted(model: FloorModel, grid: Grid, boxes: list[Box]) -> Ints | None:
+    """Return the labels of cells when boxes are painted over each other; ``None`` where rooms do not get their areas.
+
+    Boxes around rooms that are no rectangles overlap. Those with much floor beside their room's are painted first; a
+    room that gets too little is then painted after the one that took it.
+    """
+    rows, columns = grid.base.shape
     x = grid.cells.geometry[:rows, :columns, CX]
     y = grid.cells.geometry[:rows, :columns, CY]
     area = grid.cells.geometry[:rows, :columns, AREA]
     free = grid.base == -1
     covers = [(x > b[0]) & (x < b[2]) & (y > b[1]) & (y < b[3]) & free for b in boxes]
     slack = [float(area[cover].sum() / model.targets[k]) for k, cover in enumerate(covers)]
-    for k in sorted(range(len(boxes)), key=lambda k: (-slack[k], k)):
-        labels[covers[k]] = k
-    return labels
+    order = sorted(range(len(boxes)), key=lambda k: (-slack[k], k))
+    best, least = grid.base, np.inf
+    for _ in range(2 * len(boxes)):
+        labels = grid.base.copy()
+        for k in order:
+            labels[covers[k]] = k
+        found = np.array([area[free & (labels == k)].sum() for k in range(len(boxes))])
+        surplus = (found - model.targets) / model.targets
+        if (labels[free] >= 0).all() and np.abs(surplus).max() < least:
+            best, least = labels, float(np.abs(surplus).max())
+        swap = _covered_too_much(order, covers, surplus)
+        if swap is None:
+            break
+        order.remove(swap[0])
+        order.insert(order.index(swap[1]) + 1, swap[0])
+    return best if least <= AREA_TOLERANCE else None
+
+
+def _covered_too_much(order: list[int], covers: list[Bools], surplus: Floats) -> tuple[int, int] | None:
+    """Return the room that lacks most of its area, and the one painted over it that has most too much of its own."""
+    for k in sorted(order, key=lambda k: (surplus[k], k)):
+        if surplus[k] >= -SLIVER:
+            return None
+        later = order[order.index(k) + 1 :]
+        over = [j for j in later if surplus[j] > SLIVER and (covers[j] & covers[k]).any()]
+        if over:
+            return k, max(over, key=lambda j: (surplus[j], j))
+    return None
 
 
 @kernel

@@ -115,7 +115,7 @@ def build_structure(request: FurnishRequest, held: HeldAccess | None = None) -> 
     openings = [*open_passages(partition), *kept]
     free = given is None or given.further_doors
     if floor.floor == _GROUND and not any(opening.kind.kind == "entrance" for opening in kept):
-        residential = default_knowledge().groups.is_dwelling(request.building_type)
+        residential = default_knowledge().is_dwelling(request.building_type)
         entrance = place_entrance(floor, usable, root, frontages, partition.nets, residential=residential)
         openings.append(entrance)
         if free and not residential:
