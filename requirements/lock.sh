@@ -5,7 +5,7 @@ set -euo pipefail
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")"
 
 pythons=(3.11 3.12 3.13)
-extras=(cluster docs dxf embeddings lint llm record sim test usd world)
+extras=(cluster convex docs dxf embeddings lint llm record sim test usd world)
 # What the ROS wheels depend on and nothing imports at run time; numpy, pyyaml and setuptools come from the other locks.
 not_of_rclpy=(empy lark-parser numpy pyyaml setuptools ros-wheels-bootstrapper
     ros-ament-cmake-{cppcheck,cpplint,flake8,pep257,uncrustify} ros-fastrtps-cmake-module ros-rmw-implementation-cmake

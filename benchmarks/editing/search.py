@@ -16,7 +16,7 @@ import msgspec
 
 from mansion_assets.catalogue import Asset, Catalogue, load_catalogue
 from mansion_assets.retrieval.configured import configured_retriever
-from mansion_assets.retrieval.embedding import EmbeddingRetriever
+from mansion_assets.retrieval.embedding_retriever import EmbeddingRetriever
 from mansion_assets.retrieval.encoders import FolderEncoder
 from mansion_assets.retrieval.retriever import Retriever, TextRetriever
 from mansion_language import singular

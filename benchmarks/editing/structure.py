@@ -27,7 +27,7 @@ from mansion_bringup.building.files import kept_files
 from mansion_bringup.editor import open_editor
 from mansion_bringup.verify import verify_building
 from mansion_editing.editor import SceneEditor
-from mansion_editing.structure.circulation import is_passage
+from mansion_editing.structure.room_shapes import is_circulation
 from mansion_geometry.shared_walls import edge_array, shared_walls, total_length
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import FloorScene, SceneRoom
@@ -56,7 +56,7 @@ def requests(editors: list[SceneEditor], number: int, generator: random.Random) 
 
 
 def _could_swap(scene: FloorScene, one: SceneRoom, other: SceneRoom) -> bool:
-    return not any(is_passage(room) or room.kind == "main" for room in (one, other))
+    return not any(is_circulation(room) or room.kind == "main" for room in (one, other))
 
 
 def _could_join(scene: FloorScene, one: SceneRoom, other: SceneRoom) -> bool:

@@ -21,7 +21,7 @@ import msgspec
 from mansion_bringup.building.report import building_index
 from mansion_bringup.check import check_floors
 from mansion_bringup.check.norms import Deviation, check_norms
-from mansion_bringup.pipeline.build import distinct_floors, furnish, solve, source_floor
+from mansion_bringup.pipeline.floors import distinct_floors, furnish, solve, source_floor
 from mansion_bringup.pipeline.stages import LocalStages
 from mansion_export.formats import outputs_of_build
 from mansion_msgs_py.building import Building

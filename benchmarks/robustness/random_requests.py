@@ -32,7 +32,8 @@ from mansion_bringup.building.report import building_index
 from mansion_bringup.check import Fault, check_floors
 from mansion_bringup.check.request import check_request
 from mansion_bringup.check.wishes import check_wishes
-from mansion_bringup.pipeline.build import at_stage, build_building, distinct_floors, furnish, solve, source_floor
+from mansion_bringup.pipeline.build import build_building
+from mansion_bringup.pipeline.floors import at_stage, distinct_floors, furnish, solve, source_floor
 from mansion_bringup.pipeline.planning import plan_request
 from mansion_bringup.pipeline.stages import LocalStages
 from mansion_bringup.verify import check_houses, verify_building

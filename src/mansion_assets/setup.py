@@ -34,5 +34,10 @@ setup(
         "pillow>=10.1",
         "trimesh>=4.0",
     ],
-    extras_require={"test": ["pytest"], "embeddings": ["sentence-transformers>=3"], "vectors": ["wordllama>=0.3"]},
+    extras_require={
+        "test": ["pytest"],
+        "convex": ["coacd>=1.0.5"],
+        "embeddings": ["sentence-transformers>=3"],
+        "vectors": ["wordllama>=0.3"],
+    },
 )

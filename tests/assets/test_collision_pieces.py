@@ -5,8 +5,8 @@ import pytest
 
 from mansion_assets.catalogue import Asset, load_catalogue
 from mansion_assets.convex import Box, Convex, Hull, bounding_box, volume_of
+from mansion_assets.mass_properties import mass_properties
 from mansion_assets.meshes import collision_pieces, free_room, mesh
-from mansion_assets.physique import physique
 from mansion_assets.piece_budget import budget_of, simplified
 
 CATALOGUE = load_catalogue()
@@ -96,7 +96,7 @@ def test_a_container_is_hollow(key: str) -> None:
 def test_a_physique_has_its_mass_where_the_pieces_are() -> None:
     low = bounding_box(np.array([-0.5, -0.5, 0.0]), np.array([0.5, 0.5, 0.1]))
     high = Box((0.0, 0.0, 0.95), (0.1, 0.1, 0.1))
-    body = physique([low, high], 10.0)
+    body = mass_properties([low, high], 10.0)
     assert body.mass == 10.0
     assert body.center[2] == pytest.approx((0.1 * 0.05 + 0.001 * 0.95) / 0.101)
     assert np.linalg.eigvalsh(body.inertia).min() > 0.0

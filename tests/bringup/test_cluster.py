@@ -119,7 +119,7 @@ def mansion_version() -> str:
 
 @pytest.mark.parametrize(
     ("version", "folder", "message"),
-    [("0.0", ".", "has Mansion .*, the command 0.0; use one"), (None, "nowhere", "does not see .*nowhere; name")],
+    [("0.0", ".", "has Mansion .*, the command 0.0; use the same"), (None, "nowhere", "does not see .*nowhere; name")],
 )
 def test_a_worker_that_does_not_fit_is_told(tmp_path: Path, version: str | None, folder: str, message: str) -> None:
     assignment = Assignment(WorldFolder(tmp_path / folder), 7, 500.0, build_stand_in, no_faults)

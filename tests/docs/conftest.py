@@ -8,7 +8,8 @@ from pathlib import Path
 
 import pytest
 
-from mansion_bringup.pipeline.build import build_building, solve
+from mansion_bringup.pipeline.build import build_building
+from mansion_bringup.pipeline.floors import solve
 from mansion_bringup.pipeline.stages import LocalStages
 from mansion_bringup.worlds import build_for_world, check_for_world, tasks_for_world
 from mansion_msgs_py.codec import encode_bytes

@@ -5,8 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from mansion_editing.editor import SceneEditor
-from mansion_editing.open_editors import MOST_EDITORS, OpenEditors
+from mansion_editing.editor import MOST_EDITORS, OpenEditors, SceneEditor
 from mansion_msgs_py.errors import ErrorCode, MansionError
 
 EditorFactory = Callable[..., SceneEditor]

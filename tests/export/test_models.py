@@ -15,7 +15,8 @@ from shapely.ops import unary_union
 
 from mansion_assets.catalogue import load_catalogue
 from mansion_assets.materials import art, material_set, set_of, texture_set
-from mansion_export.building_model import asset_surfaces, floor_model, object_parts
+from mansion_export.asset_surfaces import asset_surfaces
+from mansion_export.building_model import floor_model, object_parts
 from mansion_export.glb import building_glb, floor_glb
 from mansion_export.html import view_page
 from mansion_export.mjcf import floor_mjcf
@@ -97,9 +98,9 @@ def test_glb_is_y_up_with_floors_at_their_elevations(building, tmp_path):
     path.write_bytes(building_glb(building, site=False))
     loaded = trimesh.load(path)
     low, high = loaded.bounds
-    assert high[1] == pytest.approx(3.4 + 3.2 + 0.6, abs=0.01)
+    assert high[1] == pytest.approx(3.4 + 3.2 + 0.66, abs=0.01)
     assert low[1] == pytest.approx(-0.2, abs=0.01)
-    assert (low[2], high[2]) == pytest.approx((-10.2, 0.2), abs=0.03), "plan y is -z"
+    assert (low[2], high[2]) == pytest.approx((-10.25, 0.25), abs=0.03), "plan y is -z"
     place = loaded.graph.get("F2/bedroom_1/bed_1")[0][:3, 3]
     assert place == pytest.approx((1.0, 3.7, -9.0))
 

@@ -57,7 +57,7 @@ def test_a_wrong_file_is_refused(tmp_path: Path) -> None:
         load_settings({"MANSION_LLM_CONFIG": str(tmp_path / "none.toml")})
     file = tmp_path / "llm.toml"
     file.write_text(f"api_key = {KEY}")
-    with pytest.raises(MansionError, match="no TOML") as error:
+    with pytest.raises(MansionError, match="not valid TOML") as error:
         load_settings({}, file=file)
     assert KEY not in str(error.value)
     file.write_text('modell = "x"')

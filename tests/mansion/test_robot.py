@@ -37,7 +37,7 @@ def test_arguments_go_by_place_or_by_name(flat: mansion.Building) -> None:
     with pytest.raises(mansion.MansionError, match=r"GoToLandmark.*did you mean landmark") as caught:
         robot.go_to_landmark(landmrk="kitchen")
     assert caught.value.code == "INVALID_PAYLOAD"
-    with pytest.raises(mansion.MansionError, match="2 arguments without a name; it takes degrees"):
+    with pytest.raises(mansion.MansionError, match="2 positional arguments; it takes degrees"):
         robot.rotate(1, 2)
     with pytest.raises(AttributeError, match="no skill 'dance'"):
         robot.dance()

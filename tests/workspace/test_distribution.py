@@ -14,7 +14,21 @@ import pytest
 from mansion_msgs_py import __version__
 
 ROOT = Path(__file__).resolve().parents[2]
-EXTRAS = {"cluster", "dxf", "embeddings", "ifc", "llm", "record", "rerun", "sim", "thor", "usd", "vectors", "world"}
+EXTRAS = {
+    "cluster",
+    "convex",
+    "dxf",
+    "embeddings",
+    "ifc",
+    "llm",
+    "record",
+    "rerun",
+    "sim",
+    "thor",
+    "usd",
+    "vectors",
+    "world",
+}
 PACKAGES = sorted(folder.name for folder in (ROOT / "src").iterdir() if (folder / "package.xml").exists())
 
 

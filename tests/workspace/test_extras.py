@@ -8,8 +8,8 @@ from typing import Any
 import pytest
 
 from mansion_bringup import extras
+from mansion_bringup.cli.run_tests import TEST_EXTRAS, pytest_command, run_tests, test_environment
 from mansion_bringup.extras import EXTRAS, ensure_extra, require_extra
-from mansion_bringup.testing import TEST_EXTRAS, pytest_command, run_tests, test_environment
 from mansion_msgs_py.errors import ErrorCode, MansionError
 
 test_environment.__test__ = False  # type: ignore[attr-defined]
@@ -107,7 +107,8 @@ def test_a_required_extra_is_never_installed_and_the_error_says_how(
 
 def test_an_unknown_extra_is_refused_with_the_list() -> None:
     with pytest.raises(
-        MansionError, match="cluster, docs, dxf, embeddings, ifc, lint, llm, record, rerun, sim, test, thor, usd"
+        MansionError,
+        match="cluster, convex, docs, dxf, embeddings, ifc, lint, llm, record, rerun, sim, test, thor, usd",
     ):
         ensure_extra("gpu")
 
@@ -136,7 +137,7 @@ def test_the_suite_installs_its_tools_and_returns_pytests_exit_status(
         ran.append({"command": command, **options})
         return subprocess.CompletedProcess(command, 5)
 
-    monkeypatch.setattr("mansion_bringup.testing.ensure_extra", asked.append)
+    monkeypatch.setattr("mansion_bringup.cli.run_tests.ensure_extra", asked.append)
     monkeypatch.setattr(subprocess, "run", run)
     assert run_tests(["-x"]) == 5
     assert asked == list(TEST_EXTRAS)

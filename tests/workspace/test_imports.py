@@ -112,6 +112,7 @@ def test_what_is_declared_is_locked(root: Path, packages: list[Path]) -> None:
         "dxf",
         "ifc",
         "cluster",
+        "convex",
         "test",
         "vectors",
         "world",

@@ -10,7 +10,7 @@ import pytest
 
 STARTER = """
 import subprocess, sys
-from mansion_bringup.testing import pytest_command
+from mansion_bringup.cli.run_tests import pytest_command
 folder = sys.argv[1]
 command = pytest_command(["--no-cov", "-p", "no:cacheprovider", "--rootdir", folder, folder])
 subprocess.run(command, cwd=folder)

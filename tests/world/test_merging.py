@@ -13,8 +13,8 @@ from typer.testing import CliRunner
 from mansion_bringup.cli.app import app
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.request import BuildRequest
+from mansion_world.building_measures import split_of
 from mansion_world.making import make_world
-from mansion_world.measures import split_of
 from mansion_world.merging import merge_worlds
 from mansion_world.mixture import load_mixture
 from mansion_world.requests import Sampled

@@ -12,7 +12,7 @@ from typer.testing import CliRunner
 
 from mansion_bringup.cli.app import app
 from mansion_msgs_py.errors import MansionError
-from mansion_world.measures import folder_digest
+from mansion_world.building_measures import folder_digest
 from mansion_world.packing import pack_world, unpack_building
 from mansion_world.world_folder import WorldFolder
 
@@ -90,7 +90,7 @@ def test_the_command_writes_card_and_manifest(small_world: Path, tmp_path: Path)
 def test_a_damaged_building_leaves_no_folder(small_world: Path, tmp_path: Path) -> None:
     world = WorldFolder(shutil.copytree(small_world, tmp_path / "world"))
     (world.building(1) / "tasks.json").write_text("{}")
-    with pytest.raises(MansionError, match="is not as it was written"):
+    with pytest.raises(MansionError, match="has changed since it was written"):
         pack_world(world, tmp_path / "shards", shard_bytes=BIG)
     assert sorted(path.name for path in tmp_path.iterdir()) == ["world"]
 

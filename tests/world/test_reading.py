@@ -11,7 +11,7 @@ from typer.testing import CliRunner
 import mansion
 from mansion_bringup.cli.app import app
 from mansion_bringup.worlds import check_for_world, redo_tasks
-from mansion_world.measures import difficulty_of
+from mansion_world.building_measures import difficulty_of
 from mansion_world.mixture import load_mixture
 from mansion_world.records import RoomRow
 from mansion_world.sampling import sample
@@ -37,7 +37,8 @@ def test_buildings_are_those_of_their_requests(small_world: Path, flats_mix: Pat
         building = entry.open()
         assert building.description == asked.request.description == entry.row.description
         assert len(building.rooms) == entry.row.rooms and len(building.objects) == entry.row.objects
-        assert entry.row.difficulty == difficulty_of(entry.row.floors, entry.row.rooms, entry.row.objects)
+        row = entry.row
+        assert row.difficulty == difficulty_of(row.floors, row.rooms, row.objects, row.task_metres)
 
 
 def test_a_world_is_filtered_lazily(small_world: Path) -> None:

@@ -8,7 +8,7 @@ import pytest
 from mansion_msgs_py.errors import MansionError
 from mansion_world.mixture import MOST_FLOOR_AREA, load_mixture, load_sentences
 from mansion_world.sampling import sample
-from mansion_world.wording import fill_wording
+from mansion_world.sentence_templates import fill_wording
 
 MIX = load_mixture()
 REQUESTS = [sample(index, 7, MIX) for index in range(1000)]

@@ -111,7 +111,7 @@ def _without_first(tasks: TaskSet) -> TaskSet:
 
 def _accept_files(world: WorldFolder, index: int) -> None:
     """Write the hash of a building's files as they are now into its record."""
-    from mansion_world.measures import folder_digest
+    from mansion_world.building_measures import folder_digest
 
     record = world.record(index)
     assert record is not None

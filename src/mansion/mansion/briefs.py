@@ -1,4 +1,4 @@
-"""Briefs and options of a call as requests for buildings."""
+"""Requests for buildings from a brief and the options of a call."""
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path

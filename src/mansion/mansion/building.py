@@ -32,7 +32,6 @@ if TYPE_CHECKING:
     from mansion.robot import Robot
     from mansion.viewpoints import Part, Viewpoints
     from mansion_bringup.check import Fault
-
 __all__ = ["Building"]
 
 
@@ -62,7 +61,7 @@ class Building(Closing):
         self.reload()
 
     def reload(self) -> None:
-        """Read the folder anew, after someone else has edited it."""
+        """Read the folder again, after someone else has edited it."""
         reader = BuildingFolder(self.folder)
         self._index: Index = reader.building
         self._scenes: tuple[FloorScene, ...] = tuple(reader.scenes())
@@ -101,7 +100,7 @@ class Building(Closing):
 
     @property
     def area(self) -> float:
-        """Of all rooms, square metres."""
+        """Total area of the rooms, square metres."""
         return sum(floor.area for floor in self.floors)
 
     @cached_property
@@ -136,9 +135,7 @@ class Building(Closing):
         >>> nx.is_connected(b.graph())
         True
         """
-        from mansion.connections import room_graph
-
-        return room_graph(self._scenes)
+        return _room_graph(self._scenes)
 
     def plan(self, floor: int | str = 1) -> FloorPlan:
         """Return the plan of a floor, by number or label.
@@ -344,7 +341,7 @@ class Building(Closing):
         session : str
             Which robot; the default one when empty.
         reset : bool
-            Begin anew: everything back where it was built, the robot at its start.
+            Start over: everything back where it was built, the robot at its start.
 
         Raises
         ------
@@ -466,3 +463,29 @@ def _kind(kind: TaskKind | str) -> TaskKind:
 
 def _forget(home: Home) -> None:
     """Let go of a home; holding it until now is what this is for."""
+
+
+def _room_graph(scenes: Sequence[FloorScene]) -> "nx.Graph[str]":
+    """Return the graph of `Building.graph`."""
+    import networkx as nx
+
+    graph: nx.Graph[str] = nx.Graph()
+    for scene in scenes:
+        cores = {core.id for core in scene.cores}
+        for room in scene.rooms:
+            if room.kind not in ("stair", "elevator"):
+                graph.add_node(room.id, kind=room.kind, type=room.room_type, floor=scene.floor, area=room.area)
+        for core in scene.cores:
+            graph.add_node(core.id, kind=core.type, type=core.type, floor=None, area=None)
+        for door in scene.doors:
+            one, other = (_node(name, cores) for name in door.rooms)
+            if one and other:
+                graph.add_edge(one, other, door=door.id, kind=door.kind, width=door.width)
+    return graph
+
+
+def _node(room: str | None, cores: set[str]) -> str:
+    """Return the node of what a door joins; a core is one node on all floors, the outside is none."""
+    name = room or ""
+    last = name.rpartition("/")[2]
+    return last if last in cores else name

@@ -27,7 +27,7 @@ from mansion_msgs_py.stages import BuildJob, BuildReply
 if TYPE_CHECKING:
     from mansion.robot import RobotPort
     from mansion_bringup.client import MansionClient
-    from mansion_bringup.graph.camera_images import CameraImages
+    from mansion_bringup.graph.robot_client import CameraImages
     from mansion_skills.skills.declaration import Skill
 
 __all__ = ["Graph", "connect"]
@@ -173,7 +173,7 @@ class _OverGraph:
         if physics is not None:
             raise MansionError(
                 ErrorCode.INVALID_PAYLOAD,
-                "in a graph the parameter `physics` of the node scene_editor says what settles objects; leave it out",
+                "in a graph the engine is set by the parameter `physics` of the node scene_editor; leave it out here",
                 path="$.physics",
             )
         asked = InstructArgs(instruction=instruction, planner=planner, editor=self._editor())
@@ -212,13 +212,13 @@ class _GraphPort:
 
     def run(self, skill: "Skill", arguments: Mapping[str, Any]) -> Any:
         """See `RobotPort.run`."""
-        from mansion_bringup.graph.skill_calls import call_skill
+        from mansion_bringup.graph.robot_client import call_skill
 
         return call_skill(self._client, skill, self._session, arguments)
 
     def look(self, width: int | None, height: int | None, fov: float | None) -> npt.NDArray[np.uint8]:
         """See `RobotPort.look`."""
-        from mansion_bringup.graph.camera_images import CameraImages
+        from mansion_bringup.graph.robot_client import CameraImages
 
         if (width, height, fov) != (None, None, None):
             raise MansionError(

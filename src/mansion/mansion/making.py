@@ -42,8 +42,8 @@ def build(
     description : str or BuildRequest
         The brief: English, or any language with the planner ``llm``. A request brings its own options.
     folder : path, optional
-        Where it is kept; appears whole or not at all, and an interrupted build goes on where it was. A temporary one,
-        which lives as long as the building, when absent.
+        Where it is kept; appears whole or not at all, and an interrupted build continues where it stopped. By default
+        a temporary one, which lives as long as the building.
     floors : int, optional
         Number of floors; read from the description when absent.
     area, floor_area : float, optional

@@ -169,9 +169,9 @@ class Floor:
     label : str
         What a lift's button says.
     elevation, height : float
-        Of the finished floor above the ground, and from floor to floor; metres.
+        Height of the finished floor above the ground, and height from floor to floor; metres.
     area : float
-        Of all rooms, square metres.
+        Total area of the rooms, square metres.
     outline : tuple of (x, y)
         Inner face of the outer wall; metres.
     cores : tuple of str

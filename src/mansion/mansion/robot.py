@@ -1,4 +1,4 @@
-"""A robot in a building: every skill that is declared is a method, in this process or over a node graph."""
+"""A robot in a building: every declared skill is a method, run in this process or over a node graph."""
 
 import inspect
 from collections.abc import Callable, Mapping
@@ -90,7 +90,7 @@ class Robot:
         Returns
         -------
         SkillResult
-            Of the last skill that was run: of the one that failed, where one did.
+            Result of the last skill that was run, or of the one that failed.
         """
         route = self.plan_route(target)
         if isinstance(route, SkillResult):
@@ -139,9 +139,7 @@ def _method(skill: Skill, port: RobotPort) -> Callable[..., Any]:
     def call(*given: Any, **named: Any) -> Any:
         if len(given) > len(names):
             takes = f"it takes {', '.join(names)}" if names else "it takes none"
-            raise MansionError(
-                ErrorCode.INVALID_PAYLOAD, f"{skill.name}: {len(given)} arguments without a name; {takes}"
-            )
+            raise MansionError(ErrorCode.INVALID_PAYLOAD, f"{skill.name}: {len(given)} positional arguments; {takes}")
         return port.run(skill, {**dict(zip(names, given)), **named})
 
     arguments = [f"{name} : {entry.description}" for name, entry in skill.parameters.items()]

@@ -1,9 +1,9 @@
-"""Parts of a building together: iterate over them, filter them, find them by words, take one by its id."""
+"""Selections of a building's parts: iterate over them, filter them, find them by words, take one by its id."""
 
 import dataclasses
 import html
-from collections.abc import Callable, Collection, Iterable, Iterator
-from typing import Any, ClassVar, Generic, Self, TypeVar, overload
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
+from typing import Any, ClassVar, Final, Generic, Self, TypeVar, overload
 
 import msgspec
 
@@ -213,9 +213,7 @@ class Objects(Selection[Object]):
         >>> b.objects.find("grand piano")
         <0 objects>
         """
-        from mansion.finding import objects_fitting
-
-        return Objects(objects_fitting(self._parts, words))
+        return Objects(_objects_fitting(self._parts, words))
 
 
 class Rooms(Selection[Room]):
@@ -247,9 +245,7 @@ class Rooms(Selection[Room]):
         >>> b.rooms.find("the bathroom").ids
         ('F1/bathroom',)
         """
-        from mansion.finding import rooms_fitting
-
-        return Rooms(rooms_fitting(self._parts, words))
+        return Rooms(_rooms_fitting(self._parts, words))
 
 
 class Floors(Selection[Floor]):
@@ -354,3 +350,55 @@ class Wishes(Selection[Wish]):
 
     def __repr__(self) -> str:
         return f"<{self.summary}>"
+
+
+_NEAR: Final = 0.6
+"""Share of the best score of the whole catalogue from which a kind of object is what the words describe."""
+
+_PART: Final = 1
+"""The rank of what has the words as another part of its name, ``Vocabulary.rank``."""
+
+
+def _objects_fitting(objects: Sequence[Object], words: str) -> list[Object]:
+    """Return the objects that words name or describe, the best fits first."""
+    from mansion_assets.catalogue import load_catalogue
+    from mansion_assets.catalogue.search import word_scores
+    from mansion_assets.catalogue.vocabulary import vocabulary_of
+
+    catalogue = load_catalogue()
+    vocabulary = vocabulary_of(catalogue)
+    of_colour = [item for item in objects if _has_colours(item, words)]
+    ranks = {item.id: vocabulary.rank(item.record, words) for item in of_colour}
+    least = _PART + 1 if any(rank > _PART for rank in ranks.values()) else _PART
+    scores = word_scores(catalogue, words)
+    bound = max(_NEAR * max(scores.values(), default=0.0), 1e-9)
+    fits = [item for item in of_colour if ranks[item.id] >= least or scores.get(item.category, 0.0) >= bound]
+    return sorted(fits, key=lambda item: (-ranks[item.id], -scores.get(item.category, 0.0)))
+
+
+def _has_colours(item: Object, words: str) -> bool:
+    """Whether an object is of the colour that stands beside other words; a colour alone may be a thing (an orange)."""
+    from mansion_assets.catalogue import load_catalogue
+    from mansion_assets.catalogue.vocabulary import stems, vocabulary_of
+    from mansion_language.colours import COLOUR_WORDS, colour_of
+
+    asked = stems(words)
+    colours = {COLOUR_WORDS[word] for word in asked if word in COLOUR_WORDS}
+    if not colours or all(word in COLOUR_WORDS for word in asked):
+        return True
+    if vocabulary_of(load_catalogue()).exact(asked):
+        return True
+    return colours == {colour_of(item.material)}
+
+
+def _rooms_fitting(rooms: Sequence[Room], words: str) -> list[Room]:
+    """Return all rooms that words name, in the building's order."""
+    from mansion_assets.catalogue import load_catalogue
+    from mansion_editing.state import SceneState
+    from mansion_editing.tools.perception import find_rooms
+
+    scenes = list({room.floor: room.scene for room in rooms}.values())
+    if not scenes:
+        return []
+    found = {room.id for _, room in find_rooms(SceneState(scenes, load_catalogue()), words, every=True)}
+    return [room for room in rooms if room.id in found]

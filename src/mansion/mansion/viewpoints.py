@@ -1,4 +1,4 @@
-"""Pictures of a building as it is built, from its rooms: no session is read, and nothing is moved."""
+"""Pictures from the rooms of a building as it was built, apart from any robot's session."""
 
 import weakref
 from pathlib import Path
@@ -40,7 +40,7 @@ class Viewpoints(Closing):
     Parameters
     ----------
     folder : Path
-        Of the building.
+        The building's folder.
     width, height : int
         Pixels.
     fov : float

@@ -11,7 +11,7 @@ from mansion.building import Building
 from mansion.making import load
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.request import BuildRequest
-from mansion_world.lists import BriefList, NamedRequest, Result
+from mansion_world.brief_list import BriefList, NamedRequest, Result
 from mansion_world.records import SPLITS, BuildingRow, Difficulty
 from mansion_world.world_folder import WorldFolder
 
@@ -30,7 +30,7 @@ class WorldBuilding:
     Attributes
     ----------
     row : BuildingRow
-        What the manifest says of it: description, kind, split, difficulty, floors, rooms, objects, ...
+        Its row in the manifest: description, kind, split, difficulty, floors, rooms, objects, ...
     folder : Path
     """
 
@@ -168,7 +168,7 @@ def build_all(briefs: str | Path | Sequence[str | BuildRequest], folder: str | P
         ``INVALID_PAYLOAD`` naming the lines of a file that are no briefs, ``CONFLICT`` for a folder that holds
         something else.
     """
-    from mansion_bringup.lists import build_list
+    from mansion_bringup.build_list import build_list
     from mansion_bringup.plan_files import plan_from_file
     from mansion_bringup.worlds import world_workers
     from mansion_world.brief_files import read_briefs

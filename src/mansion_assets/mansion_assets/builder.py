@@ -207,7 +207,7 @@ class Builder:
         *,
         solid: bool = True,
     ) -> None:
-        """Add an axis-aligned box; a thin one that is no solid is lifted off the face of the asset that it lies in."""
+        """Add an axis-aligned box; a thin one that is not solid is lifted off the face of the asset that it lies in."""
         if not solid:
             x, y, z = (self._lifted(x, self.w / 2), self._lifted(y, self.d / 2), self._lifted(z, self.h))
         self.raw(*box_solid(x, y, z), material, part, solid=solid)

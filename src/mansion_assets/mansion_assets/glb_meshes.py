@@ -1,4 +1,4 @@
-"""Meshes of assets that are GLB files: their parts, how they look, and what of them collides."""
+"""Meshes of assets that are GLB files: their parts, looks and collision pieces."""
 
 import math
 from functools import lru_cache

@@ -1,4 +1,4 @@
-"""Fewer collision pieces: what lies within another goes, what hardly adds room when joined is joined."""
+"""Reduce collision pieces: drop those that lie inside others, join those whose union adds little volume."""
 
 import math
 from collections.abc import Sequence
@@ -41,7 +41,7 @@ def simplified(bodies: Sequence[Convex], size: Size3, free: Sequence[Box] = ()) 
     ----------
     bodies : sequence of Box or Hull
     size : (w, d, h)
-        Of the asset, which its budget follows from.
+        Size of the asset, from which its budget follows.
     free : sequence of Box
         Room for objects, that no joined piece may take.
 

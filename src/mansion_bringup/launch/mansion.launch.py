@@ -76,13 +76,13 @@ def _rviz(simulated):
     )
 
 
-def generate_launch_description():
-    """Declare the arguments and start every node."""
+def _switch(name, description):
+    return DeclareLaunchArgument(name, default_value="false", choices=SWITCH, description=description)
 
-    def switch(name, description):
-        return DeclareLaunchArgument(name, default_value="false", choices=SWITCH, description=description)
 
-    arguments = [
+def _arguments():
+    """Declare what the launch file takes for all nodes."""
+    return [
         DeclareLaunchArgument("namespace", default_value="/mansion", description="of all nodes"),
         DeclareLaunchArgument(
             "log_level",
@@ -104,18 +104,22 @@ def generate_launch_description():
             description="folders below which services may write, beside the working folder and the temporary one: "
             "DIR, or DIR:DIR",
         ),
-        switch("use_sim_time", "take the time from /clock, in all nodes"),
-        switch("publish_clock", "have skill_server publish the world's clock on /clock"),
+        _switch("use_sim_time", "take the time from /clock, in all nodes"),
+        _switch("publish_clock", "have skill_server publish the world's clock on /clock"),
         DeclareLaunchArgument(
             "lend_client",
             default_value="true",
             choices=SWITCH,
             description="have building_director take the calls of `mansion call`, by a socket that is its user's alone",
         ),
-        switch("respawn", "start a node again that has ended, after 2 s"),
-        switch("rviz", "show map, frames, scan and markers in RViz (of the namespace /mansion)"),
+        _switch("respawn", "start a node again that has ended, after 2 s"),
+        _switch("rviz", "show map, frames, scan and markers in RViz (of the namespace /mansion)"),
     ]
-    arguments += [
+
+
+def generate_launch_description():
+    """Declare the arguments and start every node."""
+    parameter_files = [
         DeclareLaunchArgument(
             f"{entry.executable}_params",
             default_value="",
@@ -123,4 +127,4 @@ def generate_launch_description():
         )
         for entry in GRAPH_NODES
     ]
-    return LaunchDescription([*arguments, OpaqueFunction(function=_nodes)])
+    return LaunchDescription([*_arguments(), *parameter_files, OpaqueFunction(function=_nodes)])

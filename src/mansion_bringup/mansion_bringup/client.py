@@ -299,7 +299,7 @@ class MansionClient(Closing):
         Parameters
         ----------
         qos : Qos, optional
-            Of the interface table when the topic is in it, else reliable and volatile.
+            By default that of the interface table if the topic is in it, else reliable and volatile.
         """
         return self.subscribe(String, name, lambda message: handler(message.data), qos)
 
@@ -311,9 +311,9 @@ class MansionClient(Closing):
         Parameters
         ----------
         kind : type
-            Of the messages.
+            Type of the messages.
         qos : Qos, optional
-            Of the interface table when the topic is in it, else reliable and volatile.
+            By default that of the interface table if the topic is in it, else reliable and volatile.
         """
         if qos is None:
             known = {entry.name: entry.qos for entry in interfaces.TOPICS}
@@ -332,7 +332,7 @@ class MansionClient(Closing):
 def _lost(client: Client) -> MansionError:
     return MansionError(
         ErrorCode.UNAVAILABLE,
-        f"the node that serves {client.service_name} went away during the call; whether it was done is not known",
+        f"the node that serves {client.service_name} disappeared during the call; it may or may not have been done",
         details={"service": client.service_name},
     )
 

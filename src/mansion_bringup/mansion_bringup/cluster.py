@@ -40,7 +40,7 @@ class Cluster:
     Parameters
     ----------
     address : str
-        Of the scheduler, such as ``tcp://127.0.0.1:8786``.
+        Address of the scheduler, such as ``tcp://127.0.0.1:8786``.
     most : int
         Attempts in work at once; 0: as many as the workers have threads.
     say : callable
@@ -159,7 +159,8 @@ def attempt_on_worker(version: str, assignment: Assignment, request: WorldReques
     where = socket.gethostname()
     if version != __version__:
         raise MansionError(
-            ErrorCode.CONFLICT, f"the worker on {where} has Mansion {__version__}, the command {version}; use one"
+            ErrorCode.CONFLICT,
+            f"the worker on {where} has Mansion {__version__}, the command {version}; use the same version",
         )
     if not assignment.world.path.is_dir():
         raise MansionError(

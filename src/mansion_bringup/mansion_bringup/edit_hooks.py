@@ -10,8 +10,8 @@ from typing import TypeVar
 import msgspec
 
 from mansion_assets.library.building_assets import assets_of
-from mansion_bringup.building.assets import asset_uses, assets_in
 from mansion_bringup.building.files import kept_files
+from mansion_bringup.building.own_assets import asset_uses, assets_in
 from mansion_bringup.building.receipt import receipt
 from mansion_bringup.check.cores import check_cores
 from mansion_bringup.check.fault import Fault
@@ -39,7 +39,7 @@ def new_faults(before: Mapping[int, FloorScene], after: Mapping[int, FloorScene]
 
     Notes
     -----
-    Most edits change objects and what is said of rooms alone, so that only names, poses and reach can go wrong. Faults
+    Most edits change only objects and descriptions of rooms, so that only names, poses and reach can go wrong. Faults
     of names and poses concern one object, an object and what carries it, or two objects that meet: only those that
     changed and those around them are judged. Reach is judged for the whole building, and only when something that
     stands on a floor or hangs on a wall changed. A floor that is new or has other walls, openings or cores is judged
@@ -69,7 +69,7 @@ def new_faults(before: Mapping[int, FloorScene], after: Mapping[int, FloorScene]
 
 
 def _structure(scene: FloorScene) -> tuple[object, ...]:
-    """Return what a floor is built of, without what is said of its rooms and without materials."""
+    """Return what a floor is built of, without the descriptions of its rooms and without materials."""
     rooms = [(r.id, r.kind, r.polygon, r.holes, r.net_polygon, r.net_holes, r.ceiling_height) for r in scene.rooms]
     walls = [(w.id, w.segment, w.thickness, w.height, w.exterior, w.left, w.right) for w in scene.walls]
     shell = (scene.outline, scene.holes, scene.elevation, scene.height)
@@ -138,7 +138,7 @@ def records(folder: Path, scenes: Mapping[int, FloorScene]) -> dict[str, bytes]:
     Parameters
     ----------
     folder : Path
-        Of the building.
+        The building's folder.
     scenes : mapping of int to FloorScene
         All floors as they are now.
 

@@ -58,7 +58,7 @@ def _now() -> str:
 
 
 def write_derived(editor: SceneEditor) -> list[int]:
-    """Write anew what the folder has that is made from the floors that changed, and return these floors."""
+    """Rewrite the files of the folder that are made from the floors that changed, and return these floors."""
     try:
         return editor.store.refresh(kept_files)
     except OSError as error:

@@ -22,6 +22,7 @@ __all__ = ["EXTRAS", "ensure_extra", "main", "require_extra"]
 
 EXTRAS: Final[dict[str, tuple[str, ...]]] = {
     "cluster": ("distributed",),
+    "convex": ("coacd",),
     "docs": ("material", "mkdocs", "mkdocstrings"),
     "dxf": ("ezdxf",),
     "embeddings": ("sentence_transformers",),
@@ -101,7 +102,7 @@ def require_extra(name: str) -> None:
 
 
 _OPTIONS: Final = {"rerun": "--no-deps "}
-"""Of pip: rerun-sdk asks for a newer NumPy than ROS 2 Jazzy has (docs/install.md names what else it needs)."""
+"""Options of pip: rerun-sdk asks for a newer NumPy than ROS 2 Jazzy has (docs/install.md names what else it needs)."""
 
 
 def _command(name: str) -> str:

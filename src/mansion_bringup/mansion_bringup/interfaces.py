@@ -116,7 +116,7 @@ def page(name: str, text: str) -> str:
 
 
 def main(docs: Path) -> None:
-    """Write the parts of the pages anew."""
+    """Rewrite the generated parts of the pages."""
     for name in PAGES:
         file = docs / name
         file.write_text(page(name, file.read_text()))

@@ -43,10 +43,10 @@ def check_house_files(folder: Path, building: Building, scenes: Sequence[FloorSc
         except OSError:
             continue
         except (ValueError, RecursionError) as error:
-            yield Fault("HOUSE", name, f"is no JSON: {error}")
+            yield Fault("HOUSE", name, f"is not JSON: {error}")
             continue
         if not isinstance(house, dict):
-            yield Fault("HOUSE", name, "is no JSON object")
+            yield Fault("HOUSE", name, "is not a JSON object")
             continue
         yield from check_houses(name, house)
 

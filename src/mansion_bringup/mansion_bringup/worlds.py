@@ -1,4 +1,4 @@
-"""What a world needs of the others: a request built, a folder checked, its tasks made, and processes that do it."""
+"""What a world needs of other packages: buildings built and checked, tasks made and tried, and worker processes."""
 
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Executor
@@ -12,12 +12,13 @@ from mansion_msgs_py.building_folder import TASKS
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.task import Task, read_task_set
-from mansion_world.records import DoneTask, MadeTasks
+from mansion_world.records import DoneTask, MadeTasks, Trial
 
 if TYPE_CHECKING:
+    from mansion_tasks.episodes.results import BenchResult
     from mansion_tasks.tasks.sandbox import Sandbox
 
-__all__ = ["build_for_world", "check_for_world", "redo_tasks", "tasks_for_world", "world_workers"]
+__all__ = ["build_for_world", "check_for_world", "redo_tasks", "tasks_for_world", "trials_of", "world_workers"]
 
 
 def build_for_world(request: BuildRequest, folder: Path, *, formats: Sequence[str] = ()) -> None:
@@ -71,6 +72,23 @@ def _run_plan(task: Task, sandbox: "Sandbox") -> DoneTask:
 
     score = replay(task, task.oracle, sandbox)
     return DoneTask(task=task, success=score.success, metres=sandbox.robot.driven, seconds=sandbox.world.time)
+
+
+def trials_of(result: "BenchResult") -> list[Trial]:
+    """Return the episodes of a bench as trials of a world."""
+    return [
+        Trial(
+            building=row.building,
+            task=row.task,
+            agent=row.agent,
+            success=row.success,
+            retrieval=row.retrieval,
+            navigation=row.navigation,
+            steps=row.steps,
+            seconds=row.time,
+        )
+        for row in result.episodes
+    ]
 
 
 def world_workers(jobs: int) -> Callable[[], AbstractContextManager[Executor]]:

@@ -45,7 +45,7 @@ class Documents:
     Parameters
     ----------
     folder : Path
-        Of the building.
+        The building's folder.
     allowed : AllowedFolders
         Where copies may be kept.
     """
@@ -56,7 +56,7 @@ class Documents:
         self._copies = folder / COPIES
 
     def present(self, path: str) -> bytes | None:
-        """Return what a document holds on disk; ``None`` where it is not there."""
+        """Return what a document holds on disk; ``None`` if it does not exist."""
         file = self._folder / path
         return file.read_bytes() if file.is_file() else None
 
@@ -131,13 +131,13 @@ class Documents:
         if not parts or path.startswith("/") or ".." in parts or parts[0] in ("edits", "state"):
             raise MansionError(
                 ErrorCode.INVALID_PAYLOAD,
-                f"{path[:200]!r} is no document of a building; name a file below the building's folder",
+                f"{path[:200]!r} is not a document of a building; name a file below the building's folder",
                 path="$.documents",
             )
 
 
 def _content(path: str, data: bytes) -> Any:
-    """Return what a document says of itself, without what is derived from others each time that an edit lands."""
+    """Return the content of a document, without what is derived from others each time an edit lands."""
     if is_scene(path):
         return {**_object(data), "revision": 0}
     if path == INDEX:

@@ -1,4 +1,4 @@
-"""The editor of one building: tools by name, edits that wait or land at once, undo and redo."""
+"""The editor of a building: tools by name, edits that wait or land at once, undo and redo; all editors of a process."""
 
 from collections.abc import Callable, Mapping, Sequence, Set
 from dataclasses import dataclass
@@ -9,7 +9,6 @@ import msgspec
 from mansion_assets.catalogue import Catalogue
 from mansion_assets.library.building_assets import asset_files, own_assets
 from mansion_assets.retrieval.retriever import Retriever
-from mansion_editing.diff_wording import in_words
 from mansion_editing.physics.engine import PhysicsEngine
 from mansion_editing.robot_passages import passages_of
 from mansion_editing.state import Change, SceneState
@@ -26,6 +25,7 @@ from mansion_editing.tools import (
     rooms,
     swapping,
 )
+from mansion_editing.tools.diff import in_words
 from mansion_editing.tools.furnishing import Furnisher
 from mansion_editing.unsaved_changes import document, room_records, waiting
 from mansion_msgs_py.codec import decode, encode
@@ -59,16 +59,18 @@ from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.program import RoomProgram
 from mansion_msgs_py.scene import FloorScene, SceneObject
 from mansion_msgs_py.topology import TopologyNode
-from mansion_msgs_py.wording import with_article
+from mansion_msgs_py.wording import counted, with_article
 
 __all__ = [
     "ACTION_TOOLS",
     "FLOOR_TOOLS",
     "HISTORY_TOOLS",
+    "MOST_EDITORS",
     "PERCEPTION_TOOLS",
     "ROOM_TOOLS",
     "TOOLS",
     "Answered",
+    "OpenEditors",
     "SceneEditor",
 ]
 
@@ -271,12 +273,12 @@ class SceneEditor:
             return f"the {args.part} of {room.id}: {finish.name}"
         if tool == "ClearRoom":
             room, gone = rooms.clear_room(state, args, records)
-            return f"took {len(gone)} objects out of {room.id}" if gone else f"{room.id} holds nothing loose"
+            return f"took {counted(len(gone), 'object')} out of {room.id}" if gone else f"{room.id} holds nothing loose"
         if self.furnisher is None:
             raise MansionError(ErrorCode.UNAVAILABLE, "this editor was opened without a placer, which furnishes rooms")
         room, new = furnishing.furnish_room(state, args, records, self.furnisher, self._faults_with)
         kind = with_article(room.room_type.replace("_", " "))
-        return f"{room.id} is furnished as {kind} with {len(new)} objects"
+        return f"{room.id} is furnished as {kind} with {counted(len(new), 'object')}"
 
     def _reshape(self, args: ReshapeFloorArgs) -> EditResult:
         """Change the structure of a storey, whose documents are replaced whole."""
@@ -296,7 +298,7 @@ class SceneEditor:
         return room_records(self.state, self.store.documents, floor, room_id)
 
     def document(self, path: str) -> bytes | None:
-        """Return a document of the building as what waits makes it; ``None`` where it is not there."""
+        """Return a document of the building with the unsaved changes; ``None`` if it does not exist."""
         return document(self.state, self.store.documents, path)
 
     def replace_documents(self, files: Mapping[str, bytes | None], what: str) -> EditResult:
@@ -313,7 +315,7 @@ class SceneEditor:
         Raises
         ------
         MansionError
-            As `save` does, and ``INVALID_PAYLOAD`` for a path that is no document of the building.
+            As `save` does, and ``INVALID_PAYLOAD`` for a path that is not a document of the building.
         """
 
         def act() -> str:
@@ -449,3 +451,52 @@ def _without_editor(args: Any) -> dict[str, Any]:
     last = PlacingWishes.__struct_fields__
     names = sorted(plain, key=lambda name: name in last)
     return {name: plain[name] for name in names if name != "editor" and plain[name] not in ("", None)}
+
+
+MOST_EDITORS: Final = 16
+"""Editors that a process keeps open: a building of ten storeys takes tens of megabytes."""
+
+
+class OpenEditors:
+    """The editors that are open in a process, by name; beyond `MOST_EDITORS` the least recently used one is closed."""
+
+    def __init__(self) -> None:
+        self._editors: dict[str, SceneEditor] = {}
+
+    def get(self, name: str) -> SceneEditor:
+        """Return an editor.
+
+        Raises
+        ------
+        MansionError
+            ``NOT_LOADED`` when none is open under that name.
+        """
+        editor = self._editors.pop(name, None)
+        if editor is None:
+            raise MansionError(
+                ErrorCode.NOT_LOADED,
+                f"no building is open as {name!r}; call scene/open with its folder first",
+                path="$.editor",
+            )
+        self._editors[name] = editor
+        return editor
+
+    def put(self, name: str, editor: SceneEditor) -> None:
+        """Add an editor, or put it in the place of another of its name.
+
+        Raises
+        ------
+        MansionError
+            ``CONFLICT`` when too many are open, and edits wait to be saved in all of them.
+        """
+        if name not in self._editors and len(self._editors) >= MOST_EDITORS:
+            idle = next((key for key, other in self._editors.items() if not other.state.pending), None)
+            if idle is None:
+                raise MansionError(
+                    ErrorCode.CONFLICT,
+                    f"{MOST_EDITORS} buildings are open, all with unsaved edits; save those of one",
+                    path="$.editor",
+                )
+            del self._editors[idle]
+        self._editors.pop(name, None)
+        self._editors[name] = editor

@@ -21,7 +21,7 @@ class ReplacedFiles:
     Parameters
     ----------
     folder : Path
-        Of the building.
+        The building's folder.
     kept : Path
         Where the former files are kept, on the same file system; what an edit before this one left there is removed.
     """
@@ -33,7 +33,7 @@ class ReplacedFiles:
         shutil.rmtree(kept, ignore_errors=True)
 
     def write(self, name: str, data: bytes) -> None:
-        """Write a file anew.
+        """Replace a file.
 
         Raises
         ------

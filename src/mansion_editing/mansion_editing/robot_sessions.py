@@ -1,4 +1,4 @@
-"""What the sessions of robots hold of a building, which an edit must leave as it is."""
+"""What robots' sessions rely on in a building, and an edit must not change."""
 
 import math
 from collections.abc import Iterable, Iterator, Mapping

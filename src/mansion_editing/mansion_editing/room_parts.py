@@ -1,4 +1,4 @@
-"""What the documents of a building say of one room: read from them, and put back changed.
+"""The parts of a building's documents that describe one room: read from them, and put back changed.
 
 A room stands in three documents: its floor's scene (name, type, finishes, light), the building's program and the
 floor's room graph.
@@ -21,7 +21,7 @@ __all__ = ["parts_of", "program_with", "records_of", "scene_with", "topology_wit
 def parts_of(
     scene: FloorScene, room_id: str, program: RoomProgram | None = None, node: TopologyNode | None = None
 ) -> RoomParts | None:
-    """Return what is said of a room; ``None`` where the scene has no such room."""
+    """Return the description of a room; ``None`` if the scene has no such room."""
     room = next((room for room in scene.rooms if room.id == room_id), None)
     if room is None:
         return None

@@ -27,6 +27,7 @@ from mansion_msgs_py.file_locks import hold_lock
 from mansion_msgs_py.files import remove_remains, write_atomic
 from mansion_msgs_py.scene import FloorScene
 from mansion_msgs_py.topology import FloorTopology
+from mansion_msgs_py.wording import counted
 
 __all__ = ["BuildingStore", "KeptFiles", "Records", "Validator", "append_line", "landed_by", "locked"]
 
@@ -40,7 +41,7 @@ Records = Callable[[Path, Scenes], Mapping[str, bytes]]
 
 KeptFiles = Callable[[Path, Sequence[FloorScene], Sequence[int]], Mapping[str, bytes]]
 """Gets the folder, all its floors, and the numbers of those that changed; returns what the folder has that is made from
-these, made anew."""
+these, made again."""
 
 
 class BuildingStore:
@@ -52,7 +53,7 @@ class BuildingStore:
     validator : callable, optional
         Judges each transaction before it lands.
     records : callable, optional
-        Says anew what a building's own records state of it, each time that a transaction lands.
+        Updates what a building's own records state of it, each time a transaction lands.
     clock : callable
         Returns the time for the log.
     allowed : AllowedFolders
@@ -270,8 +271,7 @@ class BuildingStore:
         if faults:
             raise MansionError(
                 ErrorCode.INFEASIBLE,
-                f"the building would have {len(faults)} new fault{'s' if len(faults) > 1 else ''}: "
-                + "; ".join(faults[:5]),
+                f"the building would have {counted(len(faults), 'new fault')}: {'; '.join(faults[:5])}",
                 details={"faults": faults},
             )
 
@@ -388,7 +388,7 @@ class BuildingStore:
         Parameters
         ----------
         kept : callable
-            Returns the files that are made anew, by path relative to the folder; asked when any floor changed.
+            Returns the files that are remade, by path relative to the folder; asked when any floor changed.
 
         Returns
         -------

@@ -1,4 +1,4 @@
-"""What waits to be saved: documents as they are going to be, and the changes that make them so."""
+"""Unsaved changes: the documents as they are going to be, and the changes that make them so."""
 
 from collections.abc import Sequence
 from typing import NamedTuple
@@ -43,7 +43,7 @@ def waiting(state: SceneState, documents: Documents) -> Waiting:
 
 
 def document(state: SceneState, documents: Documents, path: str) -> bytes | None:
-    """Return a document as what waits makes it; ``None`` where it is not there."""
+    """Return a document with the unsaved changes; ``None`` if it does not exist."""
     number, last = max(
         ((n, c) for n, c in enumerate(state.pending) if isinstance(c, DocumentChange) and c.path == path),
         default=(-1, None),

@@ -13,8 +13,8 @@ from mansion_assets.convex import volume_of
 from mansion_assets.joints import DOOR_OPENS, Joint
 from mansion_assets.meshes import Link, links
 from mansion_assets.solids import Vec3
-from mansion_export.building_model import part_surfaces
-from mansion_export.collision import Shape, lies_flat, physique_of, piece_shape, shape_scaled
+from mansion_export.asset_surfaces import part_surfaces
+from mansion_export.collision import Shape, lies_flat, mass_properties_of, piece_shape, shape_scaled
 from mansion_export.door_sides import swing_side
 from mansion_export.model import Mesh, Node, Part, merge_surfaces
 from mansion_export.opening_meshes import leaf_parts
@@ -44,7 +44,7 @@ class Moving:
     Attributes
     ----------
     id : str
-        Of the scene's element, and what the part is called in it.
+        Id of the scene's element, with the part's name in it.
     mesh : Mesh
     shapes : tuple of Box or Hull
         What of it collides. Both are in the element's frame when it is closed, before its scale.
@@ -75,11 +75,11 @@ class Assembly:
     node : Node
         Where the element is; of a leaf, where it is closed.
     mesh : Mesh, optional
-        Of what does not move; None where all does.
+        Mesh of what does not move; None where everything does.
     shapes : tuple of Box or Hull
         What of that collides, before the node's scale.
     mass : float
-        Of what does not move, kilograms.
+        Mass of what does not move, kilograms.
     """
 
     node: Node
@@ -117,7 +117,7 @@ def assemblies(scene: FloorScene, nodes: Mapping[str, Node], catalogue: Catalogu
     scene : FloorScene
         Its doors' ``is_open`` and its objects' state ``open`` say where the parts stand.
     nodes : mapping of str to Node
-        Of the floor's model.
+        Nodes of the floor's model.
     catalogue : Catalogue, optional
         The shipped one when it is left out.
     """
@@ -163,7 +163,7 @@ def _moving(
     name: str, mesh: Mesh, shapes: tuple[Shape, ...], joint: Joint, position: float, mass: float, scale: Size3
 ) -> Moving:
     """Return a part whose joint resists so much that it stays where it is put."""
-    center = np.array(physique_of([shape_scaled(shape, scale) for shape in shapes], mass).center)
+    center = np.array(mass_properties_of([shape_scaled(shape, scale) for shape in shapes], mass).center)
     axis = np.array(joint.axis)
     away = center - np.array(joint.origin)
     reach = float(np.linalg.norm(away - axis * (axis @ away))) if joint.kind == "hinge" else 1.0

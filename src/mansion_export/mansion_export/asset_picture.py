@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Final
 
 from mansion_assets.catalogue import Asset, Catalogue
 from mansion_assets.library.source_model import SourceSurface
-from mansion_export.building_model import asset_surfaces
+from mansion_export.asset_surfaces import asset_surfaces
 from mansion_export.model import Material, Node, Surface, assemble
 from mansion_export.renderer import View, bounds, flatten, project, render
 

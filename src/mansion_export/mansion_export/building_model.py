@@ -7,23 +7,20 @@ from functools import lru_cache
 from shapely.geometry import Polygon
 
 from mansion_assets.catalogue import Asset, Catalogue, load_catalogue
-from mansion_assets.catalogue.palette import PbrMaterial
-from mansion_assets.catalogue.palette import material as pbr_material
-from mansion_assets.materials import art, set_of
-from mansion_assets.meshes import MeshPart, mesh
+from mansion_assets.materials import art
+from mansion_export.asset_surfaces import asset_surfaces
 from mansion_export.core_meshes import core_parts
-from mansion_export.exterior import entrance_parts, plot_parts, roof_parts
+from mansion_export.exterior import entrance_parts, plot_parts, roof_parts, sign_parts
 from mansion_export.materials import hex_color, named, surface_material
-from mansion_export.model import Material, Model, Node, Part, Surface, assemble
+from mansion_export.model import Material, Model, Node, Part, Surface, assemble, named_by_content
 from mansion_export.opening_meshes import door_parts, window_parts
 from mansion_export.presentation import floor_name, room_title
-from mansion_export.shared_meshes import named_by_content
 from mansion_export.solids import Box, boxes_surface, polygon_surface
 from mansion_export.walls import WallBodies, wall_surfaces
 from mansion_msgs_py.scene import FloorScene, SceneObject, StairDetails
 from mansion_msgs_py.shapes import Ring
 
-__all__ = ["asset_surfaces", "building_models", "floor_model", "object_parts", "part_surfaces", "slab_polygon"]
+__all__ = ["building_models", "floor_model", "object_parts", "slab_polygon"]
 
 FINISH = 0.02
 """Thickness of the floor finish on the slab, metres."""
@@ -90,6 +87,7 @@ def building_models(
             outside += roof_parts(scene, slab_polygon(scene, above=True, openings=above is not None), covered)
         if site and scene.floor == 1:
             outside += [*plot_parts(scene, slab_polygon(scene, above=False, openings=False)), *entrance_parts(scene)]
+            outside += sign_parts(scene)
         models.append(floor_model(scene, ceilings=ceilings, cabins=here, outside=outside, catalogue=catalogue))
     return models
 
@@ -212,45 +210,6 @@ def _object_node(item: SceneObject, mesh: str, size: tuple[float, float, float])
     # What hangs from a ceiling goes when ceilings are hidden.
     group = "ceiling" if item.mount == "ceiling" else "objects"
     return Node(item.id, mesh, group, item.position, item.rotation, (w, d, h), item.room)
-
-
-@lru_cache(maxsize=4096)
-def asset_surfaces(key: str, catalogue: Catalogue, color: str = "", picture: str = "") -> tuple[Surface, ...]:
-    """Return the surfaces of an asset's mesh.
-
-    Parameters
-    ----------
-    key : str
-    catalogue : Catalogue
-    color : str
-        Of the main material; its own where it is empty.
-    picture : str
-        Material of the painting that the asset carries; that of the mesh where it is empty.
-    """
-    asset = catalogue.asset(key)
-    return part_surfaces(mesh(asset), asset.material, color, picture)
-
-
-def part_surfaces(parts: Sequence[MeshPart], main: str, color: str, picture: str = "") -> tuple[Surface, ...]:
-    """Return the surfaces of parts of a mesh whose main material is `main`; see `asset_surfaces`."""
-    surfaces = []
-    for part in parts:
-        entry = pbr_material(picture) if picture and part.material.name in art() else part.material
-        look = _material(entry, color if entry.name == main else "")
-        surfaces.append(Surface(look, part.vertices, part.faces, part.coordinates))
-    return tuple(surfaces)
-
-
-def _material(entry: PbrMaterial, color: str) -> Material:
-    return Material(
-        f"{entry.name}_{color.lstrip('#')}" if color else entry.name,
-        hex_color(color or entry.color),
-        entry.opacity,
-        entry.roughness,
-        entry.metallic,
-        entry.emissive,
-        set_of(entry.name),
-    )
 
 
 @lru_cache(maxsize=256)

@@ -1,4 +1,4 @@
-"""Room for loose objects in what they lie in, on or under, so that they rest where they are."""
+"""Carve room for loose objects out of the colliders that they lie in, on or under, so that they stay at rest."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -51,7 +51,7 @@ def loose_colliders(scene: FloorScene, colliders: Colliders, model: Model) -> di
     colliders : Colliders
         What the floor's objects are without loose ones.
     model : Model
-        Of the floor.
+        The floor's model.
 
     Returns
     -------

@@ -11,8 +11,8 @@ from shapely.geometry import box as shapely_box
 from mansion_assets.catalogue import Catalogue, load_catalogue
 from mansion_assets.convex import Box as Piece
 from mansion_assets.convex import Convex, Hull
+from mansion_assets.mass_properties import MassProperties, mass_properties
 from mansion_assets.meshes import collision_pieces
-from mansion_assets.physique import Physique, physique
 from mansion_export.model import Mesh, Node
 from mansion_export.solids import Box, box_between, box_scaled, boxes_of
 from mansion_geometry.building_models import object_mass
@@ -20,7 +20,16 @@ from mansion_geometry.robot_body import FLAT
 from mansion_msgs_py.scene import FloorScene, SceneObject, StairDetails
 from mansion_msgs_py.shapes import Point3, Size3
 
-__all__ = ["Colliders", "Shape", "bounds_of", "ground_boxes", "lies_flat", "physique_of", "piece_shape", "shape_scaled"]
+__all__ = [
+    "Colliders",
+    "Shape",
+    "bounds_of",
+    "ground_boxes",
+    "lies_flat",
+    "mass_properties_of",
+    "piece_shape",
+    "shape_scaled",
+]
 
 FLOOR_DEPTH = 0.2
 """Thickness of the ground below the finished floor, metres."""
@@ -131,9 +140,11 @@ def shape_scaled(shape: Shape, scale: Size3) -> Shape:
     return box_scaled(shape, scale)
 
 
-def physique_of(shapes: Sequence[Shape], mass: float) -> Physique:
+def mass_properties_of(shapes: Sequence[Shape], mass: float) -> MassProperties:
     """Return the mass, centre and inertia of a body of one density that these shapes make up."""
-    return physique([shape if isinstance(shape, Hull) else Piece(shape.center, shape.size) for shape in shapes], mass)
+    return mass_properties(
+        [shape if isinstance(shape, Hull) else Piece(shape.center, shape.size) for shape in shapes], mass
+    )
 
 
 def bounds_of(shape: Shape) -> tuple[Point3, Point3]:

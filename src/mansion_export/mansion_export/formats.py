@@ -186,7 +186,7 @@ def formats_of_build(names: Iterable[str] = ()) -> tuple[Format, ...]:
 def outputs_of_build(names: Iterable[str] = ()) -> Outputs:
     """Return what a build writes; see `formats_of_build`.
 
-    Of a format that ``building.json`` has keys for this is what they name, of another one all that an export writes.
+    For a format with keys in ``building.json`` these are the files that they name, else all that an export writes.
     """
     chosen = formats_of_build(names)
     whole = [each.building for each in chosen if each.building and (each.building.keys or not any(_indexed(each)))]

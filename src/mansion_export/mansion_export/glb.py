@@ -10,8 +10,7 @@ import numpy.typing as npt
 from mansion_assets.catalogue import Catalogue
 from mansion_assets.materials import material_set
 from mansion_export.building_model import building_models, floor_model
-from mansion_export.gltf_buffer import Buffer
-from mansion_export.gltf_textures import Textures
+from mansion_export.gltf_buffer import Buffer, Textures
 from mansion_export.licences import licence_lines, licence_records
 from mansion_export.materials import linear
 from mansion_export.model import Material, Mesh, Model, Node, Surface
@@ -90,7 +89,7 @@ def write_glb(
     models : sequence of Model
         One a floor; each becomes a node ``floor_N`` at its elevation, with a child for each group.
     name : str
-        Of the root node.
+        Name of the root node.
     title : str
         What a person calls the building, kept in the root node's extras.
     turns : int

@@ -1,4 +1,4 @@
-"""Under which licences an exported building stands: the project's once, and that of each of the user's assets."""
+"""Licences of an exported building: the project's, stated once, and those of the user's assets."""
 
 from collections.abc import Sequence
 from typing import Final

@@ -10,11 +10,11 @@ import numpy as np
 
 from mansion_assets.catalogue import Catalogue
 from mansion_assets.convex import Hull
-from mansion_assets.physique import FRICTION
+from mansion_assets.mass_properties import FRICTION
 from mansion_export.articulation import Assembly, Moving, assemblies, pose_at
 from mansion_export.building_model import floor_model
 from mansion_export.cavities import is_loose, loose_colliders
-from mansion_export.collision import Colliders, Shape, ground_boxes, physique_of, shape_scaled
+from mansion_export.collision import Colliders, Shape, ground_boxes, mass_properties_of, shape_scaled
 from mansion_export.licences import licence_records, xml_notice
 from mansion_export.materials import surface_material
 from mansion_export.model import Material, Mesh, Model, Node, Surface
@@ -252,17 +252,6 @@ def _document(scene: FloorScene, model: Model, writer: _Writer, mesh_dir: str) -
     (x0, y0), (x1, y1) = points.min(0).tolist(), points.max(0).tolist()
     cx, cy = (x0 + x1) / 2, (y0 + y1) / 2
     reach = max(x1 - x0, y1 - y0)
-    materials = "\n".join(
-        f"    <material name={quoteattr(name)} "
-        f'rgba="{number_list((*material.color, material.alpha))}" '
-        f'specular="{0.5 * (1.0 - material.roughness):.3g}" '
-        f'shininess="{1.0 - material.roughness:.3g}" emission="{material.emission:.3g}"/>'
-        for material, name in writer.materials.items()
-    )
-    meshes = "\n".join(f"    {asset}" for asset in writer.assets.values())
-    hulls = "\n".join(
-        f'    <mesh name="{name}" vertex="{corners}" inertia="shell"/>' for corners, name in writer.hulls.items()
-    )
     bodies = "\n".join(f"    {body}" for body in writer.bodies)
     return f"""<mujoco model={quoteattr(f"{scene.building_id} {model.name}")}>
   <compiler angle="degree" meshdir={quoteattr(mesh_dir)} autolimits="true"/>
@@ -283,9 +272,7 @@ def _document(scene: FloorScene, model: Model, writer: _Writer, mesh_dir: str) -
   </visual>
   <asset>
     <texture type="skybox" builtin="gradient" {_sky(scene)} width="128" height="128"/>
-{materials}
-{meshes}
-{hulls}
+{_assets(writer)}
   </asset>
   <worldbody>
     <light name="sun" type="directional" dir="0.35 0.5 -0.79" diffuse="0.35 0.34 0.32" castshadow="false"/>
@@ -298,6 +285,22 @@ xyaxes="1 0 0 0 0.84 0.55" fovy="45"/>
   </worldbody>
 {_contacts(writer.excluded)}</mujoco>
 """
+
+
+def _assets(writer: _Writer) -> str:
+    """Return the materials, the meshes that are drawn, and the hulls that collide."""
+    materials = "\n".join(
+        f"    <material name={quoteattr(name)} "
+        f'rgba="{number_list((*material.color, material.alpha))}" '
+        f'specular="{0.5 * (1.0 - material.roughness):.3g}" '
+        f'shininess="{1.0 - material.roughness:.3g}" emission="{material.emission:.3g}"/>'
+        for material, name in writer.materials.items()
+    )
+    meshes = "\n".join(f"    {asset}" for asset in writer.assets.values())
+    hulls = "\n".join(
+        f'    <mesh name="{name}" vertex="{corners}" inertia="shell"/>' for corners, name in writer.hulls.items()
+    )
+    return f"{materials}\n{meshes}\n{hulls}"
 
 
 def _contacts(excluded: Sequence[tuple[str, str]]) -> str:
@@ -344,7 +347,7 @@ def _freedom(name: str, solid: _Solid, mass: float | None) -> list[str]:
 
 def _inertial(shapes: Sequence[Shape], mass: float) -> str:
     """Return the mass, centre and inertia of a body of one density."""
-    body = physique_of(shapes, mass)
+    body = mass_properties_of(shapes, mass)
     i = body.inertia
     values = (i[0, 0], i[1, 1], i[2, 2], i[0, 1], i[0, 2], i[1, 2])
     inertia = " ".join(f"{float(value):.6g}" for value in values)

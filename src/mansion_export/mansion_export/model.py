@@ -1,7 +1,9 @@
 """A building as meshes, materials and nodes, from which every 3D format is written."""
 
+import re
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields, replace
+from hashlib import blake2b
 from typing import TypeAlias
 
 import numpy as np
@@ -9,8 +11,7 @@ import numpy as np
 from mansion_assets.texture_coordinates import box_coordinates
 from mansion_geometry.compiled import Floats, Ints
 
-__all__ = ["Material", "Mesh", "Model", "Node", "Part", "Surface", "assemble", "merge_surfaces"]
-
+__all__ = ["Material", "Mesh", "Model", "Node", "Part", "Surface", "assemble", "merge_surfaces", "named_by_content"]
 
 _NOT_GIVEN = np.zeros((0, 3, 2))
 
@@ -41,7 +42,7 @@ class Surface:
     faces : (m, 3) array of int
         Counter-clockwise seen from outside.
     coordinates : (m, 3, 2) array
-        Of each corner of each face on the material's textures: metres to the right and up, seen from outside. By
+        Place of each face's corners on the material's textures: metres to the right and up, seen from outside. By
         default each face is laid flat along the axis that it faces most.
     """
 
@@ -105,7 +106,7 @@ class Model:
     Attributes
     ----------
     elevation : float
-        Of the floor's frame in the building's, metres.
+        Height of the floor's frame in the building's, metres.
     nodes : tuple of Node
     meshes : dict of str to Mesh
         By name, in the order in which nodes first name them.
@@ -150,3 +151,37 @@ def merge_surfaces(surfaces: Iterable[Surface]) -> tuple[Surface, ...]:
         coordinates = np.concatenate([part.coordinates for part in parts])
         merged.append(Surface(material, vertices, faces, coordinates))
     return tuple(merged)
+
+
+_FLOOR = re.compile(r"^(F-?\d+/)+")
+"""The floor that an element's name begins with."""
+
+_NUMBER = re.compile(r"_\d+\b")
+
+
+def named_by_content(model: Model) -> Model:
+    """Return the model with each mesh of one element named after its kind and its content.
+
+    Meshes that are named after an element (``F2/stair_1/landing``) become ``stair/landing:7c1f09aa``, where the equal
+    landing of another floor has the same name. Those of assets, doors and windows keep their names, which say what
+    they show.
+    """
+    names = {name: _name(mesh) if _FLOOR.match(name) else name for name, mesh in model.meshes.items()}
+    meshes: dict[str, Mesh] = {}
+    for name, mesh in model.meshes.items():
+        meshes.setdefault(names[name], replace(mesh, name=names[name]))
+    return replace(model, nodes=tuple(replace(node, mesh=names[node.mesh]) for node in model.nodes), meshes=meshes)
+
+
+def _name(mesh: Mesh) -> str:
+    kind = _NUMBER.sub("", _FLOOR.sub("", mesh.name))
+    return f"{kind}:{_digest(mesh.surfaces)}"
+
+
+def _digest(surfaces: tuple[Surface, ...]) -> str:
+    digest = blake2b(digest_size=8)
+    for surface in surfaces:
+        for each in fields(surface):
+            value = getattr(surface, each.name)
+            digest.update(value.tobytes() if isinstance(value, np.ndarray) else repr(value).encode())
+    return digest.hexdigest()

@@ -36,7 +36,7 @@ def textured_corners(vertices: Floats, faces: Ints, coordinates: Floats) -> tupl
     vertices : (n, 3) array
     faces : (m, 3) array of int
     coordinates : (m, 3, 2) array
-        Of each face's corners on its textures.
+        Place of each face's corners on its textures.
 
     Returns
     -------

@@ -10,6 +10,7 @@ from mansion_export.model import Material, Node, Part, Surface
 from mansion_export.solids import Box, boxes_surface
 from mansion_geometry.building_models import ASIDE, JAMB, OPEN_ANGLE
 from mansion_geometry.doorways import LEAFLESS, depth_of_doors
+from mansion_knowledge import default_knowledge
 from mansion_msgs_py.scene import Door, FloorScene, Window
 from mansion_msgs_py.shapes import Segment
 
@@ -183,8 +184,10 @@ def _leaf(width: float, height: float, kind: str, *, handle: bool) -> list[Surfa
 
 
 def window_parts(scene: FloorScene) -> Iterator[Part]:
-    """Yield windows: frame, mullions, glass and a sill board inside."""
+    """Yield windows: frame, mullions, glass, a sill board inside and a ledge of stone outside."""
     walls = {wall.id: wall for wall in scene.walls}
+    home = default_knowledge().groups.is_dwelling(scene.building_type)
+    frame = named("painted_wood" if home else "painted_steel")
     for window in scene.windows:
         x, y, rotation, length = _base(window.segment)
         wall = walls.get(window.wall)
@@ -192,10 +195,10 @@ def window_parts(scene: FloorScene) -> Iterator[Part]:
         inward = 1.0 if wall is None or wall.left == window.room else -1.0
         name = f"window:{length:.3f}x{window.height:.3f}x{deep:.3f}:{inward:+.0f}"
         node = Node(window.id, name, "windows", (x, y, window.sill), rotation, room=window.room)
-        yield node, _window(window, length, deep, inward)
+        yield node, _window(window, length, deep, inward, frame)
 
 
-def _window(window: Window, length: float, deep: float, inward: float) -> list[Surface]:
+def _window(window: Window, length: float, deep: float, inward: float, frame: Material) -> list[Surface]:
     height, bar = window.height, 0.05
     bars = [
         Box((bar / 2, 0.0, height / 2), (bar, 0.07, height)),
@@ -206,10 +209,12 @@ def _window(window: Window, length: float, deep: float, inward: float) -> list[S
     fields = max(1, round(length / 1.2))
     bars += [Box((length * i / fields, 0.0, height / 2), (bar, 0.06, height - 2 * bar)) for i in range(1, fields)]
     board = Box((length / 2, inward * (deep / 2 + 0.02), -0.01), (length + 0.1, 0.12, 0.03))
+    ledge = Box((length / 2, -inward * deep / 2, -0.015), (length + 0.1, 0.12, 0.05))
     pane = Box((length / 2, 0.0, height / 2), (length - bar, 0.012, height - bar))
     return [
-        boxes_surface(bars, named("painted_wood")),
+        boxes_surface(bars, frame),
         boxes_surface([board], named("painted_wood")),
+        boxes_surface([ledge], named("stone_paving")),
         boxes_surface([pane], named("glass")),
     ]
 
@@ -220,7 +225,7 @@ def _garage_slats(width: float, height: float, door: Door) -> list[Surface]:
     Parameters
     ----------
     width, height : float
-        Of the opening inside its frame, metres.
+        Width and height of the opening inside its frame, metres.
     door : Door
         Open or closed; an open one is a roll below the head of the opening.
     """

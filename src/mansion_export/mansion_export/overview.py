@@ -23,10 +23,12 @@ import numpy as np
 import numpy.typing as npt
 from shapely.geometry import Polygon
 
+from mansion_export.glazing import mirroring
 from mansion_export.model import Node
 from mansion_export.presentation import quarter_turns
 from mansion_export.renderer import flatten
 from mansion_export.solids import triangulate
+from mansion_knowledge import is_class
 
 __all__ = ["overview_files", "overview_png"]
 
@@ -38,7 +40,7 @@ OUTSIDE = 0.36
 
 MOST_COLUMNS = 6
 FROM_ABOVE = View(azimuth=-72.0, elevation=54.0)
-FROM_STREET = View(azimuth=-58.0, elevation=26.0)
+FROM_STREET = View(azimuth=-56.0, elevation=21.0)
 
 
 CUT = 1.5
@@ -82,13 +84,13 @@ def overview_png(
     ----------
     scenes : sequence of FloorScene
     width : int
-        Of the picture, pixels.
+        Width of the picture, pixels.
     site : bool
         With the plot around the building, unless the models are given.
     catalogue : Catalogue, optional
         Where the assets are, when they are not all in the shipped one.
     models : sequence of Model, optional
-        Of the same floors, lowest first, with ceilings, where they are made already.
+        Models of the same floors, lowest first, with ceilings, if they are made already.
 
     Returns
     -------
@@ -206,10 +208,13 @@ def _shell(models: Sequence[Model], scenes: Sequence[FloorScene], turns: int = 0
     for model, scene in zip(models, scenes):
         if scene.floor < 1 and not buried:
             continue
-        outer = {wall.id for wall in scene.walls if wall.exterior}
+        terraces = {room.id for room in scene.rooms if is_class(room.room_type, "outdoor")}
+        outer = {wall.id for wall in scene.walls if wall.exterior or {wall.left, wall.right} & terraces}
         inner = {wall.id for wall in scene.walls} - outer
-        inner |= {door.id for door in scene.doors if None not in door.rooms}
-        part = flatten(model, lambda node, inner=inner: _outside(node, inner))  # type: ignore[misc]
+        inner |= {door.id for door in scene.doors if None not in door.rooms and not {*door.rooms} & terraces}
+        shell = flatten(model, lambda node, inner=inner: _outside(node, inner))  # type: ignore[misc]
+        standing = flatten(model, lambda node, rooms=terraces: node.group == "objects" and node.room in rooms)  # type: ignore[misc]
+        part = Triangles.join([mirroring(shell), standing])
         parts.append(replace(part, corners=part.corners + np.array([0.0, 0.0, model.elevation])))
     return _turned(Triangles.join(parts), turns)
 

@@ -1,12 +1,13 @@
 """How a building is presented to people: titles of floors and rooms, and the side that faces the viewer."""
 
+import re
 from collections.abc import Sequence
 
 import numpy as np
 
 from mansion_msgs_py.scene import FloorScene, SceneRoom
 
-__all__ = ["building_title", "floor_name", "floor_title", "quarter_turns", "room_title"]
+__all__ = ["building_name", "building_title", "floor_name", "floor_title", "quarter_turns", "room_title"]
 
 _COUNTS = ("no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten")
 
@@ -20,15 +21,19 @@ def building_title(scenes: Sequence[FloorScene]) -> str:
     """
     if not scenes:
         return "Building"
-    kind = scenes[0].building_type or scenes[0].building_id
-    name = kind.removesuffix("_building").replace("_", " ").strip() or "building"
-    name = name[0].upper() + name[1:]
     below = sum(scene.floor < 1 for scene in scenes)
     above = len(scenes) - below
     counts = [f"{_count(above)} floor{'s' * (above != 1)}"] if above else []
     if below:
         counts.append("a basement" if below == 1 else f"{_count(below)} basements")
-    return f"{name}, {' and '.join(counts)}"
+    return f"{building_name(scenes[0])}, {' and '.join(counts)}"
+
+
+def building_name(scene: FloorScene) -> str:
+    """Return what people call a building of its type: ``Office``, ``Fire station``."""
+    kind = scene.building_type or scene.building_id
+    name = kind.removesuffix("_building").replace("_", " ").strip() or "building"
+    return name[0].upper() + name[1:]
 
 
 def floor_name(scene: FloorScene) -> str:
@@ -53,7 +58,7 @@ def _count(number: int) -> str:
 def room_title(room: SceneRoom) -> str:
     """Return the name that a person reads: the room's own, or its type in words."""
     name = room.name or room.id.rsplit("/", 1)[-1]
-    words = name.replace("_", " ").strip()
+    words = re.sub(r"\b(men|women|children)s\b", r"\1's", name.replace("_", " ").strip(), flags=re.IGNORECASE)
     return words[:1].upper() + words[1:]
 
 

@@ -29,15 +29,18 @@ _ACROSS = np.array([-SUN[1], SUN[0], 0.0]) / np.hypot(SUN[0], SUN[1])
 LIGHT = np.stack([_ACROSS, np.cross(SUN, _ACROSS), SUN])
 """The axes of the shadow map: right, up, towards the light."""
 
-AMBIENT, DIRECT, FILL = 0.60, 0.44, 0.16
+AMBIENT, DIRECT, FILL = 0.58, 0.46, 0.14
+
+SKYLIGHT, SUNLIGHT = (0.965, 0.995, 1.055), (1.04, 1.0, 0.92)
+"""Colours of the light of the sky, which shadows have, and of the sun."""
 
 SHADOW_CELL = 0.05
 """Metres of a shadow map's cell."""
 
 _BORDER = 4
 
-_EDGE, _HOLLOW = 0.16, 0.13
-"""How much darker a pixel beside an edge gets, and one in the corner below something."""
+_EDGE, _HOLLOW = 0.16, 0.6
+"""How much darker a pixel beside an edge gets, and how much less of the sky's light reaches the bottom of a hollow."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,7 +56,7 @@ class Triangles:
     textures : (n,) array of int
         Numbers of the sets of textures that the colours tint, see `texture_number`; -1 for none.
     coordinates : (n, 3, 2) array
-        Of the corners on these, metres.
+        Place of the corners on the textures, metres.
     """
 
     corners: Floats
@@ -346,6 +349,30 @@ def _occlusion(depth: npt.NDArray[np.float32], y: int, x: int, reach: int, most:
 
 
 @kernel
+def _hollow(depth: npt.NDArray[np.float32], y: int, x: int, scale: float) -> float:
+    """Tell how far a pixel lies in a hollow, 0 to 1: what lies to both sides of it is nearer to the eye on average.
+
+    A flat face is no hollow, however it leans. What is nearer by far more than it is aside stands before the pixel, and
+    not beside it.
+    """
+    height, width = depth.shape
+    here = depth[y, x]
+    total = 0.0
+    for ring in range(4):
+        away = 0.08 * 1.8**ring
+        reach = max(1 + ring, int(np.round(away * scale)))
+        for dy, dx in ((reach, 0), (0, reach), (reach, reach), (reach, -reach)):
+            j0, i0, j1, i1 = y - dy, x - dx, y + dy, x + dx
+            if min(j0, i0, j1, i1) < 0 or max(j0, j1) >= height or max(i0, i1) >= width:
+                continue
+            first, second = depth[j0, i0] - here, depth[j1, i1] - here
+            most = 3.0 * reach / scale
+            if first < most and second < most and first + second > 0.0:
+                total += min((first + second) * scale / reach, 1.0)
+    return total / 16.0
+
+
+@kernel
 def _shade_pixels(
     depth: npt.NDArray[np.float32],
     index: npt.NDArray[np.int32],
@@ -366,7 +393,7 @@ def _shade_pixels(
     depth, index : (height, width) arrays
         Towards the eye, metres; the triangle, -1 for none.
     lighting : (n, 5) array
-        Of each triangle: shade without the sun, the sun's part, a step off the face in the light's axes.
+        For each triangle: shade without the sun, the sun's part, a step off the face in the light's axes.
     colors : (n, 3) array
     laid : ((n, 3, 3), (n, 3, 2), (n,)) arrays
         Corners in the picture, their coordinates on textures, and the numbers of these.
@@ -386,14 +413,13 @@ def _shade_pixels(
     texels, frames, sizes = tiles
     left, bottom, cell = shadow_frame
     x0, y0, scale = view_frame
-    reach = max(2, int(np.round(0.12 * scale)))
     for y in range(height):
         for x in range(width):
             k = index[y, x]
             if k < 0:
                 continue
             u, v, w = x0 + x / scale, y0 - y / scale, float(depth[y, x])
-            shade = lighting[k, 0]
+            sky, sunny = lighting[k, 0], 0.0
             if lighting[k, 1] > 0.0:
                 a = u * turn[0, 0] + v * turn[1, 0] + w * turn[2, 0] + lighting[k, 2]
                 b = u * turn[0, 1] + v * turn[1, 1] + w * turn[2, 1] + lighting[k, 3]
@@ -404,16 +430,16 @@ def _shade_pixels(
                 for dj, di in ((0, 0), (0, 1), (0, -1), (1, 0), (-1, 0)):
                     if c > shadow[j + dj, i + di] - 0.05:
                         lit += 1
-                shade += lighting[k, 1] * lit / 5.0
+                sunny = lighting[k, 1] * lit / 5.0
             dark = _EDGE * _occlusion(depth, y, x, 1, 1e9)
-            dark += _HOLLOW * _occlusion(depth, y, x, reach, 4.0)
-            shade *= 1.0 - 0.5 * dark
+            sky *= 1.0 - _HOLLOW * _hollow(depth, y, x, scale)
             texel = (1.0, 1.0, 1.0)
             if textures[k] >= 0 and frames[textures[k], 1] > 0:
                 s, t = _place_on_tile(corners[k], coordinates[k], x + 0.5, y + 0.5)
                 texel = sampled(texels, frames[textures[k]], sizes[textures[k]], s, t)
             for channel in range(3):
-                image[y, x, channel] = colors[k, channel] * texel[channel] * shade
+                light = (sky * SKYLIGHT[channel] + sunny * SUNLIGHT[channel]) * (1.0 - 0.5 * dark)
+                image[y, x, channel] = colors[k, channel] * texel[channel] * light
 
 
 @kernel

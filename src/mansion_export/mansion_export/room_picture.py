@@ -52,7 +52,7 @@ def room_picture(
     room : PlacementRoom
     result : PlacementResult
     size : (width, height)
-        Of the picture, pixels; the room is centred in it.
+        Size of the picture, pixels; the room is centred in it.
     catalogue : Catalogue, optional
     azimuth : float
         Where the eye stands, degrees; see `View`.

@@ -10,7 +10,7 @@ from mansion_assets.catalogue import Catalogue
 from mansion_assets.convex import Hull
 from mansion_export.articulation import Assembly, Moving, assemblies, pose_at
 from mansion_export.building_model import building_models
-from mansion_export.collision import Colliders, Shape, ground_boxes, physique_of, shape_scaled
+from mansion_export.collision import Colliders, Shape, ground_boxes, mass_properties_of, shape_scaled
 from mansion_export.licences import licence_records, xml_notice
 from mansion_export.model import Material, Mesh, Model, Node
 from mansion_export.simulator_files import SimulatorModel, mesh_file_name, number_list, write_stl
@@ -217,7 +217,7 @@ class _Writer:
 
 def _inertial(shapes: Sequence[Shape], scale: Size3, mass: float) -> str:
     """Return the mass, centre and inertia of a link of one density."""
-    body = physique_of([shape_scaled(shape, scale) for shape in shapes], mass)
+    body = mass_properties_of([shape_scaled(shape, scale) for shape in shapes], mass)
     i = body.inertia
     names = {"ixx": i[0, 0], "ixy": i[0, 1], "ixz": i[0, 2], "iyy": i[1, 1], "iyz": i[1, 2], "izz": i[2, 2]}
     inertia = "".join(f"<{name}>{float(value):.6g}</{name}>" for name, value in names.items())

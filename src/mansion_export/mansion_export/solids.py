@@ -160,7 +160,7 @@ def triangulate(polygon: Polygon) -> tuple[npt.NDArray[np.float64], npt.NDArray[
 
 
 MOST_CORNERS = 400
-"""Of a polygon that is triangulated in one part."""
+"""Most corners of a polygon that is triangulated in one part."""
 
 
 def _parts(polygon: Polygon) -> Iterator[Polygon]:

@@ -10,10 +10,10 @@ import numpy as np
 
 from mansion_assets.catalogue import Catalogue
 from mansion_assets.convex import Hull
-from mansion_assets.physique import FRICTION
+from mansion_assets.mass_properties import FRICTION
 from mansion_export.articulation import Assembly, Moving, assemblies, pose_at
 from mansion_export.building_model import building_models
-from mansion_export.collision import Colliders, Shape, physique_of, shape_scaled
+from mansion_export.collision import Colliders, Shape, mass_properties_of, shape_scaled
 from mansion_export.licences import licence_lines, licence_records
 from mansion_export.materials import linear
 from mansion_export.model import Material, Mesh, Model, Node, Surface
@@ -184,7 +184,7 @@ class _Writer:
         geometry = UsdGeom.Xform.Define(self.stage, f"{path}/{part.joint.part}/geometry")
         self.instance(geometry, part.mesh, part.shapes, scale)
         UsdPhysics.RigidBodyAPI.Apply(xform.GetPrim())
-        body = physique_of([shape_scaled(shape, scale) for shape in part.shapes], part.mass)
+        body = mass_properties_of([shape_scaled(shape, scale) for shape in part.shapes], part.mass)
         moments, axes = np.linalg.eigh(body.inertia)
         if np.linalg.det(axes) < 0.0:
             axes[:, 0] = -axes[:, 0]

@@ -212,7 +212,7 @@ class WallBodies:
     def _beyond(
         self, i: int, others: npt.NDArray[np.int64], cross: Floats, to_start: Floats, to_end: Floats, sign: float
     ) -> float:
-        """Return how far wall `i` goes on among the walls that its end meets."""
+        """Return how far wall `i` continues among the walls that its end meets."""
         ahead = sign * self._units[i]
         # Where this wall's line meets the other's, counted from the end.
         meets = (to_start[:, 0] * self._units[others, 1] - to_start[:, 1] * self._units[others, 0]) / cross
@@ -231,7 +231,7 @@ def wall_surfaces(wall: Wall, bodies: WallBodies) -> list[Surface]:
     ----------
     wall : Wall
     bodies : WallBodies
-        Of the wall's floor: where it is cut, and how far it goes on at corners.
+        Bodies of the floor's walls: where this one is cut, and how far it continues at corners.
 
     Returns
     -------

@@ -1,4 +1,4 @@
-"""What a building's 3D models have in common with who moves their parts: how leaves hang, geom groups, masses."""
+"""Conventions that a building's 3D models share with what moves their parts: hinges, geom groups, masses."""
 
 from collections.abc import Sequence
 from math import prod

@@ -22,7 +22,7 @@ Counts = NDArray[np.int16]
 """Small numbers, as many as a grid has cells."""
 
 TOLD: Final = "told.nbi"
-"""File beside the first machine code, by which it is told of once; it goes with the code, by its ending."""
+"""File beside the first machine code that records that its compilation was announced; its ending goes with the code."""
 
 _LOG = logging.getLogger("mansion")
 
@@ -46,7 +46,7 @@ def kernel(function: Callable[P, R]) -> Callable[P, R]:
 
 @cache
 def _announce_compilation() -> None:
-    """Have the first compilation of an installation told of, once, by whichever process does it."""
+    """Announce the first compilation of an installation, once, by whichever process does it."""
     from numba.core import event
 
     class FirstCompilation(event.Listener):  # type: ignore[misc]

@@ -38,9 +38,9 @@ def dog_leg(length: float, width: float, height: float) -> tuple[int, float] | N
     Parameters
     ----------
     length, width : float
-        Of the core inside its walls, along and across the flights, metres.
+        Length and width of the core inside its walls, along and across the flights, metres.
     height : float
-        Of the storey, metres.
+        Height of the storey, metres.
 
     Examples
     --------

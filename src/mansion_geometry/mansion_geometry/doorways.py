@@ -1,4 +1,4 @@
-"""Doors as ways for a robot: which have no leaf, which stand open, which it drives through, and how deep they are."""
+"""Doors as passages for a robot: which have no leaf, stand open or can be driven through, and their depth."""
 
 from collections.abc import Iterable
 from typing import Final

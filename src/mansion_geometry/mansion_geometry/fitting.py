@@ -15,7 +15,7 @@ __all__ = ["feasible_poses", "front_clearance"]
 
 
 _FEW, _BUCKET = 24, 0.8
-"""Up to so many boxes are compared one by one, more through buckets of at least this side in metres."""
+"""Most boxes that are compared one by one, and the least side of the buckets for more, metres."""
 
 
 @kernel

@@ -36,7 +36,7 @@ def ring_mask(ring: Floats, xs: Floats, ys: Floats) -> Bools:
     ----------
     ring : (n, 2) array
     xs, ys : array
-        Of the columns and of the rows.
+        Centres of the columns and of the rows.
     """
     inside = np.zeros((len(ys), len(xs)), dtype=bool)
     for (ax, ay), (bx, by) in zip(ring, np.roll(ring, -1, axis=0)):

@@ -17,7 +17,7 @@ PASSAGE_WIDTH: Final = 0.6
 """Narrowest way that counts as walkable when walls and doors are planned, metres: the robot with some play."""
 
 CLEARANCE: Final = 1.5
-"""Height of the robot, metres: what hangs higher is no obstacle."""
+"""Height of the robot, metres: what hangs higher is not an obstacle."""
 
 FLAT: Final = 0.05
 """Height up to which the robot drives over objects, rugs say; metres."""

@@ -29,7 +29,7 @@ class Token:
     start, end : int
         Place in the text, in characters, end exclusive.
     value : float
-        Of numbers, ordinals and levels.
+        Value of a number, an ordinal or a level.
     plural : bool
         The word stands in the plural.
     soft : bool

@@ -1,12 +1,14 @@
 """Ask for a value of a type: find it in the answer, check it, ask again with the faults, and count what it took."""
 
 import logging
+import threading
 import time
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, Generic, TypeVar
 
-from mansion_llm.accounting import Meter
+import msgspec
+
 from mansion_llm.extraction import json_candidates
 from mansion_llm.prompt import Message, Prompt, request_digest
 from mansion_llm.settings import WITHOUT_MODEL, LlmSettings, load_settings
@@ -18,6 +20,7 @@ from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.usage import LlmUsage
 
 __all__ = ["Answer", "Fault", "LlmClient"]
+
 
 T = TypeVar("T")
 _log = logging.getLogger(__name__)
@@ -112,7 +115,7 @@ class LlmClient:
         self._mode: Mode = "schema" if settings.structured == "auto" else settings.structured
         self._pictures = settings.images != "no"
         self._failures = 0
-        self._meter = Meter(self.model, settings.input_price, settings.output_price)
+        self._meter = _Meter(self.model, settings.input_price, settings.output_price)
 
     @classmethod
     def from_environment(
@@ -225,7 +228,7 @@ class LlmClient:
     def _with_patience(self, name: str, messages: list[Message], schema: dict[str, Any]) -> ChatReply:
         """Ask until there is an answer: wait for a busy endpoint, ask in a plainer form where the form is refused."""
         if self._failures >= PATIENCE:
-            raise TransportError("unreachable", "the endpoint failed too often and is left alone")
+            raise TransportError("unreachable", "the endpoint failed too often and is no longer asked")
         waits = 0
         while True:
             try:
@@ -318,3 +321,50 @@ def _repair(faults: list[Fault]) -> Message:
 def _reason(faults: list[Fault]) -> str:
     more = f" (and {len(faults) - 1} more)" if len(faults) > 1 else ""
     return f"{faults[0].text}{more}" if faults else ""
+
+
+class _Meter:
+    """The running account of a client that several threads may use.
+
+    Parameters
+    ----------
+    input_price, output_price : float
+        Price of a million tokens.
+    """
+
+    def __init__(self, model: str, input_price: float, output_price: float) -> None:
+        self._usage = LlmUsage(model=model)
+        self._prices = input_price * 1e-6, output_price * 1e-6
+        self._lock = threading.Lock()
+
+    def answer(self, answer: StoredAnswer, *, from_store: bool) -> None:
+        """Count an answer; one from a store with what it took when it was made."""
+        price_in, price_out = self._prices
+        with self._lock:
+            usage = self._usage
+            self._usage = msgspec.structs.replace(
+                usage,
+                answers=usage.answers + 1,
+                from_store=usage.from_store + from_store,
+                input_tokens=usage.input_tokens + answer.input_tokens,
+                output_tokens=usage.output_tokens + answer.output_tokens,
+                seconds=usage.seconds + answer.seconds,
+                cost=usage.cost + (answer.input_tokens * price_in + answer.output_tokens * price_out),
+            )
+
+    def retry(self) -> None:
+        """Count a repeated request."""
+        with self._lock:
+            self._usage = msgspec.structs.replace(self._usage, retries=self._usage.retries + 1)
+
+    def asked_again(self) -> None:
+        """Count a faulty answer that is asked for again."""
+        with self._lock:
+            self._usage = msgspec.structs.replace(self._usage, asked_again=self._usage.asked_again + 1)
+
+    def usage(self) -> LlmUsage:
+        """Return the account so far."""
+        with self._lock:
+            return msgspec.structs.replace(
+                self._usage, cost=round(self._usage.cost, 6), seconds=round(self._usage.seconds, 3)
+            )

@@ -85,7 +85,7 @@ class EmbeddingsClient:
             not asked again.
         """
         if self._failures >= _PATIENCE:
-            raise MansionError(ErrorCode.UNAVAILABLE, f"{self.settings.place} failed too often and is left alone")
+            raise MansionError(ErrorCode.UNAVAILABLE, f"{self.settings.place} failed too often and is no longer asked")
         if self._transport is None:
             self._transport = OpenAITransport(self.settings)
         vectors: list[list[float]] = []

@@ -1,4 +1,4 @@
-"""Find the JSON value in an answer: alone, in a code fence, or amid prose."""
+"""Find the JSON value in an answer: alone, in a code fence, or in prose."""
 
 import json
 import re
@@ -16,7 +16,7 @@ MOST_STARTS = 400
 def json_candidates(text: str) -> Iterator[str]:
     """Yield texts that may be the answer, the likeliest first.
 
-    The whole answer, then fenced blocks from the last to the first, then every balanced object or array amid prose, the
+    The whole answer, then fenced blocks from the last to the first, then every balanced object or array in prose, the
     longest first. Commas before a closing bracket are dropped. Nothing is made up: an answer that was cut off yields
     only the whole values in it.
 

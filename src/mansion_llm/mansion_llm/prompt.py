@@ -26,7 +26,7 @@ class Prompt:
     Attributes
     ----------
     name : str
-        Of the template (``building_program``).
+        Name of the template (``building_program``).
     system, user : str
     pictures : tuple of bytes
         PNG images; left out where the model takes none, so the words must do without them.

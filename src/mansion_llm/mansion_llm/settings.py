@@ -43,7 +43,7 @@ class LlmSettings:
     Attributes
     ----------
     base_url, model : str
-        Of an OpenAI-compatible endpoint (``http://127.0.0.1:8000/v1``).
+        Address and model of an OpenAI-compatible endpoint (``http://127.0.0.1:8000/v1``).
     api_key : Secret
         ``MANSION_LLM_API_KEY``; endpoints without keys need none.
     timeout : float
@@ -144,7 +144,7 @@ def load_settings(environment: Mapping[str, str] | None = None, *, file: Path | 
 def settings_and_places(
     environment: Mapping[str, str] | None = None, *, file: Path | None = None
 ) -> tuple[LlmSettings, dict[str, str]]:
-    """Return the settings as `load_settings` does, and for those that are no defaults where each comes from."""
+    """Return the settings as `load_settings` does, and where each comes from that is not a default."""
     environment = os.environ if environment is None else environment
     values = _file_values(environment, file)
     places = dict.fromkeys(values, "the configuration file")
@@ -155,7 +155,7 @@ def settings_and_places(
     known = setting_names()
     for name in values:
         if name not in known:
-            raise _fault(name, "the configuration file", f"is no setting; known are {', '.join(sorted(known))}")
+            raise _fault(name, "the configuration file", f"is not a setting; settings are {', '.join(sorted(known))}")
     return LlmSettings(**{n: checked_setting(n, v, places[n]) for n, v in values.items()}), places
 
 
@@ -181,7 +181,7 @@ def _file_values(environment: Mapping[str, str], file: Path | None) -> dict[str,
     try:
         return tomllib.loads(file.read_text(encoding="utf-8"))
     except (tomllib.TOMLDecodeError, UnicodeError):
-        raise MansionError(ErrorCode.INVALID_PAYLOAD, f"the configuration file {file} is no TOML") from None
+        raise MansionError(ErrorCode.INVALID_PAYLOAD, f"the configuration file {file} is not valid TOML") from None
 
 
 def _fault(name: str, place: str, what: str) -> MansionError:

@@ -106,7 +106,7 @@ class Recording:
     Attributes
     ----------
     run : RunSettings, optional
-        Of the recorded run.
+        Settings of the recorded run.
 
     Raises
     ------

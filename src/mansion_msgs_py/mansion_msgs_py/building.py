@@ -123,7 +123,7 @@ class LoadBuilding(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fie
     world : str
         Sessions that load the same folder under the same name share objects, doors and lifts.
     reset : bool
-        Begin anew: everything back where the scenes have it, the robot at the spawn pose.
+        Start over: everything back where the scenes have it, the robot at the spawn pose.
     """
 
     path: PathText

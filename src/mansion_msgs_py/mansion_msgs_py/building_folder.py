@@ -74,7 +74,7 @@ def is_building_folder(path: Path) -> bool:
 
 
 def check_building_folder(path: Path) -> None:
-    """Refuse a path that is no building folder.
+    """Refuse a path that is not a building folder.
 
     Raises
     ------
@@ -117,7 +117,7 @@ class BuildingFolder:
         return list(self._entries)
 
     def entry(self, floor: int) -> FloorEntry:
-        """Return what ``building.json`` says of a floor; ``NOT_FOUND`` where it has none of that number."""
+        """Return the entry of a floor in ``building.json``; ``NOT_FOUND`` if there is none of that number."""
         try:
             return self._entries[floor]
         except KeyError:

@@ -137,11 +137,11 @@ class BuildingPlan(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fie
     Attributes
     ----------
     name : str
-        Of the building.
+        Name of the building.
     building_type, style : str
         As a brief would say them; by the rooms, and by the building type, where absent.
     units : {"m", "cm", "mm", "ft", "in"}
-        Of all lengths of the file.
+        Unit of all lengths in the file.
     complete : list of {"doors", "windows"}
         What may be added where the plan lacks it.
     """

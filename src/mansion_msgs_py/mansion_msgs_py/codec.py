@@ -195,7 +195,7 @@ def explained(kind: Any, message: str) -> tuple[str, str]:
     kind : type
         What the payload was to be.
     message : str
-        Of msgspec's `ValidationError`.
+        Text of msgspec's `ValidationError`.
 
     Examples
     --------

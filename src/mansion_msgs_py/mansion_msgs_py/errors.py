@@ -1,4 +1,4 @@
-"""The error object that every service, command and client speaks."""
+"""The error that every service, command and client reports."""
 
 import errno
 from typing import Any, Final
@@ -20,7 +20,7 @@ __all__ = [
 
 
 MOST_CHARACTERS: Final = 2_000
-"""Of a message: input that it quotes may have any length. A hint stands at its end, so that the middle gives way."""
+"""Longest message: input that it quotes may have any length. A hint stands at its end, so the middle is left out."""
 
 MOST_IN_DETAILS: Final = 8_000
 """Characters of a text among the details, and entries of a list."""
@@ -32,11 +32,11 @@ SYSTEM_REFUSALS: Final = frozenset(
         errno.ENFILE, errno.ENAMETOOLONG, errno.ENOTDIR, errno.EISDIR,
     )
 )  # fmt: skip
-"""Errors that tell of the machine or of a path, and of no fault of Mansion's."""
+"""Errors about the machine or a path, which are not faults of Mansion."""
 
 
 class ErrorCode:
-    """Codes of errors that are no skill status."""
+    """Codes of errors that are not skill statuses."""
 
     INVALID_PAYLOAD: Final = "INVALID_PAYLOAD"
     """The JSON does not fit the payload type; `path` is the fault's JSON path."""

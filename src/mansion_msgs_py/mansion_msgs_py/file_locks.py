@@ -1,4 +1,4 @@
-"""Locks between processes: a file that one process holds, and that is free when this one ends, however it ends."""
+"""Locks between processes: a file that one process holds, released when the process ends, however it ends."""
 
 import fcntl
 import os

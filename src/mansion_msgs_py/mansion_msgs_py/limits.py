@@ -1,4 +1,4 @@
-"""How large a building may be: what is beyond is refused, with the limit named, before any work on it begins.
+"""Limits on the size of a building: a larger one is refused, with the limit named, before any work begins.
 
 The greatest buildings that people plan lie well within. A storey at the limit is built in minutes, in less than 1 GB.
 """

@@ -1,4 +1,4 @@
-"""Doors and windows that a plan gives a floor, on the walls of its layout: they are built as they are."""
+"""Doors and windows that a plan gives, on the walls of a floor's layout; they are built as given."""
 
 from typing import Annotated, Literal, TypeAlias
 

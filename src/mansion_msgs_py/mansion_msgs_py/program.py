@@ -129,7 +129,7 @@ class FloorProgram(msgspec.Struct, frozen=True, kw_only=True):
     label : str
         What a lift button says (``G``, ``2``).
     elevation, height : float
-        Of the finished floor above the ground, and from floor to floor, in metres.
+        Height of the finished floor above the ground, and height from floor to floor, in metres.
     outline : Ring
         Inner face of the outer wall.
     structural_walls : list of Segment

@@ -60,9 +60,9 @@ class SceneRoom(msgspec.Struct, frozen=True, kw_only=True):
     net_polygon, net_holes : Ring, list of Ring
         Between the faces of the walls: where objects may stand.
     area : float
-        Of the polygon, square metres.
+        Area of the polygon, square metres.
     ceiling_height : float
-        Of the ceiling above the finished floor.
+        Height of the ceiling above the finished floor.
     name : str
         What people call it: the user's words where the brief names it.
     aliases : list of str
@@ -96,7 +96,7 @@ class Wall(msgspec.Struct, frozen=True, kw_only=True):
     left, right : str, optional
         Room or core ids; ``None`` is outside.
     left_material, right_material : str
-        Of the faces.
+        Materials of the two faces.
     """
 
     id: Identifier
@@ -344,7 +344,7 @@ class FloorScene(msgspec.Struct, frozen=True, kw_only=True):
     floor, floors : int
         This floor's number, and how many the building has.
     elevation, height : float
-        Of the finished floor above the ground; from floor to floor. Metres.
+        Height of the finished floor above the ground; height from floor to floor. Metres.
     outline, holes : Ring, list of Ring
         Inner face of the outer wall.
     building_type : str

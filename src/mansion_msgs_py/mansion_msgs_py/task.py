@@ -1,4 +1,4 @@
-"""Tasks for a robot: what is asked, what must be there, when it is done (supplement, E and F.2 to F.4)."""
+"""Tasks for a robot: the request, what must be there, and when it is done (supplement, E and F.2 to F.4)."""
 
 from enum import StrEnum
 from pathlib import Path

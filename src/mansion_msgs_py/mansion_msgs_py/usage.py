@@ -1,4 +1,4 @@
-"""The account of a language model's answers, as reports carry it: tokens, time and cost."""
+"""Usage of a language model, as reports state it: answers, tokens, time and cost."""
 
 import msgspec
 

@@ -43,7 +43,7 @@ class WishValue(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True):
     Attributes
     ----------
     name : str
-        Of the room, the building type, the style, the outline or the material, in snake case.
+        Name of the room, the building type, the style, the outline or the material, in snake case.
     type : str
         Room type or asset category that stands for `name`; empty where nothing does.
     other : str

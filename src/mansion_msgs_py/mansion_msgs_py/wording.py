@@ -1,9 +1,9 @@
-"""Words of messages: names that would be accepted, articles and counts."""
+"""Wording of messages: names that would be accepted, articles, counts and lists."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from difflib import SequenceMatcher
 
-__all__ = ["choices", "counted", "nearest", "shortened", "with_article"]
+__all__ = ["choices", "counted", "listed", "nearest", "shortened", "with_article"]
 
 FEW = 16
 """So many names are all shown; of more, the nearest."""
@@ -57,6 +57,17 @@ def counted(number: int, one: str, many: str = "") -> str:
     ('1 wish', '2 wishes', '0 rooms')
     """
     return f"{number} {one if number == 1 else many or one + 's'}"
+
+
+def listed(words: Sequence[str]) -> str:
+    """Return words as a list in a sentence.
+
+    Examples
+    --------
+    >>> listed(["a"]), listed(["a", "b", "c"])
+    ('a', 'a, b and c')
+    """
+    return words[0] if len(words) == 1 else f"{', '.join(words[:-1])} and {words[-1]}"
 
 
 def shortened(text: str, most: int) -> str:

@@ -94,7 +94,7 @@ class LiftRequest(msgspec.Struct, frozen=True, kw_only=True):
     destination_floor : str
         Floor label, or number where no label says the same.
     door_state : LiftDoor
-        How the doors shall be on arrival; only ``OPEN`` and ``CLOSED`` can be asked.
+        State of the doors on arrival; only ``OPEN`` and ``CLOSED`` can be asked.
     """
 
     lift_name: str
@@ -243,7 +243,7 @@ class SkillProgress(msgspec.Struct, frozen=True, kw_only=True):
     Attributes
     ----------
     fraction : float
-        Of its way, 0 to 1.
+        Share of the way that is done, 0 to 1.
     time : float
         Seconds on the world's clock.
     """

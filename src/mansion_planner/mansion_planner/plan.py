@@ -58,7 +58,7 @@ def plan_building(
         return _planned(request, base, cancelled)
     # Words of briefs name own assets as they do the catalogue's.
     with importing:
-        from mansion_assets.catalogue.preferred import preferring
+        from mansion_assets.catalogue.preferred_folders import preferring
         from mansion_assets.library.folders import library_folders
 
     with preferring(library_folders(request.libraries)):

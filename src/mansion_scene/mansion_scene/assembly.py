@@ -97,6 +97,7 @@ def _contents(
         catalogue=catalogue,
         chooser=chooser,
         requested={f"F{request.floor.index}/{room.id}": room.objects for room in request.floor.rooms},
+        building_type=request.building_type,
     )
     objects: list[SceneObject] = []
     discarded: list[Discard] = []

@@ -36,6 +36,11 @@ def furnish_room(
     from mansion_scene.room_contents import RoomFurnisher
 
     furnisher = RoomFurnisher(
-        scene, seed=seed, style=scene.style, catalogue=catalogue, requested={room.id: list(requested)}
+        scene,
+        seed=seed,
+        style=scene.style,
+        catalogue=catalogue,
+        requested={room.id: list(requested)},
+        building_type=scene.building_type,
     )
     return furnisher.furnish(room, standing)

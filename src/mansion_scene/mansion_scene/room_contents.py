@@ -13,10 +13,11 @@ from mansion_assets.catalogue.records import Item
 from mansion_assets.catalogue.requested_furniture import asked_counts, is_a
 from mansion_geometry.randomness import item_seed
 from mansion_knowledge.essentials import Need
+from mansion_knowledge.furnished_as import furnished_as
 from mansion_knowledge.object_kinds import answers
 from mansion_msgs_py.placement import PlacedObject, PlacementOpening, PlacementResult, PlacementRoom
 from mansion_msgs_py.program import RequestedObject
-from mansion_msgs_py.scene import Discard, Door, SceneObject, SceneRoom, Window
+from mansion_msgs_py.scene import Discard, Door, SceneObject, SceneRoom, Wall, Window
 from mansion_msgs_py.shapes import Segment
 from mansion_scene.clearance import clear_of_ways
 from mansion_scene.decor import decorate_room, scene_object
@@ -58,7 +59,15 @@ _PANEL_WALL = 0.4  # metres of wall on each side of a lift's landing door
 
 
 class FloorOpenings(Protocol):
-    """The doors and windows of a floor: its structure, or its finished scene."""
+    """The rooms, walls, doors and windows of a floor: its structure, or its finished scene."""
+
+    @property
+    def rooms(self) -> Sequence[SceneRoom]:
+        """All rooms."""
+
+    @property
+    def walls(self) -> Sequence[Wall]:
+        """All walls."""
 
     @property
     def doors(self) -> Sequence[Door]:
@@ -112,6 +121,8 @@ class RoomFurnisher:
         Chooses a room's floor objects; the room type's own list is used where it is absent or returns ``None``.
     requested : mapping of str to sequence of RequestedObject, optional
         By room, what the brief asks for in it.
+    building_type : str
+        A room may be furnished as another type because of it, see `furnished_as`.
     """
 
     def __init__(
@@ -123,8 +134,10 @@ class RoomFurnisher:
         catalogue: Catalogue | None = None,
         chooser: ItemChooser | None = None,
         requested: Mapping[str, Sequence[RequestedObject]] | None = None,
+        building_type: str = "",
     ) -> None:
         self._structure = structure
+        self._building_type = building_type
         self._seed = seed
         self._style = style
         self._chooser = chooser
@@ -140,6 +153,8 @@ class RoomFurnisher:
             What is in the room already; it keeps its place and its id, and is not among the objects returned.
         """
         asked = self._requested.get(room.id, ())
+        kind = furnished_as(room.room_type, self._building_type, room.name)
+        room = msgspec.structs.replace(room, room_type=kind)
         net = Polygon(room.net_polygon, room.net_holes)
         items = None if self._chooser is None else self._chooser(room, net.area, _extent(net))
         objects, left = self._furnished(room, standing, items, asked)
@@ -239,6 +254,7 @@ class RoomFurnisher:
             items=items,
             requested=asked,
             compact=compact,
+            beside=tuple(other.room_type for other in self._structure.rooms if other.id != room.id),
         )
 
     def _placed(self, room: SceneRoom, wishes: RoomFurnishing, *, high_windows: bool = True) -> PlacementResult:
@@ -267,20 +283,15 @@ class RoomFurnisher:
     ) -> list[SceneObject]:
         """Return placed objects as those of the scene, rows of seats that are asked for seat by seat."""
         ids = Ids(room.id, (o.id for o in standing))
-        objects = []
+        objects: list[SceneObject] = []
         for placement in placements:
             row = wishes.asset_for(placement.name, placement.size)
             asked = any(number and answers(category, row.category) for category, number in counts.items())
             for asset, (x, y) in single_seats(self._catalogue, row, placement) if asked else [(row, placement.center)]:
+                new = ids.new(asset.category)
+                asset = _in_its_colour(self._catalogue, asset, item_seed(self._seed, room.id) + len(objects))
                 objects.append(
-                    scene_object(
-                        asset,
-                        ids.new(asset.category),
-                        room.id,
-                        (x, y, asset.size[2] / 2),
-                        placement.rotation,
-                        mount="floor",
-                    )
+                    scene_object(asset, new, room.id, (x, y, asset.size[2] / 2), placement.rotation, mount="floor")
                 )
         return without_surplus_seats(within_reach(objects, Polygon(room.net_polygon, room.net_holes)), counts)
 
@@ -307,6 +318,11 @@ class RoomFurnisher:
             standing=standing,
             seed=self._seed,
             asked=asked,
+            low_walls=[
+                wall
+                for wall in self._structure.walls
+                if room.id in (wall.left, wall.right) and wall.height < room.ceiling_height - 0.5
+            ],
         )
         return clear_of_ways(small, [*(o for o in standing if o.mount == "floor"), *placed], net, doors)
 
@@ -336,6 +352,18 @@ class RoomFurnisher:
             wanted = with_displaced(self._catalogue, wanted, left)
         unwanted = [category for category, number in counts.items() if not number]
         return [o for o in small if not any(is_a(o.category, category) for category in unwanted)], short
+
+
+def _in_its_colour(catalogue: Catalogue, asset: Asset, seed: int) -> Asset:
+    """Return the asset, or for a vehicle one of the same make: no two owners choose the same colour."""
+    if "vehicle" not in asset.tags:
+        return asset
+    alike = [
+        other
+        for other in catalogue.by_category(asset.category)
+        if (other.size, other.recipe, other.parameters) == (asset.size, asset.recipe, asset.parameters)
+    ]
+    return alike[seed % len(alike)]
 
 
 def _until_met(place: _Place, counts: dict[str, int], wishes: RoomFurnishing, compact: RoomFurnishing) -> _Trial:

@@ -25,7 +25,7 @@ class Robot:
     session, world : str
         See `LoadBuilding`.
     reset : bool
-        Begin anew instead of where the session was left.
+        Start over instead of continuing where the session was left.
     engine : Engine, optional
         Share it between robots that are in one building.
 

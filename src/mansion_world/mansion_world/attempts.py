@@ -14,7 +14,7 @@ from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import write_atomic
 from mansion_msgs_py.request import BuildRequest, building_id_of
 from mansion_msgs_py.task import TaskSet
-from mansion_world.measures import measure_building
+from mansion_world.building_measures import measure_building
 from mansion_world.records import MadeTasks, Record, SetAside
 from mansion_world.sampling import WorldRequest
 from mansion_world.world_folder import WorldFolder

@@ -18,7 +18,7 @@ from mansion_msgs_py.files import read_bytes
 from mansion_msgs_py.limits import MAX_BUILDING_AREA, MAX_FLOORS
 from mansion_msgs_py.request import BuildRequest, Footprint, footprint_from_json
 from mansion_msgs_py.shapes import Area
-from mansion_world.lists import NamedRequest
+from mansion_world.brief_list import NamedRequest
 
 __all__ = ["read_briefs"]
 
@@ -46,7 +46,7 @@ _COLUMNS: Final = _Row.__struct_fields__
 PlanReader = Callable[[Path], BuildingPlan]
 
 Rows = Iterator[tuple[int, Mapping[str, Any] | str]]
-"""Line numbers with what is said there, or with what is wrong there."""
+"""Line numbers with the row there, or with what is wrong with it."""
 
 
 def read_briefs(

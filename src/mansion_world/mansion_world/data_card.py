@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Final
 
-from mansion_world.measures import LICENCE
+from mansion_world.building_measures import LICENCE
 from mansion_world.records import SPLITS, Split
 from mansion_world.statistics import WorldStatistics, world_statistics
 from mansion_world.world_folder import WorldFolder
@@ -21,7 +21,7 @@ class Shard:
     samples, bytes : int
         Buildings in it, and its size.
     sha256 : str
-        Of the finished file.
+        Hash of the finished file.
     """
 
     name: str

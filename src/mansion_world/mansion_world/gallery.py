@@ -1,4 +1,4 @@
-"""The gallery of a world: one HTML page with a picture of each building, filtered as one likes; no network is used."""
+"""The gallery of a world: an HTML page of pictures of its buildings, with filters; it loads nothing from elsewhere."""
 
 from collections.abc import Iterator
 from html import escape

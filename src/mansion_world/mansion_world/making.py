@@ -26,8 +26,8 @@ from mansion_world.attempts import (
     WorkersGone,
     attempt_building,
 )
-from mansion_world.likeness import likeness_cells, nearly_the_same
-from mansion_world.measures import folder_digest
+from mansion_world.building_measures import folder_digest
+from mansion_world.near_duplicates import likeness_cells, nearly_the_same
 from mansion_world.records import Record, SetAside, WorldIndex
 from mansion_world.requests import Requests
 from mansion_world.sampling import WorldRequest
@@ -60,7 +60,7 @@ class WorldProgress:
     done, total : int
         Buildings in their places, and asked.
     kept : int
-        Of those done, which an earlier run had made.
+        How many of the finished ones an earlier run had made.
     set_aside : int
         Attempts that this run set aside.
     missing : int
@@ -157,13 +157,13 @@ def _cannot_write(run: _Run, why: str) -> MansionError:
 
 def _stopped(run: _Run, why: str) -> MansionError:
     done = f"{run.next_place - run.missing} of {run.count} buildings are done"
-    return MansionError(ErrorCode.UNAVAILABLE, f"{why}; {done}, and the same command goes on from there")
+    return MansionError(ErrorCode.UNAVAILABLE, f"{why}; {done}; run the same command again to continue")
 
 
 def _work(
     run: _Run, workers: Workers, jobs: Jobs, assignment: Assignment, report: Callable[[WorldProgress], None]
 ) -> None:
-    """Work until all is done or the processes must be made anew."""
+    """Work until all is done or the processes must be restarted."""
     with workers() as executor:
         while run.next_place < run.count:
             if not _hand_out(run, executor, jobs(), assignment):
@@ -232,7 +232,7 @@ def _found_finished(run: _Run, request: WorldRequest) -> bool:
 
 
 def _is_of(record: Record, request: WorldRequest) -> bool:
-    """Whether a record tells of the building that a request asks for; a line of a list may have changed."""
+    """Whether a record is of the building that a request asks for; a line of a list may have changed."""
     row = record.building
     return (row.path, row.id) == (building_path(request.index, request.name), building_id_of(request.request))
 

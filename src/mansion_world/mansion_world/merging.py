@@ -1,8 +1,8 @@
 """Worlds that were made apart joined into one.
 
 Buildings keep their folders' contents, their ids and, where no other world has it, their index; a world whose indices
-are taken gets the next ones. Splits are drawn anew with the seed of the first world, so that requests in the same words
-are in one split, whichever world they come from.
+are taken gets the next ones. Splits are drawn again with the seed of the first world, so that requests in the same
+words are in one split, whichever world they come from.
 """
 
 from collections.abc import Callable, Sequence
@@ -14,8 +14,8 @@ from msgspec.structs import replace
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import write_atomic
-from mansion_world.likeness import nearly_the_same
-from mansion_world.measures import folder_digest, split_of
+from mansion_world.building_measures import folder_digest, split_of
+from mansion_world.near_duplicates import nearly_the_same
 from mansion_world.records import BuildingRow, Record, SetAside, WorldSource
 from mansion_world.whole_folder import whole_folder
 from mansion_world.world_folder import WorldFolder, building_path
@@ -135,7 +135,7 @@ def _add_building(merge: _Merge, world: WorldFolder, record: Record, index: int)
     source = world.path / row.path
     if not source.is_dir() or folder_digest(source)[0] != row.sha256:
         raise MansionError(
-            ErrorCode.INVALID_PAYLOAD, f"{source} is not as it was written; `mansion world check` tells more"
+            ErrorCode.INVALID_PAYLOAD, f"{source} has changed since it was written; `mansion world check` shows where"
         )
     split = split_of(merge.split_seed, row.description)
     moved = replace(

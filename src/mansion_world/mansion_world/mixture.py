@@ -28,7 +28,7 @@ class SubKind(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=T
     Attributes
     ----------
     share : float
-        Of the sub-kind in its kind; only ratios count.
+        Share of the sub-kind in its kind; only ratios count.
     floors : tuple of int
         Fewest and most floors.
     tail : float
@@ -36,7 +36,7 @@ class SubKind(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=T
     floor_area : tuple of float
         Least and greatest gross area of a floor, m2.
     skew : float
-        Of the area between the two: 1 is uniform, greater leans to the small end.
+        Skew of the area between the two: 1 is uniform, more leans to the small end.
     outlines, styles : dict of str to float
         Words with their shares; the empty word, or none at all, where the sentence says nothing.
     sentences : str
@@ -94,7 +94,7 @@ def load_mixture(path: Path | None = None) -> Mixture:
     try:
         mixture = convert(Mixture, tomllib.loads(data.decode()))
     except (tomllib.TOMLDecodeError, UnicodeError) as error:
-        raise MansionError(ErrorCode.INVALID_PAYLOAD, f"{source}: no TOML: {error}") from None
+        raise MansionError(ErrorCode.INVALID_PAYLOAD, f"{source} is not valid TOML: {error}") from None
     except MansionError as error:
         raise error.with_message(f"{source}: {error.info.message}") from None
     groups = load_sentences()

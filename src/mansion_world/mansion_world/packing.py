@@ -18,8 +18,8 @@ from mansion_msgs_py.building_folder import file_in
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import decode_from, write_atomic
+from mansion_world.building_measures import folder_digest, is_hashed
 from mansion_world.data_card import Shard, data_card
-from mansion_world.measures import folder_digest, is_hashed
 from mansion_world.records import BuildingRow, Record, RoomRow, Split, TaskRow
 from mansion_world.whole_folder import whole_folder
 from mansion_world.world_folder import WorldFolder
@@ -104,7 +104,7 @@ def _members(world: WorldFolder, record: Record) -> list[tuple[str, bytes]]:
     folder = world.path / row.path
     if not folder.is_dir() or folder_digest(folder)[0] != row.sha256:
         raise MansionError(
-            ErrorCode.INVALID_PAYLOAD, f"{folder} is not as it was written; `mansion world check` tells more"
+            ErrorCode.INVALID_PAYLOAD, f"{folder} has changed since it was written; `mansion world check` shows where"
         )
     files = {name.replace("/", "."): name for name in _names(folder)}
     sample = Sample(building=row, rooms=record.rooms, tasks=record.tasks, files=files)

@@ -9,7 +9,7 @@ import pyarrow as pa
 from pyarrow import parquet
 
 from mansion_msgs_py.codec import encode
-from mansion_world.measures import LICENCE
+from mansion_world.building_measures import LICENCE
 from mansion_world.world_folder import TABLES, WorldFolder
 
 __all__ = ["parquet_differences", "schema_of", "write_parquet"]

@@ -19,6 +19,7 @@ __all__ = [
     "SetAside",
     "Split",
     "TaskRow",
+    "Trial",
     "WorldIndex",
     "WorldSource",
 ]
@@ -68,19 +69,21 @@ class BuildingRow(msgspec.Struct, frozen=True, kw_only=True):
     path : str
         Folder of the building, relative to the world's.
     floor_areas : list of float
-        Of the floors from below, m2; `area` is their sum.
+        Area of each floor from below, m2; `area` is their sum.
     wishes, wishes_met : int
         What its sentence asks for, and how much of that the building meets.
     landmarks : int
         Rooms, stairs and lifts of the floor that has most.
     tasks : int
         Tasks in its ``tasks.json``.
+    task_metres : float
+        Mean of what the robot drives for them when their plans are run; 0 without tasks.
     tasks_undone : int
-        Drafts that the oracle could not do, and that are no tasks.
+        Drafts that the oracle could not do, and that are therefore not tasks.
     no_tasks : str
         Why tasks that were asked for are missing altogether; empty otherwise.
     bytes, sha256 : int, str
-        Of all files but ``report.json``, which holds times.
+        Size and hash of all files but ``report.json``, which holds times.
     licence : str
         SPDX identifier.
     """
@@ -112,6 +115,7 @@ class BuildingRow(msgspec.Struct, frozen=True, kw_only=True):
     versions: dict[str, str]
     licence: str
     tasks: int = 0
+    task_metres: float = 0.0
     tasks_undone: int = 0
     no_tasks: str = ""
 
@@ -135,7 +139,7 @@ class TaskRow(msgspec.Struct, frozen=True, kw_only=True):
     Attributes
     ----------
     difficulty : str
-        Of the task: easy, medium or hard.
+        Difficulty of the task: easy, medium or hard.
     floors : int
         From the lowest to the highest that the oracle's way touches.
     metres, seconds : float
@@ -159,6 +163,31 @@ class TaskRow(msgspec.Struct, frozen=True, kw_only=True):
     steps: int
     max_steps: int
     things: int
+
+
+class Trial(msgspec.Struct, frozen=True, kw_only=True):
+    """What came of an agent at a task.
+
+    Attributes
+    ----------
+    building, task : str
+        Their ids.
+    retrieval, navigation : float
+        Scores of the paper's supplement (F.2), from 0 to 1.
+    steps : int
+        Skills that the agent called.
+    seconds : float
+        On the clock of the world.
+    """
+
+    building: str
+    task: str
+    agent: str
+    success: bool
+    retrieval: float
+    navigation: float
+    steps: int
+    seconds: float
 
 
 class DoneTask(msgspec.Struct, frozen=True, kw_only=True):
@@ -202,7 +231,7 @@ class Record(msgspec.Struct, frozen=True, kw_only=True):
     Attributes
     ----------
     graph : str
-        Hash of its room graphs (see `mansion_world.likeness`).
+        Hash of its room graphs (see `mansion_world.near_duplicates`).
     likeness : list of RoomLikeness
     """
 

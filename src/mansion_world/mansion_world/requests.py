@@ -1,4 +1,4 @@
-"""Where the requests of a world come from: drawn from a mixture here, read from a list in `lists`."""
+"""Sources of a world's requests: drawn from a mixture here, read from a list in `brief_list`."""
 
 from dataclasses import dataclass
 from typing import Final, Protocol

@@ -10,14 +10,14 @@ import numpy as np
 from mansion_geometry.randomness import item_generator, item_seed
 from mansion_msgs_py.request import BuildRequest
 from mansion_world.mixture import Mixture, SubKind
-from mansion_world.wording import fill_wording, fitting_wordings, values_in_words
+from mansion_world.sentence_templates import fill_wording, fitting_wordings, values_in_words
 
 __all__ = ["WorldRequest", "sample"]
 
 T = TypeVar("T")
 
 _STEP: Final = (math.sqrt(5.0) - 1.0) / 2.0
-"""Of the golden-ratio sequence: the first n points fill the unit interval evenly for every n."""
+"""Step of the golden-ratio sequence: its first n points fill the unit interval evenly for every n."""
 
 _SEEDS: Final = 2**53
 
@@ -37,7 +37,7 @@ class WorldRequest(msgspec.Struct, frozen=True, kw_only=True):
     request : BuildRequest
         The sentence with the number of floors, the area of a floor and a seed of its own.
     name : str
-        Of the building's folder, where it has one; the index otherwise.
+        Name of the building's folder, where it has one; the index otherwise.
     """
 
     index: int
@@ -62,7 +62,7 @@ def sample(index: int, seed: int, mix: Mixture, *, attempt: int = 0) -> WorldReq
     index : int
         From 0. How many others there are does not matter.
     seed : int
-        Of the world.
+        Seed of the world.
     mix : Mixture
     attempt : int
         A further request for the same index, of the same kind.

@@ -9,10 +9,16 @@ from typing import Final
 
 from mansion_msgs_py.codec import decode
 from mansion_world.mixture import Mixture
-from mansion_world.records import SPLITS, Record, WorldIndex
+from mansion_world.records import SPLITS, Record, TaskRow, Trial, WorldIndex
+from mansion_world.trials import read_trials, tried_tasks
 from mansion_world.world_folder import WorldFolder
 
-__all__ = ["CLASSES", "Mean", "WorldStatistics", "world_statistics"]
+__all__ = ["AGENTS", "CLASSES", "Mean", "WorldStatistics", "world_statistics"]
+
+AGENTS: Final = "Success of agents, by difficulty of the task"
+"""Title of the table of agents."""
+
+_TASK_LEVELS: Final = ("easy", "medium", "hard")
 
 CLASSES: Final = {
     "Floor areas, m2": tuple(range(0, 1001, 50)),
@@ -63,6 +69,8 @@ class WorldStatistics:
         Tasks by kind, difficulty and number of floors.
     without_tasks : int
         Buildings that have none though some were asked for.
+    tried, succeeded : Counter of (str, str)
+        Tasks that an agent tried and did, by agent and difficulty.
     aside : Counter of str
         What was set aside, by sub-kind and reason.
     """
@@ -79,6 +87,8 @@ class WorldStatistics:
     task_kinds: Counter[str] = field(default_factory=Counter)
     task_levels: Counter[str] = field(default_factory=Counter)
     task_floors: Counter[int] = field(default_factory=Counter)
+    tried: Counter[tuple[str, str]] = field(default_factory=Counter)
+    succeeded: Counter[tuple[str, str]] = field(default_factory=Counter)
     aside: Counter[tuple[str, str]] = field(default_factory=Counter)
     floor_area: Mean = field(default_factory=Mean)
     rooms: Mean = field(default_factory=Mean)
@@ -112,11 +122,15 @@ class WorldStatistics:
             "Split": {split: self.splits[split] for split in SPLITS},
             "Tasks": {kind: self.task_kinds[kind] for kind in sorted(self.task_kinds)},
             "Floors of a task": {str(floors): self.task_floors[floors] for floors in sorted(self.task_floors)},
-            "Difficulty of tasks": {
-                level: self.task_levels[level] for level in ("easy", "medium", "hard") if self.task_levels
-            },
+            "Difficulty of tasks": {level: self.task_levels[level] for level in _TASK_LEVELS if self.task_levels},
             **ways,
         }
+
+    def success(self) -> dict[tuple[str, str], float]:
+        """Return the share of tasks that each agent did, by agent and difficulty."""
+        agents = dict.fromkeys(agent for agent, _ in self.tried)
+        pairs = ((agent, level) for agent in agents for level in _TASK_LEVELS)
+        return {pair: self.succeeded[pair] / self.tried[pair] for pair in pairs if self.tried[pair]}
 
     def tables(self) -> dict[str, list[tuple[str, str]]]:
         """Return the statistics as titled rows of text."""
@@ -141,6 +155,10 @@ class WorldStatistics:
                 for (kind, part), share in self.asked.items()
             ],
             **{title: _rows(counts) for title, counts in self.distributions().items()},
+            AGENTS: [
+                (f"{agent}, {level}", f"{share:.1%} of {self.tried[agent, level]}")
+                for (agent, level), share in self.success().items()
+            ],
             "Rooms": [
                 (name, str(count))
                 for name, count in sorted(self.rooms_by_type.items(), key=lambda row: (-row[1], row[0]))[:25]
@@ -182,6 +200,8 @@ def world_statistics(world: WorldFolder) -> WorldStatistics:
     for record in world.records():
         _add_building(statistics, record)
         _add_tasks(statistics, record)
+    for task, trial in tried_tasks(world, read_trials(world)):
+        _add_trial(statistics, task, trial)
     statistics.aside.update((entry.request.sub_kind, entry.reason) for entry in world.aside())
     return statistics
 
@@ -229,3 +249,8 @@ def _add_tasks(statistics: WorldStatistics, record: Record) -> None:
         statistics.task_floors[task.floors] += 1
         statistics.way.add(task.metres)
         statistics.ways[_class("Path lengths of the oracle, m", task.metres)] += 1
+
+
+def _add_trial(statistics: WorldStatistics, task: TaskRow, trial: Trial) -> None:
+    statistics.tried[trial.agent, task.difficulty] += 1
+    statistics.succeeded[trial.agent, task.difficulty] += trial.success

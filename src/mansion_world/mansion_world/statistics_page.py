@@ -1,13 +1,13 @@
 """The statistics of a world as one HTML page with pictures of buildings."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from html import escape
 from itertools import islice
 from typing import Final
 
 from mansion_msgs_py.building_folder import BuildingFolder
 from mansion_world.records import BuildingRow
-from mansion_world.statistics import WorldStatistics
+from mansion_world.statistics import AGENTS, WorldStatistics
 from mansion_world.world_folder import WorldFolder
 
 __all__ = ["statistics_page"]
@@ -44,13 +44,15 @@ def statistics_page(world: WorldFolder, statistics: WorldStatistics) -> str:
 def _section(statistics: WorldStatistics, title: str, rows: list[tuple[str, str]]) -> str:
     if title == "Mixture":
         return _mixture(statistics)
+    if title == AGENTS:
+        return _bars(title, rows, list(statistics.success().values()), whole=1.0)
     counts = statistics.distributions().get(title)
     return _bars(title, rows, list(counts.values())) if counts else _table(title, rows)
 
 
-def _bars(title: str, rows: list[tuple[str, str]], counts: list[int]) -> str:
-    """Return a bar for each row, the longest for the greatest count."""
-    most = max(counts) or 1
+def _bars(title: str, rows: list[tuple[str, str]], counts: Sequence[float], whole: float = 0.0) -> str:
+    """Return a bar for each row; a full one stands for `whole`, or else for the greatest count."""
+    most = whole or max(counts) or 1
     body = "\n".join(
         f'<tr><td>{escape(name)}</td><td><div class="bar"><i style="width:{count / most:.1%}"></i></div></td>'
         f"<td>{escape(value)}</td></tr>"

@@ -9,8 +9,9 @@ from msgspec.structs import replace
 
 from mansion_msgs_py.building_folder import TASKS
 from mansion_msgs_py.codec import encode_bytes
+from mansion_msgs_py.wording import counted
 from mansion_world.attempts import Check
-from mansion_world.measures import folder_digest, task_row
+from mansion_world.building_measures import folder_digest, task_row
 from mansion_world.records import BuildingRow, DoneTask, Record, TaskRow
 from mansion_world.world_folder import TABLES, WorldFolder, table_rows
 
@@ -62,7 +63,7 @@ def _task_faults(record: Record, building: Path, redo: RedoTasks) -> Iterator[st
     row = record.building
     done = redo(building) if (building / TASKS).is_file() else []
     if len(done) != len(record.tasks) or len(done) != row.tasks:
-        yield f"has {len(done)} tasks in {TASKS}; its record says {row.tasks} and lists {len(record.tasks)}"
+        yield f"has {counted(len(done), 'task')} in {TASKS}; its record says {row.tasks} and lists {len(record.tasks)}"
     for found, wanted in zip(done, record.tasks):
         if not found.success:
             yield f"task {found.task.id}: its plan does not do it"

@@ -145,7 +145,7 @@ class WorldFolder:
         shutil.rmtree(work.with_name(f".{work.name}.partial"), ignore_errors=True)
 
     def forget(self, record: Record) -> None:
-        """Take a building out of the world, to make it anew."""
+        """Take a building out of the world, to build it again."""
         self._record_file(record.building.index).unlink(missing_ok=True)
         shutil.rmtree(self.path / record.building.path, ignore_errors=True)
 
@@ -160,7 +160,7 @@ class WorldFolder:
         return _read(SetAside, self._aside_file(index, attempt))
 
     def move_records(self, indices: Mapping[str, int]) -> None:
-        """Give the records of buildings the indices that are said of their paths, and drop all others."""
+        """Give the records of buildings the indices that are stated for their paths, and drop all others."""
         found = list(self.records())
         moved = [record for record in found if indices.get(record.building.path) != record.building.index]
         for record in moved:
@@ -242,7 +242,7 @@ def _at_index(record: Record, index: int) -> Record:
 
 
 def _read(kind: type[T], file: Path) -> T | None:
-    """Return what a file holds, ``None`` where it is missing or holds something else: it is then made anew."""
+    """Return what a file holds, ``None`` where it is missing or holds something else: it is then made again."""
     try:
         return read_payload(kind, file)
     except MansionError:

@@ -40,8 +40,8 @@ def test_a_hinge_becomes_a_door_in_degrees(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("text", "reason"),
     [
-        ("<robot", "is no XML"),
-        ("<sdf/>", "is no URDF"),
+        ("<robot", "is not XML"),
+        ("<sdf/>", "is not a URDF"),
         ("<robot><link name='a'/></robot>", "is empty"),
         (CABINET.replace("prismatic", "screw"), "of type 'screw'"),
         (CABINET.replace('child link="tray"', 'child link="lid"'), "that is not there"),

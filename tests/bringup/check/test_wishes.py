@@ -10,7 +10,7 @@ import msgspec
 import pytest
 
 from mansion_bringup.building.receipt import receipt
-from mansion_bringup.check.measures import outline_forms
+from mansion_bringup.check.shapes import outline_forms
 from mansion_bringup.check.wishes import check_wishes
 from mansion_bringup.edit_hooks import records
 from mansion_bringup.editor import open_editor

@@ -26,7 +26,7 @@ def run(arguments: list[bytes | str], **environment: str) -> tuple[int, str]:
 def test_bytes_that_are_no_text_are_refused(arguments: list[bytes | str]) -> None:
     status, errors = run(arguments)
     assert status == 1
-    assert "is no text in UTF-8" in errors and len(errors.splitlines()) == 1
+    assert "is not UTF-8 text" in errors and len(errors.splitlines()) == 1
 
 
 @pytest.mark.parametrize("domain", ["999", "-1", "abc", "1.5"])

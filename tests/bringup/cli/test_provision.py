@@ -14,7 +14,7 @@ from mansion_msgs_py.scene import FloorScene
 from mansion_msgs_py.task import Need, Task, TaskKind, TaskSet, read_tasks
 from mansion_scene.decor.frames import scene_object
 from mansion_tasks.tasks.grounding import ground
-from mansion_tasks.tasks.paper import PAPER_TASKS
+from mansion_tasks.tasks.paper_tasks import PAPER_TASKS
 from mansion_tasks.tasks.sandbox import Sandbox
 from mansion_tasks.tasks.solving import replay
 from sample_building import write_building

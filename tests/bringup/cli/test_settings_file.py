@@ -98,9 +98,9 @@ def test_each_key_at_the_top_is_an_option_of_several_commands(key: str) -> None:
         ("seed = -1", ("mansion.toml: seed does not fit",)),
         ("seed = true", ("mansion.toml: seed",)),
         ("strict = 1", ("strict must be true or false",)),
-        ("[build]\noutput = 'x'", ("build.output is said each time",)),
-        ("[build]\nforce = true", ("build.force is said each time",)),
-        ("seed = ", ("mansion.toml is no TOML",)),
+        ("[build]\noutput = 'x'", ("build.output must be given each time",)),
+        ("[build]\nforce = true", ("build.force must be given each time",)),
+        ("seed = ", ("mansion.toml is not valid TOML",)),
     ],
 )  # fmt: skip
 def test_what_is_no_setting_is_refused_with_its_place(text: str, said: tuple[str, ...]) -> None:

@@ -23,7 +23,7 @@ from mansion_bringup.graph.recording import GraphRecording, definition_of
 from mansion_bringup.graph.skill_port import SERVER
 from mansion_msgs_py.interfaces import LATCHED, STREAM
 from mansion_msgs_py.nodes.shell import qos_profile
-from mansion_tasks.recordings.definitions import message_definition
+from mansion_tasks.recordings.mcap_file import message_definition
 from sample_building import write_building
 
 pytest.importorskip("mcap_ros2")

@@ -5,7 +5,7 @@ import pytest
 
 import sample_storeys
 from mansion_editing.structure import Storey, updated_building
-from mansion_editing.structure.storeys import node_of
+from mansion_editing.structure.storey_documents import node_of
 from mansion_msgs_py.errors import MansionError
 
 

@@ -9,13 +9,16 @@ from shapely.geometry import Point, Polygon, box
 from shapely.ops import unary_union
 
 from mansion_export.building_model import building_models
+from mansion_export.exterior.lettering import lettering
 from mansion_export.exterior.roofs import covering_rectangles
 from mansion_export.model import Model, Node
 from mansion_msgs_py.scene import FloorScene
 
 
 def vertices(model: Model, node: Node) -> np.ndarray:
-    return np.concatenate([surface.vertices for surface in model.meshes[node.mesh].surfaces])
+    own = np.concatenate([surface.vertices for surface in model.meshes[node.mesh].surfaces])
+    c, s = np.cos(np.radians(node.rotation)), np.sin(np.radians(node.rotation))
+    return own @ np.array([(c, s, 0.0), (-s, c, 0.0), (0.0, 0.0, 1.0)]) + np.array(node.position)
 
 
 def of_group(models: list[Model], group: str) -> list[tuple[Node, np.ndarray]]:
@@ -38,7 +41,7 @@ def ridge(models: list[Model]) -> float:
 
 
 def test_homes_have_a_pitched_roof_and_offices_or_modern_houses_a_flat_one(storeys: list[FloorScene]) -> None:
-    assert ridge(building_models(as_type(storeys, "office"))) < 0.8
+    assert ridge(building_models(as_type(storeys, "office"))) < 1.4  # with the plant on it
     assert ridge(building_models(as_type(storeys, "house", "modern"))) < 0.8
     assert ridge(building_models(as_type(storeys, "house"))) > 1.5
 
@@ -59,8 +62,9 @@ def test_the_plot_lies_outside_the_building_and_below_its_floor_but_for_what_gro
     inside = Polygon(storeys[0].outline)
     found = of_group(models, "site")
     names = {node.id.rpartition("/")[2].partition("_")[0] for node, _ in found}
-    assert {"lawn", "path", "tree", "canopy", "landing"} <= names
+    assert {"lawn", "path", "tree", "shrubs", "canopy", "landing"} <= names
     assert ("hedge" in names) == (building_type == "house")
+    assert ("car" in names) == ("sign" in names) == (building_type == "office")
     assert ("parking" in names) == (building_type == "office")
     for node, points in found:
         assert not any(inside.buffer(-0.05).contains(Point(x, y)) for x, y in points[:, :2]), node.id
@@ -94,6 +98,44 @@ def test_a_lower_storey_has_a_roof_where_the_one_above_draws_back(storeys: list[
     roofs = [points for node, points in found if node.id == f"F{first.floor}/roof"]
     assert len(roofs) == 1
     assert roofs[0][:, 0].min() > x1 - 0.5
+
+
+def with_terrace(scenes: list[FloorScene]) -> tuple[list[FloorScene], Polygon]:
+    """Make the largest room of the highest storey a roof terrace."""
+    *lower, top = scenes
+    largest = max(top.rooms, key=lambda room: room.area)
+    rooms = [msgspec.structs.replace(r, room_type="roof_terrace") if r is largest else r for r in top.rooms]
+    return [*lower, msgspec.structs.replace(top, rooms=rooms)], Polygon(largest.net_polygon)
+
+
+@pytest.mark.parametrize("building_type", ["house", "office"])
+def test_no_roof_covers_a_roof_terrace(storeys: list[FloorScene], building_type: str) -> None:
+    scenes, terrace = with_terrace(as_type(storeys, building_type))
+    models = building_models(scenes)
+    (found,) = [(m, node) for m in models for node in m.nodes if node.id.endswith("/roof")]
+    # Eaves and copings may overhang it by the breadth of a hand or two.
+    inner = terrace.buffer(-0.6)
+    for surface in found[0].meshes[found[1].mesh].surfaces:
+        for triangle in surface.vertices[surface.faces]:
+            plan = Polygon(triangle[:, :2])
+            assert not plan.is_valid or plan.intersection(inner).area < 1e-6
+
+
+def test_the_name_stands_over_the_main_door_outside_the_wall(storeys: list[FloorScene]) -> None:
+    scenes = as_type(storeys, "cinema")
+    (sign,) = [points for node, points in of_group(building_models(scenes), "site") if node.id.endswith("/sign")]
+    door = max((door for door in scenes[0].doors if None in door.rooms), key=lambda door: door.width)
+    assert sign[:, 2].min() > door.height
+    middle = np.mean(np.array(door.segment), axis=0)
+    assert np.abs(sign[:, :2] - middle).max() < 4.0
+    assert Polygon(scenes[0].outline).distance(Point(sign[:, :2].mean(axis=0))) > 0.2
+
+
+def test_letters_differ_and_others_are_blanks() -> None:
+    shapes = [lettering(letter) for letter in "ABCDEFGHIJKLMNOPQRSTUVWXYZ"]
+    assert all(shape.bounds[1::2] == pytest.approx((0.0, 1.0), abs=0.01) for shape in shapes)
+    assert len({shape.wkb for shape in shapes}) == 26
+    assert lettering("7 !").is_empty
 
 
 @settings(max_examples=50, deadline=None)

@@ -68,3 +68,20 @@ def test_where_something_is_to_be_done_is_the_building(brief: str, building: str
 )
 def test_where_one_is_already_is_not_the_building(brief: str, building: str) -> None:
     assert read_brief(brief, default_knowledge()).building[0][0] == building
+
+
+@pytest.mark.parametrize(
+    ("brief", "building"),
+    [
+        ("We live in a townhouse of 3 floors with a laundry room.", "townhouse"),
+        ("I live in a villa of two floors with a pool.", "villa"),
+        ("Two families live in our house of three storeys.", "house"),
+        ("We work in an office with two meeting rooms.", "office"),
+    ],
+)
+def test_where_somebody_lives_or_works_is_the_building_where_no_other_is_named(brief: str, building: str) -> None:
+    assert [name for name, _ in read(brief).building] == [building]
+
+
+def test_where_somebody_lives_is_not_the_building_that_they_want() -> None:
+    assert [name for name, _ in read("We live in a flat. We want a house with three bedrooms.").building] == ["house"]

@@ -136,7 +136,7 @@ def test_a_lake_is_no_veranda() -> None:
 @pytest.mark.parametrize(
     ("text", "category", "count", "room"),
     [
-        ("a hostel with three 6-bed dorms", "bed", 6, "bed_dorm"),
+        ("a hostel with three 6-bed dorms", "bed", 6, "dorm"),
         ("a music school with a concert hall seating 120", "chair", 120, "concert_hall"),
         ("a pharmacy with a staff room with lockers", "locker", None, "staff_room"),
         ("a house with one bathroom with a shower", "shower_cabin", 1, "bathroom"),

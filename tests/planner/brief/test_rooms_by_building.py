@@ -19,7 +19,7 @@ def rooms(brief: str) -> dict[str, tuple[str, bool]]:
         ("A furniture factory with a spray booth and an assembly hall.", "assembly_hall", "production_hall", True),
         ("A school with a library and an assembly hall.", "assembly_hall", "assembly_hall", True),
         ("An advertising agency with one open studio with 32 desks and a cafe.", "studio", "open_office", False),
-        ("A newspaper office with a newsroom. On top a studio for podcasts.", "studio", "art_room", False),
+        ("A newspaper office with a newsroom. On top a studio for podcasts.", "studio", "recording_studio", True),
         ("A university with a lab and a student room where 18 desks are.", "student_room", "study_room", False),
         ("A dormitory with 20 student rooms and a kitchen.", "student_room", "dorm_room", True),
         ("A birth centre with a waiting room and a midwives' station.", "midwive_station", "nurse_station", False),

@@ -8,7 +8,7 @@ from shapely import Polygon
 from mansion_assets.catalogue import RoomFurnishing, furnish_request, load_catalogue
 from mansion_geometry.object_footprints import footprint, footprint_at
 from mansion_msgs_py.codec import encode
-from mansion_msgs_py.scene import Door, SceneObject, Window
+from mansion_msgs_py.scene import Door, SceneObject, Wall, Window
 from mansion_scene.decor import decorate_room, scene_object
 from mansion_scene.decor.frames import to_floor, to_local, wall_edges
 from mansion_scene.decor.wall_objects import WallSpace
@@ -191,3 +191,22 @@ def test_a_receptacles_frame_turns_with_it() -> None:
     desk = scene_object(CATALOGUE.asset("office_desk_1"), f"{ROOM}/office_desk_1", ROOM, (2.0, 3.0, 0.37), 90.0)
     assert to_floor(desk, (0.0, 1.0)) == pytest.approx((1.0, 3.0))
     assert to_local(desk, (1.0, 3.0)) == pytest.approx((0.0, 1.0))
+
+
+def test_nothing_hangs_over_a_parapet() -> None:
+    walls = [WallSpace(edge) for edge in wall_edges(RING)]
+    parapet = Wall(id="p", segment=((0.0, -0.12), (6.0, -0.12)), thickness=0.24, height=1.1, left=ROOM)
+    for wall in walls:
+        wall.block_above([parapet])
+    over = [wall.gaps(0.4, 1.6, 2.0, 0.1) for wall in walls]
+    assert sum(not gaps for gaps in over) == 1
+    assert all(wall.gaps(0.4, 0.3, 0.7, 0.1) for wall in walls)
+
+
+def test_mats_lie_in_a_block_of_rows() -> None:
+    ring = [(0.0, 0.0), (9.0, 0.0), (9.0, 6.0), (0.0, 6.0)]
+    wishes = furnish_request(CATALOGUE, "yoga_studio", 54.0, seed=1, room_id=ROOM, extent=(9.0, 6.0))
+    extra = decorate_room(CATALOGUE, wishes, room_id=ROOM, net_polygon=ring, ceiling_height=2.8, seed=1)
+    mats = [o for o in extra if o.category == "yoga_mat"]
+    columns, rows = ({round(o.position[axis], 3) for o in mats} for axis in (0, 1))
+    assert len(columns) * len(rows) == len(mats) == 8

@@ -1,9 +1,18 @@
 """Matrices of seats and of what only just fits a room."""
 
+import itertools
+
 import numpy as np
 import pytest
 
-from mansion_msgs_py.placement import MatrixStructure, PlacementObject, PlacementOpening, PlacementRoom
+from mansion_msgs_py.placement import (
+    MatrixStructure,
+    PlacedObject,
+    PlacementObject,
+    PlacementOpening,
+    PlacementRoom,
+    Relation,
+)
 from mansion_scene.placement import place_room
 
 
@@ -41,3 +50,51 @@ def test_an_audience_sits_shoulder_to_shoulder(seed: int) -> None:
 def test_a_block_that_just_fits_is_found(seed: int) -> None:
     result = place_room(hall(8.7, 6.6, 3, 4), seed=seed)
     assert len(result.placements) == 12
+
+
+def dining(width: float, depth: float, rows: int, cols: int) -> PlacementRoom:
+    """Return a dining room with tables of four."""
+    count = rows * cols
+    return PlacementRoom(
+        room_id="dining",
+        room_type="restaurant",
+        polygon=[(0, 0), (width, 0), (width, depth), (0, depth)],
+        doors=[PlacementOpening(segment=((1, 0), (2.6, 0)))],
+        objects=[
+            PlacementObject(
+                name="restaurant_table",
+                size=(0.9, 0.9, 0.75),
+                quantity=count,
+                global_="middle",
+                structure=MatrixStructure(rows=rows, cols=cols),
+            ),
+            PlacementObject(
+                name="dining_chair",
+                size=(0.45, 0.5, 0.85),
+                quantity=4 * count,
+                relative=[Relation(kind="around", target="restaurant_table")],
+            ),
+        ],
+    )
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_guests_pass_between_tables_where_fewer_tables_leave_room(seed: int) -> None:
+    # All twelve fit only with the chairs of two tables back to back.
+    result = place_room(dining(10.0, 8.0, 3, 4), seed=seed)
+    chairs = [p for p in result.placements if p.name == "dining_chair"]
+    tables = [p for p in result.placements if p.name == "restaurant_table"]
+    assert 8 <= len(tables) <= 12
+
+    def table_of(chair: PlacedObject) -> int:
+        return min(range(len(tables)), key=lambda i: float(np.hypot(*np.subtract(tables[i].center, chair.center))))
+
+    for one, other in itertools.combinations(chairs, 2):
+        if table_of(one) != table_of(other):
+            assert max(np.abs(np.subtract(one.center, other.center))) > 0.5 + 0.3
+
+
+def test_no_chair_stands_without_its_table() -> None:
+    result = place_room(dining(4.2, 4.2, 3, 4), seed=0)
+    tables = sum(p.name == "restaurant_table" for p in result.placements)
+    assert sum(p.name == "dining_chair" for p in result.placements) <= 4 * tables < 48

@@ -13,8 +13,8 @@ from mansion_geometry.floor_grid import FREE, OCCUPIED, UNKNOWN, GridFrame
 from mansion_msgs_py.world import LiftCall, LiftDoor, LiftMotion
 from mansion_skills import Robot
 from mansion_skills.navigation.floor_map import FloorMap
+from mansion_skills.navigation.grid_kernels import cast_rays
 from mansion_skills.navigation.paths import find_path, free_run, is_clear, path_length
-from mansion_skills.navigation.search import cast_rays
 from mansion_skills.world.lift import DOOR_TIME, Lift
 from sample_building import scene
 

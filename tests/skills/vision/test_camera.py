@@ -16,7 +16,7 @@ from mansion_skills import Robot
 from mansion_skills.skills.visibility import CAMERA_HEIGHT
 from mansion_skills.vision import Camera, Frame
 from mansion_skills.vision.floor_model import FloorModel
-from mansion_skills.vision.floors import KEPT
+from mansion_skills.vision.loaded_floors import KEPT
 from mansion_skills.world.floor_exports import _made
 
 

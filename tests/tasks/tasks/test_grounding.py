@@ -12,7 +12,7 @@ from mansion_msgs_py.task import Goal, GoalKind, Need, Task, TaskKind
 from mansion_skills.world.building import LoadedBuilding
 from mansion_tasks.tasks.grounding import ground
 from mansion_tasks.tasks.needs import describe, matching_objects, matching_rooms
-from mansion_tasks.tasks.paper import PAPER_TASKS, paper_task
+from mansion_tasks.tasks.paper_tasks import PAPER_TASKS, paper_task
 from mansion_tasks.tasks.sandbox import Sandbox
 from mansion_tasks.tasks.solving import replay
 

@@ -4,7 +4,7 @@ from mansion_assets.catalogue.asset import Asset, Surface, Volume
 from mansion_assets.catalogue.catalogue import Catalogue, RoomProgramCard
 from mansion_assets.catalogue.furnish import HangRequest, RoomFurnishing, RugRequest, furnish_request
 from mansion_assets.catalogue.loading import load_catalogue
-from mansion_assets.catalogue.preferred import preferred_folders, preferring
+from mansion_assets.catalogue.preferred_folders import preferred_folders, preferring
 
 __all__ = [
     "Asset",

@@ -90,7 +90,7 @@ class Asset(msgspec.Struct, frozen=True, kw_only=True):
     rooms : tuple of str
         Room types whose programs use the category.
     joints : tuple of JointRecord
-        Of the parts of a GLB; a recipe makes its own.
+        Joints of the parts of a GLB file; a recipe makes its own.
     pieces : str, optional
         File of the convex pieces of a GLB.
     mass : float, optional

@@ -1,7 +1,7 @@
 """The furnishing of a room by its type and area: which objects, how many, with what constraints."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 import msgspec
 import numpy as np
@@ -103,16 +103,16 @@ _LOYALTY = 0.7
 """Probability that a room takes the building's own variant of a category."""
 
 _MANY = 6
-"""From so many copies asked for on, they stand in rows and columns."""
+"""Number of requested copies from which they stand in rows and columns."""
 
 _FIELD = 10
-"""From so many copies on, what stands at walls stands in rows and columns, unless it is shallow or a bed."""
+"""Number of copies from which what stands at walls stands in rows and columns, unless it is shallow or a bed."""
 
 _SHALLOW = 0.7
 """Depth of what lines walls in any number, metres."""
 
 _AISLES = (0.6, 0.9)
-"""Between the columns and the rows of what is asked for in such numbers, metres."""
+"""Distance between the columns and rows of objects that are requested in such numbers, metres."""
 
 _LOOSE = MatrixShape(max_rows=99, max_cols=99, gap=(0.05, 0.6))
 
@@ -123,7 +123,7 @@ _CROWDED = 0.8
 """Share of the floor that objects asked for cover at the very most."""
 
 _ASKED_SHARE = 0.3
-"""Share of the floor up to which the assets for what is asked for are chosen freely."""
+"""Share of the floor up to which the assets of requested objects are chosen freely."""
 
 
 def furnish_request(
@@ -138,6 +138,7 @@ def furnish_request(
     items: Sequence[Item] | None = None,
     requested: Sequence[RequestedObject] = (),
     compact: bool = False,
+    beside: Collection[str] = (),
 ) -> RoomFurnishing:
     """Return the objects that a room should get.
 
@@ -157,6 +158,8 @@ def furnish_request(
         What the brief asks for; it comes before the rest, whatever the share of the floor.
     compact : bool
         Whether the smallest assets are taken for it.
+    beside : collection of str
+        Types of the other rooms of the floor, which have some things in this one's stead.
 
     Notes
     -----
@@ -166,6 +169,8 @@ def furnish_request(
     card = catalogue.room_program(room_type)
     if items is not None:
         card = msgspec.structs.replace(card, floor=tuple(items))
+    if beside:
+        card = msgspec.structs.replace(card, floor=tuple(item for item in card.floor if item.unless not in beside))
     rng = item_generator(seed, "furnish", room_id, card.room_type)
     counts = asked_counts(requested)
     asked = (
@@ -445,7 +450,7 @@ class _Draft:
         return self.style.pick(fitting, self.rng)
 
     def _asked_asset(self, assets: list[Asset], wanted: int) -> Asset:
-        """Draw an asset of which as many as are asked for leave enough floor free, one of the smallest at need."""
+        """Draw an asset whose requested copies leave enough floor free, or else one of the smallest."""
         roomy = [a for a in assets if wanted * a.footprint <= _ASKED_SHARE * self.area]
         if self.compact or not roomy:
             least = min(a.footprint for a in assets)

@@ -10,7 +10,7 @@ import msgspec
 
 from mansion_assets.catalogue.asset import Asset
 from mansion_assets.catalogue.catalogue import Catalogue
-from mansion_assets.catalogue.preferred import preferred_folders
+from mansion_assets.catalogue.preferred_folders import preferred_folders
 from mansion_assets.catalogue.receptacles import receptacles_of
 from mansion_assets.catalogue.records import Arrangement, AssetRecord, CategoryRecord, Item, RoomRecord
 from mansion_msgs_py.codec import decode

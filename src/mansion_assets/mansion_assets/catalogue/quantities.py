@@ -117,7 +117,7 @@ def _by_area(count: Count, area: float) -> float:
 
 
 def seating_tables(tables: Sequence[Asset], seat: Asset, seats: float, extent: tuple[float, float]) -> list[Asset]:
-    """Return the tables that seat so many and leave room to pass behind the chairs.
+    """Return the tables that seat a number of people and leave room to pass behind the chairs.
 
     Parameters
     ----------

@@ -90,7 +90,7 @@ def _looks() -> frozenset[str]:
 
 
 def query_words(query: str) -> list[QueryWord]:
-    """Return the words of a query that say what is wanted, each with its weight.
+    """Return the words of a query that describe the object, each with its weight.
 
     The last word before the first preposition names the thing ("table" in "table for examining patients"), or the
     first one what is done with it ("to cut bread with"): it counts most. Colours and materials before another word

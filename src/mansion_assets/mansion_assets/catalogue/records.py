@@ -73,13 +73,13 @@ class AssetRecord(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fiel
     joints : list of JointRecord
         Parts that move: nodes of the GLB that are called ``PART`` or ``PART/...``.
     pieces : str, optional
-        Path of the convex pieces that collide (`mansion_assets.library.pieces`), relative to the record.
+        Path of the convex pieces that collide (`mansion_assets.library.convex_decomposition`), relative to the record.
     mass : float, optional
         Kilograms; by its size where it is left out.
     source, author, licence : str
         Where it is from, who made it, and under what licence.
     sha256 : str
-        Of the GLB and the pieces.
+        Hash of the GLB and the pieces.
     stated, guessed : list of str
         Which facts its files say, and which were derived when it was added.
     """
@@ -159,6 +159,8 @@ class Item(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
         Bounds of the room's area, square metres.
     matrix, paired
         Structural constraint; without either each copy stands on its own.
+    unless : str
+        A room type that has it in the room's stead where the floor has one.
     """
 
     name: Snake
@@ -172,6 +174,7 @@ class Item(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
     min_area: float = 0.0
     max_area: float = 1e9
     extent: Extent | None = None
+    unless: str = ""
 
 
 class HangItem(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):

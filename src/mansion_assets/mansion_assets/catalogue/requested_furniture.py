@@ -1,4 +1,4 @@
-"""A room's program with the furniture that the brief asks for worked in."""
+"""Work the furniture that a brief asks for into a room's program."""
 
 import math
 from collections.abc import Collection, Iterable, Sequence
@@ -77,7 +77,7 @@ def carries(asset: Asset, thing: Asset) -> bool:
 def with_requested(
     catalogue: Catalogue, card: RoomProgramCard, counts: dict[str, int], area: float, exact: Collection[str] = ()
 ) -> AskedProgram:
-    """Return a room's program in which what is asked for comes first and is certain, and nothing unwanted is left.
+    """Return a room's program in which requested objects come first and are certain, and unwanted ones are removed.
 
     Parameters
     ----------
@@ -214,7 +214,7 @@ class _Program:
         return AskedProgram(card=card, least=self._least, first=frozenset(self._first), most=self._most)
 
     def _without_surplus(self, item: Item) -> Item | None:
-        """Return an item that nobody asked for without what would count as what is wanted in just that number."""
+        """Return an item that was not requested without what would add to the objects requested in an exact number."""
         names = [name for name in _names(item.category) if not any(_same_noun(name, kind) for kind in self._exact)]
         return msgspec.structs.replace(item, category=names) if names else None
 

@@ -1,4 +1,4 @@
-"""Models added to a library, one after the other; a broken one does not stop the rest."""
+"""Add models to a library, one after another; a broken one does not stop the rest."""
 
 import re
 from collections.abc import Iterator, Sequence
@@ -10,9 +10,9 @@ import msgspec
 from mansion_assets.catalogue import Catalogue
 from mansion_assets.catalogue.records import AssetRecord
 from mansion_assets.library.annotations import Annotations
+from mansion_assets.library.asset_files import Drawer, asset_files, write_asset
 from mansion_assets.library.mesh_files import MODELS
 from mansion_assets.library.preparing import AddOptions, prepared
-from mansion_assets.library.writing import Drawer, asset_files, write_asset
 from mansion_msgs_py.codec import decode
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.file_locks import hold_lock
@@ -96,7 +96,7 @@ def add_models(
     Parameters
     ----------
     folder : Path
-        Of the library; made where it is missing.
+        The library's folder; made if it is missing.
     catalogue : Catalogue
     draw : callable
         Makes the pictures.
@@ -159,7 +159,5 @@ def _status(folder: Path, record: AssetRecord, *, replace: bool) -> Literal["add
     if there == record:
         return "unchanged"
     if not replace:
-        raise MansionError(
-            ErrorCode.CONFLICT, f"{folder} has an asset {record.key!r} already; --replace puts this one in its place"
-        )
+        raise MansionError(ErrorCode.CONFLICT, f"{folder} already has an asset {record.key!r}; --replace replaces it")
     return "replaced"

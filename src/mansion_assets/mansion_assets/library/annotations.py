@@ -1,4 +1,4 @@
-"""What annotations say of models: those of objathor and Objaverse, of AI2-THOR's databases, and plain ones.
+"""Annotations of models: those of objathor and Objaverse, of AI2-THOR's databases, and plain ones.
 
 objathor (https://github.com/allenai/objathor) keeps one object for each model, in ``annotations.json`` of a whole data
 set by their ids, or in a file of the model's folder. ``width``, ``depth`` and ``height`` are centimetres; ``scale`` is
@@ -76,7 +76,7 @@ class Annotations:
         self._files: dict[Path, Any] = {}
 
     def of(self, model: Path) -> Annotation | None:
-        """Return what is said of a model, by its file's name or its folder's; None where nothing is.
+        """Return the annotation of a model, by the name of its file or its folder; None if there is none.
 
         Raises
         ------

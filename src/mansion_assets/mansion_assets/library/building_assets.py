@@ -1,4 +1,4 @@
-"""Own assets of a building: their files lie in its folder, so that it needs no library wherever it is read."""
+"""Own assets of a building: their files are kept in its folder, so that it can be read without the library."""
 
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
@@ -10,7 +10,7 @@ import msgspec
 from mansion_assets.catalogue.asset import Asset
 from mansion_assets.catalogue.catalogue import Catalogue
 from mansion_assets.catalogue.loading import PIECES, load_catalogue
-from mansion_assets.catalogue.preferred import preferring
+from mansion_assets.catalogue.preferred_folders import preferring
 from mansion_assets.catalogue.records import AssetRecord
 from mansion_assets.library.folders import library_folder, library_folders
 from mansion_msgs_py.codec import encode_bytes

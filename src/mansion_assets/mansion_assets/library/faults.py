@@ -1,4 +1,4 @@
-"""What is wrong with assets: their meshes, what collides, joints, facts and files."""
+"""Check assets for faults: in their meshes, collision pieces, joints, facts and files."""
 
 from collections.abc import Iterator, Sequence
 from pathlib import Path
@@ -11,7 +11,7 @@ from mansion_assets.catalogue.loading import load_catalogue
 from mansion_assets.catalogue.records import AssetRecord
 from mansion_assets.convex import Box, Convex, Hull, volume_of
 from mansion_assets.joints import Joint
-from mansion_assets.library.writing import content_hash
+from mansion_assets.library.asset_files import content_hash
 from mansion_assets.meshes import Link, links
 from mansion_geometry.compiled import Floats
 from mansion_msgs_py.errors import MansionError

@@ -43,7 +43,7 @@ def library_folder(name: str) -> Path:
     if not _NAME.fullmatch(name):
         raise MansionError(
             ErrorCode.INVALID_PAYLOAD,
-            f"{name[:80]!r} is no name of a library; use letters, digits, - and _, or a path with a slash in it",
+            f"{name[:80]!r} is not a library name; use letters, digits, - and _, or a path with a slash in it",
             path="$.library",
         )
     return libraries_root() / name

@@ -8,8 +8,8 @@ from urllib.parse import unquote
 
 import numpy as np
 
-from mansion_assets.library.looks import surfaces_of
 from mansion_assets.library.source_model import SourceModel, SourcePart, SourceSurface
+from mansion_assets.library.surface_colours import surfaces_of
 from mansion_msgs_py.errors import ErrorCode, MansionError
 
 __all__ = ["MODELS", "Up", "file_within", "read_model", "read_surfaces"]
@@ -65,7 +65,7 @@ def read_surfaces(path: Path, root: Path) -> list[SourceSurface]:
         raise _refused(path, f"is larger than {_LARGEST >> 20} MB")
     _check_named_files(path, kind, data, root)
     try:
-        # Left as it is, so that vertices that are not finite are found and told of.
+        # Left as it is, so that vertices that are not finite are found and reported.
         scene = trimesh.load(path, force="scene", process=False)
         meshes = [mesh for mesh in scene.dump() if isinstance(mesh, trimesh.Trimesh) and len(mesh.faces)]
     except Exception as error:

@@ -1,4 +1,4 @@
-"""A user's model made into an asset: named, turned to the front, scaled, with what carries and what collides."""
+"""Make a user's model into an asset: name it, turn it to the front, scale it, add support surfaces and pieces."""
 
 import math
 from collections import Counter
@@ -18,13 +18,13 @@ from mansion_assets.convex import Box
 from mansion_assets.glb_meshes import PieceRecord
 from mansion_assets.joints import Joint
 from mansion_assets.library.annotations import Annotation
-from mansion_assets.library.carriers import level_surfaces
-from mansion_assets.library.masses import guessed_mass
+from mansion_assets.library.category_guess import Named, category_of, plain_name, slug
+from mansion_assets.library.convex_decomposition import METHODS, decomposed, method, piece_record
+from mansion_assets.library.mass_estimate import guessed_mass
 from mansion_assets.library.mesh_files import Up, read_model
-from mansion_assets.library.naming import Named, category_of, plain_name, slug
-from mansion_assets.library.pieces import METHODS, decomposed, method, piece_record
-from mansion_assets.library.sizes import sizing
+from mansion_assets.library.scaling import sizing
 from mansion_assets.library.source_model import Look, SourceModel, SourceSurface
+from mansion_assets.library.support_surfaces import level_surfaces
 from mansion_assets.library.urdf import read_urdf
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import Mount

@@ -1,4 +1,4 @@
-"""A model as a user's file has it, before it is turned, scaled and named: rigid parts, triangles, looks."""
+"""A model as it is in a user's file, before it is turned, scaled and named: rigid parts, triangles, looks."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace

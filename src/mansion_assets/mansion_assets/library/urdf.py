@@ -14,9 +14,9 @@ from typing import Final, Literal
 import numpy as np
 
 from mansion_assets.joints import DOOR_OPENS, Joint
-from mansion_assets.library.looks import surfaces_of
 from mansion_assets.library.mesh_files import file_within, read_surfaces
 from mansion_assets.library.source_model import Look, SourceModel, SourcePart, SourceSurface
+from mansion_assets.library.surface_colours import surfaces_of
 from mansion_geometry.compiled import Floats
 from mansion_msgs_py.errors import ErrorCode, MansionError
 
@@ -79,9 +79,9 @@ def read_urdf(path: Path, root: Path | None = None) -> SourceModel:
     except OSError as error:
         raise MansionError(ErrorCode.NOT_FOUND, f"{path}: {error.strerror or error}") from None
     except ElementTree.ParseError as error:
-        raise _refused(path, f"is no XML: {error}") from None
+        raise _refused(path, f"is not XML: {error}") from None
     if tree.tag != "robot":
-        raise _refused(path, f"is no URDF: its first element is {tree.tag[:40]!r}, not 'robot'")
+        raise _refused(path, f"is not a URDF: its first element is {tree.tag[:40]!r}, not 'robot'")
     links = {_named(path, link): link for link in tree.findall("link")}
     joints = {joint.child: joint for joint in (_joint(path, entry) for entry in tree.findall("joint"))}
     colours = {m.get("name", ""): look for m in tree.findall("material") if (look := _colour(path, m)) is not None}

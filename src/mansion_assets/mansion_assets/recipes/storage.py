@@ -15,14 +15,34 @@ _BOOKS = ("paper_red", "paper_blue", "paper_green", "paper_brown", "paper_beige"
 
 _GOODS = ("paper_red", "paper_yellow", "paper_blue", "paper_green", "paper_orange", "plastic_white", "paper_purple")
 
+_PRODUCTS = (
+    ("box", "paper_red"),
+    ("can", "metal_steel"),
+    ("box", "paper_beige"),
+    ("bottle", "glass_green"),
+    ("box", "paper_yellow"),
+    ("box", "plastic_white"),
+    ("can", "paper_green"),
+    ("box", "paper_blue"),
+    ("bottle", "glass_brown"),
+    ("box", "paper_brown"),
+    ("can", "paper_orange"),
+)
+"""Shapes and colours of what a supermarket sells."""
+
+_FACINGS = 4
+"""How many of one product stand side by side."""
+
 
 def goods(b: Builder, fill: str, cell: Rect, depth: float, key: int) -> None:
     """Show goods in a compartment; they are part of the mesh, and the compartment is no receptacle."""
+    if fill == "groceries":
+        _groceries(b, cell, depth, key)
+        return
     room = cell.top - cell.z
     step, palette = {
         "books": (0.045, _BOOKS),
         "folders": (0.08, ("paper_dark", "paper_blue", "paper_grey")),
-        "groceries": (0.1, _GOODS),
         "medicine": (0.06, ("paper_white", "paper_blue", "paper_green")),
         "boxes": (0.36, ("paper_brown", "paper_beige")),
         "bins": (0.2, ("plastic_blue", "plastic_red")),
@@ -53,6 +73,32 @@ def goods(b: Builder, fill: str, cell: Rect, depth: float, key: int) -> None:
             b.box(
                 (x0 + 0.002, x0 + step - 0.002), (back, front), (cell.z, cell.z + height), color, "goods", solid=False
             )
+
+
+def _groceries(b: Builder, cell: Rect, depth: float, key: int) -> None:
+    """Show several of each product side by side, behind a rail with the prices."""
+    room = cell.top - cell.z
+    count = max(1, int((cell.x1 - cell.x0) / 0.105))
+    step = (cell.x1 - cell.x0) / count
+    # Of a shelf with two sides the one to the back faces the other way.
+    front = cell.y1 if abs(cell.y1) > abs(cell.y0) else cell.y0
+    inwards = -1 if front > 0 else 1
+    for k in range(count):
+        run = k // _FACINGS
+        shape, color = _PRODUCTS[(run * 5 + key * 3 + (front > 0)) % len(_PRODUCTS)]
+        height = room * (0.5 + 0.07 * ((run * 3 + key) % 5))
+        x = cell.x0 + (k + 0.5) * step
+        if shape == "box":
+            y = sorted((front + inwards * 0.03, front + inwards * min(depth - 0.02, 0.3)))
+            half = step * (0.46 if run % 2 else 0.4)
+            b.box((x - half, x + half), (y[0], y[1]), (cell.z, cell.z + height), color, "goods", solid=False)
+            continue
+        for row in (0.08, 0.19) if depth > 0.3 else (0.08,):
+            tall = min(height, 0.13) if shape == "can" else height
+            b.cyl(x, front + inwards * row, (cell.z, cell.z + tall), step * 0.42, color, "goods", n=6, solid=False)
+    rail = sorted((front, front + inwards * 0.012))
+    z = (cell.z - 0.03, cell.z + 0.012)
+    b.box((cell.x0, cell.x1), (rail[0], rail[1]), z, "plastic_white", "rails", solid=False)
 
 
 @receptacles("shelf")

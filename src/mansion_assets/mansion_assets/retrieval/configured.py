@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 
-from mansion_assets.retrieval.embedding import EmbeddingRetriever
+from mansion_assets.retrieval.embedding_retriever import EmbeddingRetriever
 from mansion_assets.retrieval.encoders import EndpointEncoder, FolderEncoder, TextEncoder
 from mansion_assets.retrieval.retriever import Retriever, TextRetriever
 from mansion_assets.retrieval.static_vectors import PACKAGED, packaged_encoder
@@ -65,6 +65,6 @@ def _encoder(model: str, environment: Mapping[str, str], variable: str) -> TextE
             return packaged_encoder()
         raise MansionError(
             ErrorCode.INVALID_PAYLOAD,
-            f"{variable} names no folder, nor {PACKAGED}; for a model of an endpoint set MANSION_EMBEDDINGS_BASE_URL",
+            f"{variable} names neither a folder nor {PACKAGED}; for an endpoint's set MANSION_EMBEDDINGS_BASE_URL",
         )
     return EndpointEncoder(EmbeddingsClient(replace(settings, model=model)))

@@ -1,4 +1,4 @@
-"""What is written of a building: payloads of each floor, and what `mansion_export.formats` make from scenes."""
+"""The files of a building: payloads of each floor, and what `mansion_export.formats` makes from scenes."""
 
 from collections.abc import Iterable, Sequence
 from pathlib import Path
@@ -57,12 +57,12 @@ def _has(place: Path, output: Output) -> bool:
 
 
 def kept_files(folder: Path, scenes: Sequence[FloorScene], changed: Sequence[int]) -> dict[str, bytes]:
-    """Return anew what was made from scenes and is in a folder, as far as it tells of the changed floors.
+    """Return the files of a folder that are made from scenes, updated as far as they show the changed floors.
 
     Parameters
     ----------
     folder : Path
-        Of the building.
+        The building's folder.
     scenes : sequence of FloorScene
         All floors as they are now.
     changed : sequence of int

@@ -4,8 +4,8 @@ from collections.abc import Mapping, Sequence
 
 from mansion_assets.catalogue import Asset
 from mansion_bringup import __version__
-from mansion_bringup.building.assets import asset_uses
 from mansion_bringup.building.files import building_file_names, floor_file_names
+from mansion_bringup.building.own_assets import asset_uses
 from mansion_bringup.building.receipt import receipt
 from mansion_export.formats import Outputs
 from mansion_msgs_py.building import Building, BuildingReport, FloorEntry, FloorReport

@@ -132,7 +132,7 @@ def _followed(target: Path) -> Path:
     try:
         return target.resolve()
     except (OSError, RuntimeError):
-        raise MansionError(ErrorCode.CONFLICT, f"{target} is a link that leads nowhere; name a folder") from None
+        raise MansionError(ErrorCode.CONFLICT, f"{target} is a broken link; name a folder") from None
 
 
 def _check_target(target: Path, *, force: bool) -> None:
@@ -147,5 +147,5 @@ def _check_target(target: Path, *, force: bool) -> None:
         )
     if "state" in entries and not force:
         raise MansionError(
-            ErrorCode.CONFLICT, f"{target} holds the state of running worlds; use --force to replace it all the same"
+            ErrorCode.CONFLICT, f"{target} holds the state of running worlds; use --force to replace it anyway"
         )

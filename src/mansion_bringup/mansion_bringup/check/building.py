@@ -71,7 +71,7 @@ def check_records(
     scenes: Sequence[FloorScene],
     further: Sequence[FileCheck] = (),
 ) -> Iterator[Fault]:
-    """Yield the faults of files, and of what ``building.json`` says of the floors."""
+    """Yield the faults of files, and of the statements of ``building.json`` about the floors."""
     yield from check_files(folder, building)
     yield from check_maps(folder, building, list(scenes))
     for further_check in further:

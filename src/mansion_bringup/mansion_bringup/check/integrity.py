@@ -37,7 +37,7 @@ def check_files(folder: Path, building: Building) -> Iterator[Fault]:
 
 
 def check_counts(building: Building, scenes: Sequence[FloorScene]) -> Iterator[Fault]:
-    """Yield what ``building.json`` says of its floors that is not so."""
+    """Yield statements of ``building.json`` about its floors that are not true."""
     rooms = {s.floor: sum(room.kind not in ("stair", "elevator") for room in s.rooms) for s in scenes}
     objects = {scene.floor: len(scene.objects) for scene in scenes}
     for entry, scene in zip(building.floors, scenes):

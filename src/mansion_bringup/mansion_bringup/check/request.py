@@ -8,6 +8,7 @@ from mansion_bringup.check.fault import Fault
 from mansion_msgs_py.building import Building
 from mansion_msgs_py.layout import FloorLayout
 from mansion_msgs_py.scene import FloorScene
+from mansion_msgs_py.wording import counted
 
 __all__ = ["check_request"]
 
@@ -29,7 +30,7 @@ def _numbers(building: Building, scenes: Sequence[FloorScene]) -> Iterator[Fault
     request = building.request
     above = [scene for scene in scenes if scene.floor >= 1]
     if request.floors is not None and len(above) != request.floors:
-        yield Fault("FLOOR_COUNT", "building", f"{len(above)} floors, asked for {request.floors}")
+        yield Fault("FLOOR_COUNT", "building", f"{counted(len(above), 'floor')}, asked for {request.floors}")
     numbers = [scene.floor for scene in scenes]
     if numbers != [floor.index for floor in building.program.floors]:
         yield Fault("FLOOR_COUNT", "building", f"floors {numbers} are not those of the program")

@@ -129,7 +129,7 @@ def _openings(core: SceneCore, floor: int, where: str, below: Ring, above: Ring)
 
 
 def _aligned(below: FloorScene, above: FloorScene) -> Iterator[Fault]:
-    """Yield openings of one slab that its two floors tell of differently."""
+    """Yield openings of a slab that its two floors describe differently."""
     upper = {core.id: core.details for core in above.cores}
     for core in below.cores:
         other = upper.get(core.id)

@@ -14,8 +14,9 @@ from statistics import median_high
 from shapely import Polygon
 
 from mansion_bringup.check.fault import Fault
-from mansion_bringup.check.measures import outline_forms, shared_wall
+from mansion_bringup.check.shapes import outline_forms, shared_wall
 from mansion_knowledge.essentials import needs_of
+from mansion_knowledge.furnished_as import furnished_as
 from mansion_knowledge.object_kinds import answers, seats_of_row
 from mansion_msgs_py.building import Building
 from mansion_msgs_py.layout import FloorLayout
@@ -334,7 +335,8 @@ def _idle(finished: _Finished, rooms: Sequence[tuple[int, SceneRoom]]) -> str:
             for entry in finished.ledger
             if entry.kind == "no_object" and entry.value.type and _covers(entry, finished, floor, room)
         ]
-        for need in needs_of(room.room_type, (room.name, *room.aliases)):
+        kind = furnished_as(room.room_type, finished.on(floor).building_type, room.name)
+        for need in needs_of(kind, (room.name, *room.aliases)):
             if all(any(answers(kind, thing.categories[0]) for kind in refused) for thing in need.things):
                 continue
             if sum(need.pieces(thing.category, thing.size[0]) for thing in objects) < need.count:

@@ -5,7 +5,7 @@ import sys
 from collections.abc import Sequence
 from typing import NoReturn
 
-from mansion_bringup.cli.quick_call import call_quickly
+from mansion_bringup.cli.socket_call import call_quickly
 from mansion_bringup.discovery import keep_to_this_machine
 from mansion_bringup.graph.rclpy_available import NO_RCLPY
 from mansion_msgs_py.errors import ErrorCode, MansionError, refused_by_system
@@ -23,7 +23,7 @@ def _require_text(arguments: Sequence[str]) -> None:
             argument.encode()
         except UnicodeEncodeError:
             raise MansionError(
-                ErrorCode.INVALID_PAYLOAD, f"argument {number}, {argument[:80]!r}, is no text in UTF-8"
+                ErrorCode.INVALID_PAYLOAD, f"argument {number}, {argument[:80]!r}, is not UTF-8 text"
             ) from None
 
 

@@ -1,4 +1,4 @@
-"""All commands in one place; each lives in the module of its kind."""
+"""The command ``mansion`` itself: its help, the options before a command, and the settings that all commands share."""
 
 import os
 from pathlib import Path
@@ -8,6 +8,7 @@ import typer
 
 from mansion_bringup.cli.command_group import MansionGroup
 from mansion_bringup.cli.settings_file import SettingsFile, find_settings
+from mansion_bringup.cli.version import print_version
 
 __all__ = ["app"]
 
@@ -22,27 +23,23 @@ app = typer.Typer(
 )
 
 
-def _print_version(wanted: bool) -> None:
-    if wanted:
-        from mansion_bringup.about import about
-
-        for name, value in about().items():
-            typer.echo(f"{name} {value}" if name == "mansion" else f"  {name:<11} {value}")
-        raise typer.Exit
-
-
 @app.callback()
 def common(
     context: typer.Context,
     config_file: Annotated[
         Path | None,
         typer.Option(
-            "--config", "-C", envvar="MANSION_CONFIG", help="Settings; mansion.toml of the working folder if absent."
+            "--config",
+            "-C",
+            envvar="MANSION_CONFIG",
+            help="Settings file; mansion.toml in the working folder by default.",
         ),
     ] = None,
     version: Annotated[
         bool,
-        typer.Option("--version", "-V", callback=_print_version, is_eager=True, help="Say what is running, and end."),
+        typer.Option(
+            "--version", "-V", callback=print_version, is_eager=True, help="Print the versions in use, and exit."
+        ),
     ] = False,
 ) -> None:
     """Take what every command has in common; the help of the whole is the text of `app`."""

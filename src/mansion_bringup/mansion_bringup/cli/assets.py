@@ -22,8 +22,8 @@ Libraries = Annotated[
     list[str] | None,
     typer.Option("--library", "-l", help="A library by name, or by a path with a slash in it; may be repeated."),
 ]
-Words = Annotated[list[str] | None, typer.Argument(help="Words that say what is meant: tall shelf, thing to sit on.")]
-Category = Annotated[str, typer.Option("--category", "-c", help="Assets of this category alone.")]
+Words = Annotated[list[str] | None, typer.Argument(help="Search words: tall shelf, something to sit on.")]
+Category = Annotated[str, typer.Option("--category", "-c", help="Only assets of this category.")]
 
 FOUND = 40
 """Assets that words find at most."""
@@ -75,7 +75,7 @@ def list_assets(
 
 
 def show(
-    key: Annotated[str, typer.Argument(metavar="ID", help="Id of an asset, as `mansion assets list` names it.")],
+    key: Annotated[str, typer.Argument(metavar="ID", help="Id of an asset, as `mansion assets list` shows it.")],
     library: Libraries = None,
     as_json: AsJson = False,
 ) -> None:
@@ -191,15 +191,17 @@ def add(
         str, typer.Option("--library", "-l", help="Library to add to, by name, or by a path with a slash in it.")
     ],
     category: Annotated[
-        str, typer.Option("--category", "-c", help="Of all of them; else each speaks for itself.")
+        str, typer.Option("--category", "-c", help="Category of all models; guessed for each one by default.")
     ] = "",
-    licence: Annotated[str, typer.Option("--licence", "--license", help="CC-BY-4.0, say; kept in each record.")] = "",
+    licence: Annotated[
+        str, typer.Option("--licence", "--license", help="For example CC-BY-4.0; kept in each record.")
+    ] = "",
     author: Annotated[str, typer.Option(help="Who made them.")] = "",
-    source: Annotated[str, typer.Option(help="Where they are from: an address, or a title.")] = "",
-    rooms: Annotated[str, typer.Option(help="Room types that get them unasked: lobby,cafe.")] = "",
+    source: Annotated[str, typer.Option(help="Where they come from: an address, or a title.")] = "",
+    rooms: Annotated[str, typer.Option(help="Room types that get them without being asked: lobby,cafe.")] = "",
     up: Annotated[str, typer.Option(help="Axis of meshes that points up, y or z; y if absent.")] = "",
     front: Annotated[str, typer.Option(help="Direction that the front of meshes faces: +z, -x, ...")] = "",
-    triangles: Annotated[int, typer.Option(min=1, help="Most triangles of one.")] = 100_000,
+    triangles: Annotated[int, typer.Option(min=1, help="Most triangles of a model.")] = 100_000,
     replace: Annotated[bool, typer.Option("--replace", help="Replace assets of the same name.")] = False,
     as_json: AsJson = False,
 ) -> None:
@@ -225,6 +227,7 @@ def add(
     from mansion_assets.library.preparing import AddOptions
     from mansion_export.asset_picture import source_thumbnail
 
+    _provide_decomposition()
     folder = library_folder(library)
     options = AddOptions(
         category=category,
@@ -250,9 +253,21 @@ def add(
         raise typer.Exit(1)
 
 
+def _provide_decomposition() -> None:
+    """Install what makes convex hulls; without it pieces are boxes, which is said once."""
+    from mansion_bringup.extras import ensure_extra
+
+    try:
+        ensure_extra("convex")
+    except MansionError as error:
+        err.print(f"what collides will be boxes, not convex hulls: {error.info.message}", highlight=False)
+
+
 def _up(name: str) -> Any:
     if name not in ("", "y", "z"):
-        raise MansionError(ErrorCode.INVALID_PAYLOAD, f"no axis {name!r} can point up; use y or z", path="$.up")
+        raise MansionError(
+            ErrorCode.INVALID_PAYLOAD, f"{name!r} is not an axis that can point up; use y or z", path="$.up"
+        )
     return name or None
 
 
@@ -317,12 +332,12 @@ def _chosen(words: list[str] | None, library: list[str] | None, category: str) -
         asset for asset in found if (asset.record or not library) and (not category or asset.category == category)
     ]
     if not chosen:
-        raise MansionError(ErrorCode.NOT_FOUND, "no asset is like that; `mansion assets list` names all")
+        raise MansionError(ErrorCode.NOT_FOUND, "no asset matches; `mansion assets list` lists all")
     return chosen, catalogue
 
 
 def _row(asset: "Asset") -> dict[str, Any]:
-    """Return what a list says of an asset."""
+    """Return the row of an asset in a list."""
     if asset.record:
         source, licence = asset.source or "own", asset.licence or "not stated"
     else:

@@ -134,7 +134,7 @@ def gallery(
         name, separator, file = entry.partition("=")
         if not name or not separator:
             raise MansionError(
-                ErrorCode.INVALID_PAYLOAD, f"{entry!r} does not read NAME=PLACEMENTS.json", path="$.systems"
+                ErrorCode.INVALID_PAYLOAD, f"{entry!r} is not of the form NAME=PLACEMENTS.json", path="$.systems"
             )
         results.setdefault(name, []).extend(read_payload(list[PlacementResult], Path(file)))
     files = gallery_files(load_rooms(rooms), results, seed=seed, runs=runs)

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from mansion_tasks.episodes.bench import Bench, Ports
     from mansion_tasks.episodes.results import BenchResult
 
-__all__ = ["agents"]
+__all__ = ["agents", "chosen_agents", "follow_bench", "provide_for_agents"]
 
 
 def agents(
@@ -32,7 +32,7 @@ def agents(
     jobs: Annotated[int, typer.Option(min=0, help="Processes, 0: all cores; the result is the same.")] = 1,
     graph: Annotated[bool, typer.Option(help="Call skills over services of a node graph.")] = False,
     sheets: Annotated[
-        int, typer.Option(min=0, help="Contact sheets and animations for so many episodes an agent.")
+        int, typer.Option(min=0, help="Number of episodes of each agent to draw as contact sheets and animations.")
     ] = 0,
     replay: Annotated[Path | None, typer.Option(help="Repeat the episode of a log instead, and compare.")] = None,
     building: Annotated[Path | None, typer.Option(help="With --replay: the building, where it has moved.")] = None,
@@ -62,14 +62,10 @@ def _run(
     tasks: list[Path], names: str, output: Path, *, seed: int, jobs: int, graph: bool, sheets: int, as_json: bool
 ) -> None:
     """Run the bench, print its table, and draw what was asked for."""
-    from mansion_tasks.agents.registry import AGENTS
     from mansion_tasks.episodes.bench import Bench, local_port
     from mansion_tasks.episodes.results import render
 
-    chosen = tuple(name.strip() for name in names.split(",") if name.strip())
-    if not chosen:
-        known = ", ".join(AGENTS)
-        raise MansionError(ErrorCode.INVALID_PAYLOAD, f"--agents names none; known are {known}")
+    chosen = chosen_agents(names)
     bench = Bench(
         files=tuple(_task_files(tasks)),
         agents=chosen,
@@ -79,8 +75,8 @@ def _run(
         graph=graph,
     )
     check_output_folder(output)
-    _provide(chosen, sheets)
-    result, taken_over = _followed(bench, jobs)
+    provide_for_agents(chosen, sheets)
+    result, taken_over = follow_bench(bench, jobs)
     print_json(result) if as_json else typer.echo(render(result.summary))
     seen: dict[str, int] = {}
     for row in result.episodes:
@@ -92,7 +88,19 @@ def _run(
     err.print(f"{output / 'results.json'}: {episodes}{earlier}", highlight=False)
 
 
-def _provide(names: tuple[str, ...], sheets: int) -> None:
+def chosen_agents(names: str) -> tuple[str, ...]:
+    """Return the agents of an option; ``INVALID_PAYLOAD`` where it names none or one that there is not."""
+    from mansion_tasks.agents.registry import AGENTS, check_agents
+
+    chosen = tuple(name.strip() for name in names.split(",") if name.strip())
+    if not chosen:
+        known = ", ".join(AGENTS)
+        raise MansionError(ErrorCode.INVALID_PAYLOAD, f"--agents names none; known are {known}")
+    check_agents(list(chosen))
+    return chosen
+
+
+def provide_for_agents(names: tuple[str, ...], sheets: int = 0) -> None:
     """Install what agents and pictures need; a model that is not configured is complained of when it is asked."""
     from mansion_llm import load_settings
     from mansion_tasks.agents.registry import ASKING
@@ -110,7 +118,7 @@ def _provide(names: tuple[str, ...], sheets: int) -> None:
             err.print(f"the sheets show the plan alone: {error}", highlight=False)
 
 
-def _followed(bench: "Bench", jobs: int) -> tuple["BenchResult", int]:
+def follow_bench(bench: "Bench", jobs: int) -> tuple["BenchResult", int]:
     """Run the bench and show its progress; return its result and how many episodes an earlier run had done."""
     from mansion_tasks.episodes.bench import TAKEN_OVER, run_bench
 
@@ -130,7 +138,7 @@ def _followed(bench: "Bench", jobs: int) -> tuple["BenchResult", int]:
     except KeyboardInterrupt:
         done = f"{last.done} of {last.total}" if last.total else "none of the"
         err.print(
-            f"interrupted: {done} episodes are done; the same command goes on from the logs in {bench.output}",
+            f"interrupted: {done} episodes are done; repeat the command to continue from the logs in {bench.output}",
             highlight=False,
         )
         raise typer.Exit(EXIT_INTERRUPTED) from None

@@ -121,7 +121,7 @@ def given_plan(file: Path | None, complete: str, layers: str) -> BuildingPlan | 
     """
     for name, said in (("--complete", complete), ("--layers", layers)):
         if file is None and said:
-            raise MansionError(ErrorCode.INVALID_PAYLOAD, f"{name} is for a plan that --plan names")
+            raise MansionError(ErrorCode.INVALID_PAYLOAD, f"{name} needs a plan (--plan)")
     if file is None:
         return None
     from mansion_bringup.plan_files import plan_from_file
@@ -152,7 +152,9 @@ def build(
     ] = None,
     briefs: Annotated[
         Path | None,
-        typer.Option("--from", help="Many briefs: a .txt of one a line, or .csv or .jsonl; other options fill gaps."),
+        typer.Option(
+            "--from", help="Many briefs: a .txt file with one per line, a .csv or a .jsonl; other options fill gaps."
+        ),
     ] = None,
     floors: Annotated[int | None, typer.Option(min=1, max=100, help="Number of floors.")] = None,
     area: Annotated[float | None, typer.Option(min=1, help="Gross area of the building, m2.")] = None,
@@ -168,9 +170,11 @@ def build(
     assets: Annotated[str, typer.Option(help=ASSETS_HELP)] = "",
     formats: Annotated[str, typer.Option(help=FORMATS_HELP)] = "",
     graph: Annotated[bool, typer.Option("--graph", help="Build through the node graph.")] = False,
-    jobs: Annotated[int, typer.Option(min=0, help="Floors in work at once, buildings with --from; 0: all cores.")] = 0,
+    jobs: Annotated[int, typer.Option(min=0, help="Floors built at once, or buildings with --from; 0: all cores.")] = 0,
     timeout: Annotated[float, typer.Option(min=1, help="Seconds, for --graph.")] = 900.0,
-    strict: Annotated[bool, typer.Option("--strict", help="Refuse what meets a wish in part or not at all.")] = False,
+    strict: Annotated[
+        bool, typer.Option("--strict", help="Refuse a building that does not fully meet every wish.")
+    ] = False,
     force: Annotated[
         bool, typer.Option("--force", help="Replace a building even if robots have left state in it.")
     ] = False,
@@ -178,7 +182,7 @@ def build(
 ) -> None:
     """Build a furnished building from one sentence, or one from each line of a file.
 
-    The folder appears whole or not at all; an interrupted build goes on where it was when run again. It holds the
+    The folder appears whole or not at all; an interrupted build continues where it stopped when run again. It holds the
     floors, their plans and a picture; maps and models come with --formats, or later from `mansion export`.
 
     Examples:
@@ -200,13 +204,8 @@ def build(
     if briefs is not None:
         beside = {"--graph": graph, "--strict": strict, "--force": force, "--plan": plan is not None}
         _refuse_beside_a_list(description, beside)
-        defaults = request_from_options(
-            "", floors, area, floor_area, footprint, seed, planner_name(planner), assets=assets
-        )
-        build_briefs(briefs, output, defaults, jobs, _prepared_formats(formats))
-        return
-    given = given_plan(plan, complete, layers)
-    if description is None and given is None:
+    given = given_plan(plan, complete, layers) if briefs is None else None
+    if description is None and given is None and briefs is None:
         raise MansionError(
             ErrorCode.INVALID_PAYLOAD, "there is no brief; give a sentence, a plan with --plan, or a file with --from"
         )
@@ -214,34 +213,42 @@ def build(
         description or "", floors, area, floor_area, footprint, seed, planner_name(planner), given, assets
     )
     names = _prepared_formats(formats)
+    if briefs is not None:
+        build_briefs(briefs, output, request, jobs, names)
+        return
     if strict:
         _refuse_unmet_plan(request)
     if is_building_folder(output):
-        err.print(f"{output} holds a building: it is replaced when this one is done")
+        err.print(f"{output} holds a building, which will be replaced when this one is finished")
     try:
         if graph:
             result = _through_graph(request, output, timeout, names, force=force)
         else:
             result = _in_processes(request, output, jobs, names, force=force)
     except KeyboardInterrupt:
-        err.print("interrupted; the same command goes on from the floors that are done")
+        err.print("interrupted; run the same command again to continue with the remaining floors")
         raise typer.Exit(EXIT_INTERRUPTED) from None
+    _report(result, as_json=as_json)
+    if strict:
+        refuse_unmet(result.building.wishes)
+    _refuse_faults(result)
+
+
+def _report(result: "BuildResult", *, as_json: bool) -> None:
+    """Print what was built, and with ``--verbose`` how long each stage took."""
     if as_json:
         print_json({"path": str(result.path), **to_builtins(result.report)})
     else:
         _print_summary(result)
     for stage, seconds in result.report.seconds.items():
         details.print(f"{stage}: {seconds:.2f} s", markup=False, highlight=False)
-    if strict:
-        refuse_unmet(result.building.wishes)
-    _refuse_faults(result)
 
 
 def _refuse_beside_a_list(description: str | None, options: Mapping[str, bool]) -> None:
-    beside = ["a brief"] if description is not None else []
+    beside = ["the brief"] if description is not None else []
     beside += [name for name, given in options.items() if given]
     if beside:
-        raise MansionError(ErrorCode.INVALID_PAYLOAD, f"--from takes all briefs from its file, without {beside[0]}")
+        raise MansionError(ErrorCode.INVALID_PAYLOAD, f"--from takes all briefs from its file; leave out {beside[0]}")
 
 
 def _refuse_faults(result: "BuildResult") -> None:

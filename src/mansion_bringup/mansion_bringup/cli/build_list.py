@@ -9,13 +9,12 @@ import typer
 from rich.table import Table
 from rich.text import Text
 
-from mansion_bringup.cli.console import EXIT_INTERRUPTED, check_output_folder, err, out
-from mansion_bringup.cli.pace import pace_reporter
+from mansion_bringup.cli.console import EXIT_INTERRUPTED, buildings_reporter, check_output_folder, err, out
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.wording import counted
 
 if TYPE_CHECKING:
-    from mansion_world.lists import BriefList, Result
+    from mansion_world.brief_list import BriefList, Result
 
 __all__ = ["build_briefs"]
 
@@ -32,11 +31,11 @@ def build_briefs(source: Path, output: Path, defaults: BuildRequest, jobs: int, 
     jobs : int
         Buildings in work at once; 0: all cores.
     """
-    from mansion_bringup.lists import TABLE, build_list
+    from mansion_bringup.build_list import TABLE, build_list
     from mansion_bringup.plan_files import plan_from_file
     from mansion_bringup.worlds import world_workers
     from mansion_world.brief_files import read_briefs
-    from mansion_world.lists import BriefList
+    from mansion_world.brief_list import BriefList
 
     briefs = BriefList.of(read_briefs(source, defaults, plan_from_file))
     _prepare_planners(briefs)
@@ -44,14 +43,14 @@ def build_briefs(source: Path, output: Path, defaults: BuildRequest, jobs: int, 
     workers = min(jobs or os.cpu_count() or 1, len(briefs))
     try:
         rows = build_list(
-            briefs, output, workers=world_workers(workers), jobs=workers, formats=formats, report=pace_reporter()
+            briefs, output, workers=world_workers(workers), jobs=workers, formats=formats, report=buildings_reporter()
         )
     except KeyboardInterrupt:
-        err.print("interrupted; the same command goes on from the buildings that are done")
+        err.print("interrupted; run the same command again to continue with the remaining buildings")
         raise typer.Exit(EXIT_INTERRUPTED) from None
     out.print(_table(rows))
     failed = sum(1 for row in rows if row.reason)
-    end = f", {failed} of {len(rows)} briefs came to nothing" if failed else ""
+    end = f", {failed} of {len(rows)} briefs failed" if failed else ""
     out.print(f"{output}: {counted(len(rows) - failed, 'building')}{end}; {output / TABLE}", highlight=False)
     if failed:
         raise typer.Exit(1)

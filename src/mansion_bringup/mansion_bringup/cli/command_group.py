@@ -1,19 +1,20 @@
-"""The group of all commands, which imports the module of a command when the command is wanted.
+"""The group of all commands: it imports a command's module when the command is called, and adds the common options.
 
-A command shall not wait for what others need: all modules together take several times as long to import as one.
+No command should wait for what others need: all modules together take several times as long to import as one.
 """
 
+import logging
 from collections.abc import MutableMapping
 from importlib import import_module
-from typing import Any, Final
+from typing import Annotated, Any, Final
 
 import typer
 import typer.main
 from typer.core import TyperGroup
 
-from mansion_bringup.cli.common_options import common_options
-from mansion_bringup.cli.patience import with_patience
-from mansion_bringup.cli.settings_file import commands_below
+from mansion_bringup.cli.console import details, err
+from mansion_bringup.cli.settings_file import SettingsFile, commands_below
+from mansion_bringup.cli.slow_commands import announced
 
 __all__ = ["MODULES", "MansionGroup"]
 
@@ -27,7 +28,8 @@ MODULES: Final[dict[str, tuple[str, ...]]] = {
     "graph": ("up", "call", "echo", "graph"),
     "solve": ("solve", "place"),
     "schema": ("schema",),
-    "quality": ("check", "test"),
+    "check": ("check",),
+    "run_tests": ("test",),
     "skill": ("skill",),
     "look": ("look",),
     "task": ("task",),
@@ -73,7 +75,48 @@ class MansionGroup(TyperGroup):
             found = dict(typer.main.get_group(carrier).commands)
             for name, group_or_command in found.items():
                 for path, command in commands_below(group_or_command):
-                    command.params.extend(common_options())
-                    command.callback = with_patience(" ".join((name, *path)), command.callback)
+                    command.params.extend(_common_options())
+                    command.callback = announced(" ".join((name, *path)), command.callback)
             self._loaded[module] = found
         return self._loaded[module]
+
+
+def _set_quiet(value: bool) -> bool:
+    err.quiet = value
+    if value:
+        logging.getLogger("mansion").setLevel(logging.ERROR)
+    return value
+
+
+def _set_verbose(context: typer.Context, value: bool) -> bool:
+    details.quiet = not value
+    settings = context.find_root().obj
+    if isinstance(settings, SettingsFile) and settings.path is not None:
+        details.print(f"settings of {settings.path}", highlight=False)
+    return value
+
+
+def _declare(
+    quiet: Annotated[
+        bool,
+        typer.Option("--quiet", "-q", callback=_set_quiet, expose_value=False, help="Print only results and errors."),
+    ] = False,
+    verbose: Annotated[
+        bool,
+        typer.Option(
+            "--verbose",
+            "-v",
+            callback=_set_verbose,
+            expose_value=False,
+            help="Print more to standard error: settings, times, details of errors.",
+        ),
+    ] = False,
+) -> None:
+    """Carry the declarations of the common options."""
+
+
+def _common_options() -> list[Any]:
+    """Return the options as typer makes them of their declarations."""
+    carrier = typer.Typer(add_completion=False)
+    carrier.command()(_declare)
+    return list(typer.main.get_command(carrier).params)

@@ -1,4 +1,4 @@
-"""``mansion config``: which settings hold, and where each comes from."""
+"""``mansion config``: the settings in effect, and where each comes from."""
 
 import os
 from collections.abc import Iterator
@@ -52,12 +52,12 @@ def register(app: typer.Typer) -> None:
 
 def config(
     context: typer.Context,
-    command: Annotated[list[str] | None, typer.Argument(help="Of this command alone, all options.")] = None,
+    command: Annotated[list[str] | None, typer.Argument(help="Only this command, with all its options.")] = None,
     as_json: AsJson = False,
 ) -> None:
     """Show which settings hold and where each comes from: a file, the environment, or a command's own default.
 
-    Without a command: what several commands share, what the file says of single ones, and the language model.
+    Without a command: the settings of several commands, those of single commands in the file, and the language model's.
 
     Examples:
 
@@ -83,7 +83,7 @@ def config(
 
 
 def common_settings(settings: SettingsFile) -> list[Setting]:
-    """Return what several commands share, what a file says of single commands, and the language model's settings."""
+    """Return the settings that several commands share, those of single commands in a file, and the language model's."""
     rows = []
     for name in SHARED:
         held = settings.options.get(((), name))

@@ -2,6 +2,7 @@
 
 import os
 import sys
+import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -15,10 +16,12 @@ from mansion_msgs_py.errors import ErrorCode, MansionError
 
 if TYPE_CHECKING:
     from mansion_msgs_py.world import Progress as ProgressPayload
+    from mansion_world.making import WorldProgress
 
 __all__ = [
     "EXIT_INTERRUPTED",
     "AsJson",
+    "buildings_reporter",
     "check_output_file",
     "check_output_folder",
     "complaints",
@@ -45,7 +48,7 @@ complaints = Console(stderr=True, width=None if sys.stderr.isatty() else PIPED)
 details = Console(stderr=True, width=None if sys.stderr.isatty() else PIPED, quiet=True)
 """What ``--verbose`` adds."""
 
-AsJson = Annotated[bool, typer.Option("--json", help="The answer as JSON alone.")]
+AsJson = Annotated[bool, typer.Option("--json", help="Print only the result, as JSON.")]
 """The option of every command that otherwise answers in words."""
 
 
@@ -88,6 +91,29 @@ def progress_bar() -> Iterator["Callable[[ProgressPayload], None]"]:
         bar.stop()
 
 
+def buildings_reporter() -> "Callable[[WorldProgress], None]":
+    """Return what prints a line for each change: buildings done, rate, remaining time, what was set aside."""
+    from mansion_world.making import WorldProgress
+
+    started = time.monotonic()
+    last = WorldProgress(0, 0, 0, 0, 0)
+
+    def report(progress: "WorldProgress") -> None:
+        nonlocal last
+        if progress == last:
+            return
+        last = progress
+        made = max(0, progress.done - progress.kept)
+        hours = (time.monotonic() - started) / 3600
+        rate = made / hours if hours else 0.0
+        left = progress.total - progress.done - progress.missing
+        pace = f", {rate:.0f} an hour, {left / rate * 60:.0f} min left" if made and left else ""
+        aside = f", {progress.set_aside} set aside" if progress.set_aside else ""
+        err.print(f"[{progress.done}/{progress.total}] buildings{pace}{aside}", markup=False, highlight=False)
+
+    return report
+
+
 def check_output_folder(folder: Path) -> None:
     """Refuse a folder that is a file, or that cannot be made or written.
 
@@ -100,9 +126,9 @@ def check_output_folder(folder: Path) -> None:
     while not nearest.exists() and nearest != nearest.parent:
         nearest = nearest.parent
     if not nearest.is_dir():
-        raise _refusal(folder, f"{nearest} is a file, no folder")
+        raise _refusal(folder, f"{nearest} is a file, not a folder")
     if not os.access(nearest, os.W_OK | os.X_OK):
-        raise _refusal(folder, f"{nearest} is read-only for you")
+        raise _refusal(folder, f"{nearest} is not writable")
 
 
 def check_output_file(file: Path) -> None:

@@ -37,8 +37,10 @@ def edit(
     physics: Annotated[str, typer.Option(help="What settles objects: mujoco, static or thor.")] = "mujoco",
     who: Annotated[str, typer.Option(help="Name for the log; yours when absent.")] = "",
     assets: Annotated[str, typer.Option(help=ASSETS_HELP)] = "",
-    dry_run: Annotated[bool, typer.Option("--dry-run", help="Show it, change nothing.")] = False,
-    partly: Annotated[bool, typer.Option("--partly", help="Do what is understood and possible of it.")] = False,
+    dry_run: Annotated[bool, typer.Option("--dry-run", help="Show what would change; change nothing.")] = False,
+    partly: Annotated[
+        bool, typer.Option("--partly", help="Carry out the part that is understood and possible.")
+    ] = False,
     as_json: Annotated[bool, typer.Option("--json", help="The agent's report as JSON.")] = False,
 ) -> None:
     """Change what stands in a building, or ask about it; every change is checked before it lands, and can be undone.
@@ -77,7 +79,7 @@ def edit(
         print_json(report) if as_json else _show(report)
     if not dry_run and (floors := write_derived(editor)):
         names = ", ".join(map(str, floors))
-        err.print(f"wrote the files of floor {names} anew", highlight=False)
+        err.print(f"updated the files of floor {names}", highlight=False)
     if not all(report.done for report in reports):
         raise typer.Exit(1)
 

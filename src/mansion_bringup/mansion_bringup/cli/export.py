@@ -8,7 +8,7 @@ import typer
 
 from mansion_bringup.cli.console import AsJson, check_output_file, check_output_folder, err, print_json
 from mansion_bringup.exporting import PAGE, format_named, write_export, write_page
-from mansion_bringup.long_work import model_seconds, notice
+from mansion_bringup.time_estimates import model_seconds, notice
 from mansion_export.formats import ExportOptions, export_formats
 from mansion_msgs_py.building_folder import check_building_folder
 from mansion_msgs_py.wording import counted
@@ -31,7 +31,7 @@ def export(
     articulated: Annotated[
         bool, typer.Option("--articulated", help="Joints for doors, drawers, lids and lift leaves (mjcf, sdf, usd).")
     ] = False,
-    site: Annotated[bool, typer.Option("--site/--no-site", help="With the plot around the building.")] = True,
+    site: Annotated[bool, typer.Option("--site/--no-site", help="Include the plot around the building.")] = True,
     as_json: AsJson = False,
 ) -> None:
     """Write a building in another program's format.
@@ -65,7 +65,7 @@ def view(
     output: Annotated[
         Path | None, typer.Option("--output", "-o", help="Page to write; DIR/view.html if absent.")
     ] = None,
-    site: Annotated[bool, typer.Option("--site/--no-site", help="With the plot around the building.")] = True,
+    site: Annotated[bool, typer.Option("--site/--no-site", help="Include the plot around the building.")] = True,
     show: Annotated[bool, typer.Option("--open", help="Open it in the browser.")] = False,
     as_json: AsJson = False,
 ) -> None:

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from mansion_bringup.cli.console import AsJson, err, print_json
-from mansion_bringup.cli.quick_call import CALL_TIMEOUT, absolute_namespace, json_argument
+from mansion_bringup.cli.socket_call import CALL_TIMEOUT, absolute_namespace, json_argument
 from mansion_bringup.graph.call_progress import CallProgress, progress_line, progress_topic
 from mansion_bringup.graph.call_socket import ask_resident
 from mansion_bringup.graph.rclpy_available import check_domain
@@ -52,20 +52,20 @@ def up(
     namespace: Namespace = DEFAULT_NAMESPACE,
     log_level: Annotated[str, typer.Option(help="debug, info, warn, error or fatal.")] = "info",
     params_file: Annotated[Path | None, typer.Option(exists=True, dir_okay=False, help="ROS parameter file.")] = None,
-    processes: Annotated[bool, typer.Option("--processes", help="Plain processes even where ros2 launch is.")] = False,
+    processes: Annotated[
+        bool, typer.Option("--processes", help="Start plain processes even if ros2 launch is available.")
+    ] = False,
     with_tf: Annotated[
         bool,
-        typer.Option(
-            "--with-tf", help="Build tf2_msgs first where it is missing, so that there is /tf (needs a C++ compiler)."
-        ),
+        typer.Option("--with-tf", help="Build tf2_msgs first if it is missing, to publish /tf (needs a C++ compiler)."),
     ] = False,
-    respawn: Annotated[bool, typer.Option("--respawn", help="Start a node again that has ended.")] = False,
+    respawn: Annotated[bool, typer.Option("--respawn", help="Restart nodes that end.")] = False,
     allow: Annotated[
         list[Path] | None,
         typer.Option(
             "--allow",
             metavar="DIR",
-            help="Let services write below DIR too, beside the working folder and the temporary one; may be repeated.",
+            help="Let services write below DIR too, besides the working and the temporary folder; may be repeated.",
         ),
     ] = None,
 ) -> None:
@@ -113,7 +113,7 @@ def _watch(running: "GraphProcesses", *, respawn: bool) -> None:
         for name, status in ended.items():
             if not respawn:
                 raise MansionError(ErrorCode.UNAVAILABLE, f"node {name} ended with status {status}")
-            err.print(f"node {name} ended with status {status}; it is started again", highlight=False)
+            err.print(f"node {name} ended with status {status}; restarting it", highlight=False)
         if ended:
             time.sleep(RESPAWN_DELAY)
             for name in ended:
@@ -145,7 +145,7 @@ def call(
     service: Annotated[str, typer.Argument(help="Name below the namespace, or absolute.")],
     arguments: Annotated[str | None, typer.Argument(help="JSON; @FILE reads a file.")] = None,
     namespace: Namespace = DEFAULT_NAMESPACE,
-    timeout: Annotated[float, typer.Option(min=0.1, help="Seconds for the answer.")] = CALL_TIMEOUT,
+    timeout: Annotated[float, typer.Option(min=0.1, help="Seconds to wait for the reply.")] = CALL_TIMEOUT,
 ) -> None:
     """Call a service and print the reply's JSON; exit status 1 when it fails. Long calls say how far they are.
 
@@ -216,7 +216,7 @@ def echo(
     topic: Annotated[str, typer.Argument(help="Name below the namespace, or absolute.")],
     namespace: Namespace = DEFAULT_NAMESPACE,
     count: Annotated[int, typer.Option("--count", "-c", min=0, help="0: until Ctrl-C.")] = 0,
-    timeout: Annotated[float, typer.Option(min=0, help="Seconds without a message; 0: for ever.")] = 0,
+    timeout: Annotated[float, typer.Option(min=0, help="Seconds to wait for a message; 0: forever.")] = 0,
     as_json: Annotated[bool, typer.Option("--json", help="Each message as one line of JSON.")] = False,
 ) -> None:
     """Print the messages of a topic: text as it is, a line each; other types as YAML. Latched ones come at once.

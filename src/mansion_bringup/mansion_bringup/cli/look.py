@@ -44,7 +44,7 @@ def look(
     width: Annotated[int, typer.Option(help="Pixels.", min=16, max=4096)] = 640,
     height: Annotated[int, typer.Option(help="Pixels.", min=16, max=4096)] = 480,
     fov: Annotated[float, typer.Option(help="Across, degrees.", min=20.0, max=150.0)] = 90.0,
-    per_page: Annotated[int, typer.Option(help="Landmarks a page.", min=1, max=16)] = 9,
+    per_page: Annotated[int, typer.Option(help="Landmarks per page.", min=1, max=16)] = 9,
     session: Annotated[str, typer.Option("--session", "-s", help="Which robot.")] = "",
     as_json: AsJson = False,
 ) -> None:
@@ -85,6 +85,8 @@ def _pictures(
 ) -> list[Any]:
     import numpy as np
 
+    from mansion_skills.vision.contact_shading import contact_shaded
+
     if what is Picture.PANORAMA:
         return [camera.panorama(room or str(robot.where_am_i().room))]
     if what is Picture.LANDMARKS:
@@ -101,7 +103,7 @@ def _pictures(
         # Knuth's multiplicative hash spreads neighbouring labels over the colours.
         code = (frame.segmentation.astype(np.int64) + 1) * 2654435761 % 2**24
         return [np.stack([code >> 16, code >> 8 & 255, code & 255], axis=-1).astype(np.uint8)]
-    return [frame.rgb]
+    return [contact_shaded(frame.rgb, frame.depth, camera.intrinsics.focal)]
 
 
 def _save(picture: Any, path: Path) -> None:

@@ -42,8 +42,10 @@ def plan(
         str, typer.Option(help="rules, or llm: a language model reads and plans, rules fill its gaps.")
     ] = "rules",
     assets: Annotated[str, typer.Option(help=ASSETS_HELP)] = "",
-    strict: Annotated[bool, typer.Option("--strict", help="Refuse what meets a wish in part or not at all.")] = False,
-    as_json: Annotated[bool, typer.Option("--json", help="The program as JSON alone.")] = False,
+    strict: Annotated[
+        bool, typer.Option("--strict", help="Refuse a plan that does not fully meet every wish.")
+    ] = False,
+    as_json: Annotated[bool, typer.Option("--json", help="Print only the program, as JSON.")] = False,
 ) -> None:
     """Show the program of a brief: floors, rooms, areas, and which words led to what.
 
@@ -81,7 +83,7 @@ def _print_sources(reply: PlanReply) -> None:
     """Say which pieces a language model planned, and what that took."""
     if reply.llm is None:
         return
-    out.print("[bold]who planned what[/bold]")
+    out.print("[bold]planned by[/bold]")
     for piece, source in reply.sources.items():
         out.print(f"  {piece}: {source}", markup=False, highlight=False)
     usage = reply.llm

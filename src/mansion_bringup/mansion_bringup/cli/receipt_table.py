@@ -63,7 +63,7 @@ def print_own_assets(report: BuildingReport, libraries: Sequence[str]) -> None:
         named = ", ".join(f"{use.objects} x {use.asset}" for use in report.assets)
         out.print(f"own assets: {named}", markup=False, highlight=False)
     elif libraries:
-        out.print(f"own assets: none; no room has a use for those of {', '.join(libraries)}", markup=False)
+        out.print(f"own assets: none used; no room needs those of {', '.join(libraries)}", markup=False)
 
 
 def refuse_unmet(wishes: Sequence[Wish]) -> None:
@@ -80,7 +80,7 @@ def refuse_unmet(wishes: Sequence[Wish]) -> None:
         more = f" and {len(unmet) - 3} more" if len(unmet) > 3 else ""
         raise MansionError(
             ErrorCode.INFEASIBLE,
-            f"{len(unmet)} of {len(wishes)} wishes are not met: {named}{more}; without --strict it is built",
+            f"{len(unmet)} of {len(wishes)} wishes are not met: {named}{more}; without --strict it would be built",
             path="$.description",
             details={"wishes": [wish.text for wish in unmet], "stage": "program"},
         )

@@ -30,7 +30,7 @@ LOOK = 0.2
 """Seconds between looks for new topics."""
 
 Output = Annotated[Path, typer.Option("--output", "-o", help="File to write: MCAP, or for Rerun if it ends in .rrd.")]
-Pictures = Annotated[bool, typer.Option("--pictures", help="Also what the camera sees at each step.")]
+Pictures = Annotated[bool, typer.Option("--pictures", help="Also record the camera at each step.")]
 
 
 def register(app: typer.Typer) -> None:
@@ -99,13 +99,15 @@ def graph(
     output: Output,
     topics: Annotated[
         list[str] | None,
-        typer.Option("--topic", "-t", help="What to record; may be repeated. All but pictures if none."),
+        typer.Option("--topic", "-t", help="Topic to record; may be repeated. All except images by default."),
     ] = None,
     seconds: Annotated[float, typer.Option(min=0, help="How long; 0: until Ctrl-C.")] = 0,
     namespace: Annotated[str, typer.Option("--namespace", "-n", help="Where the graph lives.")] = DEFAULT_NAMESPACE,
     building: Annotated[
         Path | None,
-        typer.Option("--building", "-b", help="For Rerun: draw this building, where it is not built meanwhile."),
+        typer.Option(
+            "--building", "-b", help="For Rerun: the building to draw, if it is not built during the recording."
+        ),
     ] = None,
     as_json: AsJson = False,
 ) -> None:

@@ -111,7 +111,7 @@ def find_settings(named: Path | None, root: Any) -> SettingsFile:
     try:
         read = tomllib.loads(read_bytes(path, "a settings file").decode("utf-8"))
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
-        raise MansionError(ErrorCode.INVALID_PAYLOAD, f"{path} is no TOML: {error}") from None
+        raise MansionError(ErrorCode.INVALID_PAYLOAD, f"{path} is not valid TOML: {error}") from None
     return _Reader(path, root, trusted=named is not None).read(read)
 
 
@@ -179,7 +179,7 @@ class _Reader:
         for name in values:
             where = f"{place}.{name}"
             if name in _SAID_EACH_TIME:
-                raise self._fault(where, f"is said each time, with --{name}; it has no default in a file")
+                raise self._fault(where, f"must be given each time, with --{name}; a file cannot set it")
             if name not in known:
                 raise self._unknown(where, name, list(known), f"options of mansion {' '.join(path)}")
             self._refuse_unless_named(place, name)
@@ -224,7 +224,7 @@ class _Reader:
         for name, value in values.items():
             place = f"{LLM}.{name}"
             if name == "api_key":
-                raise self._fault(place, "is a secret and no setting of a file: set MANSION_LLM_API_KEY")
+                raise self._fault(place, "is a secret and cannot be set in a file: set MANSION_LLM_API_KEY")
             if name not in setting_names():
                 known = [each for each in setting_names() if each != "api_key"]
                 raise self._unknown(place, name, known, "settings of the language model")
@@ -234,7 +234,7 @@ class _Reader:
                 raise self._fault(place, "must be a text, a number, or a list of them")
             text = ",".join(str(item) for item in items)
             if "\0" in text:
-                raise self._fault(place, "has a character that no variable can hold")
+                raise self._fault(place, "has a character that an environment variable cannot hold")
             checked_setting(name, text, f"{self.path}, table [{LLM}],")
             found[name] = text
         return found
@@ -243,14 +243,14 @@ class _Reader:
         if not self.trusted and (table, name) in _NAMED_FILE_ALONE:
             raise self._fault(
                 f"{table}.{name}",
-                f"is taken from a file that you name alone: --config {self.path} or MANSION_CONFIG={self.path}",
+                f"is only taken from a file that you name: --config {self.path} or MANSION_CONFIG={self.path}",
             )
 
     def _fault(self, place: str, what: str) -> MansionError:
         return MansionError(ErrorCode.INVALID_PAYLOAD, f"{self.path}: {place} {what}", path=f"$.{place}")
 
     def _unknown(self, place: str, name: str, known: list[str], noun: str) -> MansionError:
-        return self._fault(place, f"is no setting; {choices(name, known, noun)}{self._elsewhere(name)}")
+        return self._fault(place, f"is not a setting; {choices(name, known, noun)}{self._elsewhere(name)}")
 
     def _elsewhere(self, name: str) -> str:
         """Name the tables in which a misplaced option would be one."""

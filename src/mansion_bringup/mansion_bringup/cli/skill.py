@@ -30,7 +30,7 @@ def skill(
         Path | None, typer.Option("--building", "-b", help="Run in this process, on this building folder.")
     ] = None,
     session: Annotated[str, typer.Option("--session", "-s", help="Which robot.")] = "",
-    reset: Annotated[bool, typer.Option(help="With --building: begin anew.")] = False,
+    reset: Annotated[bool, typer.Option(help="With --building: start over.")] = False,
     namespace: Annotated[str, typer.Option("--namespace", "-n")] = DEFAULT_NAMESPACE,
 ) -> None:
     """Run one skill and print its result as JSON; exit status 1 when it does not succeed.
@@ -51,7 +51,7 @@ def skill(
     found = skill_named(name)
     if found is None:
         known = choices(name, (entry.name for entry in SKILLS.values()), "skills")
-        raise MansionError(ErrorCode.NOT_FOUND, f"there is no skill {name!r}; {known}; `mansion skill list` has all")
+        raise MansionError(ErrorCode.NOT_FOUND, f"there is no skill {name!r}; {known}; `mansion skill list` lists all")
     fields: dict[str, Any] = decode(dict[str, Any], arguments)
     if session:
         fields["session"] = session
@@ -70,7 +70,7 @@ def _in_process(building: Path, name: str, fields: dict[str, Any], *, reset: boo
 
 def _through_graph(namespace: str, found: "Skill", fields: dict[str, Any]) -> Any:
     from mansion_bringup.client import MansionClient
-    from mansion_bringup.graph.skill_calls import call_skill
+    from mansion_bringup.graph.robot_client import call_skill
 
     session, arguments = _parted(fields)
     with MansionClient(namespace="/" + namespace.strip("/")) as client:

@@ -76,7 +76,7 @@ def _chosen(tasks: list[Task], name: str) -> list[Task]:
 
 def _in_words(name: str) -> Task:
     """Return the paper's task of that id, or the task that a file holds."""
-    from mansion_tasks.tasks.paper import PAPER_TASKS
+    from mansion_tasks.tasks.paper_tasks import PAPER_TASKS
 
     if name in PAPER_TASKS:
         return PAPER_TASKS[name].task
@@ -96,7 +96,7 @@ def _in_words(name: str) -> Task:
 
 def _advised(error: MansionError, name: str, building: Path) -> MansionError:
     """Say how the building, or another one, can have what a task lacks: objects can be added, rooms cannot."""
-    from mansion_tasks.tasks.paper import PAPER_TASKS
+    from mansion_tasks.tasks.paper_tasks import PAPER_TASKS
 
     missing = error.info.details.get("missing", [])
     if not missing:
@@ -148,14 +148,14 @@ def generate(
     tasks = make(sandbox, count, seed, kind)
     if len(tasks) < count:
         found = counted(len(tasks), "task")
-        err.print(f"the building has no more than {found} that differ", highlight=False)
+        err.print(f"the building has only {found} that differ", highlight=False)
     _write(tasks, building, sandbox.building.building_id, output)
 
 
 @group.command(no_args_is_help=True)
 def show(
     tasks: Annotated[Path, typer.Argument(help="A task set, as `generate` writes it.")],
-    name: Annotated[str, typer.Argument(help="A task's id: all of it, as JSON.")] = "",
+    name: Annotated[str, typer.Argument(help="A task's id: print that task in full, as JSON.")] = "",
     as_json: AsJson = False,
 ) -> None:
     """List the tasks of a file, or print one.
@@ -194,7 +194,7 @@ def paper(
 
       mansion task paper office_laptop -o laptop.json
     """
-    from mansion_tasks.tasks.paper import PAPER_TASKS, paper_task
+    from mansion_tasks.tasks.paper_tasks import PAPER_TASKS, paper_task
 
     if not name and as_json:
         print_json([{"task": entry.task, "sentence": entry.sentence} for entry in PAPER_TASKS.values()])
@@ -227,7 +227,7 @@ def ground(
       mansion task ground laptop.json out/office
     """
     from mansion_tasks.tasks.grounding import ground as find
-    from mansion_tasks.tasks.paper import PAPER_TASKS
+    from mansion_tasks.tasks.paper_tasks import PAPER_TASKS
 
     _check_output(output)
     words = _in_words(task)
@@ -245,7 +245,7 @@ def run(
     tasks: Annotated[Path, typer.Argument(help="A task set.")],
     name: Annotated[str, typer.Argument(help="A task's id; all when absent.")] = "",
     building: Annotated[Path | None, typer.Option("--building", "-b", help="Instead of the set's building.")] = None,
-    plan: Annotated[bool, typer.Option(help="Run the plans of the file, else plan anew.")] = False,
+    plan: Annotated[bool, typer.Option(help="Run the file's plans instead of planning again.")] = False,
     as_json: AsJson = False,
 ) -> None:
     """Let the oracle do tasks in this process, and print how each went; exit status 1 when one fails.
@@ -269,7 +269,7 @@ def run(
         rows.append({"task": task.id, "success": score.success, "skills": len(steps), "time": sandbox.world.time})
         word = "done" if score.success else "failed"
         if not as_json:
-            out.print(f"{task.id}: {word}, {len(steps)} skills, {sandbox.world.time:.0f} s", highlight=False)
+            out.print(f"{task.id}: {word}, {counted(len(steps), 'skill')}, {sandbox.world.time:.0f} s", highlight=False)
     if as_json:
         print_json(rows)
     if not all(row["success"] for row in rows):

@@ -1,4 +1,4 @@
-"""How far a long call is: what its node publishes meanwhile, and one line of standard error that says so."""
+"""Progress of a long call: what its node publishes meanwhile, as one line on standard error."""
 
 import os
 import sys
@@ -29,7 +29,7 @@ def progress_topic(service: str) -> str | None:
 
 
 def progress_line(topic: str, text: str, arguments: Any = None) -> str | None:
-    """Return what a message of such a topic says, None where it is of another session than the call's.
+    """Return the text of a message of such a topic; None if it belongs to another session than the call's.
 
     Parameters
     ----------
@@ -38,7 +38,7 @@ def progress_line(topic: str, text: str, arguments: Any = None) -> str | None:
     text : str
         A `Progress` or `SkillProgress` as JSON.
     arguments : dict, optional
-        Of the call.
+        Arguments of the call.
     """
     from mansion_msgs_py.codec import decode
     from mansion_msgs_py.world import Progress, SkillProgress

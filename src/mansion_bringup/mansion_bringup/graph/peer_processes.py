@@ -1,4 +1,4 @@
-"""Which processes behind the endpoints of a graph have ended, known at once where they ran on this machine.
+"""Detect which processes behind a graph's endpoints have ended, at once where they ran on this machine.
 
 Discovery knows a killed process until its lease ends, and the lease must be long: where a busy machine lets a
 participant miss the announcements of another for that time, Fast DDS drops it and may never match all of its endpoints
@@ -42,7 +42,7 @@ class PeerProcesses:
     own : callable
         Returns the GUID of an endpoint of this process, or None while there is none.
     pid : int
-        Of this process.
+        Id of this process.
     proc : Path
         The process file system; where it is none, no process is noted.
     """

@@ -38,7 +38,7 @@ def check_rclpy() -> None:
 
 
 LAST_DOMAIN: Final = 232
-"""Of ROS: above it, there are no ports left for a domain."""
+"""The highest ROS domain: above it no ports are left."""
 
 
 def check_domain() -> None:

@@ -15,7 +15,7 @@ from mansion_bringup.graph.topic_echo import FoundTopic, find_topic, message_cla
 from mansion_msgs_py.closing import Closing
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.nodes.shell import qos_profile
-from mansion_tasks.recordings.definitions import message_definition
+from mansion_tasks.recordings.mcap_file import message_definition
 
 __all__ = ["GraphRecording", "definition_of"]
 
@@ -34,7 +34,7 @@ QUEUE: Final = 1000
 
 
 def definition_of(kind: Any) -> str:
-    """Return the definition of a message class and of all types in it, from what the class says of itself.
+    """Return the definition of a message class and of all types in it, from the description in the class.
 
     Parameters
     ----------

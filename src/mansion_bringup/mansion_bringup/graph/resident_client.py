@@ -53,7 +53,7 @@ class ResidentClient(Closing):
     Attributes
     ----------
     path : Path, optional
-        Of the socket.
+        Path of the socket.
     """
 
     def __init__(self, namespace: str, client: MansionClient | None = None) -> None:

@@ -194,7 +194,7 @@ def _segment_files(shm: Path) -> set[str]:
 
 
 def _file_id(status: os.stat_result) -> FileId | None:
-    """Return the identity of a file; None for another user's, and for what is no plain file."""
+    """Return the identity of a file; None for another user's, and for anything but a plain file."""
     if status.st_uid != os.geteuid() or not stat.S_ISREG(status.st_mode):
         return None
     return FileId(status.st_dev, status.st_ino, status.st_mtime_ns)
@@ -234,7 +234,7 @@ def _locked_by(pid: int, descriptor: str, shm: Path) -> Segment | None:
 def _unread_ports(names: set[str], shm: Path) -> set[Segment]:
     """Return the ports among `names` that have no lock file.
 
-    Fast DDS makes the port of a peer that was killed anew, without a lock, while it still sends to that peer.
+    Fast DDS recreates the port of a peer that was killed, without a lock, while it still sends to that peer.
     """
     ports = [name for name in names if PORT.fullmatch(name) and not names & {name + suffix for suffix in SUFFIXES}]
     return {Segment(name, memory) for name in ports if (memory := _id_at(shm / name)) is not None}
@@ -295,7 +295,7 @@ def _remove(segment: Segment, shm: Path) -> bool:
         if unlocked and (changed or _is_mapped(segment) or all(map(os.path.lexists, locks))):
             lock.unlink(missing_ok=True)
         elif not changed:
-            # The lock file comes last: who finds none may make the port anew.
+            # The lock file comes last: whoever finds none may recreate the port.
             for path in (memory, shm / f"sem.{segment.name}_mutex", lock):
                 if _id_at(path) is not None:
                     path.unlink(missing_ok=True)

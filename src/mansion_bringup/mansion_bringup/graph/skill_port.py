@@ -36,7 +36,7 @@ class GraphPort(SkillPort):
     Parameters
     ----------
     client : MansionClient
-        Of a graph whose skill server is on this machine.
+        A client of a graph whose skill server is on this machine.
     """
 
     def __init__(self, client: MansionClient) -> None:

@@ -16,10 +16,10 @@ from mansion_bringup.pipeline.executors import export_pool
 from mansion_bringup.pipeline.stages import RemoteStages
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.interfaces import service, topic
+from mansion_msgs_py.nodes.allowed_folders import declare_allowed_folders
 from mansion_msgs_py.nodes.node import MansionNode
 from mansion_msgs_py.nodes.run import run_node
 from mansion_msgs_py.nodes.shell import JsonPublisher, add_json_service, add_json_subscription, run_handler
-from mansion_msgs_py.nodes.writing import declare_allowed_folders
 from mansion_msgs_py.request import BuildRequest, identified
 from mansion_msgs_py.stages import BuildJob, BuildReply
 
@@ -105,7 +105,7 @@ class BuildingDirector(MansionNode):
         return BuildReply(building=result.building, path=str(result.path))
 
     def _working_exporter(self) -> ProcessPoolExecutor:
-        """Return the export processes, made anew where one of them was killed: the pool refuses all work then."""
+        """Return the export processes, restarted if one of them was killed: the pool refuses all work then."""
         with self._guard:
             try:
                 self._exporter.submit(os.getpid)

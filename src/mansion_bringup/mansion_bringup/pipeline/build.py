@@ -1,7 +1,6 @@
 """Algorithm 1: a request becomes a building folder, floor by floor, resumable and repeatable."""
 
 import time
-import traceback
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import BrokenExecutor, Executor, Future, ProcessPoolExecutor
 from contextlib import contextmanager
@@ -11,18 +10,18 @@ from typing import TypeVar
 
 import msgspec
 
-from mansion_assets.catalogue.preferred import preferring
+from mansion_assets.catalogue.preferred_folders import preferring
 from mansion_assets.library.building_assets import asset_files
 from mansion_assets.library.folders import library_folders
-from mansion_bringup.building.assets import assets_in
 from mansion_bringup.building.files import floor_files
+from mansion_bringup.building.own_assets import assets_in
 from mansion_bringup.building.report import building_index, building_report
 from mansion_bringup.building.workspace import Workspace
 from mansion_bringup.check import Fault
 from mansion_bringup.check.building import in_order
 from mansion_bringup.extras import require_extra
 from mansion_bringup.pipeline.executors import BuildExecutors, local_executors, service_executors
-from mansion_bringup.pipeline.layouts import reseeded, shortfall
+from mansion_bringup.pipeline.floors import at_stage, distinct_floors, furnish, solve, source_floor
 from mansion_bringup.pipeline.stages import LocalStages, Stages
 from mansion_bringup.verify import floor_faults, record_faults
 from mansion_export.formats import Output, Outputs, formats_of_build, outputs_of_build
@@ -30,13 +29,14 @@ from mansion_msgs_py.building import Building, BuildingReport
 from mansion_msgs_py.building_folder import INDEX, floor_directory
 from mansion_msgs_py.codec import decode, encode_bytes
 from mansion_msgs_py.errors import ErrorCode, MansionError
-from mansion_msgs_py.layout import FloorLayout, FloorProblem
+from mansion_msgs_py.layout import FloorLayout
 from mansion_msgs_py.request import BuildRequest, identified
 from mansion_msgs_py.scene import FloorScene
-from mansion_msgs_py.stages import FurnishRequest, PlanReply
+from mansion_msgs_py.stages import PlanReply
+from mansion_msgs_py.wording import counted
 from mansion_msgs_py.world import Progress
 
-__all__ = ["BuildResult", "at_stage", "build_building", "distinct_floors", "furnish", "solve", "source_floor"]
+__all__ = ["BuildResult", "build_building"]
 
 T = TypeVar("T")
 
@@ -171,8 +171,8 @@ def _told_of_killed_workers() -> Iterator[None]:
     except BrokenExecutor:
         raise MansionError(
             ErrorCode.UNAVAILABLE,
-            "a process of the build was ended from outside, as Linux does when memory runs out; the same build goes on"
-            " from the floors that are done, and with one job (--jobs 1) it takes the least memory",
+            "a process of the build was killed, as Linux does when memory runs out; run the build again to continue"
+            " with the remaining floors, with --jobs 1 to use the least memory",
         ) from None
 
 
@@ -187,8 +187,7 @@ def _plan(job: _Job, workspace: Workspace) -> PlanReply:
     floors = plan.program.floors
     job.total = 2 + len(distinct_floors(plan)) + len(floors)
     rooms = sum(node.type in ("main", "Entities") for graph in plan.topologies for node in graph.nodes)
-    storeys = f"{len(floors)} floor{'s' if len(floors) != 1 else ''}"
-    job.step("plan_program", f"{storeys}, {rooms} rooms", done=1)
+    job.step("plan_program", f"{counted(len(floors), 'floor')}, {counted(rooms, 'room')}", done=1)
     return plan
 
 
@@ -241,8 +240,8 @@ def _furnish(
             job.timed("export_floor", exporting)
         data = workspace.read(f"{floor_directory(floor.index)}/scene.json")
         scenes.append(decode(FloorScene, data))
-        count = len(scenes[-1].objects)
-        job.step("furnish_floor", f"floor {floor.index}: {count} objects", floor.index, done=1)
+        objects = counted(len(scenes[-1].objects), "object")
+        job.step("furnish_floor", f"floor {floor.index}: {objects}", floor.index, done=1)
     return scenes
 
 
@@ -315,86 +314,3 @@ def _check(
     faults = at_stage("check", lambda: [*checking.result(), *record_faults(workspace.partial, index, layouts, scenes)])
     job.timed("check", time.perf_counter() - started)
     return [str(fault) for fault in in_order(faults)]
-
-
-def at_stage(stage: str, call: Callable[[], T]) -> T:
-    """Run one stage; any failure becomes a `MansionError` that names the stage."""
-    try:
-        return call()
-    except MansionError as error:
-        part = {"part": error.stage} if error.stage not in ("", stage) else {}
-        raise error.with_details(**part, stage=stage) from error
-    except BrokenExecutor:
-        raise
-    except Exception as error:
-        raise MansionError(
-            ErrorCode.INTERNAL,
-            f"{type(error).__name__}: {error}",
-            details={"stage": stage, "traceback": traceback.format_exc(limit=8)},
-        ) from error
-
-
-def source_floor(plan: PlanReply, index: int) -> int:
-    """Return the position of the floor whose layout the floor at position `index` shares."""
-    copied = plan.program.floors[index].copy
-    if copied is None:
-        return index
-    numbers = [floor.index for floor in plan.program.floors]
-    return source_floor(plan, numbers.index(copied))
-
-
-def distinct_floors(plan: PlanReply) -> list[int]:
-    """Return the positions of the floors that have a layout of their own."""
-    return sorted({source_floor(plan, index) for index in range(len(plan.program.floors))})
-
-
-def solve(stages: Stages, plan: PlanReply, index: int) -> FloorLayout:
-    """Lay out the floor at position `index` (Algorithm 1, line 8).
-
-    A floor whose sketch could not give what is asked is solved freely, and the sketch and other draws are tried where
-    that misses areas or relations, on every floor where a room is cut off; the layout that meets most is taken.
-    """
-    problem = plan.problems[index]
-
-    def laid_out(problem: FloorProblem) -> FloorLayout:
-        return at_stage(f"solve_floor (floor {plan.program.floors[index].index})", lambda: stages.solve(problem))
-
-    layout = laid_out(problem)
-    fallback = plan.fallbacks[index] if plan.fallbacks else None
-    best = (shortfall(plan, index, layout), layout)
-    missable = MISSED_SHARE * sum(node.area or 0.0 for node in problem.nodes) if fallback else float("inf")
-    for other in (*filter(None, [fallback]), *reseeded(problem)):
-        if best[0] <= (False, missable):
-            break
-        tried = laid_out(other)
-        found = (shortfall(plan, index, tried), tried)
-        best = found if found[0] < best[0] else best
-    return best[1]
-
-
-MISSED_SHARE = 0.02
-"""Share of a floor that rooms may miss before the places of the sketch, and other draws, are tried."""
-
-
-def furnish(
-    stages: Stages, plan: PlanReply, layout: FloorLayout, index: int, libraries: Sequence[str] = ()
-) -> FloorScene:
-    """Furnish the floor at position `index` (Algorithm 1, lines 9 to 17), with own assets of libraries first."""
-    program = plan.program
-    floor = program.floors[index]
-    request = FurnishRequest(
-        building_id=program.building_id,
-        floor=floor,
-        floors=[entry.index for entry in program.floors],
-        labels=[entry.label for entry in program.floors],
-        connectivity=program.vertical_connectivity,
-        topology=plan.topologies[index],
-        layout=layout,
-        building_type=program.kind,
-        style=program.style,
-        seed=program.seed,
-        planner="llm" if plan.llm is not None else "rules",
-        description=program.description if plan.llm is not None else "",
-        assets=tuple(libraries) or msgspec.UNSET,
-    )
-    return at_stage(f"furnish_floor (floor {floor.index})", lambda: stages.furnish(request))

@@ -33,7 +33,7 @@ class RrdFile(Closing):
         What viewers call the recording.
     clock : Clock
     identity : str
-        The same for recordings that a viewer shall take for one.
+        The same for recordings that a viewer is to show as one.
     pictures : bool
         Give what the camera sees a place on the screen.
     """

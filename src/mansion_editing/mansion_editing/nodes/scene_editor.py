@@ -15,9 +15,8 @@ from rclpy.parameter import Parameter
 
 from mansion_assets.library.building_assets import catalogue_for
 from mansion_assets.retrieval.configured import configured_retriever
-from mansion_editing.editor import TOOLS, SceneEditor
+from mansion_editing.editor import TOOLS, OpenEditors, SceneEditor
 from mansion_editing.instructions.instruct import instruct
-from mansion_editing.open_editors import OpenEditors
 from mansion_editing.physics.engine import engine_named
 from mansion_editing.provisioning.provision import provision
 from mansion_editing.storage import BuildingStore
@@ -25,10 +24,10 @@ from mansion_msgs_py.editing.instructions import AgentReport, InstructArgs, Prov
 from mansion_msgs_py.editing.open_buildings import EditorInfo, OpenEditorArgs
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.interfaces import service, topic
+from mansion_msgs_py.nodes.allowed_folders import declare_allowed_folders
 from mansion_msgs_py.nodes.node import MansionNode
 from mansion_msgs_py.nodes.run import run_node
 from mansion_msgs_py.nodes.shell import JsonPublisher, add_json_service
-from mansion_msgs_py.nodes.writing import declare_allowed_folders
 from mansion_scene.refurnishing import furnish_room
 
 __all__ = ["SceneEditorNode", "main"]

@@ -139,7 +139,7 @@ _VARIABLE: Final = "MANSION_THOR_BUILD"
 
 TIMESTEP: Final = 0.01
 ADVANCE: Final = 0.05
-"""Of the physics, and of one action; seconds."""
+"""Step of the physics, and of one action; seconds."""
 
 MOST_ADVANCES: Final = 60
 FEWEST_ADVANCES: Final = 5

@@ -3,6 +3,8 @@
 from dataclasses import KW_ONLY, dataclass, field
 from typing import Literal, TypeAlias
 
+from mansion_language.inflection import plural
+
 __all__ = ["Fact", "ObjectDescription", "ObjectFact", "PathFact", "Scope"]
 
 Relation: TypeAlias = Literal["on", "in", "room"]
@@ -57,7 +59,7 @@ class ObjectDescription:
             str(self.count) if self.count else "the",
             *(["cold"] if self.cold else []),
             *([self.colour] if self.colour else []),
-            self.noun,
+            self.noun if self.count == 1 or "_" in self.noun else plural(self.noun),
         ]
         return " ".join(words)
 

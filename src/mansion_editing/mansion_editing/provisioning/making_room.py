@@ -1,12 +1,12 @@
-"""Make room on a full receptacle: one small thing moves elsewhere in its room."""
+"""Make room on a full receptacle by moving one small object elsewhere in the room."""
 
 from collections.abc import Generator, Set
 from typing import Final
 
 from mansion_assets.catalogue.vocabulary import vocabulary_of
 from mansion_editing.provisioning.facts import ObjectDescription, Scope
-from mansion_editing.provisioning.finding import list_contents
 from mansion_editing.provisioning.new_objects import place_any
+from mansion_editing.provisioning.object_search import list_contents
 from mansion_editing.provisioning.usual_places import find_surfaces, relation_of
 from mansion_editing.runs.policies import Action, Outcome
 from mansion_editing.state import Change, SceneState

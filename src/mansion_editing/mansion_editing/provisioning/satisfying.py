@@ -7,9 +7,9 @@ from typing import Final
 
 from mansion_assets.catalogue.vocabulary import vocabulary_of
 from mansion_editing.provisioning.facts import Fact, ObjectDescription, ObjectFact, PathFact, Scope
-from mansion_editing.provisioning.finding import find_objects, list_contents, matches, receptacles, rooms_of
 from mansion_editing.provisioning.making_room import make_room
 from mansion_editing.provisioning.new_objects import find_assets, place_any
+from mansion_editing.provisioning.object_search import find_objects, list_contents, matches, receptacles, rooms_of
 from mansion_editing.provisioning.usual_places import (
     _in_room_program,
     find_surfaces,

@@ -5,7 +5,7 @@ from collections.abc import Generator, Iterable
 from mansion_assets.catalogue.vocabulary import stems, vocabulary_of
 from mansion_editing.editor import SceneEditor
 from mansion_editing.provisioning.facts import Fact, ObjectDescription, ObjectFact, PathFact, Scope
-from mansion_editing.provisioning.finding import find_objects, rooms_of
+from mansion_editing.provisioning.object_search import find_objects, rooms_of
 from mansion_editing.provisioning.satisfying import satisfy
 from mansion_editing.runs.policies import Action, Outcome, Policy, Unmet, Verdict
 from mansion_editing.state import SceneState
@@ -13,6 +13,7 @@ from mansion_editing.tools.perception import find_rooms
 from mansion_language.colours import COLOUR_WORDS
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.task import Need, Task, TaskStart
+from mansion_msgs_py.wording import counted
 
 __all__ = ["facts_of_needs", "task_policy"]
 
@@ -44,7 +45,7 @@ def task_policy(editor: SceneEditor, task: Task) -> Policy:
     routes: list[Fact] = [PathFact(start, end) for end in ends]
     paths = yield from satisfy(routes, state)
     return Verdict(
-        f"{len(facts)} needs and {len(routes)} paths hold" if not paths.failed else paths.summary,
+        f"met: {counted(len(facts), 'need')} and {counted(len(routes), 'path')}" if not paths.failed else paths.summary,
         [*provided.facts, *paths.facts],
         paths.failed,
     )

@@ -7,7 +7,7 @@ from typing import Final
 from mansion_assets.catalogue import Catalogue
 from mansion_assets.catalogue.vocabulary import vocabulary_of
 from mansion_editing.provisioning.facts import Scope
-from mansion_editing.provisioning.finding import rooms_of
+from mansion_editing.provisioning.object_search import rooms_of
 from mansion_editing.runs.policies import Action, Outcome, ask
 from mansion_editing.state import SceneState
 from mansion_knowledge import words_by

@@ -9,6 +9,7 @@ from mansion_editing.runs.policies import Action, Outcome, Policy, Verdict
 from mansion_msgs_py.codec import decode, encode, to_builtins
 from mansion_msgs_py.editing.instructions import AgentReport, AgentStep
 from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.wording import counted
 
 __all__ = ["MOST_EDITS", "MOST_STEPS", "RUN_TOOLS", "run_policy"]
 
@@ -45,7 +46,7 @@ def run_policy(
         ``CONFLICT`` when edits wait in the editor already.
     """
     if editor.state.pending:
-        raise MansionError(ErrorCode.CONFLICT, "edits wait to be saved; save or undo them first")
+        raise MansionError(ErrorCode.CONFLICT, "there are unsaved edits; save or undo them first")
     autosave, editor.autosave = editor.autosave, False
     run = _Run(editor, most_steps, most_edits)
     try:
@@ -73,9 +74,9 @@ class _Run:
             action = next(policy)
             while True:
                 if len(self.steps) >= self.most_steps or self.edits >= self.most_edits:
-                    return _stopped(f"stopped after {len(self.steps)} steps, {self.edits} edits")
+                    return _stopped(f"stopped after {counted(len(self.steps), 'step')}, {counted(self.edits, 'edit')}")
                 if self.refused >= MOST_REFUSED:
-                    return _stopped(f"stopped: {self.refused} invalid actions")
+                    return _stopped(f"stopped after {counted(self.refused, 'invalid action')}")
                 action = policy.send(self.act(action))
         except StopIteration as end:
             verdict: Verdict = end.value

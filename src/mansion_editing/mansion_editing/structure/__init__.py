@@ -3,7 +3,7 @@
 from mansion_editing.structure.areas import change_area
 from mansion_editing.structure.cores import add_core
 from mansion_editing.structure.doors import add_door
-from mansion_editing.structure.storeys import Reshaped, Storey, Workshop, storey_of, updated_building
+from mansion_editing.structure.storey_documents import Reshaped, Storey, Workshop, storey_of, updated_building
 from mansion_editing.structure.swaps import swap_rooms
 
 __all__ = [

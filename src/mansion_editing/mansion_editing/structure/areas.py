@@ -7,16 +7,14 @@ from dataclasses import replace
 from shapely import Polygon
 
 from mansion_editing.structure.attempts import Change, Outcome, attempt
-from mansion_editing.structure.circulation import is_circulation
 from mansion_editing.structure.rebuilding import passages_of_scene
-from mansion_editing.structure.reports import listed
-from mansion_editing.structure.room_shapes import ShapeLimits, limits_of
-from mansion_editing.structure.storey_documents import region_shapes, with_shapes
-from mansion_editing.structure.storeys import Reshaped, Storey, Workshop, node_of
+from mansion_editing.structure.room_shapes import ShapeLimits, is_circulation, limits_of
+from mansion_editing.structure.storey_documents import Reshaped, Storey, Workshop, node_of, region_shapes, with_shapes
 from mansion_editing.structure.wall_moves import MovedWall, Plan, most_area, plans
 from mansion_geometry.shared_walls import edge_array, shared_walls
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import SceneRoom
+from mansion_msgs_py.wording import listed
 
 __all__ = ["change_area"]
 
@@ -150,7 +148,7 @@ class _Neighbourhood:
         if not reason:
             own = "its" if len(self.others) == 1 else "their"
             verb = "give" if change > 0 else "take"
-            reason = f"{listed(self.others)} can {verb} no more and keep {own} shape"
+            reason = f"{listed(self.others)} cannot {verb} more and keep {own} shape"
         return f"{wanted}: {reason}; {self._possible(change, bound)}"
 
     def _possible(self, change: float, bound: float) -> str:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from mansion_editing.structure.rebuilding import Rebuilt, rebuild
 from mansion_editing.structure.rebuilt_scene import Finished, finish
 from mansion_editing.structure.reports import door_sentences, object_sentences, room_sentences, wall_sentences
-from mansion_editing.structure.storeys import Reshaped, Storey, Workshop
+from mansion_editing.structure.storey_documents import Reshaped, Storey, Workshop
 from mansion_editing.structure.wall_moves import MovedWall
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_scene.structure.access import Passage
@@ -23,13 +23,13 @@ class Change:
     before, after : Storey
         The scene of `after` is still that of `before`.
     passages : sequence of Passage
-        Which regions shall open to which.
+        Which regions open to which.
     may_change : collection of str
         Rooms whose objects may move; all others keep theirs as they are.
     moves : sequence of MovedWall
         By the rooms' ids in the scene.
-    anew : collection of str
-        Rooms to furnish anew.
+    refurnished : collection of str
+        Rooms to furnish again.
     released : collection of str
         Ids of doors that need not stay where they are.
     """
@@ -39,7 +39,7 @@ class Change:
     passages: Sequence[Passage]
     may_change: Collection[str]
     moves: Sequence[MovedWall] = ()
-    anew: Collection[str] = ()
+    refurnished: Collection[str] = ()
     released: Collection[str] = ()
 
 
@@ -61,17 +61,17 @@ def attempt(change: Change, workshop: Workshop) -> Outcome:
     """
     rebuilt = rebuild(change.before, change.after, change.passages, change.released)
     _require_entrance(change, rebuilt)
-    first = _finished(change, rebuilt, workshop, change.anew)
+    first = _finished(change, rebuilt, workshop, change.refurnished)
     faults = _new_faults(change, first, workshop)
     finished = first
     # Furniture that was moved piece by piece may stand in its own way: only furnishing the room as a whole helps then.
     crowded = [r for r in first.settled if r in change.may_change and any(_names(fault, r) for fault in faults)]
     if faults and crowded:
-        finished = _finished(change, rebuilt, workshop, {*change.anew, *crowded})
+        finished = _finished(change, rebuilt, workshop, {*change.refurnished, *crowded})
         faults = _new_faults(change, finished, workshop)
     if faults:
         raise MansionError(
-            ErrorCode.INFEASIBLE, f"the storey would not be sound: {faults[0]}", details={"faults": list(faults)}
+            ErrorCode.INFEASIBLE, f"the storey would have a fault: {faults[0]}", details={"faults": list(faults)}
         )
     after = Storey(change.after.program, change.after.topology, change.after.layout, finished.scene)
     said = [
@@ -83,8 +83,8 @@ def attempt(change: Change, workshop: Workshop) -> Outcome:
     return Outcome(Reshaped(after, said), finished.losses)
 
 
-def _finished(change: Change, rebuilt: Rebuilt, workshop: Workshop, anew: Collection[str]) -> Finished:
-    return finish(change.after, rebuilt, workshop, moves=change.moves, anew=anew)
+def _finished(change: Change, rebuilt: Rebuilt, workshop: Workshop, refurnished: Collection[str]) -> Finished:
+    return finish(change.after, rebuilt, workshop, moves=change.moves, refurnished=refurnished)
 
 
 def _new_faults(change: Change, finished: Finished, workshop: Workshop) -> Sequence[str]:

@@ -10,12 +10,17 @@ import msgspec
 from shapely import Polygon, box
 
 from mansion_editing.structure.attempts import Change, attempt
-from mansion_editing.structure.circulation import is_circulation
 from mansion_editing.structure.rebuilding import passages_of_scene
-from mansion_editing.structure.reports import listed
-from mansion_editing.structure.room_shapes import limits_of, tidied
-from mansion_editing.structure.storey_documents import added_access, region_shapes, with_shapes
-from mansion_editing.structure.storeys import Reshaped, Storey, Workshop, node_of
+from mansion_editing.structure.room_shapes import is_circulation, limits_of, tidied
+from mansion_editing.structure.storey_documents import (
+    Reshaped,
+    Storey,
+    Workshop,
+    added_access,
+    node_of,
+    region_shapes,
+    with_shapes,
+)
 from mansion_geometry.shared_walls import edge_array, longest_wall, shared_walls
 from mansion_geometry.stair_landings import with_landings
 from mansion_msgs_py.errors import ErrorCode, MansionError
@@ -23,6 +28,7 @@ from mansion_msgs_py.program import BuildingProgram, CorePlan
 from mansion_msgs_py.scene import FloorScene, SceneRoom
 from mansion_msgs_py.shapes import Point
 from mansion_msgs_py.topology import FloorTopology, TopologyNode
+from mansion_msgs_py.wording import listed
 from mansion_scene.structure.access import Passage, pair_key
 
 __all__ = ["CoreKind", "JudgeAll", "add_core"]
@@ -68,7 +74,7 @@ def add_core(
         Its own judge is not asked: a core is sound only when it is on all storeys.
     judge : callable
     room_id : str
-        Room that shall give the floor on its storey; any when empty.
+        Room that gives the floor on its storey; any when empty.
 
     Returns
     -------
@@ -190,7 +196,7 @@ def _opens(shape: Polygon, side: Side, passage: Polygon) -> bool:
 
 
 def _built(storeys: Sequence[Storey], place: _Place, workshop: Workshop, judge: JudgeAll) -> list[Reshaped]:
-    """Put a core in its place on all storeys; rooms whose furniture then is in the way are furnished anew.
+    """Put a core in its place on all storeys; rooms whose furniture then is in the way are furnished again.
 
     Raises
     ------
@@ -198,19 +204,19 @@ def _built(storeys: Sequence[Storey], place: _Place, workshop: Workshop, judge: 
         ``INFEASIBLE`` with what would be wrong.
     """
     faults: Sequence[str] = ()
-    for anew in (False, True):
+    for refurnished in (False, True):
         done: list[Reshaped] = []
         program = _with_core(storeys[0], place.core)
         for storey, (giver, passage) in zip(storeys, place.rooms, strict=True):
             change = _change(replace(storey, program=program), storey, place.core, giver, passage)
-            if anew:
-                change = replace(change, anew={giver.id})
+            if refurnished:
+                change = replace(change, refurnished={giver.id})
             done.append(attempt(change, replace(workshop, judge=lambda scene: ())).reshaped)
             program = done[-1].storey.program
         faults = judge({one.storey.number: one.storey.scene for one in done})
         if not faults:
             return [replace(one, storey=replace(one.storey, program=program)) for one in done]
-    raise MansionError(ErrorCode.INFEASIBLE, f"the building would not be sound: {faults[0]}")
+    raise MansionError(ErrorCode.INFEASIBLE, f"the building would have a fault: {faults[0]}")
 
 
 def _with_core(storey: Storey, core: CorePlan) -> BuildingProgram:

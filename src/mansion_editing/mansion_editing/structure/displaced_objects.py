@@ -1,4 +1,4 @@
-"""Objects of a room whose floor or doors changed: those that still stand rightly stay, the others find a place.
+"""Objects of a room whose floor or doors changed: those that still fit stay, the others get a new place.
 
 What leaned on a wall that moved goes with it, and so does what stood close to that. What is left without a place is
 put where the room is free, furniture at walls first, or is left out.
@@ -69,7 +69,7 @@ def settle(
     space : RoomSpace
         The room as it is now.
     objects : sequence of SceneObject
-        Of the room as it was.
+        Objects of the room before the change.
     moves : sequence of MovedWall
         Walls of the room that moved.
     scene : FloorScene

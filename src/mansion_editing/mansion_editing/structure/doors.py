@@ -2,8 +2,15 @@
 
 from mansion_editing.structure.attempts import Change, attempt
 from mansion_editing.structure.rebuilding import passages_of_scene
-from mansion_editing.structure.storey_documents import added_access, region_shapes, with_topology
-from mansion_editing.structure.storeys import Reshaped, Storey, Workshop, node_of
+from mansion_editing.structure.storey_documents import (
+    Reshaped,
+    Storey,
+    Workshop,
+    added_access,
+    node_of,
+    region_shapes,
+    with_topology,
+)
 from mansion_geometry.shared_walls import edge_array, longest_wall, shared_walls
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import SceneRoom

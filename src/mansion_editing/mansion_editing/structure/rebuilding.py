@@ -7,7 +7,7 @@ from typing import TypeVar
 import msgspec
 from shapely import Polygon
 
-from mansion_editing.structure.storeys import Storey
+from mansion_editing.structure.storey_documents import Storey
 from mansion_geometry.object_footprints import footprint
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.program import Downgrade
@@ -37,7 +37,7 @@ class Rebuilt:
         Rooms whose floor, doors or windows differ from before.
     new_doors : list of Door
     lost_doors : list of Door
-        Doors of before that are no longer there, or elsewhere.
+        Former doors that are gone or elsewhere.
     """
 
     structure: FloorStructure
@@ -66,7 +66,7 @@ def rebuild(before: Storey, after: Storey, passages: Sequence[Passage], released
     after : Storey
         The same with another layout, room graph or program; its scene is that of `before`.
     passages : sequence of Passage
-        Which regions shall open to which.
+        Which regions open to which.
     released : collection of str
         Ids of doors that need not stay where they are.
 

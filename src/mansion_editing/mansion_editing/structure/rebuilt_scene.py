@@ -11,7 +11,7 @@ from mansion_editing.robot_passages import passages_of
 from mansion_editing.structure.displaced_objects import Settled, settle
 from mansion_editing.structure.rebuilding import Rebuilt
 from mansion_editing.structure.standing_checks import RoomSpace
-from mansion_editing.structure.storeys import Storey, Workshop, node_of
+from mansion_editing.structure.storey_documents import Storey, Workshop, node_of
 from mansion_editing.structure.wall_moves import MovedWall
 from mansion_msgs_py.scene import Discard, FloorScene, Light, SceneObject, SceneRoom
 from mansion_scene.lighting import room_lights
@@ -20,7 +20,7 @@ from mansion_scene.spawn import free_region, place_spawn
 __all__ = ["Finished", "finish"]
 
 _MOST_UNSETTLED = 0.35
-"""Share of a room's furniture from which it is furnished anew rather than piece by piece."""
+"""Share of a room's furniture from which it is furnished again rather than piece by piece."""
 
 _MOST_LOST = 0.1
 """Share of a room's furniture that may be lost without that."""
@@ -34,22 +34,29 @@ class Finished:
     ----------
     settled : dict of str to Settled
         By room, what became of its objects.
-    anew : dict of str to Counter
-        By room that was furnished anew, what it had and has no more, by category.
+    refurnished : dict of str to Counter
+        For each room that was refurnished, what it lost, by category.
     """
 
     scene: FloorScene
     settled: dict[str, Settled] = field(default_factory=dict)
-    anew: dict[str, Counter[str]] = field(default_factory=dict)
+    refurnished: dict[str, Counter[str]] = field(default_factory=dict)
 
     @property
     def losses(self) -> int:
         """How many objects are no longer there."""
-        return sum(len(settled.lost) for settled in self.settled.values()) + sum(n.total() for n in self.anew.values())
+        return sum(len(settled.lost) for settled in self.settled.values()) + sum(
+            n.total() for n in self.refurnished.values()
+        )
 
 
 def finish(
-    storey: Storey, rebuilt: Rebuilt, workshop: Workshop, *, moves: Sequence[MovedWall] = (), anew: Collection[str] = ()
+    storey: Storey,
+    rebuilt: Rebuilt,
+    workshop: Workshop,
+    *,
+    moves: Sequence[MovedWall] = (),
+    refurnished: Collection[str] = (),
 ) -> Finished:
     """Return the scene of a storey on its new structure.
 
@@ -61,8 +68,8 @@ def finish(
     workshop : Workshop
     moves : sequence of MovedWall
         By the rooms' ids in the scene.
-    anew : collection of str
-        Rooms to furnish anew; others are where their furniture cannot stay, or would leave a robot no way.
+    refurnished : collection of str
+        Rooms to furnish again; others are where their furniture cannot stay, or would leave a robot no way.
     """
     structure = rebuilt.structure
     scene = msgspec.structs.replace(
@@ -76,7 +83,7 @@ def finish(
     )
     work = _Work(storey, rebuilt, workshop, scene)
     for room in structure.rooms:
-        if room.id in anew:
+        if room.id in refurnished:
             work.furnish(room)
         elif room.id in rebuilt.touched:
             work.settle(room, [move for move in moves if room.id in (move.gainer, move.giver)])
@@ -84,7 +91,9 @@ def finish(
     for room in structure.rooms:
         if room.id in shut and room.id in work.settled:
             work.furnish(room)
-    return Finished(_lit(work.scene, storey.scene, rebuilt.touched | set(work.anew)), work.settled, work.anew)
+    return Finished(
+        _lit(work.scene, storey.scene, rebuilt.touched | set(work.refurnished)), work.settled, work.refurnished
+    )
 
 
 class _Work:
@@ -93,7 +102,7 @@ class _Work:
     def __init__(self, storey: Storey, rebuilt: Rebuilt, workshop: Workshop, scene: FloorScene) -> None:
         self.storey, self.rebuilt, self.workshop, self.scene = storey, rebuilt, workshop, scene
         self.settled: dict[str, Settled] = {}
-        self.anew: dict[str, Counter[str]] = {}
+        self.refurnished: dict[str, Counter[str]] = {}
         self._new_doors = {door.id for door in rebuilt.new_doors}
 
     def _before(self, room: SceneRoom) -> list[SceneObject]:
@@ -111,14 +120,14 @@ class _Work:
         self._put(room, result.objects)
 
     def furnish(self, room: SceneRoom) -> None:
-        """Furnish a room anew."""
+        """Furnish a room again."""
         program = next((entry for entry in self.storey.floor.rooms if entry.id == node_of(room)), None)
         requested = program.objects if program is not None else []
         seed, catalogue = self.storey.program.seed, self.workshop.catalogue
         objects, discarded = self.workshop.furnisher(self.scene, room, [], requested, seed, catalogue)
         self.settled.pop(room.id, None)
         before = Counter(item.category for item in self._before(room))
-        self.anew[room.id] = before - Counter(item.category for item in objects)
+        self.refurnished[room.id] = before - Counter(item.category for item in objects)
         elsewhere = {item.id for item in self.scene.objects if item.room != room.id}
         self._put(room, _under_free_names(objects, elsewhere))
         left = [entry for entry in self.scene.discarded if entry.room != room.id]
@@ -167,7 +176,7 @@ def _under_free_names(objects: Sequence[SceneObject], taken: Collection[str]) ->
 
 
 def _lit(scene: FloorScene, before: FloorScene, touched: Collection[str]) -> FloorScene:
-    """Return a scene with the lights of touched rooms made anew, and the robot's start where it can be."""
+    """Return a scene with the lights of touched rooms made again, and the robot's start where it can be."""
     lights: list[Light] = [light for light in before.lights if light.room is None]
     by_room: Mapping[str, list[Light]] = {
         room.id: room_lights(room, scene.objects)

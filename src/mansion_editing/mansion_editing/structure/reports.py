@@ -4,11 +4,13 @@ from collections.abc import Iterable, Sequence
 
 from mansion_editing.structure.rebuilding import Rebuilt
 from mansion_editing.structure.rebuilt_scene import Finished
-from mansion_editing.structure.storeys import Storey
+from mansion_editing.structure.storey_documents import Storey
 from mansion_editing.structure.wall_moves import MovedWall
+from mansion_language.inflection import plural
 from mansion_msgs_py.scene import Door, FloorScene
+from mansion_msgs_py.wording import counted, listed
 
-__all__ = ["door_sentences", "listed", "object_sentences", "room_sentences", "wall_sentences"]
+__all__ = ["door_sentences", "object_sentences", "room_sentences", "wall_sentences"]
 
 _NAMED = 6
 """Objects that are named one by one before the rest is counted."""
@@ -67,30 +69,24 @@ def object_sentences(finished: Finished) -> list[str]:
     said = []
     for room, settled in finished.settled.items():
         if settled.went_along:
-            said.append(f"{_names(settled.went_along)} went along with the wall.")
+            said.append(f"{_names(settled.went_along)} moved with the wall.")
         if settled.placed:
             said.append(f"{_names(settled.placed)} stand{'s' if len(settled.placed) == 1 else ''} elsewhere in {room}.")
         if settled.lost:
             said.append(f"{room} has no place left for {_names([item.id for item in settled.lost])}.")
-    for room, lost in finished.anew.items():
-        missing = [f"{count} {category.replace('_', ' ')}" for category, count in sorted(lost.items())]
-        said.append(f"{room} is furnished anew" + (f", without {listed(missing)}." if missing else "."))
+    for room, lost in finished.refurnished.items():
+        missing = [_pieces(category, count) for category, count in sorted(lost.items())]
+        said.append(f"{room} is refurnished" + (f", without {listed(missing)}." if missing else "."))
     return said
+
+
+def _pieces(category: str, count: int) -> str:
+    noun = category.replace("_", " ")
+    return counted(count, noun, plural(noun))
 
 
 def _names(ids: Sequence[str]) -> str:
     rest = len(ids) - _NAMED
     if rest <= 1:
         return listed(list(ids))
-    return listed([*ids[:_NAMED], f"{rest} other objects"])
-
-
-def listed(words: Sequence[str]) -> str:
-    """Return words as a list in a sentence.
-
-    Examples
-    --------
-    >>> listed(["a"]), listed(["a", "b", "c"])
-    ('a', 'a, b and c')
-    """
-    return words[0] if len(words) == 1 else f"{', '.join(words[:-1])} and {words[-1]}"
+    return listed([*ids[:_NAMED], counted(rest, "other object")])

@@ -8,11 +8,12 @@ from shapely import LineString, Polygon
 from shapely.geometry.polygon import orient
 
 from mansion_geometry.rings import polygon_parts
-from mansion_knowledge import default_knowledge
+from mansion_knowledge import default_knowledge, is_class
 from mansion_msgs_py.layout import LayoutRoom
+from mansion_msgs_py.scene import SceneRoom
 from mansion_msgs_py.shapes import Point, Ring, Segment
 
-__all__ = ["ShapeLimits", "layout_room", "limits_of", "polygon_of", "tidied"]
+__all__ = ["ShapeLimits", "is_circulation", "layout_room", "limits_of", "polygon_of", "tidied"]
 
 GRID = 1e-4
 """Metres to which corners are rounded."""
@@ -162,3 +163,8 @@ def _on_side(a: Point, p: Point, b: Point) -> bool:
     cross = (p[0] - a[0]) * (b[1] - a[1]) - (p[1] - a[1]) * (b[0] - a[0])
     ahead = (p[0] - a[0]) * (b[0] - p[0]) + (p[1] - a[1]) * (b[1] - p[1])
     return abs(cross) <= 2 * GRID * max(abs(b[0] - a[0]), abs(b[1] - a[1])) and ahead > 0
+
+
+def is_circulation(room: SceneRoom) -> bool:
+    """Whether a room is there to walk through, so that it keeps its width and its place."""
+    return is_class(room.room_type, "circulation") or default_knowledge().room(room.room_type).zone == "circulation"

@@ -1,4 +1,4 @@
-"""Whether an object stands rightly where it is: in its room, off doors, windows and other things."""
+"""Check where an object stands: inside its room, clear of doors, windows and other objects."""
 
 import math
 from collections.abc import Collection, Iterable, Sequence

@@ -5,10 +5,9 @@ from dataclasses import replace
 import msgspec
 
 from mansion_editing.structure.attempts import Change, attempt
-from mansion_editing.structure.circulation import is_circulation
 from mansion_editing.structure.rebuilding import passages_of_scene
-from mansion_editing.structure.storey_documents import region_shapes, with_shapes
-from mansion_editing.structure.storeys import Reshaped, Storey, Workshop, node_of
+from mansion_editing.structure.room_shapes import is_circulation
+from mansion_editing.structure.storey_documents import Reshaped, Storey, Workshop, node_of, region_shapes, with_shapes
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import FloorScene, SceneRoom
 from mansion_msgs_py.topology import Edge, FloorTopology
@@ -21,7 +20,7 @@ _NOTABLE = 0.1
 
 
 def swap_rooms(storey: Storey, room_id: str, other_id: str, workshop: Workshop) -> Reshaped:
-    """Let two rooms change places: each gets the other's polygon and ways in, and is furnished anew there.
+    """Let two rooms change places: each gets the other's polygon and entrances, and is furnished again there.
 
     Parameters
     ----------
@@ -54,7 +53,7 @@ def swap_rooms(storey: Storey, room_id: str, other_id: str, workshop: Workshop) 
         after=with_shapes(rewired, {a: shapes[b], b: shapes[a]}),
         passages=_passages(before.scene, room, other),
         may_change={room.id, other.id},
-        anew={room.id, other.id},
+        refurnished={room.id, other.id},
         released=inner,
     )
     done = _with_fitting_doors(change, workshop)
@@ -64,7 +63,7 @@ def swap_rooms(storey: Storey, room_id: str, other_id: str, workshop: Workshop) 
 
 
 def _with_fitting_doors(change: Change, workshop: Workshop) -> Reshaped:
-    """Make the doors anew as the rooms' types want them; where that fails leave them where they are."""
+    """Remake the doors as the rooms' types require; where that fails, leave them where they are."""
     try:
         return attempt(change, workshop).reshaped
     except MansionError as first:

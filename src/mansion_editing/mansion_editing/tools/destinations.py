@@ -20,7 +20,7 @@ class InRoom:
     Attributes
     ----------
     wish : PlacingWish
-        What it shall be beside, below, turned to, ...
+        What it is to be beside, below, turned to, ...
     accept : callable, optional
         Judges a place before it is taken; others are tried while it refuses.
     companions : collection of str
@@ -41,7 +41,7 @@ class AtReceptacle:
     Attributes
     ----------
     wish : PlacingWish
-        What it shall lie beside, left of, between, ... on the same surface.
+        What it is to lie beside, left of, between, ... on the same surface.
     companions : collection of str
         Ids of the objects that go with it, which are not in its way.
     """

@@ -1,4 +1,4 @@
-"""Free places on the floor of a room: with the back to a wall or amid the room, clear of doors and furniture."""
+"""Free places on the floor of a room: along a wall or away from the walls, clear of doors and furniture."""
 
 import math
 from collections.abc import Collection, Iterator
@@ -70,7 +70,7 @@ def stand_on_floor(state: SceneState, thing: SceneObject, where: InRoom) -> Scen
 
 
 def free_floor_places(state: SceneState, thing: SceneObject, where: InRoom) -> Iterator[Pose]:
-    """Yield places (x, y, rotation) on the floor of a room: with the back to a wall first, then amid the room.
+    """Yield places (x, y, rotation) on the floor of a room: with the back to a wall first, then away from the walls.
 
     Those next to what the wish names come first.
     """
@@ -90,7 +90,7 @@ class FloorSpace:
     Parameters
     ----------
     skip : collection of str
-        Objects that are no obstacle, because they are what is being moved.
+        Objects that are not obstacles, because they are being moved.
 
     Notes
     -----
@@ -152,7 +152,7 @@ class FloorSpace:
 
 
 def floor_poses(room: SceneRoom, thing: SceneObject) -> Iterator[Pose]:
-    """Yield poses for a thing in an empty room: with the back to a wall first, then amid the room from its middle."""
+    """Yield poses for an object in an empty room: with the back to a wall first, then from the middle of the room."""
     area = room_polygon(room.net_polygon, room.net_holes)
     w, d, _ = thing.size
     for wall in wall_edges(room.net_polygon, room.net_holes):

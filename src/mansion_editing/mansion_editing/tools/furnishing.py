@@ -1,4 +1,4 @@
-"""FurnishRoom: the furniture of a room taken out and chosen and placed anew, for what it is or for another use."""
+"""FurnishRoom: replace the furniture of a room, for its present use or for another one."""
 
 import difflib
 import re
@@ -53,7 +53,7 @@ class Furnisher(Protocol):
 def furnish_room(
     state: SceneState, args: FurnishRoomArgs, records: RoomRecords, furnisher: Furnisher, judge: Judge
 ) -> tuple[SceneRoom, list[str]]:
-    """Furnish a room anew; return it and the ids of what it has got.
+    """Furnish a room again; return it and the ids of its new objects.
 
     All goes but the building's services (switches, detectors, radiators, ...) and what is to be kept, of which no more
     is brought. Where the first arrangement is the one that was there, or has a fault, others are tried.
@@ -217,7 +217,7 @@ def _arranged(
             best, least = seed, alike
     if best is None:
         reason = "; ".join(faults[:5]) or "it is furnished as its type is already"
-        raise MansionError(ErrorCode.INFEASIBLE, f"{room_id} is not furnished anew: {reason}", path="$.room_id")
+        raise MansionError(ErrorCode.INFEASIBLE, f"{room_id} cannot be refurnished: {reason}", path="$.room_id")
     return [item.id for item in _furnish(state, floor, room_id, standing, records, furnisher, best)]
 
 
@@ -261,7 +261,7 @@ def _furnish(
 
 
 def _beside(standing: Sequence[SceneObject], asked: Sequence[RequestedObject]) -> list[RequestedObject]:
-    """Return what is to be brought: what is asked for less what stands there, and no more of what stands there."""
+    """Return the furniture to add: the requested objects except those already there, and no more of the latter."""
     left = [
         msgspec.structs.replace(
             wish, count=max(0, wish.count - sum(answers(wish.category, item.category) for item in standing))

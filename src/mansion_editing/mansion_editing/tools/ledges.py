@@ -23,11 +23,11 @@ class Ledge(NamedTuple):
     Attributes
     ----------
     z : float
-        Of the flat, above the centre of the receptacle's box.
+        Height of the flat place above the centre of the receptacle's box.
     clearance : float
         Free height above it.
     vessel : bool
-        Of something open at the top (a bowl), out of which a thing may stand by less than half.
+        Whether it is open at the top (a bowl), so that an object may stick out by less than half of its height.
     """
 
     kind: str
@@ -72,7 +72,7 @@ STEP = 0.02
 
 EDGE = 0.01
 BESIDE = 20.0
-"""Cost of a metre from what an object shall lie beside."""
+"""Cost of a metre from what an object is to lie beside."""
 
 MOST_ROWS = 80
 MOST_ON_LEDGE = 40
@@ -109,13 +109,13 @@ def free_places(
     Parameters
     ----------
     size : (w, d, h)
-        Of the object.
+        Size of the object.
     skip : iterable of str
-        Objects that are no obstacle, because they are what is being moved.
+        Objects that are not obstacles, because they are being moved.
     most : int
         Greatest number of places, spread over ledges and over each ledge.
     near : (x, y), optional
-        Point of the floor that the object shall lie close to.
+        Point of the floor that the object is to lie close to.
     admit : callable, optional
         Whether a place may be taken; with it, places turned by all quarters are looked at.
     """

@@ -1,4 +1,4 @@
-"""What the static state answers: SearchAssets, ListObjects, CheckSurface, SearchContents, and what words refer to."""
+"""Questions to the static state: SearchAssets, ListObjects, CheckSurface, SearchContents; what words refer to."""
 
 import math
 import re
@@ -147,7 +147,7 @@ def _report(
 
 
 def object_info(state: SceneState, floor: int, item: SceneObject) -> ObjectInfo:
-    """Return what a tool says of an object, with the properties of its asset in the catalogue."""
+    """Return a tool's description of an object, with the properties of its asset in the catalogue."""
     return ObjectInfo(
         id=item.id,
         category=item.category,

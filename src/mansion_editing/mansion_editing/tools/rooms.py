@@ -1,4 +1,4 @@
-"""RenameRoom and ClearRoom, and how the tools for rooms find a room and what is said of it."""
+"""RenameRoom and ClearRoom, and how the tools for rooms find a room and its description."""
 
 import unicodedata
 from collections.abc import Callable, Collection, Iterable
@@ -47,7 +47,7 @@ def room_named(state: SceneState, reference: str) -> tuple[int, SceneRoom]:
 def change_room(
     state: SceneState, floor: int, room_id: str, records: RoomRecords, change: Callable[[RoomParts], RoomParts]
 ) -> bool:
-    """Do a change of what is said of a room; tell whether anything differs."""
+    """Change the description of a room; tell whether anything differs."""
     before = parts_of(state.scenes[floor], room_id, *records(floor, room_id))
     assert before is not None
     after = change(before)

@@ -64,8 +64,7 @@ def swap_objects(
     returned = relocate(state, second, other, floor, returned)
     if judge is not None and not judge(before, state.scenes):
         raise refusal(
-            f"with {one.id} and {other.id} exchanged, an object would stand in another, before a door or in the way "
-            "of a robot"
+            f"with {one.id} and {other.id} exchanged, objects would overlap, block a door or stand in a robot's way"
         )
     return moved, returned
 
@@ -83,7 +82,7 @@ def _instead_of(
         where = AtReceptacle(floor, receptacle, inside=there.mount == "inside", wish=goal, companions=skip)
         placed = settle_on(state, item, where, engine)
         if math.dist(placed.position[:2], there.position[:2]) > ASIDE:
-            raise refusal(f"there is not room enough on {receptacle.id} for {item.id} where {there.id} is")
+            raise refusal(f"{receptacle.id} does not have enough room for {item.id} where {there.id} is")
         return placed
     reasons: list[str] = []
     for aside, shift in _shifts(item, there):

@@ -1,4 +1,4 @@
-"""What a building shows to the street: its roofs, the entrance and the plot around it.
+"""What a building shows to the street: its roofs, the entrance, its name and the plot around it.
 
 Nothing of it bears on a robot indoors: it is drawn, and never part of maps, physics or the check.
 """
@@ -6,5 +6,6 @@ Nothing of it bears on a robot indoors: it is drawn, and never part of maps, phy
 from mansion_export.exterior.entrances import entrance_parts
 from mansion_export.exterior.plot import plot_parts
 from mansion_export.exterior.roofs import roof_parts
+from mansion_export.exterior.signs import sign_parts
 
-__all__ = ["entrance_parts", "plot_parts", "roof_parts"]
+__all__ = ["entrance_parts", "plot_parts", "roof_parts", "sign_parts"]

@@ -7,12 +7,17 @@ import shapely
 from shapely.geometry import Polygon
 
 from mansion_export.materials import named
-from mansion_export.model import Node, Part
+from mansion_export.model import Material, Node, Part
 from mansion_export.solids import polygon_surface
+from mansion_geometry.randomness import item_generator
+from mansion_knowledge import default_knowledge
 from mansion_msgs_py.scene import Door, FloorScene
 from mansion_msgs_py.shapes import Point
 
-__all__ = ["entrance_parts", "outer_doors", "outward"]
+__all__ = ["accent", "entrance_parts", "outer_doors", "outward"]
+
+ACCENTS: Final = ("sign_blue", "sign_green", "sign_red", "sign_slate")
+"""Colours of canopies and signs."""
 
 CANOPY: Final = 1.3
 """How far a canopy reaches out, metres."""
@@ -40,6 +45,13 @@ def outward(door: Door, outline: Polygon) -> Point:
     return (-dx, -dy) if outline.contains(middle) else (dx, dy)
 
 
+def accent(scene: FloorScene) -> Material:
+    """Return the colour of a building's canopies and of its sign; homes have plain steel."""
+    if default_knowledge().groups.is_dwelling(scene.building_type):
+        return named("painted_steel")
+    return named(ACCENTS[int(item_generator(scene.seed, scene.building_type, "accent").integers(len(ACCENTS)))])
+
+
 def entrance_parts(scene: FloorScene) -> Iterator[Part]:
     """Yield a canopy over each door to the street, and the paving before it."""
     outline = Polygon(scene.outline, scene.holes)
@@ -52,7 +64,7 @@ def entrance_parts(scene: FloorScene) -> Iterator[Part]:
         base = door.height + ABOVE
         canopy = _before(door, out, wall, CANOPY, ASIDE)
         landing = _before(door, out, wall, LANDING, ASIDE)
-        yield Node(name, name, "site"), [polygon_surface(canopy, base, base + THICKNESS, named("painted_steel"))]
+        yield Node(name, name, "site"), [polygon_surface(canopy, base, base + THICKNESS, accent(scene))]
         name = f"{door.id}/landing"
         yield Node(name, name, "site"), [polygon_surface(landing, -0.1, -0.01, named("stone_paving"))]
 

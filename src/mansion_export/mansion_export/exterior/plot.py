@@ -1,19 +1,18 @@
 """The plot that a building stands on: lawn or paving, a path to the street, trees, a hedge, places to park."""
 
-import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from typing import Final
 
-import numpy as np
 import shapely
 from shapely.geometry import LineString, Polygon, box
 from shapely.geometry.base import BaseGeometry
 
 from mansion_export.exterior.entrances import outer_doors, outward
+from mansion_export.exterior.parking import BAY, bays, parked_cars
+from mansion_export.exterior.plants import along_walls, shrubs, tree, tree_places
 from mansion_export.materials import named
 from mansion_export.model import Material, Node, Part, Surface
 from mansion_export.solids import Box, boxes_surface, polygon_surface
-from mansion_geometry.randomness import item_generator
 from mansion_knowledge import default_knowledge
 from mansion_msgs_py.scene import FloorScene
 
@@ -29,8 +28,14 @@ PATH: Final = {True: 1.4, False: 3.0}
 HEDGE: Final = (0.5, 0.9)
 """Width and height of a hedge, metres."""
 
-BAY: Final = (2.5, 5.0)
-"""Width and length of a place to park, metres."""
+SHRUBS: Final = 0.75
+"""From the walls to the middle of the shrubs along them, metres."""
+
+ENDS: Final = 0.22
+"""Share of a side of the building at either end before which trees stand."""
+
+DOORSTEP: Final = 6.0
+"""From a tree's trunk to doors and the sign above them, metres."""
 
 TREE_CLEAR: Final = 1.7
 """From a tree's trunk to walls, paths and other trees, metres."""
@@ -65,15 +70,32 @@ def plot_parts(scene: FloorScene, slab: Polygon) -> Iterator[Part]:
             yield Node(f"{prefix}/{name}", f"{prefix}/{name}", "site"), surfaces
     if not parking.is_empty:
         yield Node(f"{prefix}/bays", f"{prefix}/bays", "site"), [_bay_lines(parking)]
+        yield from parked_cars(parking, scene.seed, GROUND + 0.02, prefix)
     if home:
         hedge = edge.exterior.buffer(HEDGE[0] / 2).intersection(edge).difference(paths.buffer(0.3))
         surfaces = _ground(hedge, GROUND + HEDGE[1], named("hedge"), bottom=GROUND)
         yield Node(f"{prefix}/hedge", f"{prefix}/hedge", "site"), surfaces
-    # Crowns may overhang the edge of the plot, but neither walls nor ways.
+    row = shrubs(along_walls(slab, SHRUBS), around.difference(green).buffer(0.3), scene.seed, GROUND)
+    if row:
+        yield Node(f"{prefix}/shrubs", f"{prefix}/shrubs", "site"), row
+    # Crowns may overhang the edge of the plot, but neither walls nor ways, and they hide no front.
     free = green.difference(slab.buffer(TREE_CLEAR)).difference(paths.buffer(TREE_CLEAR)).buffer(-1.0)
-    for number, (x, y, height) in enumerate(_trees(free, scene.seed, most=6 if home else 10), 1):
+    free = free.difference(_before_windows(slab, margin))
+    for door in outer_doors(scene):
+        free = free.difference(shapely.Point(door.segment[0]).buffer(DOORSTEP))
+    for number, (x, y, height) in enumerate(tree_places(free, scene.seed, most=5 if home else 6), 1):
         name = f"{prefix}/tree_{number}"
-        yield Node(name, name, "site"), _tree(x, y, height)
+        yield Node(name, name, "site"), tree(x, y, height, GROUND)
+
+
+def _before_windows(slab: Polygon, margin: float) -> BaseGeometry:
+    """Return the ground before the middles of a building's sides, where trees would hide it."""
+    x0, y0, x1, y1 = slab.bounds
+    across, along = ENDS * (x1 - x0), ENDS * (y1 - y0)
+    far = 2 * margin
+    return shapely.union(
+        box(x0 + across, y0 - far, x1 - across, y1 + far), box(x0 - far, y0 + along, x1 + far, y1 - along)
+    )
 
 
 def _ground(shape: BaseGeometry, top: float, material: Material, *, bottom: float = GROUND - 0.1) -> list[Surface]:
@@ -116,60 +138,8 @@ def _parking(scene: FloorScene, edge: Polygon, slab: Polygon) -> Polygon:
 def _bay_lines(parking: BaseGeometry) -> Surface:
     """Return white lines between places to park."""
     boxes = []
-    for part in shapely.get_parts(parking):
-        x0, y0, x1, y1 = part.bounds
-        upright = y1 - y0 > x1 - x0
-        low, high = (y0, y1) if upright else (x0, x1)
-        for k in range(int((high - low) / BAY[0]) + 1):
-            at = low + k * BAY[0]
-            center = ((x0 + x1) / 2, at) if upright else (at, (y0 + y1) / 2)
-            size = (x1 - x0, 0.1) if upright else (0.1, y1 - y0)
-            boxes.append(Box((*center, GROUND + 0.025), (*size, 0.01)))
+    for bay in bays(parking):
+        for side in (-1, 1):
+            x, y = bay.beside(side * BAY[0] / 2)
+            boxes.append(Box((x, y, GROUND + 0.025), (0.1, BAY[1], 0.01), bay.heading))
     return boxes_surface(boxes, named("signal_white"))
-
-
-def _trees(free: BaseGeometry, seed: int, *, most: int) -> Iterator[tuple[float, float, float]]:
-    """Yield places and heights of trees in an area, apart from each other."""
-    if free.is_empty:
-        return
-    generator = item_generator(seed, "trees")
-    x0, y0, x1, y1 = free.bounds
-    planted: list[tuple[float, float]] = []
-    for _ in range(40 * most):
-        x, y = float(generator.uniform(x0, x1)), float(generator.uniform(y0, y1))
-        height = float(generator.uniform(3.5, 6.0))
-        apart = all(math.dist((x, y), other) > 2 * TREE_CLEAR for other in planted)
-        if apart and free.contains(shapely.Point(x, y)):
-            planted.append((x, y))
-            yield x, y, height
-        if len(planted) == most:
-            return
-
-
-def _tree(x: float, y: float, height: float) -> list[Surface]:
-    """Return a trunk and a rounded crown."""
-    trunk = Box((x, y, GROUND + 0.25 * height), (0.22, 0.22, 0.5 * height))
-    crown = _blob((x, y, GROUND + 0.68 * height), (0.27 * height, 0.27 * height, 0.32 * height), rings=5, around=9)
-    return [boxes_surface([trunk], named("bark")), Surface(named("hedge"), *crown)]
-
-
-def _blob(
-    center: Sequence[float], radii: Sequence[float], *, rings: int, around: int
-) -> tuple[np.ndarray[tuple[int, int], np.dtype[np.float64]], np.ndarray[tuple[int, int], np.dtype[np.int64]]]:
-    """Return vertices and faces of an ellipsoid: two poles, and rings of latitude between them."""
-    latitudes = np.linspace(-np.pi / 2, np.pi / 2, rings + 2)[1:-1]
-    angles = np.linspace(0.0, 2 * np.pi, around, endpoint=False)
-    points = [(0.0, 0.0, -1.0)]
-    points += [(math.cos(v) * math.cos(a), math.cos(v) * math.sin(a), math.sin(v)) for v in latitudes for a in angles]
-    points.append((0.0, 0.0, 1.0))
-    faces = []
-    top = len(points) - 1
-    for k in range(around):
-        following = (k + 1) % around
-        faces.append((0, 1 + following, 1 + k))
-        for ring in range(rings - 1):
-            a, b = 1 + ring * around + k, 1 + ring * around + following
-            faces += [(a, b, b + around), (a, b + around, a + around)]
-        last = 1 + (rings - 1) * around
-        faces.append((last + k, last + following, top))
-    return np.array(points) * np.array(radii) + np.array(center), np.array(faces, dtype=np.int64)

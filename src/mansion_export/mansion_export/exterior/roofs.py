@@ -7,15 +7,17 @@ from itertools import pairwise
 from typing import Final
 
 import numpy as np
+import shapely
 from shapely.geometry import Polygon, box
 from shapely.geometry.base import BaseGeometry
 
 from mansion_assets.texture_coordinates import slope_coordinates
+from mansion_export.exterior.roof_plant import roof_plant
 from mansion_export.materials import named, surface_material
 from mansion_export.model import Material, Node, Part, Surface
 from mansion_export.solids import polygon_surface
 from mansion_geometry.randomness import item_generator
-from mansion_knowledge import default_knowledge
+from mansion_knowledge import default_knowledge, is_class
 from mansion_msgs_py.scene import FloorScene
 from mansion_scene.structure.materials import facade_of
 
@@ -28,6 +30,9 @@ SLAB: Final = 0.25
 """Thickness of the slab over the highest storey, metres."""
 
 PARAPET: Final = 0.35
+COPING: Final = (0.06, 0.05)
+"""Thickness of the metal on a parapet, and how far it stands out; metres."""
+
 EAVES: Final = 0.45
 """How far a pitched roof reaches beyond the outer walls, metres."""
 
@@ -42,6 +47,9 @@ HIGHEST: Final = 4.5
 
 WIDEST: Final = 16.0
 """Span up to which roofs are pitched, metres."""
+
+_HALF_WALL: Final = 0.06
+"""From a room's polygon to the outer face of the wall towards a terrace, metres."""
 
 LEAST_TERRACE: Final = 1.0
 """Square metres below which floor that no storey covers gets no roof of its own."""
@@ -58,20 +66,34 @@ def roof_parts(scene: FloorScene, slab: Polygon, above: BaseGeometry | None) -> 
         Ground plan of the storey above, outer walls included; none over the highest.
     """
     top = max((wall.height for wall in scene.walls), default=2.8)
-    open_air = slab if above is None else slab.difference(above)
+    terraces = _open_terraces(scene)
+    open_air = (slab if above is None else slab.difference(above)).difference(terraces)
     if open_air.area < LEAST_TERRACE:
         return
     name = f"F{scene.floor}/roof"
     form = _form(scene) if above is None else "flat"
-    rectangles = covering_rectangles(slab) if form != "flat" else []
+    roofed = slab.difference(terraces).buffer(-0.05, join_style="mitre").buffer(0.05, join_style="mitre")
+    rectangles = covering_rectangles(roofed) if form != "flat" else []
     if not rectangles or max(min(x1 - x0, y1 - y0) for x0, y0, x1, y1 in rectangles) > WIDEST:
         yield Node(name, name, "ceiling"), _flat(open_air, top, scene)
         return
     covering = named(_covering(scene))
-    surfaces = _prisms(slab, top, top + SLAB, named("polished_concrete"))
+    surfaces = _prisms(roofed, top, top + SLAB, named("polished_concrete"))
     for rectangle in rectangles:
         surfaces += _pitched(rectangle, top + SLAB, form, covering, surface_material(facade_of(scene), "wall"))
     yield Node(name, name, "ceiling"), surfaces
+
+
+def _open_terraces(scene: FloorScene) -> BaseGeometry:
+    """Return the ground plan of the rooms that lie open to the sky, up to the outer faces of their parapets."""
+    rooms = [Polygon(room.polygon, room.holes) for room in scene.rooms if is_class(room.room_type, "outdoor")]
+    if not rooms:
+        return Polygon()
+    indoors = [Polygon(room.polygon) for room in scene.rooms if not is_class(room.room_type, "outdoor")]
+    indoors += [Polygon(core.polygon) for core in scene.cores]
+    outer = max((wall.thickness for wall in scene.walls if wall.exterior), default=0.0)
+    reach = shapely.union_all(rooms).buffer(outer + 0.01, join_style="mitre")
+    return reach.difference(shapely.union_all(indoors).buffer(_HALF_WALL, join_style="mitre"))
 
 
 def _form(scene: FloorScene) -> str:
@@ -87,10 +109,17 @@ def _covering(scene: FloorScene) -> str:
 
 
 def _flat(shape: BaseGeometry, top: float, scene: FloorScene) -> list[Surface]:
+    """Return a flat roof: gravel within a parapet that is covered with metal, and the plant of large buildings."""
     ring = shape.difference(shape.buffer(-0.2, join_style="mitre"))
+    proud = shape.buffer(COPING[1], join_style="mitre")
+    coping = proud.difference(shape.buffer(-0.2 - COPING[1], join_style="mitre"))
+    edge = top + SLAB + PARAPET
     return [
-        *_prisms(shape, top, top + SLAB, named("polished_concrete")),
-        *_prisms(ring, top + SLAB, top + SLAB + PARAPET, surface_material(facade_of(scene), "wall")),
+        *_prisms(shape, top, top + SLAB - 0.03, named("polished_concrete")),
+        *_prisms(shape, top + SLAB - 0.03, top + SLAB, named("roof_gravel")),
+        *_prisms(ring, top + SLAB, edge, surface_material(facade_of(scene), "wall")),
+        *_prisms(coping, edge, edge + COPING[0], named("metal_panels")),
+        *roof_plant(shape, top + SLAB, scene),
     ]
 
 

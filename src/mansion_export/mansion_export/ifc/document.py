@@ -32,7 +32,7 @@ class Document:
     Parameters
     ----------
     name : str
-        Of the building; the ids of all entities follow from it.
+        The building's name; the ids of all entities follow from it.
 
     Raises
     ------

@@ -21,7 +21,7 @@ CABIN_GAP, CABIN_WALL = 0.08, 0.05
 """Between shaft and cabin, and of the cabin's walls; metres. The gap is for lifts without details."""
 
 FACINGS: dict[float, Point] = {0.0: (0.0, 1.0), 90.0: (-1.0, 0.0), 180.0: (0.0, -1.0), -90.0: (1.0, 0.0)}
-"""The y axis of a frame that is turned by so many degrees."""
+"""The y axis of a frame that is turned by that many degrees."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,7 +65,7 @@ def cabin_frame(core: SceneCore, scene: FloorScene) -> CabinFrame:
 def free_floor(scene: FloorScene) -> BaseGeometry:
     """Return the floor that nothing lower than `mansion_geometry.robot_body.CLEARANCE` stands or hangs on; metres.
 
-    Doors between rooms count as open, for a fleet asks for them to be opened; outer doors and stairs are no floor.
+    Doors between rooms count as open, for a fleet asks for them to be opened; outer doors and stairs are not floor.
     """
     rooms = [Polygon(room.polygon, room.holes) for room in scene.rooms if room.kind != "stair"]
     depths = depth_of_doors(scene)

@@ -193,7 +193,7 @@ def building_graph(scenes: Sequence[FloorScene], radius: float = ROBOT_RADIUS) -
     scenes : sequence of FloorScene
         Its floors, in any order.
     radius : float
-        Of the robot, metres: no lane comes nearer to anything, leaves of doors excepted.
+        Radius of the robot, metres: no lane comes nearer to anything but the leaves of doors.
 
     Returns
     -------

@@ -44,7 +44,7 @@ def rmf_files(scenes: Sequence[FloorScene], radius: float = ROBOT_RADIUS) -> dic
     ----------
     scenes : sequence of FloorScene
     radius : float
-        Of the robot that the lanes are for, metres.
+        Radius of the robot that the lanes are for, metres.
 
     Returns
     -------

@@ -1,6 +1,6 @@
 """Rendering layers of rooms, by four-colouring, so that light does not bleed through one-sided walls."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 
 from mansion_export.thor.vocabulary import LAYERS
 from mansion_msgs_py.errors import MansionError
@@ -49,6 +49,20 @@ def four_colours(
     ----------
     .. [1] Brélaz, D. (1979). New methods to color the vertices of a graph. Communications of the ACM, 22(4), 251-256.
     """
+    groups = _groups(rooms, merged)
+    links: dict[str, dict[str, None]] = {group: {} for group in groups.values()}
+    for a, b in neighbours:
+        if groups[a] != groups[b]:
+            links[groups[a]][groups[b]] = None
+            links[groups[b]][groups[a]] = None
+    colouring = _Colouring(links)
+    if not colouring.complete():
+        raise MansionError("INFEASIBLE", "the rooms of this floor cannot be given four layers")
+    return {room: colouring.colours[groups[room]] for room in rooms}
+
+
+def _groups(rooms: Sequence[str], merged: Iterable[tuple[str, str]]) -> dict[str, str]:
+    """Return the group of each room, named after one of its rooms: merged rooms are of one group."""
     root = {room: room for room in rooms}
 
     def find(room: str) -> str:
@@ -58,37 +72,40 @@ def four_colours(
 
     for a, b in merged:
         root[find(b)] = find(a)
-    groups = list(dict.fromkeys(find(room) for room in rooms))
-    links: dict[str, dict[str, None]] = {group: {} for group in groups}
-    for a, b in neighbours:
-        if find(a) != find(b):
-            links[find(a)][find(b)] = None
-            links[find(b)][find(a)] = None
-    colours: dict[str, int] = {}
-    assignments = 0
+    return {room: find(room) for room in rooms}
 
-    def used(group: str) -> set[int]:
-        return {colours[other] for other in links[group] if other in colours}
 
-    def complete() -> bool:
-        """Colour the groups that have no colour yet; leave `colours` as it was where that fails."""
-        nonlocal assignments
-        uncoloured = [group for group in groups if group not in colours]
+class _Colouring:
+    """A colouring of a graph with one colour for each of `LAYERS`, found by backtracking.
+
+    Parameters
+    ----------
+    links : mapping
+        The neighbours of each node.
+    """
+
+    def __init__(self, links: Mapping[str, Collection[str]]) -> None:
+        self._links = links
+        self._assignments = 0
+        self.colours: dict[str, int] = {}
+
+    def _used(self, node: str) -> set[int]:
+        return {self.colours[other] for other in self._links[node] if other in self.colours}
+
+    def complete(self) -> bool:
+        """Colour the nodes that have no colour yet; leave `colours` as it was where that fails."""
+        uncoloured = [node for node in self._links if node not in self.colours]
         if not uncoloured:
             return True
-        group = max(uncoloured, key=lambda g: (len(used(g)), len(links[g])))
+        node = max(uncoloured, key=lambda n: (len(self._used(n)), len(self._links[n])))
         for colour in range(len(LAYERS)):
-            if colour in used(group):
+            if colour in self._used(node):
                 continue
-            assignments += 1
-            if assignments > MOST_ASSIGNMENTS:
+            self._assignments += 1
+            if self._assignments > MOST_ASSIGNMENTS:
                 return False
-            colours[group] = colour
-            if complete():
+            self.colours[node] = colour
+            if self.complete():
                 return True
-            del colours[group]
+            del self.colours[node]
         return False
-
-    if not complete():
-        raise MansionError("INFEASIBLE", "the rooms of this floor cannot be given four layers")
-    return {room: colours[find(room)] for room in rooms}

@@ -25,7 +25,7 @@ RADIUS = 0.2
 """Radius of the agent's capsule, metres."""
 
 AGENT_TOP = 1.8
-"""Height of the capsule; what hangs higher is no obstacle."""
+"""Height of the capsule; what hangs higher is not an obstacle."""
 
 STEP_OVER = 0.05
 """Height that the agent steps over, metres."""

@@ -21,7 +21,7 @@ HALF_ROOM: Final = 4.0
 """Half the side of the empty room, metres."""
 
 _DIGITS: Final = 6
-"""Of coordinates, which are finer than in a house that is built: the physics compares them."""
+"""Digits of coordinates, finer than in a house that is built: the physics compares them."""
 
 _ROOM: Final = "room"
 
@@ -81,7 +81,7 @@ def box_node(room: Json, name: str, center: Point3, size: Point3, rotation: floa
     Parameters
     ----------
     room : dict
-        Of the house's ``rooms``.
+        An entry of the house's ``rooms``.
     name : str
         Asset id, and id of the object.
     center, size : (x, y, z)

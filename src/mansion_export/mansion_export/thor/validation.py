@@ -24,7 +24,7 @@ TOP_LEVEL = ("rooms", "walls", "doors", "windows", "objects", "proceduralParamet
 
 
 class HouseFault(NamedTuple):
-    """A fault: its kind, the JSON path or id where it is, and what was found against what is asked."""
+    """A fault: its kind, the JSON path or id where it is, and what was found instead of what is required."""
 
     kind: str
     where: str
@@ -35,7 +35,7 @@ class HouseFault(NamedTuple):
 
 
 def vector(value: object) -> tuple[float, float, float] | None:
-    """Return ``{"x", "y", "z"}`` as numbers, or None where it is no such thing."""
+    """Return ``{"x", "y", "z"}`` as numbers, or None if it is something else."""
     if not isinstance(value, dict):
         return None
     found = [value.get(axis) for axis in ("x", "y", "z")]
@@ -368,7 +368,7 @@ def _check_reachability(house: Json) -> list[HouseFault]:
         else:
             counts[home] += 1
     found += [
-        HouseFault("reach", name, f"{count} reachable positions, {ENOUGH_POSITIONS} are asked")
+        HouseFault("reach", name, f"{count} reachable positions, {ENOUGH_POSITIONS} are required")
         for name, count in counts.items()
         if count < ENOUGH_POSITIONS
     ]

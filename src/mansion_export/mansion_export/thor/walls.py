@@ -230,7 +230,7 @@ def build_structure(scene: FloorScene, height: float) -> Structure:
     Parameters
     ----------
     height : float
-        Of all walls, metres: AI2-THOR hangs one ceiling over the house.
+        Height of all walls, metres: AI2-THOR hangs one ceiling over the house.
     """
     rooms = {room.id: room for room in scene.rooms if room.kind not in ("stair", "elevator")}
     made = Structure(facade=facade_of(scene))
@@ -259,7 +259,7 @@ def _concerns(opening: Door | Window, rooms: dict[str, SceneRoom]) -> bool:
 def _holes_on(stretch: Stretch, waiting: Sequence[Door | Window], rooms: dict[str, SceneRoom]) -> list[_Hole]:
     """Return the openings that lie on a stretch and join what it divides, along its direction.
 
-    Of openings before one another, as in two walls close together, the nearest is taken; the others have their own.
+    Where openings lie behind one another, as in two walls close together, the nearest is taken; the others keep theirs.
     """
     found = []
     for number, opening in enumerate(waiting):

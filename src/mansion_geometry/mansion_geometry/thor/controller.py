@@ -1,4 +1,4 @@
-"""AI2-THOR's ``Controller``: what is used of it, how it starts, and what its answers say."""
+"""AI2-THOR's ``Controller``: the part that is used, how it is started, and how its answers are read."""
 
 import importlib
 from collections.abc import Mapping
@@ -40,7 +40,7 @@ def start_controller(**parameters: Any) -> Controller:
     Parameters
     ----------
     **parameters
-        Of ``ai2thor.controller.Controller``: ``width``, ``height``, ``platform="CloudRendering"``, ...
+        Passed to ``ai2thor.controller.Controller``: ``width``, ``height``, ``platform="CloudRendering"``, ...
 
     Raises
     ------

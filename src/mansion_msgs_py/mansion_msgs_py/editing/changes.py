@@ -28,7 +28,7 @@ class ObjectChange(msgspec.Struct, kw_only=True, frozen=True):
 
 
 class RoomParts(msgspec.Struct, frozen=True, kw_only=True):
-    """What a building's documents say of one room, its objects left out.
+    """The description of one room in a building's documents, without its objects.
 
     Attributes
     ----------

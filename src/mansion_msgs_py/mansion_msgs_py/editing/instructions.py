@@ -25,7 +25,7 @@ class InstructArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=Tr
 
 
 class ProvisionArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
-    """A task that shall become possible: what it needs is checked, and provided where it is missing."""
+    """A task to make possible: what it needs is checked, and provided where it is missing."""
 
     task: Task
 

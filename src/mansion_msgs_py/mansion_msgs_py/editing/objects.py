@@ -61,7 +61,7 @@ class PlacingWishes(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=T
     spot : str
         A part of the room: at a wall, in a corner, at a window or a door, in the middle.
     facing : str
-        An object that its front shall be turned to.
+        An object that its front is turned to.
     """
 
     near: Text = ""

@@ -1,4 +1,4 @@
-"""What every call of a tool says of the open building that it is for, and how a building is opened."""
+"""Arguments that name the open building of a tool call, and those that open one."""
 
 from typing import Annotated
 

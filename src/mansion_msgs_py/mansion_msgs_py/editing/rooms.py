@@ -40,7 +40,7 @@ class ClearRoomArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=T
 
 
 class FurnishRoomArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
-    """A room, by id or words, to be furnished anew: as what it is, or as another type of room.
+    """A room, by id or words, to be furnished again: as what it is, or as another type of room.
 
     Attributes
     ----------

@@ -83,12 +83,12 @@ class MansionNode(Node):
     ----------
     name : str
     **options
-        Of `rclpy.node.Node`.
+        Passed to `rclpy.node.Node`.
 
     Attributes
     ----------
     calls : CallCounts
-        Of its JSON services.
+        Counts of the calls to its JSON services.
     """
 
     def __init__(self, name: str, **options: Any) -> None:

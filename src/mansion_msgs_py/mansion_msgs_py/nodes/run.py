@@ -134,7 +134,7 @@ def run_node(make: Callable[[], Node], args: Sequence[str] | None = None, *, thr
     args : sequence of str, optional
         Command line with ``--ros-args``; ``sys.argv`` when absent.
     threads : int
-        Of the executor.
+        Threads of the executor.
 
     Raises
     ------
@@ -142,7 +142,7 @@ def run_node(make: Callable[[], Node], args: Sequence[str] | None = None, *, thr
         With status 1 when `make` refuses, as it does for a parameter that it cannot use; the reason is logged.
     """
     # A crash in a compiled library leaves the stack of every thread in the log, not a bare exit status.
-    # Where standard error is no file, as in a test, there is no place for it.
+    # Where standard error is not a file, as in a test, there is no place for it.
     with contextlib.suppress(RuntimeError, AttributeError, OSError, ValueError):
         faulthandler.enable()
     interrupts = Interrupts()

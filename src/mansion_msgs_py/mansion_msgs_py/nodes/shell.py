@@ -44,8 +44,8 @@ __all__ = [
 
 
 CALLS: Final = QoSProfile(depth=1000)
-"""Of services and clients: with rclpy's depth of 10 a busy service drops requests, and a client that is not scheduled
-while others get more replies of the same service loses its own."""
+"""QoS of services and clients: with rclpy's depth of 10 a busy service drops requests, and a client that waits for the
+processor while others get more replies of the same service loses its own."""
 
 
 def qos_profile(qos: Qos) -> QoSProfile:

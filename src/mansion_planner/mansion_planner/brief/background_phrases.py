@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+from mansion_planner.brief.asides import TRIALS
 from mansion_planner.brief.building import MADE_INTO
 from mansion_planner.brief.phrase import PLAIN, Phrase
 from mansion_planner.brief.reading import Reading
@@ -41,7 +42,12 @@ def _is_tried(reading: Reading, phrase: Phrase) -> bool:
     at = phrase.begin - 1
     while reading.word(at) in ("the", "our", "a", "an", "some", "new"):
         at -= 1
-    if reading.word(at) not in ("of", "with", "on", "about") or reading.word(at - 1) not in _TRIALS:
+    trial = phrase.noun_end - phrase.begin == 1 and reading.word(phrase.begin) in TRIALS
+    if trial and not phrase.counted and reading.word(at) == "for" and reading.word(phrase.last) in ("of", "about"):
+        return True  # "for the study of children"
+    if phrase.name.rpartition("_")[2] == "class" and phrase.plural and not phrase.counted and reading.word(at) == "for":
+        return True  # "a kitchen for cooking classes"
+    if reading.word(at) not in ("of", "with", "on", "about") or reading.word(at - 1) not in TRIALS:
         return False
     return "for" in reading.words(max(at - 4, 0), at - 1)
 
@@ -53,9 +59,6 @@ def _is_predicate(reading: Reading, phrase: Phrase) -> bool:
     return said and len(words) > 1 and all(word in _SEPARATE for word in words[:-1])
 
 
-_TRIALS = frozenset(
-    "trial test testing experiment research evaluation simulation training development study project".split()
-)
 _SEPARATE = frozenset("separate separated different distinct independent divided own individual".split())
 
 
@@ -138,6 +141,7 @@ def _is_bystander(reading: Reading, phrase: Phrase, sites: set[int]) -> bool:
     tried = _is_tried(reading, phrase) or _is_predicate(reading, phrase)
     owned = _is_given_up(reading, phrase) or _is_destination(reading, phrase)
     made = reading.word(phrase.last) in MADE_INTO and reading.word(phrase.last + 1) in ("into", "to")
+    made = made or (phrase.building != "" and reading.word(phrase.last) == "into" and not phrase.counted)
     return (
         made
         or tried

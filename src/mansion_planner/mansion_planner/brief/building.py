@@ -1,12 +1,13 @@
 """Find which noun phrase of a brief names the building itself."""
 
+import itertools
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
 from mansion_planner.brief.furniture_words import furniture_of
 from mansion_planner.brief.lexicon import lexicon_of
-from mansion_planner.brief.phrase import FUNCTION_WORDS, PEOPLE, PLAIN, Phrase
+from mansion_planner.brief.phrase import BARE_BUILDINGS, FUNCTION_WORDS, PEOPLE, PLAIN, Phrase
 from mansion_planner.brief.qualifiers import subject_of_building
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
 from mansion_planner.brief.room_names import CONTRASTS
@@ -41,14 +42,20 @@ def building_phrase(reading: Reading, phrases: list[Phrase], places: list[Place]
 
     "A four-storey office with a cafeteria" is an office; "a gym on the third floor" leaves the type open.
     """
-    best: tuple[float, int] | None = None
-    for number, phrase in enumerate(phrases):
-        if not phrase.building:
-            continue
-        score = _score(_Candidate(reading, phrases, places, phrase, number))
-        if score > 0 and (best is None or score > best[0]):
-            best = (score, number)
-    return best[1] if best is not None else None
+    candidates = [
+        _Candidate(reading, phrases, places, phrase, number) for number, phrase in enumerate(phrases) if phrase.building
+    ]
+    scores = [_score(candidate) for candidate in candidates]
+    if any(score > 0 for score in scores):
+        return candidates[scores.index(max(scores))].number
+    return next((candidate.number for candidate in candidates if _is_dwelt_in(candidate)), None)
+
+
+def _is_dwelt_in(candidate: "_Candidate") -> bool:
+    """Whether the phrase is where a brief's first sentence says somebody lives or works: "we live in a townhouse"."""
+    indefinite = candidate.phrase.determiner in ("a", "an", "our", "my")
+    dwelt = candidate.lead in ("in", "inside") and candidate.before[-2:-1] and candidate.before[-2] in _DWELLING
+    return candidate.sentence == 0 and indefinite and bool(dwelt) and not (candidate.phrase.plural or candidate.placed)
 
 
 def own_building_name(reading: Reading, phrase: Phrase) -> str:
@@ -102,7 +109,8 @@ class _Candidate:
     @property
     def is_room(self) -> bool:
         """Whether it can be a room as well: an office, a workshop."""
-        return self.phrase.head == "room" or self.phrase.building == "office"
+        whole = self.reading.word(self.phrase.noun_end - 1) in BARE_BUILDINGS  # "an office building"
+        return not whole and (self.phrase.head == "room" or self.phrase.building == "office")
 
     @cached_property
     def earlier(self) -> bool:
@@ -146,6 +154,8 @@ def _is_told_as_part(candidate: _Candidate) -> bool:
     reading, phrase = candidate.reading, candidate.phrase
     if reading.word(phrase.last) in MADE_INTO and reading.word(phrase.last + 1) in ("into", "to"):
         return True  # "an old mill turned into a home"
+    if reading.word(phrase.last) == "into" and _conversion_before(reading, phrase.first):
+        return True  # "converting a church into a climbing centre"
     if any(_are_told_apart(phrase, other) for other in candidate.phrases):
         return True  # "big studio ... small studio"
     if phrase.building == "office" and _has_owner(reading, phrase):
@@ -156,6 +166,16 @@ def _is_told_as_part(candidate: _Candidate) -> bool:
         return True  # "6 styling stations"
     # "two kitchens, a meat one and a dairy one"
     return reading.word(phrase.last) == "one" and candidate.lead in ("a", "the", "and")
+
+
+def _conversion_before(reading: Reading, index: int) -> bool:
+    """Whether a verb of making one building of another stands within a few words before a token."""
+    near = range(index - 1, max(index - _NEAR_VERB, -1), -1)
+    return any(reading.word(at) in _CONVERTING for at in itertools.takewhile(lambda at: not reading.breaks(at), near))
+
+
+_CONVERTING = frozenset("convert converting turn turning transform transforming remake remaking rebuild".split())
+_NEAR_VERB = 7
 
 
 def _has_storey(candidate: _Candidate) -> bool:
@@ -180,7 +200,7 @@ def _is_placed_part(candidate: _Candidate) -> bool:
         return True
     if candidate.lead in ("in", "inside"):
         return not _holds_what_happens(candidate)
-    return candidate.lead == "into" and is_room
+    return candidate.lead == "into" and is_room and not _conversion_before(candidate.reading, phrase.first)
 
 
 def _holds_what_happens(candidate: _Candidate) -> bool:

@@ -1,9 +1,12 @@
 """Read what a brief wishes of the building's shape: outline, setbacks, size, and equal storeys."""
 
-from mansion_planner.brief.facts import CopyFact, FloorRef, Shape
+from dataclasses import replace
+from typing import TypeAlias
+
+from mansion_planner.brief.facts import BriefFacts, CopyFact, FloorRef, Shape
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
 
-__all__ = ["read_copies", "read_massing", "read_shape", "read_sizes"]
+__all__ = ["give_rooms_to_copies", "read_copies", "read_massing", "read_shape", "read_sizes"]
 
 _SHAPES: dict[str, Shape] = {"l": "L", "u": "U", "t": "T", "h": "H"}
 _BENT = frozenset("bent folded wrapped laid arranged built shaped planned bends folds wraps".split())
@@ -17,52 +20,62 @@ _EQUAL = frozenset(
 
 def read_shape(reading: Reading) -> None:
     """Read the outline's shape: "L-shaped", "in the form of a U", "around a courtyard", "rectangular"."""
-    for i in range(len(reading.tokens)):
-        word = reading.word(i)
-        if word in _SHAPES and reading.word(i + 1) == "shaped" and _names_room(reading, i + 2):
-            continue  # "an L-shaped living room"
-        if word in _SHAPES and (
-            reading.word(i + 1) in ("shaped", "shape", "form", "plan", "formed", "outline", "footprint", "layout")
-            or " ".join(reading.word(i - k) for k in (3, 2, 1))
-            in ("shape of a", "form of a", "shape of an", "form of an")
-            or (reading.word(i - 1) == "of" and reading.word(i - 2) in ("shape", "form") and _is_letter(reading, i))
-            or (reading.word(i - 1) in ("a", "an") and not _BENT.isdisjoint(reading.words(max(i - 4, 0), i - 1)))
-        ):
-            reading.facts.shapes.append((_SHAPES[word], reading.span(i, i + 1 + (reading.word(i + 1) == "shaped"))))
-            reading.take(i, i + 2)
-        elif word in _SHAPES and _is_letter(reading, i) and (first := _after_form(reading, i, _FORMS)) < i:
-            reading.facts.shapes.append((_SHAPES[word], reading.span(first, i + 1)))
-            reading.take(first, i + 1)
-        elif _is_court(reading, i):
-            reading.facts.shapes.append(("courtyard", reading.span(i, i + 1)))
-            reading.take(i, i + 1)
-        elif word in ("rectangular", "rectangle", "oblong"):
-            reading.facts.shapes.append(("rectangle", reading.span(i, i + 1)))
-            reading.take(i, i + 1 + (reading.word(i + 1) in ("outline", "footprint", "plan", "shape", "building")))
-        elif (
-            word == "square"
-            and reading.word(i + 1)
-            in ("outline", "footprint", "plan", "shape", "shaped", "building", "tower", "house", "form")
-            and not (reading.word(i + 1) == "shaped" and _names_room(reading, i + 2))
-        ):
-            reading.facts.shapes.append(("square", reading.span(i, i + 2)))
-            reading.take(i, i + 2)
-        elif word == "square" and reading.words(i - 2, i) in (("a", "perfect"), ("an", "exact"), ("is", "a")):
-            reading.facts.shapes.append(("square", reading.span(i, i + 1)))
-            reading.take(i - 1, i + 1)
-        elif (
-            word == "square"
-            and reading.word(i - 1) == ","
-            and (reading.breaks(i + 1) or reading.word(i + 1) in (",", ""))
-        ):
-            reading.facts.shapes.append(("square", reading.span(i, i + 1)))
-            reading.take(i, i + 1)  # "an office of 900 m2 a storey, square"
-        elif word == "square" and reading.word(i - 1) in ("a", "our") and _names_building(reading, i + 1):
-            reading.facts.shapes.append(("square", reading.span(i, i + 1)))
-            reading.take(i, i + 1)
-        elif word == "square" and (first := _after_form(reading, i, _FORMS | {"plan", "footprint"})) < i:
-            reading.facts.shapes.append(("square", reading.span(first, i + 1)))
-            reading.take(first, i + 1)
+    for index in range(len(reading.tokens)):
+        found = _shape_at(reading, index)
+        if found is not None:
+            shape, first, last, end = found
+            reading.facts.shapes.append((shape, reading.span(first, last)))
+            reading.take(min(first, index), end)
+
+
+_Found: TypeAlias = tuple[Shape, int, int, int]
+"""An outline, where its words begin and end, and where the tokens end that belong to them."""
+
+
+def _shape_at(reading: Reading, i: int) -> _Found | None:
+    """Return the outline whose name stands at a token."""
+    word = reading.word(i)
+    if word in _SHAPES:
+        return _letter_at(reading, i)
+    if _is_court(reading, i):
+        return "courtyard", i, i + 1, i + 1
+    if word in ("rectangular", "rectangle", "oblong"):
+        named = reading.word(i + 1) in ("outline", "footprint", "plan", "shape", "building")
+        return "rectangle", i, i + 1, i + 1 + named
+    return _square_at(reading, i) if word == "square" else None
+
+
+def _letter_at(reading: Reading, i: int) -> _Found | None:
+    """Return the outline that a letter names: "L-shaped", "in the form of a U", "bent like an L"."""
+    shape = _SHAPES[reading.word(i)]
+    shaped = reading.word(i + 1) == "shaped"
+    if shaped and _names_room(reading, i + 2):
+        return None  # "an L-shaped living room"
+    lead = " ".join(reading.word(i - k) for k in (3, 2, 1))
+    formed = reading.word(i + 1) in ("shaped", "shape", "form", "plan", "formed", "outline", "footprint", "layout")
+    formed = formed or lead in ("shape of a", "form of a", "shape of an", "form of an")
+    formed = formed or (lead.split(" ")[1:] in (["shape", "of"], ["form", "of"]) and _is_letter(reading, i))
+    bent = reading.word(i - 1) in ("a", "an") and not _BENT.isdisjoint(reading.words(max(i - 4, 0), i - 1))
+    if formed or bent:
+        return shape, i, i + 1 + shaped, i + 2
+    first = _after_form(reading, i, _FORMS) if _is_letter(reading, i) else i
+    return (shape, first, i + 1, i + 1) if first < i else None
+
+
+def _square_at(reading: Reading, i: int) -> _Found | None:
+    """Return a square outline: "a square tower", "a perfect square", "an office of 900 m2 a storey, square"."""
+    following = reading.word(i + 1)
+    named = ("outline", "footprint", "plan", "shape", "shaped", "building", "tower", "house", "form")
+    if following in named and not (following == "shaped" and _names_room(reading, i + 2)):
+        return "square", i, i + 2, i + 2
+    if reading.words(i - 2, i) in (("a", "perfect"), ("an", "exact"), ("is", "a")):
+        reading.take(i - 1, i)
+        return "square", i, i + 1, i + 1
+    closed = reading.word(i - 1) == "," and (reading.breaks(i + 1) or following in (",", ""))
+    if closed or (reading.word(i - 1) in ("a", "our") and _names_building(reading, i + 1)):
+        return "square", i, i + 1, i + 1
+    first = _after_form(reading, i, _FORMS | {"plan", "footprint"})
+    return ("square", first, i + 1, i + 1) if first < i else None
 
 
 def _after_form(reading: Reading, index: int, ends: frozenset[str]) -> int:
@@ -163,10 +176,7 @@ def read_copies(reading: Reading, places: list[Place]) -> None:
             place = min(near, key=lambda p: min(abs(p.last - index), abs(p.first - index)))
             words = reading.span(min(place.first, index), max(place.last, index + 1))
             group = _joined(place)
-            if all(
-                (copy.first.kind, copy.first.first, copy.first.last) != (group.kind, group.first, group.last)
-                for copy in reading.facts.copies
-            ):
+            if not any(_are_alike(copy.first, group) for copy in reading.facts.copies):
                 reading.facts.copies.append(CopyFact(group, words))
         elif FLOOR_WORDS & set(reading.words(index + 1, index + 3)) and token.text in ("identical", "equal"):
             span = reading.span(index, index + 2)
@@ -175,6 +185,18 @@ def read_copies(reading: Reading, places: list[Place]) -> None:
             reading.facts.copies.append(CopyFact(FloorRef("every" if whole else "upper", span=span), span))
         plan = next((at for at in range(index + 1, index + 5) if reading.word(at) in ("plan", "layout")), index)
         reading.take(index, plan + 1 if sharing else index + 1)
+
+
+def give_rooms_to_copies(facts: BriefFacts) -> None:
+    """Give each of several storeys that are to be alike the rooms that are told of them together."""
+    for number, room in enumerate(facts.rooms):
+        if len(room.floors) == 1 and any(_are_alike(room.floors[0], copy.first) for copy in facts.copies):
+            facts.rooms[number] = replace(room, each=True)
+
+
+def _are_alike(one: FloorRef, other: FloorRef) -> bool:
+    """Whether two references mean the same storeys, whatever words they were read from."""
+    return (one.kind, one.first, one.last) == (other.kind, other.first, other.last)
 
 
 def _shares_plan(reading: Reading, index: int) -> bool:
@@ -191,6 +213,7 @@ def _is_within(places: list[Place], index: int) -> bool:
 def _is_typical(reading: Reading, places: list[Place], index: int) -> bool:
     """Whether storeys are called typical."""
     named = _is_within(places, index) or reading.word(index + 1) in FLOOR_WORDS
+    named = named or any(p.last == index - 1 and _several(p) for p in places if reading.word(p.last) in ("is", "are"))
     return reading.word(index) == "typical" and named
 
 
@@ -210,9 +233,11 @@ def _read_unchanging(reading: Reading, places: list[Place], index: int) -> bool:
     near = [p for p in places if reading.sentence[p.first] == reading.sentence[index] and _several(p)]
     if not near:
         return False
+    place = next((p for p in reversed(near) if p.last <= index), near[0])
     plan = index - next((k for k in (1, 2, 3, 4) if reading.word(index - k) in _PLANS), never)
-    span = reading.span(min(near[-1].first, plan), max(near[-1].last, index + 1))
-    reading.facts.copies.append(CopyFact(_joined(near[-1]), span))
+    span = reading.span(min(place.first, plan), max(place.last, index + 1))
+    if not any(_are_alike(copy.first, _joined(place)) for copy in reading.facts.copies):
+        reading.facts.copies.append(CopyFact(_joined(place), span))
     reading.take(plan, index + 1)
     return True
 

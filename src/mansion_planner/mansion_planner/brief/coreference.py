@@ -1,14 +1,17 @@
 """Tell which noun phrases only speak of a room that is named elsewhere: "the kitchen", "both dormitories"."""
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 from mansion_planner.brief.phrase import Phrase
 from mansion_planner.brief.reading import Reading
-from mansion_planner.brief.relations import Relation
+from mansion_planner.brief.relation_rooms import Relation
 
 __all__ = ["coreferences"]
 
 _DEFINITE = frozenset("per the this that each every both either any these those its all".split())
+_INTRODUCING = frozenset({"a", "an", "their", "my", "our", "his", "her", "your"})
+"""Determiners of a room that is none of those named later: "their bedroom ... upstairs three bedrooms"."""
 _GENERIC = frozenset("is has measure come get need hold contain receive comprise must should shall include".split())
 """Verbs after "a bedroom" where it stands for each of the bedrooms that are named before."""
 _VERBS = frozenset({"should", "must", "is", "are", "shall", "has", "need", "face", "overlook", "adjoin", "open", "lie"})
@@ -28,47 +31,84 @@ def coreferences(
     """
     same: dict[int, int] = {}
     groups: dict[int, list[int]] = {}
-    operands = {n for relation in relations for n in relation.rights}
-    lefts = {n for relation in relations for n in relation.lefts}
-    apart = {n for relation in relations if relation.apart for n in relation.lefts}
+    named = _Relations(
+        lefts=frozenset(n for relation in relations for n in relation.lefts),
+        rights=frozenset(n for relation in relations for n in relation.rights),
+        apart=frozenset(n for relation in relations if relation.apart for n in relation.lefts),
+    )
     for number in rooms:
         phrase = phrases[number]
-        if number in operands and phrase.count == 1 and phrase.counted:
-            several = [
-                n for n in rooms if n < number and phrases[n].name == phrase.name and (phrases[n].count or 2) > 1
-            ]
-            if several:
-                same[number] = several[-1]  # "beside one treatment room", of the five
-                continue
-        several = [n for n in rooms if n < number and phrases[n].name == phrase.name and phrases[n].plural]
-        if several and (_is_measured(reading, phrase) or _is_of_each(reading, phrase)):
-            same[number] = several[-1]
+        several = _one_of_several(reading, phrases, rooms, number, named)
+        if several is not None:
+            same[number] = several
             continue
         if phrase.counted and phrase.determiner not in ("the", "both", "these", "those", "all"):
             continue
-        group = _group(phrases, number, rooms, placed=number in lefts)
+        group = _group(phrases, number, rooms, placed=number in named.lefts)
         if group:
             groups[number], same[number] = group, group[-1]
             continue
-        topical = reading.word(phrase.last) in _VERBS and not phrase.counted
-        known = (number in lefts or topical) and phrase.determiner not in ("a", "an")
-        known = known or (number in apart and phrase.determiner in ("a", "an"))  # "nothing such as a cafe may be near"
-        if not (phrase.determiner in _DEFINITE or number in operands or known):
-            continue
-        others = [n for n in rooms if n != number and n not in same and _same_name(phrase, phrases[n])]
-        earlier = [n for n in others if n < number]
-        later = [n for n in others if n > number and phrases[n].determiner not in ("the", "this", "that", "its")]
-        if earlier:
-            same[number] = _best(phrases, phrase, earlier[::-1])
-        elif phrase.determiner in ("each", "every", "all") and any(phrases[n].counted for n in later):
-            same[number] = next(n for n in later if phrases[n].counted)  # "a desk in each bedroom; three bedrooms"
-        elif later and (number in operands or _is_inside(reading, phrase)) and phrase.determiner not in ("a", "an"):
-            same[number] = _best(phrases, phrase, later)
+        other = _other_mention(reading, phrases, [n for n in rooms if n not in same], number, named)
+        if other is not None:
+            same[number] = other
     return same, groups
+
+
+@dataclass(frozen=True)
+class _Relations:
+    """Numbers of the phrases on the left and on the right of relations, and on the left of those that part rooms."""
+
+    lefts: frozenset[int]
+    rights: frozenset[int]
+    apart: frozenset[int]
+
+
+def _one_of_several(
+    reading: Reading, phrases: Sequence[Phrase], rooms: Sequence[int], number: int, named: _Relations
+) -> int | None:
+    """Return the rooms before that a phrase tells one or each of: "beside one treatment room", of the five."""
+    phrase = phrases[number]
+    alike = [n for n in rooms if n < number and phrases[n].name == phrase.name]
+    if number in named.rights and phrase.count == 1 and phrase.counted:
+        several = [n for n in alike if (phrases[n].count or 2) > 1]
+        if several:
+            return several[-1]
+    plural = [n for n in alike if phrases[n].plural]
+    of_each = bool(plural) and (_is_measured(reading, phrase) or _is_of_each(reading, phrase))
+    return plural[-1] if of_each else None
+
+
+def _other_mention(
+    reading: Reading, phrases: Sequence[Phrase], rooms: Sequence[int], number: int, named: _Relations
+) -> int | None:
+    """Return the room named elsewhere that a phrase only speaks of, or nothing."""
+    phrase, operand = phrases[number], number in named.rights
+    topical = not phrase.counted and (reading.word(phrase.last) in _VERBS or _heads_entry(reading, phrase))
+    known = (number in named.lefts or topical) and phrase.determiner not in ("a", "an")
+    known = known or (
+        number in named.apart and phrase.determiner in ("a", "an")
+    )  # "nothing such as a cafe may be near"
+    if not (phrase.determiner in _DEFINITE or operand or known):
+        return None
+    others = [n for n in rooms if n != number and _same_name(phrase, phrases[n])]
+    earlier = [n for n in others if n < number]
+    if earlier:
+        return _best(phrases, phrase, earlier[::-1])
+    later = [n for n in others if n > number and phrases[n].determiner not in ("the", "this", "that", "its")]
+    if phrase.determiner in ("each", "every", "all") and any(phrases[n].counted for n in later):
+        return next(n for n in later if phrases[n].counted)  # "a desk in each bedroom; three bedrooms"
+    if later and (operand or _is_inside(reading, phrase)) and phrase.determiner not in _INTRODUCING:
+        return _best(phrases, phrase, later)
+    return None
 
 
 _JOINED = frozenset({"dining", "diner", "living", "kitchen"})
 """What is named second of two rooms in one: "living/dining", "kitchen-diner"."""
+
+
+def _heads_entry(reading: Reading, phrase: Phrase) -> bool:
+    """Whether rooms in the plural open an entry that says more of them: "Partner offices: one desk each"."""
+    return phrase.plural and reading.word(phrase.last) == ":" and reading.starts(phrase.begin)
 
 
 def _is_of_each(reading: Reading, phrase: Phrase) -> bool:
@@ -122,13 +162,23 @@ def _best(phrases: Sequence[Phrase], phrase: Phrase, others: Sequence[int]) -> i
     return exact[0] if exact else others[0]
 
 
+def _is_shortened(phrase: Phrase, other: Phrase) -> bool:
+    """Whether a name leaves out words of another one: "the children's room" of a children's corner room."""
+    words, others = phrase.name.split("_"), other.name.split("_")
+    return len(words) > 1 and words[0] == others[0] and words[-1] == others[-1] and set(words) < set(others)
+
+
 def _same_name(phrase: Phrase, other: Phrase) -> bool:
     if phrase.head == "unknown" or other.head == "unknown":
         return False
     if phrase.name == other.name or other.name.endswith("_" + phrase.name):
         return True
+    if phrase.determiner == "the" and other.name == f"{phrase.name}_room":
+        return True  # "the disco" of a disco room
     of_several = phrase.determiner == "the" and (other.count or 2) > 1
     if of_several and phrase.name.endswith("_" + other.name) and not {"'", "’"} & set(phrase.label):
+        return True
+    if phrase.determiner == "the" and _is_shortened(phrase, other):
         return True
     bare = phrase.name == phrase.room_type or (phrase.known and "_" not in phrase.name)
     if phrase.determiner == "the" and other.name.rpartition("_")[2] in _JOINED and "_" not in phrase.name:

@@ -111,16 +111,27 @@ def _advertised_bedroom(tokens: list[Token], index: int) -> _Form | None:
 
 
 def _multiplied(tokens: list[Token], index: int) -> _Form | None:
-    """Read "phone booth (2x)", "meeting room 3x", "2x storage"."""
+    """Read "phone booth (2x)", "meeting room 3x", "2x storage", "2 x exam room"."""
     mark = index + 1
-    if not _is_count(tokens, index) or _word(tokens, mark) != "x" or tokens[mark].spaced:
+    if not _is_count(tokens, index) or _word(tokens, mark) != "x":
         return None
+    if tokens[mark].spaced and (_is_noun(tokens, index - 1) or not _is_noun(tokens, mark + 1)):
+        return None
+    if tokens[mark].spaced and not tokens[mark + 1].spaced:
+        return None  # "1 x-ray room"
     following = _word(tokens, index + 2)
     if following in ("x", "by") or (index + 2 < len(tokens) and tokens[index + 2].kind in ("number", "unit")):
         return None
     bracketed = _word(tokens, index - 1) == "(" and following == ")"
     after = bracketed or (_is_noun(tokens, index - 1) and following in _ENDS)
     return _Form((*([_times(tokens[index])] * after), tokens[index]), index + 2 + bracketed, dropped=int(bracketed))
+
+
+def _abbreviated_each(tokens: list[Token], index: int) -> _Form | None:
+    """Read "16 m2 ea" as "16 m2 each"."""
+    if tokens[index].text != "ea" or index == 0 or tokens[index - 1].kind != "unit":
+        return None
+    return _Form((replace(tokens[index], text="each"),), index + 1)
 
 
 def _repeated_noun(tokens: list[Token], index: int) -> _Form | None:
@@ -172,6 +183,7 @@ _CLASSIFIED = (
     _advertised_bedroom,
     _multiplied,
     _repeated_noun,
+    _abbreviated_each,
     _classified,
     _entered,
     _trailing,

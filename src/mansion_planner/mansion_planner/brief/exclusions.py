@@ -8,7 +8,7 @@ from mansion_planner.brief.phrase import FUNCTION_WORDS, Phrase
 from mansion_planner.brief.reading import Place, Reading
 from mansion_planner.brief.refusals import refusal_after, refused_before
 
-__all__ = ["negated_phrases", "read_completeness"]
+__all__ = ["MOTIONS", "negated_phrases", "read_completeness"]
 
 _BEFORE = frozenset(
     """
@@ -125,7 +125,9 @@ _CLAUSE_OPENERS = frozenset({",", "and", "but", "so", "also", "please"})
 _CONTRASTS = frozenset(
     "to in on at from into onto near next beside by towards toward inside of for like as under".split()
 )
-_REFUSALS = frozenset("veto vetoe reject refuse dislike hate replace".split())
+MOTIONS = frozenset({"get", "go", "come", "walk", "pass", "look", "see", "wander", "run", "lead"})
+"""Verbs of who must not go somewhere."""
+_REFUSALS = frozenset("veto vetoe reject refuse dislike hate detest replace".split())
 _TIGHT = frozenset("narrow small low tight short slim steep little cramped poor".split())
 _COMPARISONS = frozenset(
     """
@@ -140,31 +142,9 @@ def negated_phrases(reading: Reading, phrases: list[Phrase]) -> dict[int, tuple[
     A negation reaches to the end of its clause: over "or", "nor" and "and", not over "but".
     """
     found: dict[int, tuple[int, int]] = {}
-    starts = {phrase.first: number for number, phrase in enumerate(phrases)}
     for number, phrase in enumerate(phrases):
-        after = next((p for p in _AFTER if reading.words(phrase.last, phrase.last + len(p)) == p), None)
-        if (
-            after is None
-            and reading.word(phrase.last) == "no"
-            and (reading.breaks(phrase.last + 1) or reading.word(phrase.last + 1) == ",")
-        ):
-            after = ("no",)  # "stairs yes, lift no"
-        if (
-            after is None
-            and reading.words(phrase.last, phrase.last + 2) == (",", "no")
-            and reading.breaks(phrase.last + 2)
-        ):
-            after = (",", "no")  # "lift, yes; cafe, no"
-        if after is None and reading.words(phrase.last, phrase.last + 2) in (("not", "need"), ("no", "need")):
-            closes = reading.breaks(phrase.last + 2) or reading.word(phrase.last + 2) in (",", "and", ")", "either")
-            after = ("not", "need") if closes else None  # "cafe don't need"
-        if after is None and reading.words(phrase.last, phrase.last + 2) == ("need", "not"):
-            after = ("need", "not") if reading.breaks(phrase.last + 2) else None
-        also = reading.word(phrase.last) in ("also", "too")
-        if after is None and also:  # "a lift also is not needed"
-            said = next((p for p in _AFTER if reading.words(phrase.last + 1, phrase.last + 1 + len(p)) == p), ())
-            after = (reading.word(phrase.last), *said) if said else None
-        end = phrase.last + len(after) if after is not None else absence_end(reading, phrase.last)
+        after = phrase.last + len(_refusing_words(reading, phrase.last))
+        end = after if after > phrase.last else absence_end(reading, phrase.last)
         end = max(end, refusal_after(reading, phrase.last))
         if end > phrase.last:
             found[number] = (phrase.first, end)
@@ -172,30 +152,62 @@ def negated_phrases(reading: Reading, phrases: list[Phrase]) -> dict[int, tuple[
             for earlier in _joined_before(reading, phrases, number):
                 found[earlier] = (phrases[earlier].first, end)
     found |= refused_before(reading, phrases)
+    starts = {phrase.first: number for number, phrase in enumerate(phrases)}
     for index in range(len(reading.tokens)):
         refused = _refused(reading, phrases, index)
         if refused is not None:
             number, last = refused
             found.setdefault(number, (phrases[number].first, last))
             reading.take(index, last)
-            continue
-        length = _negation(reading, index)
-        if length:
-            elsewhere = reading.word(index) == "never" and reading.word(index + length) in ("in", "on", "at", "inside")
-            for number in _reached(reading, phrases, starts, index + length):
-                if elsewhere:  # "a television in the lounge, never in a bedroom"
-                    reading.taken.difference_update(range(phrases[number].begin, phrases[number].last))
-                    phrases[number] = replace(phrases[number], head="unknown")
-                    continue
-                if reading.kind(phrases[number].first - 1) == "ordinal" or _is_compared(reading, phrases[number].last):
-                    reading.taken.difference_update(range(phrases[number].first - 1, phrases[number].last))
-                    phrases[number] = replace(phrases[number], head="unknown")  # "instead of the second bedroom"
-                    continue
-                found.setdefault(number, (index, phrases[number].last))
-                reading.take(phrases[number].last, time_end(reading, phrases[number].last))
-            if length and any(first == index for first, _ in found.values()):
-                reading.take(index, index + length)
+        elif length := _negation(reading, index):
+            _negate(reading, phrases, starts, found, index, length)
     return found
+
+
+def _refusing_words(reading: Reading, last: int) -> tuple[str, ...]:
+    """Return the words right after a phrase that say that it is not wanted: "is not needed", ", no"; or nothing."""
+    after = next((p for p in _AFTER if reading.words(last, last + len(p)) == p), None)
+    if after is not None:
+        return after
+    word, following = reading.words(last, last + 2)
+    if word == "no" and (reading.breaks(last + 1) or following == ","):
+        return ("no",)  # "stairs yes, lift no"
+    if (word, following) == (",", "no") and reading.breaks(last + 2):
+        return (",", "no")  # "lift, yes; cafe, no"
+    if (word, following) in (("not", "need"), ("no", "need")):
+        closes = reading.breaks(last + 2) or reading.word(last + 2) in (",", "and", ")", "either")
+        return ("not", "need") if closes else ()  # "cafe don't need"
+    if (word, following) == ("need", "not"):
+        return ("need", "not") if reading.breaks(last + 2) else ()
+    if word in ("also", "too"):  # "a lift also is not needed"
+        said = next((p for p in _AFTER if reading.words(last + 1, last + 1 + len(p)) == p), ())
+        return (word, *said) if said else ()
+    return ()
+
+
+def _negate(
+    reading: Reading,
+    phrases: list[Phrase],
+    starts: dict[int, int],
+    found: dict[int, tuple[int, int]],
+    index: int,
+    length: int,
+) -> None:
+    """Add the phrases that a negation of so many tokens reaches; what it only compares or places is left out."""
+    elsewhere = reading.word(index) == "never" and reading.word(index + length) in ("in", "on", "at", "inside")
+    for number in _reached(reading, phrases, starts, index + length):
+        phrase = phrases[number]
+        if elsewhere:  # "a television in the lounge, never in a bedroom"
+            reading.taken.difference_update(range(phrase.begin, phrase.last))
+            phrases[number] = replace(phrase, head="unknown")
+        elif reading.kind(phrase.first - 1) == "ordinal" or _is_compared(reading, phrase.last):
+            reading.taken.difference_update(range(phrase.first - 1, phrase.last))
+            phrases[number] = replace(phrase, head="unknown")  # "instead of the second bedroom"
+        else:
+            found.setdefault(number, (index, phrase.last))
+            reading.take(phrase.last, time_end(reading, phrase.last))
+    if any(first == index for first, _ in found.values()):
+        reading.take(index, index + length)
 
 
 def _is_compared(reading: Reading, index: int) -> bool:
@@ -266,6 +278,8 @@ def _negation(reading: Reading, index: int) -> int:
         return 2  # "we do not need private offices", "Don't need cafe"
     if reading.word(index) not in _BEFORE or reading.word(index + 1) in _COMPARISONS:
         return 0
+    if reading.word(index + 1) in MOTIONS and reading.word(index + 2) in ("into", "through", "to", "in", "inside"):
+        return 0  # "the public must not get into the sorting hall" is about who goes there
     if reading.word(index) == "not" and reading.word(index + 1) in _CONTRASTS:
         return 0  # "open to the dining room, not to the hall" is about the relation
     if reading.word(index) == "not" and reading.word(index + 1) in (

@@ -3,12 +3,13 @@
 import itertools
 from collections.abc import Sequence
 from dataclasses import replace
+from typing import TypeAlias
 
 from mansion_planner.brief.facts import ObjectFact
 from mansion_planner.brief.furniture_words import usually_in
 from mansion_planner.brief.phrase import FUNCTION_WORDS, PEOPLE, Phrase
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
-from mansion_planner.brief.relations import Relation
+from mansion_planner.brief.relation_rooms import Relation
 from mansion_planner.brief.storey_attachment import Attachment
 
 __all__ = ["people_served", "read_furnishings", "seats_at_tables"]
@@ -43,7 +44,28 @@ def read_furnishings(
         Which rooms lie beside which.
     """
     found = _seats(reading, phrases, negated) + _numbered_places(reading, phrases, negated)
-    owners: dict[int, tuple[int | None, bool]] = {}
+    owners = _owners(reading, phrases, relations)
+    for number, phrase in enumerate(phrases):
+        if phrase.head != "object" or _passes_by(reading, phrases, number):
+            continue
+        for owner in _residents_rooms(reading, phrases, number, same) or [_named_owner(phrases, owners[number], same)]:
+            placed = _placed_owner(reading, phrases, number, owner, negated)
+            found.append(_furniture(reading, phrases, number, placed, attached, excluded=number in negated))
+        seats = seats_at_tables(reading, phrases, number)
+        if seats and number not in negated:
+            span = reading.span(phrase.last, phrases[number + 1].last)
+            seated = replace(found[-1], words=span.words, category="chair", span=span, count=seats, exact=False)
+            found.append(replace(seated, noun="seats"))
+    return found
+
+
+_Owner: TypeAlias = tuple[int | None, bool]
+"""The phrase of the room that furniture is wanted in, and whether its number is for each such room."""
+
+
+def _owners(reading: Reading, phrases: list[Phrase], relations: Sequence[Relation]) -> dict[int, _Owner]:
+    """Return the owner of each piece of furniture, by the number of its phrase."""
+    owners: dict[int, _Owner] = {}
     rooms = [
         n
         for n, phrase in enumerate(phrases)
@@ -51,51 +73,88 @@ def read_furnishings(
     ]
     for number in reversed(range(len(phrases))):
         if phrases[number].head == "object":
-            owners[number] = _shared_owner(reading, phrases, owners, number) or _owner(reading, phrases, rooms, number)
-            owners[number] = _of_subject(reading, phrases, relations, owners[number], number)
-    for number, phrase in enumerate(phrases):
-        if phrase.head != "object" or _passes_by(reading, phrases, number):
-            continue
-        owner, each = owners[number]
-        if owner is not None and owner in same:
-            generic = phrases[owner].determiner in ("a", "an") and (phrases[same[owner]].count or 2) > 1
-            owner, each = same[owner], each or generic  # "a bedroom has a bed and a recliner"
-        room = phrases[owner] if owner is not None else None
-        listed = owner is not None and reading.word(phrases[owner].last) in (",", "and", "or", "nor", ";")
-        if room is not None and owner in negated and (number not in negated or listed):
-            room = None  # "excluded: a bar, televisions" are none of each
-        if room is not None and number in negated and _replaced(reading, phrases, negated, number):
-            room, each = None, False
-        each = each or (room is not None and owner in attached and attached[owner].each)
-        some = _rooms_having(reading, room, phrase)
-        each = each and not some
-        last = phrase.last if room is not None else _unread_place(reading, phrase)
-        if last > phrase.last:
-            reading.facts.unheeded.append(reading.span(phrase.last, last))
-        found.append(
-            ObjectFact(
-                words=phrase.label,
-                category=phrase.category,
-                span=reading.span(phrase.first, last),
-                count=phrase.count and phrase.count * _sets(reading, phrases, number) * (some or 1)
-                if phrase.counted
-                else people_served(reading, phrases, number) or (phrase.count and phrase.count * (some or 1)),
-                room=room.name if room is not None else "",
-                room_type=room.room_type if room is not None else "",
-                each=each or (room is None and number in attached and attached[number].each),
-                excluded=number in negated,
-                floors=attached[number].refs if number in attached and room is None else (),
-                noun=phrase.label,
-                exact=phrase.counted and _NO_MORE.isdisjoint(reading.words(phrase.first, phrase.last)),
-                some=some,
-            )
-        )
-        seats = seats_at_tables(reading, phrases, number)
-        if seats and number not in negated:
-            span = reading.span(phrase.last, phrases[number + 1].last)
-            seated = replace(found[-1], words=span.words, category="chair", span=span, count=seats, exact=False)
-            found.append(replace(seated, noun="seats"))
-    return found
+            owner = _shared_owner(reading, phrases, owners, number) or _owner(reading, phrases, rooms, number)
+            owners[number] = _of_subject(reading, phrases, relations, owner, number)
+    return owners
+
+
+def _named_owner(phrases: list[Phrase], owner: _Owner, same: dict[int, int]) -> _Owner:
+    """Return an owner as the phrase that names the room first: "a bedroom has a bed and a recliner"."""
+    room, each = owner
+    if room is None or room not in same:
+        return owner
+    generic = phrases[room].determiner in ("a", "an") and (phrases[same[room]].count or 2) > 1
+    return same[room], each or generic
+
+
+def _placed_owner(
+    reading: Reading, phrases: list[Phrase], number: int, owner: _Owner, negated: dict[int, tuple[int, int]]
+) -> _Owner:
+    """Return an owner, or none where the room is not wanted, or where the furniture takes another's place in it."""
+    room, each = owner
+    if room is None:
+        return owner
+    listed = reading.word(phrases[room].last) in (",", "and", "or", "nor", ";")
+    if room in negated and (number not in negated or listed):
+        return None, each  # "excluded: a bar, televisions" are none of each
+    if number in negated and _replaced(reading, phrases, negated, number):
+        return None, False
+    return owner
+
+
+def _furniture(
+    reading: Reading,
+    phrases: list[Phrase],
+    number: int,
+    owner: _Owner,
+    attached: dict[int, Attachment],
+    *,
+    excluded: bool,
+) -> ObjectFact:
+    """Return the wish for the furniture of a phrase in the room that owns it."""
+    phrase = phrases[number]
+    room = phrases[owner[0]] if owner[0] is not None else None
+    some = _rooms_having(reading, room, phrase)
+    each = (owner[1] or (owner[0] in attached and attached[owner[0]].each)) and not some
+    sets = _sets(reading, phrases, number)
+    placed = attached.get(number) if room is None else None
+    last = phrase.last if room is not None else _unread_place(reading, phrase)
+    if last > phrase.last:
+        reading.facts.unheeded.append(reading.span(phrase.last, last))
+    count = phrase.count and phrase.count * (some or 1)
+    return ObjectFact(
+        words=phrase.label,
+        category=phrase.category,
+        span=reading.span(phrase.first, last),
+        count=count and count * sets if phrase.counted else people_served(reading, phrases, number) or count,
+        room=room.name if room is not None else "",
+        room_type=room.room_type if room is not None else "",
+        each=(each and not (room is None and sets > 1)) or (placed is not None and placed.each),
+        excluded=excluded,
+        floors=placed.refs if placed is not None else (),
+        noun=phrase.label,
+        exact=phrase.counted and _NO_MORE.isdisjoint(reading.words(phrase.first, phrase.last)),
+        some=some,
+    )
+
+
+def _residents_rooms(reading: Reading, phrases: list[Phrase], number: int, same: dict[int, int]) -> list[_Owner]:
+    """Return the rooms of those whom a sentence is about: "Lily's room, Oskar's room. Each child has a desk"."""
+    sentence = reading.sentence[phrases[number].first]
+    subject = next((p for p in phrases[:number] if reading.sentence[p.first] == sentence), None)
+    if subject is None or subject.head != "people" or subject.determiner not in ("each", "every"):
+        return []
+    return [
+        (n, False)
+        for n, p in enumerate(phrases[:number])
+        if 0 < sentence - reading.sentence[p.first] <= _SENTENCES_BACK
+        and p.label.endswith(("'s room", "’s room"))
+        and n not in same
+    ]
+
+
+_SENTENCES_BACK = 2
+"""Sentences between rooms and what is said of those who live in them, at most."""
 
 
 _TABLES = frozenset({"dining_table", "cafe_table", "cafeteria_table", "restaurant_table", "conference_table"})
@@ -151,8 +210,11 @@ _ONE_EACH = frozenset({"desk", "workstation", "office_chair", "chair", "stool", 
 
 
 def _sets(reading: Reading, phrases: list[Phrase], number: int) -> int:
-    """Return of how many sets furniture is said: ten in "10 tables of four chairs"."""
+    """Return of how many sets furniture is said: ten in "10 tables of four chairs", six in "6 rows of 10 desks"."""
     phrase = phrases[number]
+    if phrase.counted and (rows := _rows_before(reading, phrase.first)):
+        reading.take(phrase.first - 3, phrase.first)
+        return rows
     before = phrases[number - 1] if number and phrase.counted else None
     if before is None or before.head != "object" or not before.counted or before.category == phrase.category:
         return 1
@@ -161,6 +223,18 @@ def _sets(reading: Reading, phrases: list[Phrase], number: int) -> int:
         gap in (("with",), ("for",)) and reading.word(phrase.last) in ("each", "apiece")
     )
     return before.count or 1 if shared else 1
+
+
+def _rows_before(reading: Reading, index: int) -> int:
+    """Return how many rows "6 rows of" before a token tells; 0 where it tells none."""
+    noun = reading.word(index - 1) == "of" and reading.word(index - 2) in _ROWS
+    counted = noun and reading.kind(index - 3) == "number" and 1 < reading.value(index - 3) <= _MOST_ROWS
+    return int(reading.value(index - 3)) if counted else 0
+
+
+_ROWS = frozenset({"row", "group", "cluster", "island", "bank", "block", "set"})
+"""Nouns for several pieces that stand together."""
+_MOST_ROWS = 100
 
 
 def _unread_place(reading: Reading, phrase: Phrase) -> int:
@@ -230,8 +304,8 @@ def _numbered_places(reading: Reading, phrases: list[Phrase], negated: dict[int,
                 continue
             span = reading.span(index, index + 2)
             found.append(ObjectFact(
-                words=span.words, category=category, span=span, count=int(reading.value(index)), room=phrase.name,
-                room_type=phrase.room_type, each=True, noun=reading.word(index + 1),
+                words=f"for {reading.value(index):.0f}", category=category, span=span, count=int(reading.value(index)),
+                room=phrase.name, room_type=phrase.room_type, each=True, noun=_PLACES_AS[category],
             ))  # fmt: skip
             reading.take(index, index + 2)
     return found
@@ -239,6 +313,7 @@ def _numbered_places(reading: Reading, phrases: list[Phrase], negated: dict[int,
 
 _PLACES = {"bed": "bed", "seat": "chair", "seater": "chair", "desk": "desk", "person": "chair"}
 """What a hyphen joins to a number before a room: "6-bed", "12-seat"."""
+_PLACES_AS = {"bed": "beds", "chair": "seats", "desk": "desks"}
 
 _DORMITORIES = frozenset({"dorm_room", "hostel_dorm", "bunk_room"})
 """Rooms of which "for 8" says how many sleep there."""
@@ -246,12 +321,13 @@ _DORMITORIES = frozenset({"dorm_room", "hostel_dorm", "bunk_room"})
 _UNSEATED = frozenset(
     """
     bedroom storage garage parking bike_storage bathroom toilet cloakroom apparatus_bay dorm_room hostel_dorm
-    bunk_room hotel_room archive warehouse apartment holding_cell
+    bunk_room hotel_room archive warehouse apartment holding_cell gym spinning_room yoga_studio sports_hall
+    climbing_room dance_studio indoor_pool sauna changing_room shower_area
     """.split()
 )
 
 
-_NO_MORE = frozenset({"least", "minimum", "min", "more"})
+_NO_MORE = frozenset({"least", "minimum", "min", "more", "less", "fewer"})
 """Words of a count that is a lower bound."""
 
 _VEHICLES = frozenset({"van", "truck", "car", "garage_car", "bus", "motorcycle", "ambulance"})
@@ -381,12 +457,22 @@ def _owner(reading: Reading, phrases: list[Phrase], rooms: list[int], number: in
     else:
         before = _listed_with(reading, phrases, rooms, before, number)
     gap = reading.words(phrases[before].last, phrase.first)
-    tail = reading.words(phrase.last, phrase.last + 2)
     ahead = reading.words(max(phrases[before].first - 3, 0), phrases[before].first)
     if ("each", "of") in itertools.pairwise(ahead):
         return before, True  # "in each of the five bedrooms a wardrobe"
-    each = not _EACH.isdisjoint(gap) or phrases[before].determiner in _EACH or bool({"each", "apiece"} & set(tail))
+    each = not _EACH.isdisjoint(gap) or phrases[before].determiner in _EACH or _is_of_each(reading, phrases, number)
     return before, each or ((phrases[before].count or 2) > 1 and "with" in gap)
+
+
+def _is_of_each(reading: Reading, phrases: list[Phrase], number: int) -> bool:
+    """Whether "each" closes furniture or what is joined to it: "one desk and one bookcase each"."""
+    last = phrases[number].last
+    for following in phrases[number + 1 :]:
+        joint = reading.words(last, following.first)
+        if following.head != "object" or not joint or not set(joint) <= {"and", ",", "a", "an", "&", "plus"}:
+            break
+        last = following.last
+    return bool({"each", "apiece"} & set(reading.words(last, last + 2)))
 
 
 def _is_own_entry(reading: Reading, phrases: list[Phrase], before: int, number: int) -> bool:

@@ -317,15 +317,22 @@ class NamedStoreys:
         relative = word in ("over", "above") and following in ("it", "that", "them") and self._ends_clause(index + 2)
         return relative and reading.word(index - 1) not in FLOOR_WORDS
 
+    def _names_storeys(self) -> bool:
+        """Whether the brief speaks of several storeys: with one alone, "in the middle" is a place on it."""
+        tokens = self.reading.tokens
+        named = sum(t.text in FLOOR_WORDS | {"ground", "upstairs", "downstairs"} or t.kind == "level" for t in tokens)
+        return named > 1
+
     def _is_middle(self, index: int) -> bool:
         """Whether "middle" stands for the storeys in between: "Middle: three flats", "in the middle two offices"."""
         reading, following = self.reading, self.reading.word(index + 1)
-        if reading.word(index) != "middle":
+        if reading.word(index) not in ("middle", "mid"):
             return False
         if following in (":", "=") and reading.starts(index):
             return True
         inside = reading.words(index - 2, index) == ("in", "the") and reading.word(index - 3) not in _WITH_MIDDLES
         goes_on = following in CLOSERS | {"with", "there", "are", "is", "come", "we", "a", "an"}
+        goes_on = goes_on and (following not in CLOSERS or self._names_storeys())
         return self.has_floors and inside and (goes_on or self._counts(index + 1))
 
 

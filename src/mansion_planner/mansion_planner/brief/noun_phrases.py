@@ -13,6 +13,7 @@ from mansion_planner.brief.phrase import (
     FUNCTION_WORDS,
     PEOPLE,
     PLAIN,
+    PREDICATES,
     UNITS_OF_ROOMS,
     Head,
     Phrase,
@@ -32,7 +33,13 @@ from mansion_planner.brief.room_names import (
     with_sizes,
 )
 from mansion_planner.brief.room_users import with_users, with_users_before
-from mansion_planner.brief.similarity import HEAD_TYPES, elliptic_room_type, room_of_building, similar_room_type
+from mansion_planner.brief.similarity import (
+    HEAD_TYPES,
+    elliptic_room_type,
+    room_of_building,
+    similar_room_type,
+    told_room_type,
+)
 
 __all__ = ["noun_phrases"]
 
@@ -40,6 +47,8 @@ _STAIRS = frozenset({"stair", "staircase", "stairwell", "stairway", "stairs"})
 _LIFTS = frozenset({"lift", "elevator"})
 _FURNITURE_TOO = frozenset({"locker", "stall"})
 """Nouns that name a room, and furniture after certain words: a bedside locker, a milking stall."""
+_CARRIED = frozenset({"luggage", "bag", "coat", "gear", "equipment", "helmet", "parcel", "book", "tool", "storage"})
+"""What lockers are for, where they are furniture and no changing room."""
 _EQUIPMENT = frozenset(
     {("emergency", "shower"), ("safety", "shower"), ("drench", "shower"), ("birthing", "pool"), ("birth", "pool")}
 )
@@ -72,6 +81,7 @@ def noun_phrases(reading: Reading) -> list[Phrase]:
     phrases = _with_own_names(reading, phrases)
     phrases = [_room_of_staff(reading, phrases, phrase) for phrase in phrases]
     phrases += _with_own_names(reading, listed_unknowns(reading, chunks, phrases))
+    phrases = [_room_by_its_contents(reading, phrases, phrase) for phrase in phrases]
     phrases += _named_again(reading, chunks, phrases)
     phrases += further_ones(reading, phrases)
     phrases = with_users(reading, phrases)
@@ -126,6 +136,18 @@ def _named_again(reading: Reading, chunks: list[tuple[int, int]], phrases: list[
     return found
 
 
+def _room_by_its_contents(reading: Reading, phrases: list[Phrase], phrase: Phrase) -> Phrase:
+    """Return the room that a thing stands for as the subject of a sentence: "percussion must not be next to ..."."""
+    bare = phrase.head == "object" and not (phrase.determiner or phrase.counted) and reading.starts(phrase.begin)
+    if not bare or phrase.noun_end - phrase.begin != 1 or reading.word(phrase.last) not in ("must", "should", "shall"):
+        return phrase
+    named = _by_its_modifier(reading, phrases, phrase.begin, phrase.noun_end)
+    if named is None:
+        return phrase
+    room = finished_phrase(reading, "room", phrase.begin, phrase.noun_end, room=named.room_type, known=named.known)
+    return replace(room, name=named.name, determiner="the")
+
+
 def _by_its_modifier(reading: Reading, phrases: list[Phrase], begin: int, end: int) -> Phrase | None:
     """Return the one room of an earlier sentence that some words are short for: "the preparation", "sterilisation"."""
     sentence = reading.sentence[begin]
@@ -139,6 +161,7 @@ def _by_its_modifier(reading: Reading, phrases: list[Phrase], begin: int, end: i
         and (reading.sentence[phrase.first] < sentence or (elided and phrase.last <= begin))
         and set(words) < set(phrase.name.split("_"))
         and words[-1] not in HEAD_TYPES
+        and not PLAIN.issuperset(words)
     ]
     return named[0] if len({phrase.name for phrase in named}) == 1 else None
 
@@ -331,6 +354,8 @@ def _furniture_or_core(reading: Reading, begin: int, end: int, mention: Mention 
     category, size = furniture_of(reading.words(begin, end))
     if last == "screen" and all(word in PLAIN for word in reading.words(begin, end - 1)) and _in_cinema(reading):
         return finished_phrase(reading, "room", begin, end, room="cinema_hall")
+    if last in _LIFTS and _lifts_cars(reading, begin, end):
+        return finished_phrase(reading, "object", begin, end, category="car_lift")
     if last in _STAIRS | _LIFTS and size < 2:
         return finished_phrase(reading, "stair" if last in _STAIRS else "elevator", begin, end)
     longer = size > 1 and (mention is None or mention.last - mention.first < size)
@@ -340,12 +365,21 @@ def _furniture_or_core(reading: Reading, begin: int, end: int, mention: Mention 
     if lockers and longer and set(reading.words(begin, end - 1)) <= PEOPLE:
         room = finished_phrase(reading, "room", begin, end, room="changing_room")
         return replace(room, count=1, plural=False)  # "staff lockers" are one room
+    if lockers and longer and reading.word(end - 2) in _CARRIED:
+        return finished_phrase(reading, "object", begin, end, category="locker")
     if reading.words(end - 2, end) in _EQUIPMENT:
         category = furniture_of((reading.word(end - 1),))[0] if size < 2 else category
         return finished_phrase(reading, "object", begin, end, category=category)
     if counter or (longer and last in _FURNITURE_TOO):
         return finished_phrase(reading, "object", begin, end, category=category)
     return None
+
+
+def _lifts_cars(reading: Reading, begin: int, end: int) -> bool:
+    """Whether lifts are what a workshop works with: "workshop with four lifts"."""
+    first, _, counted, _ = count_before(reading, begin, end)
+    owner = reading.word(first - 2) in ("workshop", "garage") and reading.word(first - 1) == "with"
+    return owner and counted and reading.plural(end - 1) and reading.word(begin) in _LIFTS
 
 
 def _by_mention(reading: Reading, begin: int, end: int, mention: Mention) -> Phrase:
@@ -358,6 +392,9 @@ def _by_mention(reading: Reading, begin: int, end: int, mention: Mention) -> Phr
     if end - begin > 1 and mention.last - mention.first == 1:
         if last == "studio" and _names_use(reading, begin, end):
             return finished_phrase(reading, "room", begin, end, room=HEAD_TYPES[last], known=False)
+        if last == "suite" and not mention.building and _names_use(reading, begin, end):
+            kind = told_room_type(name_of(reading, begin, end), reading.knowledge) or HEAD_TYPES[last]
+            return finished_phrase(reading, "room", begin, end, room=kind, known=False)
         if last == "hall" and name_of(reading, begin, end) != "hall":
             room = _hall_of(reading, begin, end)
     head: Head = "room" if mention.room or not mention.building else "building"
@@ -375,6 +412,10 @@ def _room_by_head(reading: Reading, begin: int, end: int) -> Phrase | None:
     bare = last == "room" and all(word in PLAIN or word == "guest" for word in reading.words(begin, end - 1))
     if bare and plural and (counted or count_after(reading, end)[1]):
         return finished_phrase(reading, "room", begin, end, room="study_room", known=False)
+    if bare and not plural and reading.word(end) == "with" and (counted or determiner in ("a", "an")):
+        return finished_phrase(
+            reading, "room", begin, end, room="study_room", known=False
+        )  # "one open room with desks"
     if end - begin == 1:
         if last in ("room", "corner") and _has_purpose(reading, end) and not plural:
             return finished_phrase(reading, "room", begin, end, room="study_room", known=False)
@@ -389,9 +430,26 @@ def _room_by_head(reading: Reading, begin: int, end: int) -> Phrase | None:
     name = name_of(reading, begin, end)
     if name == last:
         return None
+    if _is_of_resident(reading, begin, end):
+        return finished_phrase(reading, "room", begin, end, room="bedroom")
+    told = _mention_ending(reading, begin, end - 1) if last == "room" else None
+    if told is not None and told.room not in ("", "reception") and not told.building and told.first == begin:
+        return finished_phrase(reading, "room", begin, end, room=told.room)  # "a disco room"
     kind = similar_room_type(name, reading.knowledge)
     same = _without_plurals(name) == _without_plurals(kind)  # "childrens room"
     return finished_phrase(reading, "room", begin, end, room=kind, known=same)
+
+
+def _is_of_resident(reading: Reading, begin: int, end: int) -> bool:
+    """Whether a room of a home is called after who sleeps there: "Lily's room"."""
+    token = reading.tokens[begin]
+    owned = reading.text[token.start : token.end].endswith(("'s", "’s")) and token.capital
+    buildings = reading.knowledge.buildings
+    home = any(m.building in buildings and buildings[m.building].family == "home" for m in reading.mentions)
+    named = any(
+        token.text == other.text and other.capital and not reading.starts(at) for at, other in enumerate(reading.tokens)
+    )
+    return home and owned and named and end - begin == 2 and reading.word(end - 1) == "room"
 
 
 def _without_plurals(name: str) -> list[str]:
@@ -420,8 +478,10 @@ def _is_figurative(reading: Reading, begin: int, end: int) -> bool:
         return False
     if lead in ("the", "our", "my", "their") and reading.word(begin - 2) in ("sold", "sell"):
         return True
-    if lead in ("they", "we", "you", "people"):
-        return True  # "they slide down a pole": a verb
+    if lead in ("they", "we", "you", "people") or lead in _MODALS:
+        return True  # "they slide down a pole", "where a robot can vacuum": a verb
+    if noun == "present" and lead in _COPULAS:
+        return True  # "a lift is present"
     if noun == "snug" and (lead in _COPULAS or (lead in ("and", ",") and reading.word(begin - 2) in PLAIN)):
         return True  # "the bedrooms should be warm and snug"
     if noun == "flat" and not reading.plural(begin) and _is_level(reading, end):
@@ -447,6 +507,7 @@ def _is_level(reading: Reading, index: int) -> bool:
 _LEVEL_THINGS = frozenset("plan roof site plot ground land terrain layout meadow country facade".split())
 """What can be flat."""
 
+_MODALS = frozenset({"can", "could", "will", "would", "may", "might", "shall", "cannot"})
 _COPULAS = frozenset("is are be feel feels look looks very so stay keep".split())
 """Words after which an adjective stands."""
 _PICTURES = frozenset({"map", "model", "picture", "drawing", "globe"})
@@ -464,18 +525,17 @@ def _are_book_stacks(reading: Reading, begin: int, end: int) -> bool:
 
 
 def _modifies(reading: Reading, end: int) -> bool:
-    """Whether furniture only tells apart the noun after it: "a computer game", "robot vacuum tests"."""
+    """Whether furniture only tells apart the noun after it: "a computer game", "a chess club"."""
     counted = reading.plural(end - 1) or reading.kind(end - 2) == "number"
-    return not counted and reading.kind(end) == "word" and reading.word(end) in _NO_FURNITURE
+    noun = (
+        reading.kind(end) == "word"
+        and reading.word(end) not in FUNCTION_WORDS | PLAIN | PREDICATES | FLOOR_WORDS | _NO_NOUNS
+    )
+    return not counted and noun and not reading.word(end).endswith(("ly", "ed", "ing"))
 
 
-_NO_FURNITURE = frozenset(
-    """
-    game test experiment research simulation dataset data company maker agent robot policy task scenario study project
-    lesson course training plan programme program style delivery transport distribution
-    """.split()
-)
-"""Nouns that make a piece of furniture before them what they are about."""
+_NO_NOUNS = frozenset("ea too instead somewhere optional ready available kit set piece".split())
+"""Words after a piece of furniture that it is not the modifier of."""
 
 
 _HOLDERS = frozenset("box basket bin crate case holder bag container".split())
@@ -525,8 +585,8 @@ _STANDS_ALONE = frozenset(
 
 
 def _names_use(reading: Reading, begin: int, end: int) -> bool:
-    """Whether the words before a studio say what is done there ("pottery studio"), so that nobody lives in it."""
-    return name_of(reading, begin, end) not in ("studio", "flat_studio", "apartment_studio")
+    """Whether the words before a studio or a suite say what is done there ("pottery studio"): nobody lives in it."""
+    return name_of(reading, begin, end) not in ("studio", "flat_studio", "apartment_studio", "suite")
 
 
 def _hall_of(reading: Reading, begin: int, end: int) -> str:

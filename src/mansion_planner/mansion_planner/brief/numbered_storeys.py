@@ -104,14 +104,15 @@ class NumberedStoreys:
         reading = self.reading
         if reading.word(index) not in FLOOR_WORDS or reading.word(index) == "storie":
             return None
-        first = self._number(index + 1, "number")
-        if first is None or reading.kind(index + 2) == "unit" or reading.word(index + 2) in ("people", "person"):
+        number = index + 1 + (reading.word(index + 1) == "from" and reading.plural(index))
+        first = self._number(number, "number")
+        if first is None or reading.kind(number + 1) == "unit" or reading.word(number + 1) in ("people", "person"):
             return None
-        last = index + 2
+        last = number + 1
         link = reading.word(last)
         again = last + 1 + (reading.word(last + 1) == reading.word(index))  # "floor 2 to floor 4"
         second = self._number(again, "number")
-        ranged = link in ("to", "through", "until", "–", "-", "thru") and not self._heads_count(index, last)
+        ranged = link in ("to", "through", "until", "till", "–", "-", "thru") and not self._heads_count(index, last)
         if ranged and second is not None:
             return [FloorRef("range", min(first, second), max(first, second))], again + 1
         counts = reading.kind(last) == "word" and not reading.plural(index) and reading.plural(last)

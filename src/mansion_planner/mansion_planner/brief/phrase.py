@@ -12,6 +12,7 @@ __all__ = [
     "FUNCTION_WORDS",
     "PEOPLE",
     "PLAIN",
+    "PREDICATES",
     "UNITS_OF_ROOMS",
     "Head",
     "Phrase",
@@ -53,7 +54,8 @@ FUNCTION_WORDS = frozenset(
     well however therefore moreover nevertheless obviously yes ok pls hello hi dear thanks thank upstairs downstairs
     upstair downstair throughout everywhere anywhere elsewhere neither
     exclusively solely purely
-    either incl avoid omit exclude leaving fleeing escaping standing ditto idem likewise half itself themselves
+    either incl avoid omit exclude hate dislike detest leaving fleeing escaping standing ditto idem likewise half
+    itself themselves
     """.split()
 )
 """Words that no noun phrase of a room goes across."""
@@ -70,6 +72,14 @@ PLAIN = frozenset(
     """.split()
 )
 """Adjectives that say how a room is, and are no part of its name."""
+
+PREDICATES = frozenset(
+    """
+    exist stay goes go run found foreseen foresee possess possesses present mandatory obligatory compulsory essential
+    needful requested additionally addition hence absolutely
+    """.split()
+)
+"""What is said of a thing that is wanted and asks for no more than the thing: "a lift is mandatory"."""
 
 PEOPLE = frozenset(
     """
@@ -173,7 +183,8 @@ def finished_phrase(
     if head in ("room", "building"):
         reading.modifiers.update(range(begin, mention.first if mention is not None else end - 1))
     name = name_of(reading, begin, end, core=mention.first if mention is not None else end - 1)
-    label = reading.text[reading.tokens[begin].start : reading.tokens[end - 1].end]
+    named = begin + (begin < end - 1 and _measures_places(reading, begin))
+    label = reading.text[reading.tokens[named].start : reading.tokens[end - 1].end]
     return Phrase(
         head,
         first,
@@ -233,6 +244,8 @@ _BETWEEN = frozenset({"other", "such", "very", "same", "separate", "open"})
 _BEFORE_COUNTS = frozenset({"the", "these", "those", "both", "all", "our", "each", "every"})
 """Determiners of a phrase that has a count: "the four bedrooms"."""
 _HEDGES = frozenset("least at exactly about a of minimum up to some around roughly".split())
+_NOT_LESS = frozenset((no, less, "than") for no in ("no", "not") for less in ("less", "fewer"))
+"""Words before a count that is the least: "not fewer than ten desks"."""
 _HEDGES_OF_TWO = frozenset({"at", "to", "of", "a"})
 """Words that say how exact a count is only before "least" and "minimum": "at least", "a minimum"."""
 
@@ -282,6 +295,8 @@ def _middle_of_range(reading: Reading, index: int) -> int | None:
 
 def _with_hedges(reading: Reading, begin: int, index: int) -> int:
     """Return where a count starts with the words that say how exact it is: "at least four", "up to six"."""
+    if reading.words(index - 3, index) in _NOT_LESS and reading.free(index - 3, index):
+        return index - 3
     first = index
     while reading.word(first - 1) in _HEDGES and first - 1 not in reading.taken and begin - first < 5:
         if reading.word(first - 1) in _HEDGES_OF_TWO and reading.word(first) not in ("least", "minimum"):
@@ -307,6 +322,8 @@ def count_after(reading: Reading, end: int) -> tuple[int, int | None]:
     word = reading.word(end)
     value = reading.value(end + 1) if reading.kind(end + 1) == "number" else 0.0
     whole = value == int(value) and 1 <= value <= 2000
+    if word == "(" and whole and _closes_classified(reading, end + 2):
+        return _closes_classified(reading, end + 2), int(value)
     if word == "(" and whole and reading.word(end + 2) in (")", "of", ":", ","):
         return end + (3 if reading.word(end + 2) == ")" else 2), int(value)
     if word == "(" and reading.word(end + 1) == "x" and reading.kind(end + 2) == "number":
@@ -345,6 +362,13 @@ def count_after(reading: Reading, end: int) -> tuple[int, int | None]:
     return end, None
 
 
+def _closes_classified(reading: Reading, index: int) -> int:
+    """Return where a bracket ends that counts pieces, "(8 no.)", after its number; else 0."""
+    last = index + 1 + (reading.word(index + 1) == ".")
+    counts = reading.word(index) in ("no", "nos", "off", "pcs", "pc") and reading.word(last) == ")"
+    return last + 1 if counts else 0
+
+
 def _bound_after(reading: Reading, index: int) -> int:
     """Return how many tokens at one say of the number before them that it is the least: "(ten at least)"."""
     if reading.words(index, index + 2) in (("at", "least"), ("or", "more"), ("at", "minimum"), ("as", "minimum")):
@@ -379,9 +403,17 @@ def _per_storey(reading: Reading, index: int) -> bool:
 def name_of(reading: Reading, begin: int, end: int, core: int | None = None) -> str:
     """Return the snake-case name of a phrase: its words in the singular, without plain adjectives before its core."""
     core = end - 1 if core is None else core
+    begin += begin < core and _measures_places(reading, begin)
+    begin += begin < core and reading.words(begin - 1, begin + 1) == ("open", "plan")
     words = [reading.word(i) for i in range(begin, end) if i >= core or _names(reading.tokens[i])]
     words = [word.replace("&", "_and_") for word in words]
     return "_".join(word for word in words if word.isascii() and word.replace("_", "").isalnum())[:60].strip("_")
+
+
+def _measures_places(reading: Reading, index: int) -> bool:
+    """Whether a token goes with the number before it that says for how many a room is: "10-person", "12-seat"."""
+    joined = not reading.tokens[index].spaced and reading.kind(index - 1) == "number"
+    return joined and reading.word(index) in ("person", "seat", "seater", "desk", "man", "bed")
 
 
 def _names(token: Token) -> bool:

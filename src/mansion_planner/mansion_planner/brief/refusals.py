@@ -13,7 +13,12 @@ __all__ = ["refusal_after", "refused_before"]
 _THINGS = ("room", "stair", "elevator", "object")
 _COPULAS = frozenset("is are was were has have be been being will shall would to do does".split())
 _ADVERBS = frozenset("express expressly explicit explicitly specifically finally definitely also already now".split())
-_GIVEN_UP = frozenset("waived excluded omitted cancelled canceled scrapped dropped shelved abandoned renounced".split())
+_GIVEN_UP = frozenset(
+    """
+    waived excluded omitted cancelled canceled scrapped dropped shelved abandoned renounced forbidden prohibited banned
+    disallowed vetoed ruled
+    """.split()
+)
 _UNMADE = frozenset("coming come happening happen built made provided envisaged intended included installed".split())
 _MAKING = frozenset("make build plan include put do want need have install draw add foresee provide".split())
 _SUBJECTS = frozenset("we i they one you".split())

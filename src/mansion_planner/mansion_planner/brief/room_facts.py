@@ -127,7 +127,9 @@ class RoomStatements:
         return after or other or "there" in self.reading.words(phrase.last, phrase.last + 2)
 
     def _is_use(self, phrase: Phrase, place: Attachment) -> bool:
-        """Whether a plural is the use of whole storeys: "offices on floors 2 to 5"."""
+        """Whether a plural is the use of whole storeys: "offices on floors 2 to 5", not where a crew sleeps."""
+        if phrase.room_type == "dorm_room" and self.building is not None:
+            return False
         return (
             bool(phrase.building) and bool(place.refs) and phrase.plural and phrase.count is None and not phrase.areas
         )

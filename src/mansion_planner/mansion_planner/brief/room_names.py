@@ -412,6 +412,7 @@ _NO_ROOMS = frozenset(
     rent own occupy
     other larger smaller bigger star escape dust water power heating cooling air sun daylight privacy quiet peace m
     metre meter roof region order vicinity neighbourhood neighborhood altogether totality
+    skylight rooflight dormer chimney h
     st ea adj approx spectacular stunning ground first thought think guess reckon say site facility facilities
     opportunity potential above below underneath beneath overhead alongside nearby opposite adjacent outdoors indoors
     """.split()

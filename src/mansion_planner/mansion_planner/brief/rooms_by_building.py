@@ -22,6 +22,9 @@ def room_for_building(reading: Reading, phrase: Phrase) -> Phrase:
     record = reading.knowledge.buildings.get(kind)
     family, like = (record.family, record.like) if record is not None else ("", "")
     itself = reading.tokens[phrase.begin].start in {span.start for _, span in facts.building if span.words}
+    named = _NAMED.get((phrase.name, kind)) or _NAMED.get((phrase.name, like))
+    if named is not None and not itself:
+        return replace(phrase, head="room", building="", room_type=named, known=True)
     own = None if itself else _by_family(reading, phrase, family)
     if own is not None:
         return own
@@ -29,15 +32,17 @@ def room_for_building(reading: Reading, phrase: Phrase) -> Phrase:
         return replace(phrase, room_type=similar_room_type(phrase.name, reading.knowledge), known=False)
     if phrase.head == "building" and phrase.counted and phrase.plural and is_compound(reading, phrase):
         return replace(phrase, known=False)
-    if phrase.name.split("_")[0] == "hall" and phrase.room_type == "hallway" and sum(phrase.areas[:1]) >= 40.0:
+    hall = phrase.name.split("_")[0] == "hall" and phrase.room_type == "hallway"
+    big = not _BIG.isdisjoint(reading.words(phrase.first, phrase.noun_end)) and family not in _DWELT_IN
+    if hall and (big or sum(phrase.areas[:1]) >= 40.0):
         return replace(phrase, room_type="assembly_hall")
     if phrase.head != "room" or phrase.name not in ("room", "guest_room") or not phrase.counted:
         return phrase
     room = _PLAIN.get(kind) or _PLAIN.get(like)
     if room is not None:
         return replace(phrase, room_type=room, known=True)
-    if phrase.name != "room":
-        return phrase
+    if phrase.name != "room" or reading.word(phrase.last) == "with":
+        return phrase  # "one open room with 20 desks"
     reading.taken.difference_update(range(phrase.first, phrase.last))
     return replace(phrase, head="unknown")
 
@@ -57,6 +62,8 @@ def _by_family(reading: Reading, phrase: Phrase, family: str) -> Phrase | None:
         studio = "open_office" if desks else HEAD_TYPES["studio"]
         # nobody lives in a dance school
         return replace(phrase, head="room", building="", room_type=studio, known=False)
+    if phrase.name == "cell" and phrase.room_type == "holding_cell" and family in _DWELT_IN | {"worship", "culture"}:
+        return replace(phrase, room_type="bedroom", known=False)  # a monk's
     if family == "home" and phrase.room_type == HEAD_TYPES["chamber"] and phrase.name == "chamber":
         return replace(phrase, room_type="bedroom", known=True)
     if family == "industry" and phrase.room_type == "assembly_hall" and words[0] == "assembly":
@@ -66,11 +73,22 @@ def _by_family(reading: Reading, phrase: Phrase, family: str) -> Phrase | None:
     return None
 
 
+_BIG = frozenset({"big", "large", "main", "great", "huge", "grand", "tall", "public"})
+"""What is said of a hall where people meet; a hall that leads to other rooms is not told of so."""
 _DWELT_IN = frozenset({"home", "lodging"})
 """Families of buildings whose cabins are to sleep in."""
 
 _WORKING = frozenset({"office", "industry", "education", "culture", "sport", "retail"})
 """Families of buildings whose studios are to work in."""
+
+_NAMED = {
+    ("surgery", "dental_clinic"): "dental_room",
+    ("surgery", "dental_surgery"): "dental_room",
+    ("sleeping_room", "kindergarten"): "nap_room",
+    ("studio", "radio_station"): "recording_studio",
+    ("studio", "media_house"): "recording_studio",
+}
+"""Rooms that the same words name another kind of in other buildings, by their name and the kind of building."""
 
 _PLAIN = {
     "hotel": "hotel_room",

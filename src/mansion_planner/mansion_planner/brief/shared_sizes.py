@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from mansion_language.units import AREA
-from mansion_planner.brief.measures import Measure
+from mansion_planner.brief.area_words import Measure
 from mansion_planner.brief.phrase import Phrase
 from mansion_planner.brief.reading import Reading
 

@@ -61,6 +61,9 @@ def _several(place: Place) -> bool:
     return len(place.refs) > 1 or place.refs[0].kind == "range"
 
 
+_DRIVEN_INTO = frozenset({"garage", "parking", "loading_dock", "apparatus_bay", "car_workshop"})
+
+
 @dataclass(frozen=True)
 class Attachment:
     """The storeys of a phrase; `each`: its number holds for each of them."""
@@ -128,6 +131,8 @@ class _Walk:
         left: list[int] = []
         for position, (kind, number, _) in enumerate(items):
             if kind == "phrase":
+                if carried is not None and scope is carried and self._is_driven_into(number, carried):
+                    scope, opened = self.heading, False  # "upstairs two bedrooms; garage at the side"
                 if scope is not None:
                     self._give(number, scope, trailing=False)
                 left.append(number)
@@ -138,8 +143,7 @@ class _Walk:
             if scope is not None and roof and not self.reading.starts(place.first):
                 continue  # "second floor: a bedroom under the roof"
             if place.refs[0].kind == "basement" and self.reading.word(place.last) in HOLDING and rest:
-                for target in self._joined(rest):
-                    self._give(target, place, trailing=True)
+                self._fill_basement(place, left, rest)
                 left += rest[:1]
             elif self._ends_line(place):
                 self.heading = scope = place
@@ -147,21 +151,17 @@ class _Walk:
             elif self._is_served(place, left):
                 continue
             elif self._is_prenominal(place, rest):
-                scope_before, scope = scope, None
                 self._give(rest[0], place, trailing=False)
-                self.found.setdefault(rest[0], Attachment())
                 items[position + 1 :] = [item for item in items[position + 1 :] if item[:2] != ("phrase", rest[0])]
                 left.append(rest[0])
-                scope = scope_before
-            elif self.reading.word(place.first - 1) == "both" and len(left) > 1:
-                for target in left[-2:]:  # "the sauna next to the gym, and both in the basement"
-                    self._give(target, place, trailing=True)
-                left = []
             elif left and self._puts_it(place):
-                self._give(left[-1], place, trailing=True)
+                self._give_all(left[-1:], place)
+            elif self.reading.word(place.first - 1) == "both" and len(left) > 1:
+                self._give_all(left[-2:], place)  # "the sauna next to the gym, and both in the basement"
+                left = []
             elif self._trails(place, left):
-                for target in self._claimed(place, left, opened=opened):
-                    self._give(target, place, trailing=True)
+                self._give_all(self._claimed(place, left, opened=opened), place)
+                self._give_all(self._in_brackets_after(place, rest), place)
                 left = []
                 if self._goes_on(place):
                     scope = place
@@ -170,6 +170,31 @@ class _Walk:
             else:
                 scope, opened, left = place, True, []
         return scope if opened else None
+
+    def _fill_basement(self, place: Place, left: list[int], rest: list[int]) -> None:
+        """Put into a basement what it holds: "over a basement with parking", "a spa in a basement with two saunas"."""
+        if left and self._stands_in(place, left[-1]):
+            self._give(left[-1], place, trailing=True)
+        self._give_all(self._joined(rest), place)
+
+    def _give_all(self, numbers: list[int], place: Place) -> None:
+        """Give phrases the storey that stands behind them."""
+        for number in numbers:
+            self._give(number, place, trailing=True)
+
+    def _stands_in(self, place: Place, number: int) -> bool:
+        """Whether a room stands right before the basement that it is in: "a spa in the basement with two saunas"."""
+        return place.first == self.phrases[number].last and self.reading.word(place.first) in ("in", "on", "at")
+
+    def _in_brackets_after(self, place: Place, rest: list[int]) -> list[int]:
+        """Return what brackets behind a storey tell of it: "the surgery suite upstairs (two theatres)"."""
+        reading = self.reading
+        if reading.word(place.last) != "(":
+            return []
+        end = place.last
+        while not reading.breaks(end) and reading.word(end) != ")":
+            end += 1
+        return [number for number in rest if self.phrases[number].last <= end]
 
     def _puts_it(self, place: Place) -> bool:
         """Whether a room named before is put somewhere: "the laundry makes noise, so put it on the ground floor"."""
@@ -319,6 +344,10 @@ class _Walk:
                 for at, word in zip(sized, between, strict=True)
                 if self.reading.kind(at) not in ("number", "unit") and word != "of"
             )
+            furnished = self.phrases[chosen[-1]].head == "object" and between[:1] == ("with",)
+            if furnished and between[1:] in ((), ("a",), ("an",), ("its",)) and joined:
+                chosen.append(number)  # "a boot room with lockers and a drying room on the ground floor"
+                continue
             if not all(word in _JOINTS for word in between) or not joined or (opened and "," in between):
                 break
             if not self._suits(number, place):
@@ -358,6 +387,10 @@ class _Walk:
         storey = self.reading.knowledge.room(phrase.room_type).storey
         return not (storey == "ground" and place.refs[0].kind in ("top", "roof", "basement"))
 
+    def _is_driven_into(self, number: int, place: Place) -> bool:
+        """Whether cars go into a room, so that an upper storey named before a semicolon is not its own."""
+        return self.phrases[number].room_type in _DRIVEN_INTO and place.refs[0].kind in ("upper", "top", "roof")
+
     def _give(self, number: int, place: Place, *, trailing: bool) -> None:
         if number in self.found and not trailing:
             return
@@ -375,6 +408,7 @@ class _Walk:
         several = several or (place.refs[0].kind == "top" and place.refs[0].first > 1 and distributed)
         several = several or (place.refs[0].kind == "upper" and self._plural_upper(place))
         several = several and not (place.refs[0].kind == "middle" and not self._plural_upper(place))
+        several = several and not (not trailing and self._are_one(place, number))
         phrase = self.phrases[number]
         near = self.reading.words(max(phrase.first - 4, 0), place.first if trailing else phrase.first)
         rest = tuple(itertools.takewhile(lambda word: word != ".", self.reading.words(phrase.last, phrase.last + 3)))
@@ -386,6 +420,12 @@ class _Walk:
             or (trailing and self._is_total(phrase, place))
         )
         self.found[number] = Attachment(place.refs, several and not shared)
+
+    def _are_one(self, place: Place, number: int) -> bool:
+        """Whether storeys are one room together: "the two floors above are one apartment"."""
+        phrase, reading = self.phrases[number], self.reading
+        verb = reading.words(place.last, phrase.first) in (("are",), ("is",), ("form",), ("become",))
+        return verb and phrase.counted and phrase.count == 1
 
     def _is_total(self, phrase: Phrase, place: Place) -> bool:
         """Whether a large number of rooms is that of all the storeys named after it: "40 offices on floors 2 to 5"."""

@@ -292,35 +292,41 @@ class _Scanner:
         definite = bool(lead) or reading.word(index - 1) in ("the", "these", "those", "other", "all", "both")
         if not definite:
             return None
-        trailing = reading.word(last)
-        relative = trailing in ("above", "over", "after", "higher", "up", "following", "upstairs", "on")
-        if (
-            relative
-            and trailing in ("over", "after", "above", "on")
-            and reading.word(last + 1) in ("it", "that", "them", "this", "top", "these")
-        ):
-            last += 1
-        if relative and lead not in ("top", "first", "last", "upper"):
-            last += 1
+        end = self._relative_end(last)
+        if end > last and lead not in ("top", "first", "last", "upper"):
             base = self.previous.last if self.previous is not None and self.previous.kind in ("number", "range") else 1
-            return [FloorRef("range", base + 1, base + many)], last
+            return [FloorRef("range", base + 1, base + many)], end
+        return self._led_set(index, many, lead, last), max(last, end - 1)
+
+    def _relative_end(self, last: int) -> int:
+        """Return where "above" or "over that" end that stand behind counted storeys; `last` where they do not."""
+        reading = self.reading
+        trailing = reading.word(last)
+        if trailing not in ("above", "over", "after", "higher", "up", "following", "upstairs", "on"):
+            return last
+        pronoun = reading.word(last + 1) in ("it", "that", "them", "this", "top", "these")
+        return last + 1 + (pronoun and trailing in ("over", "after", "above", "on"))
+
+    def _led_set(self, index: int, many: int, lead: str, last: int) -> list[FloorRef]:
+        """Return the storeys that a number means by the word that leads it: "the top two", "the other four"."""
+        reading = self.reading
         if lead in ("top", "last", "upper", "uppermost"):
-            return [self.relative.upper(many, last - 1) if lead == "upper" else FloorRef("top", many, many)], last
+            return [self.relative.upper(many, last - 1) if lead == "upper" else FloorRef("top", many, many)]
         if lead in ("first", "bottom", "lower", "lowest"):
-            return [FloorRef("range", 1, many)], last
+            return [FloorRef("range", 1, many)]
         if lead in ("other", "remaining"):
-            return [FloorRef("upper", many)], last
+            return [FloorRef("upper", many)]
         if lead in ("following", "next"):
             base = self.previous.last if self.previous is not None else 1
-            return [FloorRef("range", base + 1, base + many)], last
+            return [FloorRef("range", base + 1, base + many)]
         if lead == "middle":
-            return [FloorRef("middle")], last
+            return [FloorRef("middle")]
         if reading.word(index - 1) in ("these", "those") and self.places:
-            return self._gathered(many, index), last
+            return self._gathered(many, index)
         floors = int(reading.facts.floors[0].value) if reading.facts.floors else 0
         if many > 1 and floors == many + 1:
-            return [FloorRef("range", 2, floors)], last  # "a ground floor and three floors above ... the three floors"
-        return [FloorRef("every")], last
+            return [FloorRef("range", 2, floors)]  # "a ground floor and three floors above ... the three floors"
+        return [FloorRef("every")]
 
     def _elliptic_set(self, index: int, at: int, last: int, lead: str) -> bool:
         """Whether "the next four", "the bottom two" speak of storeys without saying so."""

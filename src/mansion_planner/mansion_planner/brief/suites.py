@@ -64,7 +64,11 @@ def read_suites(
             continue
         owner = same.get(named, named)
         pair = _Pair(reading, phrases[named], phrases[owner], phrases[number], again=named in same)
-        if any(pair.named.last <= first < pair.phrase.first for first in inner) or pair.is_of_others():
+        if (
+            any(pair.named.last <= first < pair.phrase.first for first in inner)
+            or pair.is_of_others()
+            or pair.is_closed()
+        ):
             continue
         if named not in suites and pair.list_goes_on(phrases[named + 1 : number]):
             continue
@@ -132,6 +136,11 @@ class _Pair:
         # "ten offices in two groups, each group with a kitchenette"
         return not {("each", "group"), ("per", "group")}.isdisjoint(itertools.pairwise(self.words))
 
+    def is_closed(self) -> bool:
+        """Whether "each" closes what stands before: "meeting rooms with a screen each, a nap room with a sofa"."""
+        ends = self.words[-2:] == ("each", ",") or self.words[-3:-1] == ("each", ",")
+        return ends and {"with", "has", "have", "get"}.isdisjoint(self.words[-1:])
+
     def list_goes_on(self, between: Sequence[Phrase]) -> bool:
         """Whether a comma after furniture only leads on to the next room: "a bedroom with bunk beds, one bathroom"."""
         if "," not in self.gap or not any(phrase.head == "object" for phrase in between):
@@ -153,7 +162,19 @@ class _Pair:
 
     def has(self) -> bool:
         """Whether a word between the two says that one has the other."""
-        return not {"with", "having", "has", "have", "own", "get", "plus", "its", "contain"}.isdisjoint(self.gap)
+        return not {
+            "with",
+            "having",
+            "has",
+            "have",
+            "own",
+            "get",
+            "plus",
+            "its",
+            "contain",
+            "belong",
+            "belongs",
+        }.isdisjoint(self.gap)
 
     def is_distributed(self) -> bool:
         """Whether the sentence speaks of each of several owners."""
@@ -175,15 +196,17 @@ class _Pair:
 
     def belongs(self) -> bool:
         """Whether the owner has the room, or each of the owners one."""
-        if self._shares_each_with_others():
-            return False
+        shared = not _SHARED.isdisjoint(self.reading.words(self.phrase.first, self.phrase.noun_end))
+        if self._shares_each_with_others() or (shared and "and" in self.gap):
+            return False  # "every room with a desk, and one common lounge"
         both = self.phrase.determiner in ("both", "all", "each") and self.phrase.room_type == "ensuite_bathroom"
         postposed = not self.words and self.phrase.room_type == "ensuite_bathroom"  # "three bedrooms en suite"
         return self._is_shared_out() or both or postposed or self._is_own() or self._is_private() or self._are_ensuite()
 
     def _are_ensuite(self) -> bool:
         """Whether rooms to sleep in have as many rooms that are called en suite: "bedrooms with en-suite bathrooms"."""
-        ensuite = self.phrase.room_type == "ensuite_bathroom" or self.phrase.name.startswith("ensuite_")
+        attached = self.reading.word(self.phrase.begin) in ("attached", "private") and self.phrase.room_type in PRIVATE
+        ensuite = self.phrase.room_type == "ensuite_bathroom" or self.phrase.name.startswith("ensuite_") or attached
         several = self.phrase.plural and not self.phrase.counted and self.owner.plural
         return ensuite and several and self.owner.room_type in SLEEPING and self.gap <= {"with", "having", "and"}
 

@@ -1,4 +1,4 @@
-"""Read the one of several rooms that a brief tells by its size: "two bedrooms; the larger bedroom is 16 m2"."""
+"""Read the one of several rooms that a brief tells by its rank: "two bedrooms; the larger bedroom", "the main one"."""
 
 from dataclasses import dataclass, replace
 
@@ -36,11 +36,13 @@ def told_by_size(reading: Reading, phrases: list[Phrase]) -> ToldBySize:
         if not kind or any(other.name == phrase.name for other in phrases[:number]):
             continue
         several = next((n for n in reversed(range(number)) if _are_several(phrases[n], kind)), None)
+        if several is not None and phrase.room_type == "master_bedroom" and _are_in_unit(reading, phrases, several):
+            continue
         if several is not None and (left := (found[several].count or 1) - 1) >= 0:
             room = found[several]
             found[several] = replace(room, count=left) if left else replace(room, head="unknown", count=1)
             others[phrase.first] = room.first
-        elif not _is_of_number(reading, kind):
+        elif phrase.room_type == "master_bedroom" or not _is_of_number(reading, kind):
             continue
         found[number] = replace(phrase, determiner="a", count=1)
     return ToldBySize(found, others)
@@ -50,12 +52,22 @@ def _kind_of_one(reading: Reading, phrase: Phrase) -> str:
     """Return the name of the rooms that a phrase tells one of: "bedroom" of "the larger bedroom"; or nothing."""
     size, _, kind = phrase.name.partition("_")
     single = phrase.head == "room" and phrase.determiner == "the" and not (phrase.plural or phrase.counted)
+    if single and phrase.room_type == "master_bedroom":
+        return "bedroom"  # "three bedrooms; the main bedroom has a bathroom"
     return kind if single and size in COMPARATIVES else ""
 
 
 def _are_several(phrase: Phrase, kind: str) -> bool:
     alike = phrase.head in ("room", "building") and phrase.name == kind and len(phrase.areas) < 2
     return alike and phrase.counted and (phrase.count or 0) > 1
+
+
+def _are_in_unit(reading: Reading, phrases: list[Phrase], number: int) -> bool:
+    """Whether rooms are what a flat or another unit holds: "a penthouse residence with three bedrooms"."""
+    sentence = reading.sentence[phrases[number].first]
+    before = [phrase for phrase in phrases[:number] if reading.sentence[phrase.first] == sentence]
+    rooms = reading.knowledge.rooms
+    return any(phrase.head == "room" and rooms[phrase.room_type].unit for phrase in before if phrase.room_type)
 
 
 def _is_of_number(reading: Reading, kind: str) -> bool:

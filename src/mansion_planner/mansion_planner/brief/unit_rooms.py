@@ -20,7 +20,7 @@ _STRONG = frozenset({"each", "every", "apiece"})
 _BETWEEN = frozenset(
     """
     , which that them one is are there to should must will shall also just in its up by of all both they come need
-    needs and - –
+    needs and - – own entrance
     """.split()
 )
 _JOINTS = frozenset(
@@ -100,9 +100,8 @@ class UnitRooms:
             if room is None or (rooms and begin == index):
                 break
             kind = self._kind(room)
-            if guests and kind not in _OF_GUESTS:
-                break
-            if not always and (kind in _SHARED_ROOMS or (rooms and closed and not strong)):
+            shared = kind in _SHARED_ROOMS or bool(rooms and closed and not strong)
+            if (guests and kind not in _OF_GUESTS) or (not always and shared):
                 break
             if rooms and self._is_elsewhere(room, placed=placed):
                 break

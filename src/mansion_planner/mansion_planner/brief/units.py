@@ -205,7 +205,9 @@ class _Units:
             return False
         if phrase.determiner in ("the", "his", "her", "our", "my") and not phrase.plural:
             return "_" in phrase.name  # "the caretaker's flat", and not the flat that is planned
-        return several or phrase.plural or phrase.determiner in ALL | {"a", "an", "another"} or phrase.counted
+        sized = self.reading.kind(phrase.begin - 1) == "number" and self.reading.word(phrase.begin) in _BEDS
+        listed = phrase.determiner in ALL | {"a", "an", "another"}
+        return several or phrase.plural or listed or phrase.counted or sized  # "upstairs two-bedroom flat"
 
     def _heads_list(self, phrase: Phrase) -> bool:
         """Whether the dwelling heads a list of rooms: "first floor is the flat: ...", "upstairs: flat with ..."."""
@@ -218,7 +220,8 @@ class _Units:
     def _plain(self, phrase: Phrase) -> Phrase:
         """Return a unit by its noun alone; the number of bedrooms in it is kept apart."""
         reading = self.reading
-        for index in range(phrase.first, phrase.noun_end - 1):
+        alone = phrase.first == phrase.begin and reading.kind(phrase.begin - 1) == "number"
+        for index in range(phrase.first - alone, phrase.noun_end - 1):
             counting = index == phrase.first and reading.tokens[index + 1].spaced
             if reading.kind(index) == "number" and reading.word(index + 1) in _BEDS and not counting:
                 self.found.sizes[phrase.first] = self._bedrooms(index)

@@ -1,6 +1,8 @@
 """Record the words of a brief that no statement was made of."""
 
-from mansion_planner.brief.phrase import FUNCTION_WORDS, PLAIN
+from mansion_planner.brief.asides import aside_tokens
+from mansion_planner.brief.exclusions import MOTIONS
+from mansion_planner.brief.phrase import FUNCTION_WORDS, PLAIN, PREDICATES
 from mansion_planner.brief.qualifiers import is_property
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
 from mansion_planner.brief.sizes import is_size
@@ -10,9 +12,9 @@ __all__ = ["leave_unread"]
 
 def leave_unread(reading: Reading) -> None:
     """Record the runs of content words that nothing was read from."""
-    first = -1
+    first, passed = -1, reading.taken | aside_tokens(reading)
     for index in range(len(reading.tokens) + 1):
-        open_word = index < len(reading.tokens) and index not in reading.taken and _is_content(reading, index)
+        open_word = index < len(reading.tokens) and index not in passed and _is_content(reading, index)
         if open_word and first < 0:
             first = index
         elif not open_word and first >= 0:
@@ -37,63 +39,97 @@ _YARDS = frozenset({"courtyard", "patio", "yard", "atrium", "cloister"})
 """What an outline is read from where a building stands around it."""
 
 _REQUESTS = frozenset(
-    "design generate imagine think thank suppose assume kindly hereby attach attached regards".split()
+    """
+    design generate imagine think thank suppose assume kindly hereby attach attached regards turn convert converting
+    """.split()
 )
 """Words that ask for a building and say nothing of it."""
+_FORMS = frozenset({"form", "plan", "shape", "format", "layout", "outline"})
+"""Nouns of an outline that is read from the words beside them: "an L-shaped plan", "in form of U"."""
 
 
 def _is_content(reading: Reading, index: int) -> bool:
+    """Whether a token that nothing was read from asks for something."""
     token = reading.tokens[index]
-    if token.text == "one" and reading.word(index + 1) == "another":
+    if _says_no_more(reading, index):
         return False
     if token.kind == "number":
         bed = token.text == "double" and reading.word(index + 1) == "bed" and index + 1 in reading.taken
         return not (bed or _numbers_line(reading, index))
+    return (
+        token.kind == "ordinal"
+        or _places(reading, index)
+        or _restricts(reading, index)
+        or (
+            token.kind == "word"
+            and token.text not in FUNCTION_WORDS
+            and (token.text not in PLAIN or is_property(token.text) or is_size(token.text))
+            and token.text not in FLOOR_WORDS
+            and token.text not in _REQUESTS | PREDICATES
+            and not (token.text in _FORMS and _is_of_outline(reading, index))
+            and len(token.text) > 1
+        )
+    )
+
+
+def _says_no_more(reading: Reading, index: int) -> bool:
+    """Whether a token only goes with what was read beside it: "a bakery building", "a gross area of 90 m2"."""
+    token = reading.tokens[index]
+    if token.text == "one" and reading.word(index + 1) == "another":
+        return True
     if token.text in _SIZES and _has_measure(reading, index):
-        return False  # "a gross floor area in the region of 3,200 m2"
+        return True  # "a gross floor area in the region of 3,200 m2"
     if token.text in _BENEATH and reading.word(index - 1) in ("basement", "cellar") and index - 1 in reading.taken:
-        return False
-    grounded = reading.word(index + 1) in ("ground", "grade") or reading.kind(index + 1) in ("number", "unit")
+        return True
     if token.text == "building" and any(mention.building and mention.last == index for mention in reading.mentions):
-        return False  # "a bakery building"
+        return True  # "a bakery building"
     told = reading.facts.building or reading.facts.building_span
     said = index - 1 in reading.taken or _has_measure(reading, index)
     said = said and not any(mention.room and mention.last == index for mention in reading.mentions)
     if token.text == "building" and told and said and not token.plural:
-        return False  # "a clinic in a building of 170 m2", "an entire seven-storey building"
-    if token.kind == "ordinal" or (token.text in _RELATING and not grounded):
+        return True  # "a clinic in a building of 170 m2", "an entire seven-storey building"
+    around = reading.word(index + 1) in ("around", "round") and reading.word(index + 2) in ("a", "an", "the", "one")
+    return token.text in _LAID and around and bool(_YARDS & set(reading.words(index + 2, index + 6)))
+
+
+def _places(reading: Reading, index: int) -> bool:
+    """Whether a word without a meaning of its own tells where something is: "above", "on the same floor as"."""
+    word, following = reading.words(index, index + 2)
+    grounded = following in ("ground", "grade") or reading.kind(index + 1) in ("number", "unit")
+    if word in _RELATING and not grounded:
         return True
-    if reading.word(index - 1) == "(" and reading.word(index + 1) == ")" and token.text in PLAIN:
+    if word in ("same", "different") and following in FLOOR_WORDS and index + 1 not in reading.taken:
+        return True  # "on the same floor as"
+    if word in ("around", "round") and following in ("it", "them", "this", "that"):
+        return True  # "a hall with the shops around it"
+    if word in ("around", "round") and following in ("a", "an", "the", "one"):
+        return not _YARDS & set(reading.words(index + 1, index + 5))
+    # "the third floor is like the second floor"
+    return word == "like" and following == "the" and _names_storey(reading, index + 2)
+
+
+def _restricts(reading: Reading, index: int) -> bool:
+    """Whether a word without a meaning of its own says how something is, or that nothing else is."""
+    word = reading.word(index)
+    if reading.word(index - 1) == "(" and reading.word(index + 1) == ")" and word in PLAIN:
         return True  # "kitchen (open)"
     if (
-        token.text in ("same", "different")
-        and reading.word(index + 1) in FLOOR_WORDS
-        and index + 1 not in reading.taken
+        word in MOTIONS
+        and reading.word(index - 1) in ("not", "never")
+        and reading.word(index + 1) in ("into", "through")
     ):
-        return True  # "on the same floor as"
-    around = reading.word(index + 1) in ("around", "round") and reading.word(index + 2) in ("a", "an", "the", "one")
-    if token.text in _LAID and around and _YARDS & set(reading.words(index + 2, index + 6)):
-        return False  # "wrapped around a courtyard"
-    if token.text in ("around", "round") and reading.word(index + 1) in ("it", "them", "this", "that"):
-        return True  # "a hall with the shops around it"
-    if token.text in ("around", "round") and reading.word(index + 1) in ("a", "an", "the", "one"):
-        return not _YARDS & set(reading.words(index + 1, index + 5))
-    if token.text == "like" and reading.word(index + 1) == "the" and _names_storey(reading, index + 2):
-        return True  # "the third floor is like the second floor"
-    if token.text == "only" and (reading.word(index + 1) in _WAYS or _after_way(reading, index)):
+        return True  # "the public must not get into the hall"
+    if word == "only" and (reading.word(index + 1) in _WAYS or _after_way(reading, index)):
         return True  # "reached only through the kitchen", "from the kitchen only"
-    if _keeps_to_itself(reading, index):
-        return True
-    if token.text == "only" and reading.plural(index - 1) and reading.breaks(index + 1):
+    if word == "only" and reading.plural(index - 1) and reading.breaks(index + 1):
         return True  # "on the first floor we want bedrooms only"
-    return (
-        token.kind == "word"
-        and token.text not in FUNCTION_WORDS
-        and (token.text not in PLAIN or is_property(token.text) or is_size(token.text))
-        and token.text not in FLOOR_WORDS
-        and token.text not in _REQUESTS
-        and len(token.text) > 1
-    )
+    return _keeps_to_itself(reading, index)
+
+
+def _is_of_outline(reading: Reading, index: int) -> bool:
+    """Whether an outline is read from the words right beside a token."""
+    near = reading.tokens[max(index - 3, 0)].start, reading.tokens[min(index + 4, len(reading.tokens) - 1)].end
+    return any(span.start < near[1] and near[0] < span.end for _, span in reading.facts.shapes)
 
 
 def _keeps_to_itself(reading: Reading, index: int) -> bool:
@@ -110,7 +146,7 @@ def _numbers_line(reading: Reading, index: int) -> bool:
     return marked and (index == 0 or reading.word(index - 1) == "\n") and reading.word(index + 2) not in ("", "\n")
 
 
-_SIZES = frozenset("area gross rough region vicinity order size surface space net nearest neighbourhood".split())
+_SIZES = frozenset("area gross rough region vicinity order size surface space net nearest neighbourhood sum".split())
 """Words that lead to an area of the building, and say no more than it does."""
 
 

@@ -1,5 +1,6 @@
 """Assemble the building program of Fig. 23 from decisions, massing and sketches."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
 import msgspec
@@ -23,9 +24,10 @@ from mansion_planner.brief.facts import BriefFacts, MaterialFact
 from mansion_planner.brief_checks import check_total_area
 from mansion_planner.program.allocation import allocate
 from mansion_planner.program.arrangement import Arrangement, best_arrangement, neighbours, unmet_neighbours
+from mansion_planner.program.compact_outline import with_compact_outline
 from mansion_planner.program.decisions import Decisions, decide
 from mansion_planner.program.massing import MassingWish, choose_shape, storey_area, typical_room, vertical_method
-from mansion_planner.program.model import CoreWish, Massing, Sketch, Storey, aliases_of
+from mansion_planner.program.model import CoreWish, Massing, Placement, Sketch, Storey, aliases_of
 from mansion_planner.program.outline import Envelope, Frame, bearing_walls
 from mansion_planner.program.setbacks import setback_record
 from mansion_planner.program.stair_sizes import stair_size, storey_height
@@ -67,6 +69,7 @@ def plan_program(
     area, of_area = storey_area(decisions, bare, allocation, knowledge, cores)
     if decisions.area_stated and area <= MAX_FLOOR_AREA:
         check_total_area(area * decisions.floors)  # sketching so many rooms would take minutes
+    decisions = with_compact_outline(decisions, area, stairs)
     shape, of_shape = choose_shape(decisions, area, stairs, generator)
     wish = MassingWish(
         area, decisions.building, cores, exact=decisions.area_stated,
@@ -74,15 +77,8 @@ def plan_program(
     )  # fmt: skip
     layout = best_arrangement(decisions, wish, bare, allocation, knowledge)
     unmet = (u for s in layout.storeys for u in unmet_neighbours(decisions, s, layout.sketches[s.index]))
-    of_setbacks = setback_record(decisions, layout.storeys)
-    record = (
-        of_storeys
-        + of_rooms
-        + of_area
-        + of_shape
-        + of_setbacks
-        + Record((TraceEntry(words="", effect=why),), tuple(unmet))
-    )
+    why_so = Record((TraceEntry(words="", effect=why),), tuple(unmet))
+    record = of_storeys + of_rooms + of_area + of_shape + setback_record(decisions, layout.storeys) + why_so
     decisions = replace(
         decisions,
         trace=[*decisions.trace, *record.trace],
@@ -91,24 +87,37 @@ def plan_program(
     )
     if request.footprint is None and not any("area" in entry.wish for entry in decisions.downgrades):
         _refuse_other_area(request, layout)
-    program = BuildingProgram(
+    vertical = VerticalConnectivity(method=method, cores=_cores(layout.massing, layout.frame), justification=why)
+    program = _program(request, decisions, layout, vertical, area, building_id, knowledge)
+    return PlannedBuilding(
+        program, decisions, layout.massing, layout.frame, layout.storeys, layout.sketches, layout.envelopes
+    )
+
+
+def _program(
+    request: BuildRequest,
+    decisions: Decisions,
+    layout: Arrangement,
+    vertical: VerticalConnectivity,
+    area: float,
+    building_id: str,
+    knowledge: KnowledgeBase,
+) -> BuildingProgram:
+    """Write down the program of an arranged building."""
+    named = decisions.facts.building_name
+    return BuildingProgram(
         building_id=building_id,
         reasoning=_reasoning(decisions, area),
-        vertical_connectivity=VerticalConnectivity(
-            method=method, cores=_cores(layout.massing, layout.frame), justification=why
-        ),
+        vertical_connectivity=vertical,
         floors=_floors(decisions, layout, knowledge),
         description=request.description,
-        building_type=decisions.facts.building_name or decisions.building.name,
-        planned_like=decisions.building.name if decisions.facts.building_name else "",
+        building_type=named or decisions.building.name,
+        planned_like=decisions.building.name if named else "",
         style=decisions.style,
         seed=request.seed,
         trace=decisions.trace,
         downgrades=decisions.downgrades,
         wishes=wishes_of(decisions, knowledge),
-    )
-    return PlannedBuilding(
-        program, decisions, layout.massing, layout.frame, layout.storeys, layout.sketches, layout.envelopes
     )
 
 
@@ -193,27 +202,9 @@ def floor_program(
     hub_least = min(storey.hub.least, 0.5 * circulation)
     reserve = min(max(0.12 * gross, min(0.25 * gross, circulation - hub_least)), circulation - 1.0)
     hub_area = max(circulation - reserve, 1.0)
-    floor, wall = materials_of(storey.hub, decisions.style, knowledge, decisions.facts.materials)
-    rooms = [
-        RoomProgram(
-            id=storey.hub.name, area_estimate=round(hub_area, 2), room_type=storey.hub.name,
-            floor_material=floor, wall_material=wall, open_relation="open", notes="circulation hub",
-            name=_hub_name(decisions, storey), objects=requested_objects(decisions, storey.hub.name, storey),
-        )
-    ]  # fmt: skip
+    rooms = [_hub_program(decisions, storey, hub_area, knowledge)]
     beside = neighbours(decisions, storey, sketch)
-    for placement in sketch.rooms:
-        room = placement.room
-        floor, wall = materials_of(room.kind, decisions.style, knowledge, decisions.facts.materials)
-        rooms.append(
-            RoomProgram(
-                id=room.id, area_estimate=round(placement.area, 2), room_type=room.kind.name,
-                floor_material=floor, wall_material=wall,
-                open_relation="open" if room.kind.open else "door", notes=room.notes,
-                adjacent_to=beside.get(room.id, []), name=room.label, aliases=aliases_of(room),
-                objects=requested_objects(decisions, room.id, storey),
-            )
-        )  # fmt: skip
+    rooms += [_room_program(decisions, storey, placement, beside, knowledge) for placement in sketch.rooms]
     total = sum(room.area_estimate for room in rooms)
     summary = AreaSummary(
         sum_rooms=round(total, 2),
@@ -233,6 +224,35 @@ def floor_program(
         holes=envelope.holes,
         copy=storey.copy,
     )
+
+
+def _hub_program(decisions: Decisions, storey: Storey, area: float, knowledge: KnowledgeBase) -> RoomProgram:
+    """Return the room that the others of a storey are reached through."""
+    floor, wall = materials_of(storey.hub, decisions.style, knowledge, decisions.facts.materials)
+    return RoomProgram(
+        id=storey.hub.name, area_estimate=round(area, 2), room_type=storey.hub.name,
+        floor_material=floor, wall_material=wall, open_relation="open", notes="circulation hub",
+        name=_hub_name(decisions, storey), objects=requested_objects(decisions, storey.hub.name, storey),
+    )  # fmt: skip
+
+
+def _room_program(
+    decisions: Decisions,
+    storey: Storey,
+    placement: Placement,
+    beside: Mapping[str, list[str]],
+    knowledge: KnowledgeBase,
+) -> RoomProgram:
+    """Return a room with the area that its place in the sketch has."""
+    room = placement.room
+    floor, wall = materials_of(room.kind, decisions.style, knowledge, decisions.facts.materials)
+    return RoomProgram(
+        id=room.id, area_estimate=round(placement.area, 2), room_type=room.kind.name,
+        floor_material=floor, wall_material=wall,
+        open_relation="open" if room.kind.open else "door", notes=room.notes,
+        adjacent_to=beside.get(room.id, []), name=room.label, aliases=aliases_of(room),
+        objects=requested_objects(decisions, room.id, storey),
+    )  # fmt: skip
 
 
 def _hub_name(decisions: Decisions, storey: Storey) -> str:

@@ -157,6 +157,13 @@ def _corridors_of(
             hub.boxes.append((core.box[0], high, core.box[2], core.box[1]))
         elif core.box[1] > high + 0.01:
             corridors[-1].boxes.append((core.box[0], high, core.box[2], core.box[1]))
+    return corridors + _wing_corridors(massing, corridors)
+
+
+def _wing_corridors(massing: Massing, corridors: list[Corridor]) -> list[Corridor]:
+    """Return the corridors of the wings, each on the piece of the main one that it meets, and that of the far bar."""
+    low, high = massing.south, massing.south + massing.corridor
+    found: list[Corridor] = []
     for number, wing in enumerate(massing.wings, 1):
         side = (wing.x1 - wing.x0 - massing.corridor) / 2
         box = (
@@ -165,13 +172,13 @@ def _corridors_of(
             else (wing.x0 + side, -wing.reach - (massing.far_band if massing.court else 0.0), wing.x1 - side, low)
         )
         centre = (wing.x0 + wing.x1) / 2
-        owner = next((c.id for c in corridors if c.boxes[0][0] <= centre <= c.boxes[0][2]), hub_id)
-        corridors.append(Corridor(f"wing_{number}", [box], owner))
+        owner = next((c.id for c in corridors if c.boxes[0][0] <= centre <= c.boxes[0][2]), corridors[0].id)
+        found.append(Corridor(f"wing_{number}", [box], owner))
     if massing.court:
         top = -massing.wings[0].reach - massing.far_band
         far: Box = (massing.far[0], top - massing.corridor, massing.far[1], top)
-        corridors.append(Corridor("far", [far], "wing_1"))
-    return corridors
+        found.append(Corridor("far", [far], "wing_1"))
+    return found
 
 
 def _cut_positions(main: list[tuple[float, float]], stop: float, pieces: int) -> list[float]:

@@ -48,9 +48,9 @@ class Decisions:
     area_stated : bool
         `area` follows from what the brief or the request states.
     outline : Polygon, optional
-        The given footprint.
+        The given footprint, or the outline of a home that is too small for wings along a corridor.
     free_form : bool
-        The outline is given and is no rectangle.
+        `outline` is no rectangle.
     furniture : dict of (int, str) to list of RequestedObject
         What the brief wants in a room, by storey and room id.
     given_up : BriefFacts
@@ -209,30 +209,8 @@ def _infer_floors(
     generator: np.random.Generator,
 ) -> int:
     """Return a number of storeys that suits the type, the sizes named and the storeys that rooms are put on."""
-    usual, most = building.floors
-    count, reason = usual, f"{with_article(building.name)} usually has {usual}"
     sized = next(((word, span) for word, span in facts.size if word in _STOREYS), None)
-    if sized is not None:
-        count, reason = _STOREYS[sized[0]], f'"{sized[1].words}"'
-        if building.name == "penthouse" or (sized[0] == "high_rise" and building.family == "home"):
-            count = usual
-    elif {"no_stair", "elevator"} & {name for name, _ in facts.vertical} == {"no_stair"}:
-        count, reason = 1, "no stair is wanted"
-    elif _names_two_storeys(facts):
-        count, reason = 2, "the brief names a ground floor and one above"
-    elif facts.area and facts.floor_area:
-        ratio = facts.area[0].value / facts.floor_area[0].value
-        count = max(1, min(round(ratio), MOST_FLOORS))
-        reason = "total area over area of a storey"
-    elif facts.area and facts.area[0].value > 1.25 * building.floor_area[1]:
-        count = min(max(-(-int(facts.area[0].value) // int(max(building.floor_area[1], 150))), 1), max(most, 1))
-        reason = "the stated area"
-    elif size is not None:
-        count, reason = size.storeys, f'enough for "{size.words}"'
-    elif any(word == "small" for word, _ in facts.size):
-        count = max(1, usual - 1) if usual > 2 else usual
-    elif usual > 2 and generator.random() < 0.3:
-        count = usual + 1 if usual < most else usual
+    count, reason = _usual_floors(facts, building, size, sized, generator)
     holding, why = _storeys_to_divide_over(facts, building)
     if sized is None and count > holding:
         count, reason = holding, why
@@ -245,13 +223,8 @@ def _infer_floors(
         count, reason = 2, "a lower and an upper one are described"
     pinned = {ref.first for room in facts.rooms for ref in room.floors if ref.kind == "number"}
     if needed >= 2 and pinned >= set(range(1, needed + 1)) and not sized:
-        above = any(ref.kind == "top" for room in facts.rooms for ref in room.floors)
-        count, reason = needed + above, "each of them is described"
-    floor_least = 1
-    if kinds & {"upper", "top"}:
-        floor_least = 2
-    if kinds & {"middle"} or {"upper", "top"} <= kinds:
-        floor_least = 3
+        count, reason = needed + ("top" in kinds), "each of them is described"
+    floor_least = 3 if kinds & {"middle"} or {"upper", "top"} <= kinds else 2 if kinds & {"upper", "top"} else 1
     if sum(use.count or 0 for use in facts.uses):
         above = any(use.floors for use in facts.uses if use.count)
         floor_least = max(floor_least, sum(use.count or 0 for use in facts.uses) + above)
@@ -261,6 +234,38 @@ def _infer_floors(
         reason = "the highest storey that is named"
     note(trace, sized[1] if sized else None, f"{counted(result, 'storey')}: {reason}")
     return result
+
+
+def _usual_floors(
+    facts: BriefFacts,
+    building: BuildingType,
+    size: ProgramSize | None,
+    sized: tuple[str, Span] | None,
+    generator: np.random.Generator,
+) -> tuple[int, str]:
+    """Return a number of storeys by the building's type and size alone, and the reason."""
+    usual, most = building.floors
+    if sized is not None:
+        kept = building.name == "penthouse" or (sized[0] == "high_rise" and building.family == "home")
+        return usual if kept else _STOREYS[sized[0]], f'"{sized[1].words}"'
+    if {"no_stair", "elevator"} & {name for name, _ in facts.vertical} == {"no_stair"}:
+        return 1, "no stair is wanted"
+    if _names_two_storeys(facts):
+        return 2, "the brief names a ground floor and one above"
+    if facts.area and facts.floor_area:
+        ratio = facts.area[0].value / facts.floor_area[0].value
+        return max(1, min(round(ratio), MOST_FLOORS)), "total area over area of a storey"
+    if facts.area and facts.area[0].value > 1.25 * building.floor_area[1]:
+        needed = -(-int(facts.area[0].value) // int(max(building.floor_area[1], 150)))
+        return min(max(needed, 1), max(most, 1)), "the stated area"
+    if size is not None:
+        return size.storeys, f'enough for "{size.words}"'
+    reason = f"{with_article(building.name)} usually has {usual}"
+    if any(word == "small" for word, _ in facts.size):
+        return max(1, usual - 1) if usual > 2 else usual, reason
+    if usual > 2 and generator.random() < 0.3:
+        return usual + 1 if usual < most else usual, reason
+    return usual, reason
 
 
 def _settle_area(

@@ -237,10 +237,10 @@ def choose_shape(decisions: Decisions, area: float, stairs: int, generator: np.r
     if decisions.facts.shapes:
         shape, span = decisions.facts.shapes[0]
         least = least_area(shape, stairs)
-        if area >= least * 0.98:
+        if decisions.free_form or area >= least * 0.98:
             trace: list[TraceEntry] = []
             note(trace, span, f"{shape} outline")
-            return str(shape), Record(tuple(trace))
+            return "rectangle" if decisions.free_form else str(shape), Record(tuple(trace))
         simpler = Downgrade(
             wish=f"{shape} outline", got="rectangle", stage="program",
             reason=f"{with_article(shape)} plan takes at least {least:.0f} m2 a storey, "

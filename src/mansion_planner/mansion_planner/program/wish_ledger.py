@@ -175,6 +175,24 @@ class _Ledger:
 
     def collect(self) -> None:
         """Go through all facts."""
+        self._building()
+        self._shape_and_finish()
+        self._storeys()
+        self._vertical()
+        for room in (*self.facts.rooms, *self.facts.households):
+            self._room(room)
+        self._absent_rooms()
+        for fact in self.facts.adjacent:
+            self._relation("adjacent", fact)
+        for fact in self.facts.apart:
+            self._relation("apart", fact)
+        for wanted in self.facts.objects:
+            self._object(wanted)
+        for span in self.facts.unread:
+            self.add("unread", span, WishValue(), reason="these words were not understood")
+
+    def _building(self) -> None:
+        """Add the kind of building, and how many storeys and square metres it is to have."""
         facts = self.facts
         for name, span in facts.building[:1]:
             if span.words:
@@ -191,27 +209,26 @@ class _Ledger:
             self.add("total_area", quantity.span, WishValue(area=quantity.value, limit=quantity.limit))
         for quantity in facts.floor_area:
             self.add("floor_area", quantity.span, WishValue(area=quantity.value, limit=quantity.limit))
-        given_up = self.decisions.given_up
-        for shape, span in (*facts.shapes, *given_up.shapes):
+
+    def _shape_and_finish(self) -> None:
+        """Add the outline, the style, materials and heights."""
+        facts = self.facts
+        for shape, span in (*facts.shapes, *self.decisions.given_up.shapes):
             self.add("outline", span, WishValue(name=shape))
         for style, span in facts.styles:
             self.add("style", span, WishValue(name=style))
         for material in facts.materials:
-            self.add(
-                "material",
-                material.span,
-                WishValue(name=material.material, type=material.surface),
-                Scope(room_type=material.room_type),
-            )
+            value = WishValue(name=material.material, type=material.surface)
+            self.add("material", material.span, value, Scope(room_type=material.room_type))
         for height in facts.heights:
             self.add("height", height.span, WishValue(height=height.height), Scope(room_type=height.room_type))
+
+    def _storeys(self) -> None:
+        """Add what is said of whole storeys and of all who use them."""
+        facts = self.facts
         for use in facts.uses:
-            self.add(
-                "use",
-                use.span,
-                WishValue(name=use.building_type, type=use.building_type),
-                Scope(floors=self.floors(use.floors)),
-            )
+            value = WishValue(name=use.building_type, type=use.building_type)
+            self.add("use", use.span, value, Scope(floors=self.floors(use.floors)))
         for copy in facts.copies:
             self.add("copy", copy.span, WishValue(), Scope(floors=self.floors((copy.first,))))
         for occupant in facts.occupants:
@@ -220,21 +237,14 @@ class _Ledger:
             self.add("only", span, WishValue())
         for span, refs in facts.only_on:
             self.add("only", span, WishValue(), Scope(floors=self.floors(refs)))
-        self._vertical()
-        for room in (*facts.rooms, *facts.households):
-            self._room(room)
-        for name, span in (*facts.excluded, *given_up.excluded):
+
+    def _absent_rooms(self) -> None:
+        """Add the rooms that are not wanted, anywhere or on some storeys."""
+        for name, span in (*self.facts.excluded, *self.decisions.given_up.excluded):
             self.add("no_room", span, WishValue(name=name, type=name, unwanted=True))
-        for name, ref, span in facts.excluded_on:
-            self.add("no_room", span, WishValue(name=name, type=name, unwanted=True), Scope(floors=self.floors((ref,))))
-        for fact in facts.adjacent:
-            self._relation("adjacent", fact)
-        for fact in facts.apart:
-            self._relation("apart", fact)
-        for wanted in facts.objects:
-            self._object(wanted)
-        for span in facts.unread:
-            self.add("unread", span, WishValue(), reason="these words were not understood")
+        for name, ref, span in self.facts.excluded_on:
+            scope = Scope(floors=self.floors((ref,)))
+            self.add("no_room", span, WishValue(name=name, type=name, unwanted=True), scope)
 
     def _vertical(self) -> None:
         counts = {q.span: int(q.value) for q in (*self.facts.lifts, *self.facts.stairs)}

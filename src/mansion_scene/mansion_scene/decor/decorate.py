@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from mansion_assets.catalogue import Asset, Catalogue, RoomFurnishing
 from mansion_geometry.randomness import item_generator
-from mansion_msgs_py.scene import Door, SceneObject, Window
+from mansion_msgs_py.scene import Door, SceneObject, Wall, Window
 from mansion_msgs_py.shapes import Ring
 from mansion_scene.decor.ceiling_objects import ceiling_objects
 from mansion_scene.decor.frames import Ids, room_polygon, wall_edges
@@ -29,6 +29,7 @@ def decorate_room(
     standing: Sequence[SceneObject] = (),
     seed: int,
     asked: Sequence[Asset] = (),
+    low_walls: Sequence[Wall] = (),
 ) -> list[SceneObject]:
     """Return the objects that decorate a room, beyond its placed furniture.
 
@@ -50,6 +51,8 @@ def decorate_room(
         Seed of the building; with `room_id` it determines the result.
     asked : sequence of Asset
         Small things that must lie somewhere in the room.
+    low_walls : sequence of Wall
+        Those around the room that do not reach its ceiling: parapets.
 
     Returns
     -------
@@ -62,7 +65,7 @@ def decorate_room(
     ids = Ids(room_id, (o.id for o in there))
     rng = item_generator(seed, "decor", room_id)
     carpets = rugs(furnishing.rugs, room, edges, doors, there, ids, room_id, rng)
-    hung = wall_objects(furnishing.wall, edges, doors, windows, ceiling_height, there, ids, room_id, rng)
+    hung = wall_objects(furnishing.wall, edges, doors, windows, ceiling_height, there, ids, room_id, rng, low_walls)
     lamps = ceiling_objects(
         catalogue, furnishing.ceiling, room, edges, ceiling_height, [*there, *hung], ids, room_id, rng
     )

@@ -74,7 +74,7 @@ def _candidates(
         return [c for door in doors if (c := _at_door(asset, edges, door)) is not None]
     if request.under:
         return [c for target in targets for c in _at_object(request, asset, target)]
-    return _on_free_floor(asset, room, edges, rng)
+    return _on_free_floor(asset, room, edges, rng, request.count)
 
 
 def _at_door(asset: Asset, edges: Sequence[WallEdge], door: Door) -> Candidate | None:
@@ -102,8 +102,10 @@ def _at_object(request: RugRequest, asset: Asset, target: SceneObject) -> list[C
     return out
 
 
-def _on_free_floor(asset: Asset, room: Polygon, edges: Sequence[WallEdge], rng: np.random.Generator) -> list[Candidate]:
-    """Return places on a lattice along the longest wall, the middle of the room first."""
+def _on_free_floor(
+    asset: Asset, room: Polygon, edges: Sequence[WallEdge], rng: np.random.Generator, count: int
+) -> list[Candidate]:
+    """Return places on a lattice along the longest wall: a block of rows in the middle of the room first, for many."""
     longest = max(edges, key=lambda e: e.length)
     angle = math.degrees(math.atan2(longest.along[1], longest.along[0]))
     x0, y0, x1, y1 = room.bounds
@@ -113,8 +115,16 @@ def _on_free_floor(asset: Asset, room: Polygon, edges: Sequence[WallEdge], rng: 
     if long_way:
         step = (step[1], step[0])
     reach = int(max(x1 - x0, y1 - y0) / min(step)) // 2 + 1
-    cells = [(i, j) for i in range(-reach, reach + 1) for j in range(-reach, reach + 1)]
-    cells.sort(key=lambda c: (math.hypot(c[0] * step[0], c[1] * step[1]), c))
+    columns, rows = _block(count, step, longest.length, room.area / longest.length)
+    # Half a step where a block has an even number of columns or rows, so that it lies about the middle.
+    shift = (0.5 * (columns % 2 == 0), 0.5 * (rows % 2 == 0))
+    cells = [(i + shift[0], j + shift[1]) for i in range(-reach, reach + 1) for j in range(-reach, reach + 1)]
+
+    def beyond_block(cell: tuple[float, float]) -> tuple[bool, float, tuple[float, float]]:
+        outside = abs(cell[0]) > columns / 2 or abs(cell[1]) > rows / 2
+        return outside, math.hypot(cell[0] * step[0], cell[1] * step[1]), cell
+
+    cells.sort(key=beyond_block)
     c, s = math.cos(math.radians(angle)), math.sin(math.radians(angle))
     out: list[Candidate] = []
     for i, j in cells[:150]:
@@ -122,3 +132,15 @@ def _on_free_floor(asset: Asset, room: Polygon, edges: Sequence[WallEdge], rng: 
         center = (middle[0] + c * dx - s * dy, middle[1] + s * dx + c * dy)
         out.append((center, (angle + long_way) % 360.0, True))
     return out
+
+
+def _block(count: int, step: tuple[float, float], along: float, across: float) -> tuple[int, int]:
+    """Return columns and rows of a block of so many, as full and as near to the shape of the room as can be."""
+
+    def unlike(columns: int) -> float:
+        rows = -(-count // columns)
+        shape = columns * step[0] / (rows * step[1]) / (along / across)
+        return abs(math.log(shape)) + 2.0 * (columns * rows - count) / count
+
+    columns = min(range(1, count + 1), key=unlike) if count > 3 else 1
+    return columns, -(-count // columns)

@@ -8,7 +8,7 @@ import numpy as np
 from mansion_assets.catalogue import Asset, HangRequest
 from mansion_geometry.boxes import TOUCH
 from mansion_geometry.object_footprints import footprint_corners
-from mansion_msgs_py.scene import Door, SceneObject, Window
+from mansion_msgs_py.scene import Door, SceneObject, Wall, Window
 from mansion_msgs_py.shapes import Point, Point3, Size3
 from mansion_scene.decor.frames import Ids, WallEdge, scene_object
 from mansion_scene.decor.rugs import matches
@@ -114,6 +114,13 @@ class WallSpace:
                 low, high = window.sill - 0.05, window.sill + window.height + 0.05
                 self.blocks.append(_Block(a, b, low, high, name=window.id))
 
+    def block_above(self, walls: Sequence[Wall]) -> None:
+        """Note the air above walls, so that nothing hangs over a parapet."""
+        for wall in walls:
+            if self.edge.carries(wall.segment):
+                a, b, _ = self.edge.interval(wall.segment)
+                self.blocks.append(_Block(a, b, wall.height, 99.0, name=wall.id))
+
     def block_object(self, obj: SceneObject) -> None:
         """Note an object where it is close to this wall."""
         a, b, distance = self.edge.interval(footprint_corners(obj.position, obj.size, obj.rotation))
@@ -139,12 +146,14 @@ def wall_objects(
     ids: Ids,
     room_id: str,
     rng: np.random.Generator,
+    low_walls: Sequence[Wall] = (),
 ) -> list[SceneObject]:
     """Return the wall objects of a room; those above furniture and beside doors are hung first."""
     walls = [WallSpace(edge, edges) for edge in edges]
     standing = [obj for obj in placed if obj.size[2] > 0.03]
     for wall in walls:
         wall.block_openings(doors, windows)
+        wall.block_above(low_walls)
         for obj in standing:
             wall.block_object(obj)
     order = {"facing_seats": 0, "above": 1, "door": 2, "facing_door": 3}

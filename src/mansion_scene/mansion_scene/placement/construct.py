@@ -16,7 +16,13 @@ __all__ = ["Construction", "construct"]
 _LARGE = 0.6
 """Footprint from which several copies of an unconstrained object are aligned, square metres."""
 
+ENOUGH = 0.7
+"""Share of the tables that are placed at least with room to pass behind their seats, before all are pushed together."""
+
 _TIGHT = frozenset({"paired", "around", "in_front_of", "side_of"})
+
+_AT_HOST = frozenset({"paired", "around", "in_front_of"})
+"""Links of what is of no use without its host."""
 
 
 @dataclass
@@ -41,6 +47,14 @@ class Construction:
         """Return how many copies are not placed yet."""
         return spec.quantity - self.floor.count(spec.index)
 
+    def due(self, spec: Spec) -> int:
+        """Return how many of the missing copies have what they stand at: a chair without its table is in the way."""
+        wanted = spec.quantity
+        if spec.link in _AT_HOST and not spec.first:
+            host = self.floor.specs[spec.host]
+            wanted = min(wanted, -(-wanted * self.floor.count(host.index) // host.quantity))
+        return max(wanted - self.floor.count(spec.index), 0)
+
     def complete(self, specs: Sequence[Spec]) -> bool:
         """Tell whether every copy is placed."""
         return all(self.missing(spec) <= 0 for spec in specs)
@@ -57,10 +71,10 @@ class Construction:
 
     def place_copies(self, spec: Spec, *, strict: bool = True) -> None:
         """Place the missing copies of an object, each with its share of members."""
-        count = self.missing(spec)
+        count = self.due(spec)
         if count >= 2 and spec.host < 0 and strict and self._place_pattern(spec, count):
             return
-        for left in range(self.missing(spec), 0, -1):
+        for left in range(self.due(spec), 0, -1):
             if not self._place_one(spec, left, strict=strict):
                 return
 
@@ -78,9 +92,25 @@ class Construction:
     def _place_matrix(self, spec: Spec) -> None:
         shares = self._shares(spec, spec.quantity, equal=True)
         units = self._units(spec, spec.size, shares)
-        for unit, whole in [(unit, True) for unit in units] + [(unit, False) for unit in units]:
-            if place_matrix(self.floor, spec, unit, self.rng, self.aisle, whole=whole) is not None:
+        seated = next((unit for unit in units if not spec.first and _seats(self.floor, unit) > 1), None)
+        if seated is not None and self._place_tables(spec, seated):
+            return
+        alone = [unit for unit in units if len(unit.parts) == 1]
+        ways = [(unit, 1.0) for unit in units if len(unit.parts) > 1]
+        if ways and not spec.first:
+            # Half of the desks with a chair at each are better than all without.
+            ways.append((units[0], 0.5))
+        ways += [(unit, 1.0) for unit in alone] + [(unit, 0.0) for unit in units]
+        for unit, least in ways:
+            if place_matrix(self.floor, spec, unit, self.rng, self.aisle, least=least) is not None:
                 return
+
+    def _place_tables(self, spec: Spec, unit: Unit) -> bool:
+        """Place most of some tables with their seats, so that people pass between them, in rows or around corners."""
+        if place_matrix(self.floor, spec, unit, self.rng, self.aisle, least=ENOUGH, roomy=True) is not None:
+            return True
+        counts = dict.fromkeys(round(share * spec.quantity) for share in (1.0, 0.85, 0.7, 0.55))
+        return any(place_lattice(self.floor, spec, unit, count, self.rng, self.aisle) for count in counts if count > 1)
 
     def _place_one(self, spec: Spec, left: int, *, strict: bool) -> bool:
         shares = self._shares(spec, left)
@@ -145,6 +175,10 @@ class Construction:
             shares[child.index] = min(share, 1) if child.link == "paired" else share
             shares.update(self._shares(child, max(left, 1), equal=equal))
         return shares
+
+
+def _seats(floor: Floor, unit: Unit) -> int:
+    return sum(floor.specs[index].role.seat for index in unit.specs)
 
 
 def construct(

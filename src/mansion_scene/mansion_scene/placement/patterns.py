@@ -27,6 +27,9 @@ __all__ = [
 ]
 
 
+BACK_TO_BACK = 0.4
+"""Least gap between the seats of neighbouring tables that people pass through, metres."""
+
 _OFFSETS = 6
 """Positions of a lattice that are tried at each pitch."""
 
@@ -221,7 +224,7 @@ def focus_direction(floor: Floor) -> Floats | None:
 
 
 def place_matrix(
-    floor: Floor, spec: Spec, unit: Unit, rng: np.random.Generator, aisle: float, *, whole: bool
+    floor: Floor, spec: Spec, unit: Unit, rng: np.random.Generator, aisle: float, *, least: float, roomy: bool = False
 ) -> tuple[int, int] | None:
     """Place the largest matrix of units that fits and return its size, None where not even one copy fits.
 
@@ -231,27 +234,31 @@ def place_matrix(
         One copy with its members.
     aisle : float
         Widest gap between rows and columns that is tried, metres.
-    whole : bool
-        Whether no smaller matrix is tried.
+    least : float
+        Share of the copies below which no smaller matrix is tried: 1 for the whole one alone.
+    roomy : bool
+        Whether people pass between copies in both directions.
     """
     for rows, cols in downgrades(spec.rows, spec.cols):
-        if whole and (rows, cols) != (spec.rows, spec.cols):
+        if rows * cols < least * spec.rows * spec.cols - 1e-9:
             break
         if spec.where == "edge" and min(rows, cols) <= 2:
             if place_along_walls(floor, spec, unit, min(rows, cols), max(rows, cols), rng, aisle):
                 return rows, cols
             continue
-        if _place_whole(floor, spec, unit, rows, cols, rng, aisle):
+        if _place_whole(floor, spec, unit, rows, cols, rng, aisle, roomy=roomy):
             return rows, cols
     return None
 
 
 def _place_whole(
-    floor: Floor, spec: Spec, unit: Unit, rows: int, cols: int, rng: np.random.Generator, aisle: float
+    floor: Floor, spec: Spec, unit: Unit, rows: int, cols: int, rng: np.random.Generator, aisle: float, *, roomy: bool
 ) -> bool:
     """Place a matrix of one size at the most comfortable spacing that fits."""
     shapes = [(rows, cols)] if rows == cols else [(rows, cols), (cols, rows)]
     spacings = _spacings(floor, spec, unit, rows * cols, aisle)
+    if roomy:
+        spacings = [spacing for spacing in spacings if min(spacing) >= BACK_TO_BACK]
     for tried, gaps in enumerate(spacings):
         if tried == 2:
             # What does not fit at the narrowest spacings fits at no wider one.
@@ -279,7 +286,7 @@ def _spacings(floor: Floor, spec: Spec, unit: Unit, copies: int, aisle: float) -
     """
     lane = floor.passage
     if len(unit.parts) == 1 and not spec.role.table:
-        beside = floor.gap
+        beside = 0.5 if spec.role.exercise else floor.gap
         return [
             *((beside, 1.25 * aisle), (beside, aisle), (beside, 0.75), (beside, 0.6), (beside, lane)),
             *((aisle, aisle), (0.6, 0.6), (lane, lane), (lane, beside)),

@@ -25,6 +25,7 @@ _CENTRED = _set(
 )
 _SYMMETRIC = _set("plant lamp bin basket vase can pot tree stand rack umbrella pouf ottoman pillar column")
 _SCREENS = _set("tv television")
+_MACHINES = _set("bike elliptical rowing rower treadmill weight press")
 _TABLES = _set("table desk island workbench counter")
 _ENTRANCE = _set("host hostess reception umbrella coat shoe doormat checkout cashier ticket turnstile")
 
@@ -41,15 +42,18 @@ class Role:
         front; a table or desk; placed near the door.
     screen : bool
         One watches it from a sofa.
+    exercise : bool
+        One moves on it, and needs room on both sides.
     """
 
-    __slots__ = ("bed", "centred", "entrance", "focal", "screen", "seat", "sofa", "symmetric", "table")
+    __slots__ = ("bed", "centred", "entrance", "exercise", "focal", "screen", "seat", "sofa", "symmetric", "table")
 
     def __init__(self, words: frozenset[str]) -> None:
         self.seat = bool(words & _SEATS)
         self.sofa = bool(words & _SOFAS)
         self.bed = bool(words & _BEDS)
         self.screen = bool(words & _SCREENS)
+        self.exercise = bool(words & _MACHINES)
         self.table = bool(words & _TABLES) and not self.seat
         self.entrance = bool(words & _ENTRANCE) and not self.seat
         self.focal = bool(words & _FOCAL) and not self.seat

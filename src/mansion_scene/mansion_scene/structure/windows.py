@@ -46,15 +46,15 @@ _KINDS: tuple[tuple[str, WindowKind | None], ...] = (
     # The sill lies above worktops, sinks and stoves.
     ("cooking", WindowKind(1.5, 1.1, 1.15, 0.9, "hung")),
     ("assembly", WindowKind(2.4, 1.9, 0.6, 0.8)),
-    ("office", WindowKind(1.8, 1.5, 0.85, 0.7)),
-    ("teaching", WindowKind(1.8, 1.5, 0.9, 0.5)),
-    ("clinical", WindowKind(1.5, 1.4, 0.9, 1.0)),
+    ("office", WindowKind(1.8, 1.7, 0.85, 0.7)),
+    ("teaching", WindowKind(1.8, 1.7, 0.9, 0.5)),
+    ("clinical", WindowKind(1.5, 1.6, 0.9, 1.0)),
     ("welcome", WindowKind(2.0, 2.1, 0.3, 0.7)),
     ("circulation", WindowKind(1.2, 1.5, 0.9, 1.5)),
     ("living", WindowKind(1.8, 1.4, 0.9, 0.9, "hung")),
     ("sleeping", WindowKind(1.5, 1.3, 0.9, 1.0, "hung")),
 )
-_DEFAULT = WindowKind(1.5, 1.4, 0.9, 1.0)
+_DEFAULT = WindowKind(1.5, 1.6, 0.9, 1.0)
 _NARROWEST = 0.6
 
 

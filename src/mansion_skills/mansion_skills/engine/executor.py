@@ -25,7 +25,7 @@ class WorldClock:
     Attributes
     ----------
     realtime : bool
-        Whether skills take the time that they need; else they complete at once and only the world's clock goes on.
+        Whether skills take the time that they need; else they complete at once and only the world's clock advances.
     factor : float
         Seconds of the world for one second on the wall.
     wall : callable

@@ -10,8 +10,8 @@ def warm() -> None:
     from mansion_geometry.disc_cells import region_of
     from mansion_msgs_py.scene import FloorScene, SceneRoom
     from mansion_skills.navigation.floor_map import Body, FloorMap
+    from mansion_skills.navigation.grid_kernels import best_cells, cast_rays, clearance, sees
     from mansion_skills.navigation.paths import find_path, free_run
-    from mansion_skills.navigation.search import best_cells, cast_rays, clearance, sees
 
     square = [(0.0, 0.0), (3.0, 0.0), (3.0, 3.0), (0.0, 3.0)]
     room = SceneRoom(id="F1/room", room_type="room", kind="main", polygon=square, net_polygon=square, area=9.0)

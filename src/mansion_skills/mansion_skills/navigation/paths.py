@@ -9,7 +9,7 @@ import numpy.typing as npt
 
 from mansion_geometry.floor_grid import GridFrame
 from mansion_msgs_py.shapes import Point
-from mansion_skills.navigation.search import NO_CELL, astar, line_is_free, nearest_free
+from mansion_skills.navigation.grid_kernels import NO_CELL, astar, line_is_free, nearest_free
 
 __all__ = ["SNAP", "find_path", "free_run", "is_clear", "path_length"]
 

@@ -124,7 +124,7 @@ class CameraTopics:
         return self._camera
 
     def _fail(self, error: MansionError) -> None:
-        """Say once why there are no pictures, and make no more of them until the building is loaded anew."""
+        """Say once why there are no pictures, and make no more of them until the building is loaded again."""
         self._failed = True
         self._node.get_logger().error(f"there will be no camera images: {error}")
         self.close()

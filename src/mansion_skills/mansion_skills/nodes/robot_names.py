@@ -1,4 +1,4 @@
-"""Names of a robot's topics and frames, so that several robots and buildings live in one ROS domain."""
+"""Names of a robot's topics and frames, so that several robots and buildings can share one ROS domain."""
 
 from dataclasses import dataclass, replace
 

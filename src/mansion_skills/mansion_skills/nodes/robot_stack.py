@@ -22,7 +22,7 @@ from mansion_msgs_py.nodes.shell import qos_profile
 from mansion_msgs_py.world import Pose2D
 from mansion_skills.engine.motion import MotionState, VelocityCommand
 from mansion_skills.engine.session import Session
-from mansion_skills.navigation.search import cast_rays
+from mansion_skills.navigation.grid_kernels import cast_rays
 from mansion_skills.nodes.robot_names import RobotNames
 from mansion_skills.nodes.transforms import TransformPublisher, between, heading, pose, transform
 from mansion_skills.world.world import World

@@ -18,10 +18,10 @@ from mansion_msgs_py.building import LoadBuilding
 from mansion_msgs_py.codec import to_builtins
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.interfaces import ServiceInterface, service, topic
+from mansion_msgs_py.nodes.allowed_folders import declare_allowed_folders
 from mansion_msgs_py.nodes.node import MansionNode
 from mansion_msgs_py.nodes.run import run_node
 from mansion_msgs_py.nodes.shell import JsonPublisher, add_json_service, add_json_subscription, qos_profile
-from mansion_msgs_py.nodes.writing import declare_allowed_folders
 from mansion_msgs_py.skills import Loaded, SessionArgs
 from mansion_msgs_py.world import LiftRequest, SkillProgress, SkillResult, SkillStatus, WorldEvent
 from mansion_skills.engine import Engine
@@ -117,13 +117,7 @@ class SkillServer(MansionNode):
         super().__init__("skill_server")
         value = declare_parameters(self)
         allowed = declare_allowed_folders(self, value["building"])
-        self._namespace = robot_namespace(value["robot_namespace"], self.get_namespace())
-        self._frame_prefix = value["frame_prefix"]
-        self._robot_state = JsonPublisher(self, topic("robot_state"))
-        self._lift_state = JsonPublisher(self, topic("lift_state"))
-        self._progress = JsonPublisher(self, topic("skill_progress"))
-        self._events = JsonPublisher(self, topic("world_events"))
-        self._world_clock = self._clock_publisher() if value["publish_clock"] else None
+        self._open_topics(value)
         self.engine = Engine(
             WorldClock(realtime=value["motion"] == "realtime", factor=value["real_time_factor"]),
             radius=value["robot_radius"],
@@ -132,18 +126,38 @@ class SkillServer(MansionNode):
             changed=self._changed,
             progress=self._report,
         )
+        self._prepare_robots(value)
+        self._open_services()
+        self._start_timers(value["camera_rate"])
+        # Last, because who starts the node takes this service for the sign that all of it is there.
+        self._json("load_building", self.load)
+        if value["building"]:
+            self.load(LoadBuilding(path=value["building"], session=value["session"]))
+
+    def _open_topics(self, value: dict[str, Any]) -> None:
+        """Open the topics that all sessions share."""
+        self._namespace = robot_namespace(value["robot_namespace"], self.get_namespace())
+        self._frame_prefix = value["frame_prefix"]
+        self._robot_state = JsonPublisher(self, topic("robot_state"))
+        self._lift_state = JsonPublisher(self, topic("lift_state"))
+        self._progress = JsonPublisher(self, topic("skill_progress"))
+        self._events = JsonPublisher(self, topic("world_events"))
+        self._world_clock = self._clock_publisher() if value["publish_clock"] else None
+
+    def _prepare_robots(self, value: dict[str, Any]) -> None:
+        """Note what each robot gets beside its skills: the topics of a robot stack, and a camera."""
         self._with_stack = value["robot_stack"]
         if self._with_stack and not TransformPublisher.is_possible():
             self.get_logger().warning(MISSING)
         self._stacks: dict[str, RobotStack] = {}
-        self._camera = (
-            CameraSettings(value["camera_width"], value["camera_height"], value["camera_fov"])
-            if value["camera"]
-            else None
-        )
+        camera = CameraSettings(value["camera_width"], value["camera_height"], value["camera_fov"])
+        self._camera = camera if value["camera"] else None
         self._cameras: dict[str, CameraTopics] = {}
         self._rendering = UNTRIED if value["camera"] else "switched off"
         self._looking = threading.Lock()
+
+    def _open_services(self) -> None:
+        """Offer the skills of the default session, and what concerns all sessions."""
         self._group = ReentrantCallbackGroup()
         self._served: set[str] = set()
         self._serve_skills("")
@@ -151,6 +165,8 @@ class SkillServer(MansionNode):
         self._json("skills/take_control", self.engine.take_control)
         self._json("skills/release_control", self.engine.release_control)
         add_json_subscription(self, topic("lift_requests"), self._lift_request, callback_group=self._group)
+
+    def _start_timers(self, camera_rate: float) -> None:
         self.repeat(1.0, self._publish_lifts)
         self._last = monotonic()
         self.repeat(PERIOD / 2, self._drive)
@@ -158,14 +174,10 @@ class SkillServer(MansionNode):
         self.repeat(0.5, self._publish_markers)
         if self._camera is not None:
             # Not more often than asked, and one after the other: pictures are made in their own callback.
-            self.repeat(1.0 / value["camera_rate"], self._publish_pictures)
-        # Last, because who starts the node takes this service for the sign that all of it is there.
-        self._json("load_building", self.load)
-        if value["building"]:
-            self.load(LoadBuilding(path=value["building"], session=value["session"]))
+            self.repeat(1.0 / camera_rate, self._publish_pictures)
 
     def facts(self) -> Iterable[tuple[str, object]]:
-        """Return what the diagnostics say of the sessions, and of what is left out."""
+        """Return the facts that the diagnostics report about the sessions and about what is left out."""
         for session in self.engine.sessions:
             where = f"{session.world.building.building_id} floor {session.robot.floor}"
             yield f"session {session.name or 'default'}", where

@@ -43,7 +43,7 @@ class Argument:
 
 @dataclass(frozen=True)
 class Card:
-    """What a language model is told of a skill that it may choose.
+    """How a skill is described to a language model that may choose it.
 
     Attributes
     ----------

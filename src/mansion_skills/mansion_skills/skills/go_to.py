@@ -11,7 +11,7 @@ from mansion_msgs_py.shapes import Point
 from mansion_msgs_py.skills import SessionArgs
 from mansion_msgs_py.wording import choices
 from mansion_msgs_py.world import ObjectState, Pose2D, SkillChange, SkillResult, SkillStatus
-from mansion_skills.navigation.search import NO_CELL, nearest_free
+from mansion_skills.navigation.grid_kernels import NO_CELL, nearest_free
 from mansion_skills.skills.declaration import Action, Argument, Card, skill
 from mansion_skills.skills.doors import DOOR_REACH
 from mansion_skills.skills.driving import blocking_door, drive, path_to

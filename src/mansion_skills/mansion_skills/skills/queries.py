@@ -40,7 +40,7 @@ class VisibleArgs(SessionArgs, frozen=True, kw_only=True, forbid_unknown_fields=
 
 
 class RouteArgs(SessionArgs, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """Where a route shall lead: a room or core of any floor (``F3/office_1``), or an object, by its id."""
+    """Where a route leads: a room or core of any floor (``F3/office_1``), or an object, by its id."""
 
     target: Annotated[Any, Argument("text", "room or core of any floor, or an object, by its id")]
 

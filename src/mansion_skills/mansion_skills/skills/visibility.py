@@ -8,7 +8,7 @@ import numpy as np
 from mansion_msgs_py.scene import SceneObject
 from mansion_msgs_py.shapes import Point
 from mansion_msgs_py.world import ObjectState
-from mansion_skills.navigation.search import sees
+from mansion_skills.navigation.grid_kernels import sees
 from mansion_skills.world.objects import box_distance, corners
 from mansion_skills.world.robot_body import RobotBody
 from mansion_skills.world.world import World

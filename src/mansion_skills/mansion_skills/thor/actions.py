@@ -1,4 +1,4 @@
-"""Which of AI2-THOR's actions do what a finished skill says."""
+"""The actions of AI2-THOR that carry out a finished skill."""
 
 from itertools import pairwise
 from math import atan2, degrees, dist

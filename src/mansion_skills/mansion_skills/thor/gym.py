@@ -31,7 +31,7 @@ class ThorGym(Robot, Closing):
         One that runs; without it AI2-THOR is started (extra ``thor``) with `parameters`.
     session : str
     reset : bool
-        Begin anew instead of where the session was left.
+        Start over instead of continuing where the session was left.
     force : bool
         Pass ``forceAction`` to what hands do.
     durable : bool
@@ -106,7 +106,7 @@ class ThorGym(Robot, Closing):
 
         1. What is held leaves the house of this floor and enters that of the other.
         2. ``controller.reset(scene=...)`` loads that house.
-        3. Landmarks and room graph are made anew.
+        3. Landmarks and room graph are made again.
         4. The agent is teleported to the standard pose before the core, facing outward.
 
         Unlike the skills UseElevator and TakeStairs it asks for no lift and no way to it.

@@ -1,4 +1,4 @@
-"""Take over what AI2-THOR says became of the agent and the objects."""
+"""Read back from AI2-THOR what became of the agent and the objects."""
 
 from collections.abc import Mapping
 from math import dist

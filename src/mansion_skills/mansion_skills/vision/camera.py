@@ -9,8 +9,8 @@ from mansion_msgs_py.wording import choices
 from mansion_skills.engine.session import Session
 from mansion_skills.skills.visibility import CAMERA_HEIGHT
 from mansion_skills.vision.annotated_pictures import Button, floor_title, panel_picture, tile_pages, with_arrows
-from mansion_skills.vision.floors import Floors
 from mansion_skills.vision.frame import Frame, Intrinsics, Names, Picture
+from mansion_skills.vision.loaded_floors import Floors
 from mansion_skills.vision.offscreen import GlThread
 from mansion_skills.vision.panorama import VIEW, core_viewpoint, stitch, view_yaws
 from mansion_skills.vision.renderer import CameraPose, Parts
@@ -77,7 +77,7 @@ class Camera(Closing):
         return source if isinstance(source, Session) else source.engine.session(source.session)
 
     def _world_floors(self, session: Session) -> Floors:
-        """Return the loaded floors; others when the session has loaded another building, or the same anew."""
+        """Return the loaded floors; others when the session has loaded another building, or the same one again."""
         if self._floors is None or self._floors.world is not session.world:
             if self._floors is not None:
                 self._floors.close()

@@ -134,6 +134,6 @@ class Renderer:
         flipped = window[::-1]
         with np.errstate(divide="ignore"):
             metres = near * far / (far - flipped * (far - near))
-        # The sky is drawn as a box half as far as the far plane; that is no distance.
+        # The sky is drawn as a box half as far as the far plane; that is not a distance.
         metres[metres > RANGE] = np.inf
         return np.ascontiguousarray(metres, dtype=np.float32)

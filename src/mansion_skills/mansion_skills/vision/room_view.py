@@ -14,7 +14,7 @@ from mansion_geometry.floor_grid import RESOLUTION, fill_box, fill_rings, fill_s
 from mansion_geometry.plane import turned
 from mansion_msgs_py.shapes import Point
 from mansion_msgs_py.world import Pose2D
-from mansion_skills.navigation.search import cast_rays, clearance
+from mansion_skills.navigation.grid_kernels import cast_rays, clearance
 from mansion_skills.skills.visibility import CAMERA_HEIGHT, VIEW_ANGLE, VIEW_RANGE, sight_points
 from mansion_skills.vision.articulation import leaves_of
 from mansion_skills.world.floor_view import FloorView, Landmark, bodies_of, reached_cells
@@ -175,7 +175,7 @@ def _across(values: Floats, degrees: float) -> Floats:
 
 
 def _shown(aside: Floats) -> Floats:
-    """Return what counts of a thing so many degrees aside: all in the middle of the picture, half at its edges."""
+    """Return the weight of an object by its bearing in degrees: 1 in the middle of the picture, 1/2 at its edges."""
     found: Floats = np.where(np.abs(aside) <= VIEW_ANGLE / 2, np.cos(np.radians(aside)) ** 2, 0.0)
     return found
 

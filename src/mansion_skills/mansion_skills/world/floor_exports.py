@@ -19,7 +19,7 @@ from mansion_msgs_py.scene import FloorScene
 __all__ = ["HOUSE", "MODEL", "FloorExport", "exported", "made"]
 
 _KEPT = 16
-"""Floors that are remembered by what they were made from: each episode loads its building anew."""
+"""Floors that are remembered by what they were made from: each episode loads its building again."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,9 +29,9 @@ class FloorExport:
     Attributes
     ----------
     key : str
-        Of its file in ``building.json``.
+        The file's key in ``building.json``.
     name : str
-        Of its file in the floor's folder.
+        Name of the file in the floor's folder.
     to : str
         As ``mansion export --to`` takes it.
     function : str
@@ -47,7 +47,7 @@ class FloorExport:
 MODEL: Final = FloorExport("model", "model.xml", "mjcf", "mansion_export.mjcf:mjcf_files")
 HOUSE: Final = FloorExport("house", "house.json", "thor", "mansion_export.thor.house:house_files")
 
-_ASSETS: Final = "mansion_assets.catalogue.preferred:preferring"
+_ASSETS: Final = "mansion_assets.catalogue.preferred_folders:preferring"
 """What tells that function of the own assets in the building's folder."""
 
 

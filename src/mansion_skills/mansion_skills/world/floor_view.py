@@ -11,7 +11,7 @@ from mansion_geometry.disc_cells import region_of
 from mansion_msgs_py.scene import Door, FloorScene
 from mansion_msgs_py.world import ObjectState, Pose2D
 from mansion_skills.navigation.floor_map import Body, FloorMap
-from mansion_skills.navigation.search import NO_CELL, best_cells, clearance
+from mansion_skills.navigation.grid_kernels import NO_CELL, best_cells, clearance
 from mansion_skills.world.objects import ObjectTable
 
 __all__ = ["FloorView", "Landmark", "bodies_of", "floor_landmarks", "landmark_named", "reached_cells"]
@@ -19,7 +19,7 @@ __all__ = ["FloorView", "Landmark", "bodies_of", "floor_landmarks", "landmark_na
 GENERIC = {"elevator": "elevator", "lift": "elevator", "stairs": "stair", "stair": "stair"}
 
 FEW_DOORS = 4
-"""Most doors that are redrawn one by one; when more have moved, the grids are made anew."""
+"""Most doors that are redrawn one by one; when more have moved, the grids are made again."""
 
 
 @dataclass(frozen=True)

@@ -37,7 +37,7 @@ class Lift:
     target : int, optional
         The floor that the holding session asked for.
     door : LiftDoor
-        How the doors shall be at `target`; without a session they close.
+        State of the doors at `target`; without a session they close.
     queue : list of LiftCall
         Calls that wait until the session ends.
     """

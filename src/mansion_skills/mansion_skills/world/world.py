@@ -12,8 +12,8 @@ from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import SceneCore
 from mansion_msgs_py.shapes import Point
 from mansion_msgs_py.world import LiftState, Pose2D, RobotState, WorldState
+from mansion_skills.navigation.grid_kernels import NO_CELL, nearest_free
 from mansion_skills.navigation.routes import RouteGraph
-from mansion_skills.navigation.search import NO_CELL, nearest_free
 from mansion_skills.world.building import LoadedBuilding
 from mansion_skills.world.floor_view import FloorView
 from mansion_skills.world.lift import Lift

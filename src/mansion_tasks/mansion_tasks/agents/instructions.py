@@ -93,7 +93,7 @@ def read_instruction(text: str, floors: tuple[int, ...] = (1,), labels: tuple[st
     text : str
         English, a sentence or a few.
     floors, labels : tuples
-        Of the building, to understand "top floor" and "floor G".
+        Floors of the building, to understand "top floor" and "floor G".
 
     Examples
     --------

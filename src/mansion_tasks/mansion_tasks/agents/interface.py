@@ -44,7 +44,7 @@ class Briefing:
     Attributes
     ----------
     floors : tuple of int
-        Of the building, ascending.
+        Floors of the building, ascending.
     labels : tuple of str
         What the lift's buttons say, in the order of `floors`.
     lessons : tuple of str

@@ -22,7 +22,7 @@ def escape_moves(result: SkillResult | None) -> list[SkillCall] | None:
     Parameters
     ----------
     result : SkillResult, optional
-        Of a MoveAhead, with the metres free in four directions.
+        Result of a MoveAhead, with the metres free in four directions.
 
     Returns
     -------

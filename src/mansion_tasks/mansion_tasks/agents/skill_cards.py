@@ -1,4 +1,4 @@
-"""The skills as a model is told of them, and the calls that its answers may become."""
+"""Skill cards: the skills as they are described to a model, and the calls made from its answers."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""The spaces of an environment, which follow from how much there is at most of what they number."""
+"""The spaces of an environment, from the most categories, rooms, floors and landmarks that they have to number."""
 
 from dataclasses import dataclass
 from typing import Any, Final

@@ -52,10 +52,10 @@ class BuildingEnv(gymnasium.Env[Values, Any]):  # type: ignore[misc]
     image_size : (int, int)
         Width and height, pixels.
     max_steps : int, optional
-        Of an episode; else the task's, times 20 for low-level actions.
+        Most steps of an episode; by default the task's own limit, times 20 for low-level actions.
     render_mode : {"rgb_array"}, optional
     bounds : Bounds, optional
-        Of the spaces, where they shall be those of other buildings too; the building's own when absent.
+        Bounds of the spaces, to share them with other buildings; the building's own when absent.
 
     Attributes
     ----------

@@ -29,14 +29,14 @@ class BuildingsEnv(gymnasium.Env[Values, Any]):  # type: ignore[misc]
     buildings : sequence of path
         Building folders.
     bounds : Bounds, optional
-        Of all of them; read from each when absent.
+        Bounds of all buildings together; read from each when absent.
     **options
         Those of `BuildingEnv` but for ``tasks``.
 
     Attributes
     ----------
     action_names : tuple of str
-        Of the low level a ride to each floor comes last, by its place from below: ``ride_to_lowest``,
+        On the low level the rides come last, one for each floor by its place from below: ``ride_to_lowest``,
         ``ride_to_lowest+1``, ...
 
     Raises

@@ -12,7 +12,7 @@ from mansion_geometry.compiled import Ints
 from mansion_geometry.floor_grid import RESOLUTION
 from mansion_language.colours import COLOURS, colour_of
 from mansion_msgs_py.task import Task
-from mansion_skills.navigation.search import cast_rays
+from mansion_skills.navigation.grid_kernels import cast_rays
 from mansion_skills.skills.visibility import REACH, VIEW_ANGLE, VIEW_RANGE
 from mansion_tasks.env.visibility import View
 from mansion_tasks.tasks.sandbox import Sandbox
@@ -26,10 +26,10 @@ BEAMS: Final = 24
 """Laser beams around the robot, the first one straight ahead, counter-clockwise."""
 
 SCAN_RANGE: Final = 12.0
-"""Of the laser, metres."""
+"""Range of the laser, metres."""
 
 FEATURES: Final = 7
-"""Of an object in view: distance / 8 m, bearing / 45 degrees, within reach, pickupable, receptacle, openable, open."""
+"""Features of an object in view: distance / 8 m, bearing / 45°, in reach, pickupable, receptacle, openable, open."""
 
 Values = dict[str, Any]
 Floats = npt.NDArray[np.float32]
@@ -68,7 +68,7 @@ class Vocabulary:
 
 
 def state_space(categories: int, rooms: int, floors: int) -> spaces.Dict:
-    """Return the space of the observations without pictures, for so many of each at most."""
+    """Return the space of the observations without pictures, for at most that many of each."""
     categories, rooms = categories + 1, rooms + 1
     colours = len(COLOURS) + 1
     return spaces.Dict(

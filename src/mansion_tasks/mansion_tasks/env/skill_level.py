@@ -51,11 +51,11 @@ def skill_call(
     action : sequence of int
         Skill, landmark, object, floor; a skill reads only the part that it takes.
     landmarks : sequence of Landmark
-        Of the robot's floor.
+        Landmarks of the robot's floor.
     objects : sequence of str
         Ids of the objects in view, the nearest first.
     floors : sequence of int
-        Of the building.
+        Floors of the building.
     """
     which, landmark, thing, floor = (int(part) for part in action)
     skill, chosen, kind = _ALL[which]

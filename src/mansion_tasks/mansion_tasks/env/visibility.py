@@ -10,7 +10,7 @@ import numpy.typing as npt
 from mansion_geometry.compiled import Bools, Floats, Ints, kernel
 from mansion_geometry.floor_grid import RESOLUTION
 from mansion_msgs_py.world import ObjectState
-from mansion_skills.navigation.search import sees
+from mansion_skills.navigation.grid_kernels import sees
 from mansion_skills.skills.visibility import (
     CAMERA_HEIGHT,
     SIGHT_END,
@@ -114,7 +114,7 @@ class View:
     distances : (n,) array
         To their boxes, metres.
     bearings : (n,) array
-        Of their centres, degrees, left is positive.
+        Bearings of the centres, degrees, left is positive.
     is_open : (n,) array of bool
         Whether each stands open.
     """

@@ -87,7 +87,7 @@ def run_bench(
     Raises
     ------
     MansionError
-        For files that are no task sets, agents that do not exist, or a model or node that is not there. Logs of
+        For files that are not task sets, agents that do not exist, or a model or node that is not available. Logs of
         finished episodes stay, so that the same call goes on from them.
     """
     check_agents(list(bench.agents))
@@ -148,7 +148,7 @@ def _check_building(file: Path, building: Path) -> None:
         raise MansionError(
             ErrorCode.NOT_FOUND,
             f"{building} holds no building.json, but {file} names it as its building; put both back, or make the "
-            "tasks anew with `mansion task generate`",
+            "tasks again with `mansion task generate`",
             path="$.building",
         )
 

@@ -74,7 +74,7 @@ VIEW = (640, 480)
 class CameraPictures(Closing):
     """A camera that goes from world to world; a ``with`` block frees it.
 
-    Where nothing can render, for want of MuJoCo, of OpenGL or of a model of the floor, the pictures are empty.
+    Where nothing can render, without MuJoCo, OpenGL or a model of the floor, the pictures are empty.
     """
 
     def __init__(self) -> None:

@@ -73,7 +73,7 @@ class EpisodeEnd(msgspec.Struct, frozen=True, kw_only=True, tag="end", tag_field
     seconds : float
         Seconds on the wall, the one figure that differs between runs.
     digest : str
-        Of the world at the end.
+        Digest of the world at the end.
     """
 
     success: bool
@@ -116,5 +116,5 @@ def read_log(path: Path) -> EpisodeLog:
     lines = [decode_from(kind, line, path) for line in data.splitlines() if line.strip()]
     steps = [line for line in lines if isinstance(line, EpisodeStep)]
     if len(lines) != len(steps) + 2 or not isinstance(lines[0], EpisodeStart) or not isinstance(lines[-1], EpisodeEnd):
-        raise MansionError(ErrorCode.INVALID_PAYLOAD, f"{path} is no whole log: a start, its steps and an end")
+        raise MansionError(ErrorCode.INVALID_PAYLOAD, f"{path} is not a complete log: a start, its steps and an end")
     return EpisodeLog(start=lines[0], steps=steps, end=lines[-1])

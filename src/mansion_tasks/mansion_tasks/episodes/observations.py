@@ -69,7 +69,7 @@ class Anonymizer:
         return msgspec.structs.replace(entry, name=self._places[entry.name])
 
     def place(self, room: str | None) -> str:
-        """Return the number of a room, empty for one that is no landmark."""
+        """Return the number of a room, empty for one that is not a landmark."""
         return self._places.get(room or "", "")
 
     def object(self, name: str) -> str:
@@ -132,7 +132,7 @@ class Observer:
     port : SkillPort
     task : Task
     access : Access
-        Of the agent.
+        What the agent may know.
     """
 
     def __init__(self, port: SkillPort, task: Task, access: Access) -> None:

@@ -1,4 +1,4 @@
-"""The way from an episode to the robot's skills: in this process here, over services where a graph runs."""
+"""Ports through which an episode calls the robot's skills: in this process, or over the services of a graph."""
 
 from pathlib import Path
 from typing import Any, Protocol

@@ -21,7 +21,7 @@ __all__ = [
 ]
 
 Z = 1.959963984540054
-"""Of the normal distribution, for 95%."""
+"""Quantile of the normal distribution for 95% intervals."""
 
 
 def wilson_interval(successes: int, trials: int) -> tuple[float, float]:
@@ -79,7 +79,7 @@ class EpisodeRow(msgspec.Struct, frozen=True, kw_only=True):
 
 
 class GroupRow(msgspec.Struct, frozen=True, kw_only=True):
-    """The episodes of an agent that span so many floors (0 for all), with 95% intervals.
+    """The episodes of an agent that span a number of floors (0 for all), with 95% intervals.
 
     Attributes
     ----------

@@ -32,7 +32,7 @@ class EpisodeOptions:
     Attributes
     ----------
     seed : int
-        Of the whole bench; each episode's own comes from it, the task and the agent.
+        Seed of the whole bench; each episode's own comes from it, the task and the agent.
     lessons : tuple of str
         What the agent learned before.
     pictures : callable, optional
@@ -130,7 +130,7 @@ def _steps(
                 raise
             return "agent_failed", str(error), False
         except Exception as error:
-            # Code of the user's: a fault in it ends this episode, and the bench goes on.
+            # Code of the user's: a fault in it ends this episode, and the bench continues.
             return "agent_failed", _place_of(error), False
         if isinstance(choice, Stop):
             return "agent_stopped", choice.reason, choice.done

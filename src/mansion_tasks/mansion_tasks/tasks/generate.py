@@ -211,7 +211,7 @@ def generate(
     Parameters
     ----------
     sandbox : Sandbox
-        Of the building; it is reset.
+        The building's sandbox; it is reset.
     count : int
         Fewer come where the building has no more that differ.
     seed : int

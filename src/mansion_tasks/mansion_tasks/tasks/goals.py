@@ -64,7 +64,7 @@ def _object_in_room(goal: Goal, world: World, session: str, seen: Collection[str
 
 
 def _carried(goal: Goal, world: World, mount: str) -> bool:
-    """Whether one of the objects is on (in) a receptacle, be it in a box that stands there."""
+    """Whether one of the objects is on (in) a receptacle, possibly in a box that stands there."""
     for state in _states(world, goal.objects):
         link = state
         while link.floor is not None and link.parent is not None:

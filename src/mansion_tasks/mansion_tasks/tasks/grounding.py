@@ -68,7 +68,7 @@ def ground(task: Task, sandbox: Sandbox, *, start_floor: int | None = None) -> T
         With `needs`. Goals without ids say which kinds are wanted; by default the target is to be in the room, or near
         the object, that is the destination.
     sandbox : Sandbox
-        Of the building; it is reset.
+        The building's sandbox; it is reset.
     start_floor : int, optional
         Where the robot starts when the task has no start; at the building's spawn pose when absent.
 
@@ -202,7 +202,7 @@ def _start(sandbox: Sandbox, floor: int | None, goals: list[Goal]) -> TaskStart:
     if floor not in world.building.floors:
         raise MansionError(
             ErrorCode.INFEASIBLE,
-            f"the robot shall start on floor {floor}; floors are {world.building.floors}",
+            f"the robot is to start on floor {floor}; floors are {world.building.floors}",
             path="$.start",
         )
     wanted = {room for goal in goals for room in goal.rooms}

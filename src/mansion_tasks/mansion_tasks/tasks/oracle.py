@@ -184,7 +184,7 @@ class Oracle:
         With goals.
     world : World
     session : str
-        Of its robot.
+        Session of the robot.
     """
 
     def __init__(self, task: Task, world: World, session: str) -> None:
@@ -248,7 +248,7 @@ class Oracle:
                 self._follower.record_failure(call)
 
     def _missed_room(self, result: SkillResult) -> bool:
-        """Whether an object was put down from the room where it shall be, but through the door of that."""
+        """Whether an object was put down from within its target room, but through the door, outside of it."""
         world, robot = self._world, self._world.robots[self._session]
         name = str(result.data.get("object", ""))
         here = world.view(robot.floor).map.room_at(*robot.place)

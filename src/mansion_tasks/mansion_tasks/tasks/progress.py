@@ -10,7 +10,7 @@ from mansion_tasks.tasks.goals import done
 __all__ = ["ProgressTracker"]
 
 FOUND = 0.5
-"""Of retrieval, for standing before the right object; the rest is for having it."""
+"""Score of retrieval for standing before the right object; the rest is for having it."""
 
 
 class ProgressTracker:
@@ -28,7 +28,7 @@ class ProgressTracker:
     world : World
         In its initial state: where the objects lie now is where they are to be fetched from.
     session : str
-        Of the robot.
+        Session of the robot.
 
     Attributes
     ----------

@@ -31,7 +31,7 @@ class Sandbox:
     building : path or LoadedBuilding
         What sessions left in its folder is not read, and nothing is written to it.
     radius : float
-        Of the robot, metres.
+        Radius of the robot, metres.
 
     Attributes
     ----------
@@ -90,7 +90,7 @@ class Sandbox:
             self._put_robot(start)
 
     def _restore_objects_and_doors(self) -> None:
-        """Index the objects of every floor that changed anew, in the order of the scene: as if it were just loaded."""
+        """Index the objects of every floor that changed again, in the order of the scene, as if it were just loaded."""
         world = self.world
         floors = {self._first[name].floor for name in world.objects.changed}
         floors |= {state.floor for state in world.objects.changed.values()}
@@ -123,7 +123,7 @@ class Sandbox:
         self.robot.pose = Pose2D(x=x, y=y, yaw=start.pose.yaw)
 
     def run(self, call: SkillCall) -> SkillResult:
-        """Run a skill to its end; what is no skill, or has arguments that it does not take, is ``INVALID_ACTION``."""
+        """Run a skill to its end; an unknown skill, or arguments that it does not take, are an ``INVALID_ACTION``."""
         self.steps += 1
         skill = skill_named(call.skill)
         if skill is None or skill.query:

@@ -29,7 +29,7 @@ def grass(canvas: Canvas) -> Layers:
     pieces = cells(canvas, "tufts", 0.03)
     blades = canvas.noise("blades", (0.003, 0.012)) + canvas.noise("slanted", (0.009, 0.004))
     tone = 0.2 * (canvas.chances("tone", pieces.number) - 0.5)
-    value = 1.0 + tone + 0.09 * blades + 0.05 * canvas.clouds("patches", 0.2, 3)
+    value = 1.0 + tone + 0.09 * blades + 0.06 * canvas.clouds("patches", 0.7, 3)
     return Layers(tones(value, 0.12), 0.004 * blades, np.ones(canvas.shape))
 
 

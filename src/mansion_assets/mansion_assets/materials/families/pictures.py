@@ -9,7 +9,19 @@ from mansion_assets.materials.layers import Layers, colour, mixed, smooth_step
 from mansion_geometry.compiled import Bools, Floats
 from mansion_geometry.randomness import item_generator
 
-__all__ = ["botanical", "chart", "circles", "city", "document", "fields", "hills", "interface", "readout", "world_map"]
+__all__ = [
+    "botanical",
+    "chart",
+    "circles",
+    "city",
+    "document",
+    "fields",
+    "hills",
+    "interface",
+    "readout",
+    "reflection",
+    "world_map",
+]
 
 
 def _ground(canvas: Canvas, text: str) -> Floats:
@@ -25,6 +37,16 @@ def _painted(canvas: Canvas, shade: Floats, *, brush: float = 0.02) -> Layers:
 def _lit(canvas: Canvas, shade: Floats) -> Layers:
     """Return what a flat screen shows."""
     return Layers(shade, np.zeros(canvas.shape), np.ones(canvas.shape), own_colours=True)
+
+
+def reflection(canvas: Canvas, sky: Sequence[str], ground: str) -> Layers:
+    """What panes of glass mirror by day: the sky from its first to its last colour with a bank of light, the ground."""
+    x, y = canvas.places
+    shade = mixed(_ground(canvas, sky[0]), _ground(canvas, sky[-1]), smooth_step(y, 0.0, 0.75))
+    shade = mixed(shade, _ground(canvas, ground), smooth_step(y, 0.62, 1.0))
+    across = (x + 0.55 * y) % 1.0
+    bank = smooth_step(across, 0.1, 0.3) * (1.0 - smooth_step(across, 0.42, 0.5))
+    return _lit(canvas, shade * (0.86 + 0.2 * bank)[..., None])
 
 
 def _inside(canvas: Canvas, x: tuple[float, float], y: tuple[float, float]) -> Bools:
