@@ -36,6 +36,7 @@ from mansion_editing.instructions.sentences.purposes import end_of_purpose
 from mansion_editing.instructions.sentences.refinement import given_but_to
 from mansion_editing.instructions.sentences.resulting import Resulting
 from mansion_editing.instructions.statements import (
+    JOINED,
     Add,
     Amount,
     Clear,
@@ -427,24 +428,25 @@ class Tails(Resulting, Counting):
         return start + it + 5 if faces and half and said[it + 2 : it + 5] == ["the", "other", "way"] else 0
 
     def _listed_rooms(self, reader: ClauseReader, words: Sequence[Word], at: int) -> int:
-        """Read ``: the study, the office and the hall`` after all rooms of a kind, which are named once more."""
+        """Read ``: the study, the office and the hall`` after all rooms, which tells which of them."""
         given = [s.place.rooms for s in self.clause if isinstance(s, Add | Ensure)]
         every = bool(given) and all(rooms is not None and rooms.every and not rooms.number for rooms in given)
         if words[at].text != ":" or not every or len(given) < len(self.clause):
             return 0
-        end, named = at + 1, 0
-        while (
-            (item := reader.item(end)) is not None
-            and item.phrase.definite
-            and reader.lexicon.is_own_room(item.phrase.noun.words)
-        ):
-            named, end = named + 1, item.end
+        end, names = at + 1, []
+        while (item := reader.item(end)) is not None and reader.lexicon.is_own_room(item.phrase.noun.words):
+            names.append(item.rooms().words)
+            end = item.end
             after = reader.conjunction(end)
             if not after:
                 break
             end = after
-        if named < 2 or not self._ends_at(reader, end):
+        if len(names) < 2 or not self._ends_at(reader, end):
             return 0
+        floors = given[0].floors if given[0] is not None else ()
+        rooms = Rooms(words=JOINED.join(names), floors=floors, every=True, number=len(names))
+        done = [s for s in self.clause if isinstance(s, Add | Ensure)]
+        self.clause = [msgspec.structs.replace(s, place=msgspec.structs.replace(s.place, rooms=rooms)) for s in done]
         self.statements.append(Mention(quote=self._quote(words, at + 1, end)))
         return end
 
