@@ -69,3 +69,29 @@ def test_so_many_as_are_missing_are_a_number_in_all(furnished_state: SceneState)
 def test_each_of_its_own_is_a_new_one(furnished_state: SceneState) -> None:
     (one,) = _asked("Give every dining table its own plant.", furnished_state)
     assert isinstance(one, Add) and one.each and one.place.relation == "on" and not one.things.definite
+
+
+@pytest.mark.parametrize(
+    ("framed", "plain"),
+    [
+        ("Kitchen: minus one plate, plus one mug", "Kitchen: 1 plate less, 1 more mug"),
+        (
+            "For each of the chairs in the hall add a plant next to it.",
+            "Add a plant next to each of the chairs in the hall.",
+        ),
+        ("The kitchen needs the following: two mugs on the table.", "The kitchen: two mugs on the table."),
+        (
+            "Put two mugs on the dining table and a plate beside them. Actually, forget the plate.",
+            "Put two mugs on the dining table.",
+        ),
+        ("Turn the sofa by 180 degrees so it faces the other way.", "Turn the sofa by 180 degrees."),
+        ("Put a plate in the kitchen and dont touch anything else in there.", "Put a plate in the kitchen."),
+    ],
+)
+def test_notes_and_afterthoughts_ask_for_the_same(furnished_state: SceneState, framed: str, plain: str) -> None:
+    assert _asked(framed, furnished_state) == _asked(plain, furnished_state)
+
+
+def test_a_list_after_all_rooms_tells_which(furnished_state: SceneState) -> None:
+    (bins,) = _asked("Make sure that every room has a bin: the hall and the kitchen.", furnished_state)
+    assert isinstance(bins, Ensure) and bins.place.rooms is not None and bins.place.rooms.number == 2

@@ -154,3 +154,16 @@ def test_a_number_told_apart_from_that_which_is_there_is_one_in_all(furnished_st
 def test_none_of_the_rooms_has_what_each_is_given(furnished_state: SceneState) -> None:
     (new,) = _asked("Neither office has a clock, hang one in each of them.", furnished_state)
     assert isinstance(new, Add) and new.place.rooms is not None and new.place.rooms.every
+
+
+@pytest.mark.parametrize(
+    "text", ["We don't want any new plates in the kitchen.", "Don't add any plates in the kitchen."]
+)
+def test_what_shall_not_come_removes_nothing(furnished_state: SceneState, text: str) -> None:
+    (spared,) = _asked(text, furnished_state)
+    assert isinstance(spared, Forbid) and spared.things.noun == "plate"
+
+
+def test_to_empty_a_room_completely_takes_its_furniture_too(furnished_state: SceneState) -> None:
+    furniture, _ = _asked("Empty the kitchen completely.", furnished_state)
+    assert isinstance(furniture, Remove) and furniture.things.noun == "furniture"

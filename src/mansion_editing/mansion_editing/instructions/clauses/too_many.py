@@ -39,7 +39,8 @@ class TooMany(Outcomes):
         if self.text(at) not in ("there", "we") or not (contracted or start == at + 2):
             return None
         item = self.item(start, places=False)
-        if item is None or item.is_room or item.phrase.amount.kind != "some" or not item.phrase.amount.number:
+        counted = item is not None and item.phrase.amount.kind == "some" and item.phrase.amount.number
+        if item is None or not counted or item.is_room or not item.phrase.noun.words:
             return None
         few = (self.text(item.end), self.text(item.end + 1)) == ("too", "few") and self.text(at) == "there"
         short = self.text(item.end) == "short" and self.text(at) == "we"

@@ -128,7 +128,7 @@ def _without_missing(words: list[Word]) -> list[Word]:
         missing = at + 2 + (text_at(words, at + 2) == "still")
         stop = next_mark(words, at)
         if text_at(words, at) != "what" or text_at(words, missing - 1) not in ("is", "still"):
-            contracted = words[at].raw in ("what's", "whats")
+            contracted = words[at].raw in ("what's",)
             missing = at + 1 + (text_at(words, at + 1) == "still")
             if not contracted:
                 continue

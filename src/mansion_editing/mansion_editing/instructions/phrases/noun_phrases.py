@@ -136,7 +136,14 @@ def noun_phrase(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Sequen
         return NounPhrase(
             replace(found, floors=storeys), Amount(kind=kind, number=amount.number), False, start, end + 1
         )
-    found, end = _coloured(words, found, end)
+    noun = replace(found, floors=storeys)
+    return _with_what_follows(words, NounPhrase(noun, amount, definite, start, end, each=each), lexicon)
+
+
+def _with_what_follows(words: Sequence[Word], phrase: NounPhrase, lexicon: Lexicon) -> NounPhrase:
+    """Return a phrase with what stands after its noun: a colour, an owner, a number, an exception."""
+    amount, definite = phrase.amount, phrase.definite
+    found, end = _coloured(words, phrase.noun, phrase.end)
     found, end = _of_owner(words, found, end, lexicon)
     count = _number_after(words, end, plural=found.plural)
     if count is not None and amount.number in (0, 1) and not definite:
@@ -152,8 +159,7 @@ def noun_phrase(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Sequen
     if not definite and amount.kind not in ("all", "none", "all_but", "half") and _is_topic(found):
         found = replace(found, unknown=())
     more, end = _further_numbers(words, found, end, lexicon)
-    noun = replace(found, floors=storeys, numbers=more)
-    return NounPhrase(noun, amount, definite, start, end, each=each)
+    return replace(phrase, noun=replace(found, numbers=more), amount=amount, definite=definite, end=end)
 
 
 def _is_topic(noun: Noun) -> bool:

@@ -28,11 +28,11 @@ __all__ = ["cannot_do", "end_of_judged_predicate", "is_judgement"]
 _COPULAS: Final = frozenset(
     "is are was were look looks seem seems feel feels smell smells sound sounds get gets".split()
 )
-_CONTRACTED: Final = frozenset("it's its that's thats they're this's he's she's i'm we're you're everything's".split())
+_CONTRACTED: Final = frozenset("it's its that's they're this's he's she's i'm we're you're everything's".split())
 """A pronoun with its verb in one word."""
 _BEGINNING: Final = frozenset("begins starts begin start tends tend".split())
 _PERFECT: Final = frozenset("been seen become got gone had lost begun started stopped".split())
-_UNABLE: Final = frozenset("can't cant cannot couldn't couldnt".split())
+_UNABLE: Final = frozenset("can't cannot couldn't".split())
 _ABILITIES: Final = frozenset("can could cannot able".split())
 _DEGREES: Final = frozenset(
     "too so way far much very really quite rather pretty a bit little always a lot just".split()

@@ -31,11 +31,13 @@ from mansion_editing.instructions.phrases.words import (
 from mansion_editing.instructions.sentences.background import end_of_background
 from mansion_editing.instructions.sentences.conditions import on_condition, read_condition
 from mansion_editing.instructions.sentences.counting import Counting
+from mansion_editing.instructions.sentences.ending_numbers import EndingNumbers
 from mansion_editing.instructions.sentences.lacking import end_of_presence, given_where_none_is, lacking_at
 from mansion_editing.instructions.sentences.purposes import end_of_purpose
 from mansion_editing.instructions.sentences.refinement import given_but_to
 from mansion_editing.instructions.sentences.resulting import Resulting
 from mansion_editing.instructions.statements import (
+    JOINED,
     Add,
     Amount,
     Clear,
@@ -77,13 +79,11 @@ _DISTURBING: Final = frozenset(
 )
 
 
-_BEING_LEFT: Final = frozenset("until there are is only just left remain of them".split())
-"""Words of ``until there are only two of them left``, besides the number."""
 _INTENTS: Final = frozenset("welcome surprise treat greeting memento thank-you present gift joke reward".split())
 """What something is meant as, which no scene records."""
 
 
-class Tails(Resulting, Counting):
+class Tails(EndingNumbers, Resulting, Counting):
     """Reads what follows a clause and is none itself."""
 
     def _read_tail(self, reader: ClauseReader, words: Sequence[Word], end: int) -> tuple[int, bool]:
@@ -103,16 +103,6 @@ class Tails(Resulting, Counting):
                 break
             end, exact = stop, exact or bool(limit)
         return self._end_of_remark(reader, words, end), exact
-
-    def _end_of_limit(self, words: Sequence[Word], at: int) -> int:
-        """Return the end of ``, no more``, ``, not four``, by which a number is meant exactly; 0 for others."""
-        if self._denies_number(words, at):
-            return at + 3
-        start = at + (words[at].text in (",", "and"))
-        said = tuple(word.text for word in words[start : start + 3])
-        if said == ("not", "one", "more"):
-            return start + 3
-        return start + 2 if said[:1] in (("no",), ("not",)) and said[1:2] in (("more",), ("less",), ("fewer",)) else 0
 
     def _end_of_addition(self, reader: ClauseReader, words: Sequence[Word], at: int) -> int:
         """Read what tells more of what the clause asks for, or what it is for; return its end, 0 for other words."""
@@ -190,17 +180,6 @@ class Tails(Resulting, Counting):
         """Return the end of ``in the building`` after ``every single one``, which leaves nothing out."""
         read = read_place(reader.words, at, self.lexicon, self.floors)
         return at if read is None or read.place != Place() else read.end
-
-    def _denies_number(self, words: Sequence[Word], at: int) -> bool:
-        """Whether ``, not four`` ends a clause about another number that shall be there, which is meant exactly."""
-        if [word.text for word in words[at : at + 2]] != [",", "not"] or at + 2 >= len(words):
-            return False
-        number = words[at + 2]
-        ends = at + 3 >= len(words) or words[at + 3].kind == "mark"
-        brought = [s for s in self.clause if isinstance(s, Add | Ensure)]
-        counted = [s.things.amount for s in brought if s.things.amount.kind == "some"]
-        other = len(counted) == len(self.clause) == 1 and counted[0].number not in (0, number.value)
-        return number.kind == "number" and ends and other
 
     def _ends_clause(self, reader: ClauseReader, at: int) -> bool:
         """Whether a word is the last one of a clause: ``only``, ``each`` of several, ``in`` of what is brought."""
@@ -400,23 +379,6 @@ class Tails(Resulting, Counting):
             for goal in goals
         )
 
-    def _until_so_many_are_left(self, words: Sequence[Word], at: int) -> int:
-        """Read ``until only two are left`` after things that go or move: all but so many of them do."""
-        end = next_mark(words, at)
-        numbers = [word for word in words[at:end] if word.kind == "number"]
-        said = {word.text for word in words[at:end]} - {word.text for word in numbers}
-        done = [s for s in self.clause if isinstance(s, Remove | Move)]
-        all_of_them = len(done) == len(self.clause) == 1 and done[0].things.plural and done[0].things.definite
-        if text_at(words, at) != "until" or len(numbers) != 1 or not said <= _BEING_LEFT or not all_of_them:
-            return 0
-        if not said & {"left", "remain", "there"} or done[0].things.amount.kind not in ("all", "some"):
-            return 0
-        left = Amount(kind="all_but", number=int(numbers[0].value))
-        things = msgspec.structs.replace(done[0].things, amount=left)
-        quote = done[0].quote + self.text[words[at - 1].end : words[end - 1].end]
-        self.clause = [msgspec.structs.replace(done[0], things=things, quote=quote)]
-        return end
-
     def _turned_around(self, words: Sequence[Word], at: int) -> int:
         """Return the end of ``so it faces the other way`` after a half turn; 0 for other words."""
         start = at + (words[at].text == ",")
@@ -427,47 +389,26 @@ class Tails(Resulting, Counting):
         return start + it + 5 if faces and half and said[it + 2 : it + 5] == ["the", "other", "way"] else 0
 
     def _listed_rooms(self, reader: ClauseReader, words: Sequence[Word], at: int) -> int:
-        """Read ``: the study, the office and the hall`` after all rooms of a kind, which are named once more."""
+        """Read ``: the study, the office and the hall`` after all rooms, which tells which of them."""
         given = [s.place.rooms for s in self.clause if isinstance(s, Add | Ensure)]
         every = bool(given) and all(rooms is not None and rooms.every and not rooms.number for rooms in given)
         if words[at].text != ":" or not every or len(given) < len(self.clause):
             return 0
-        end, named = at + 1, 0
-        while (
-            (item := reader.item(end)) is not None
-            and item.phrase.definite
-            and reader.lexicon.is_own_room(item.phrase.noun.words)
-        ):
-            named, end = named + 1, item.end
+        end, names = at + 1, []
+        while (item := reader.item(end)) is not None and reader.lexicon.is_own_room(item.phrase.noun.words):
+            names.append(item.rooms().words)
+            end = item.end
             after = reader.conjunction(end)
             if not after:
                 break
             end = after
-        if named < 2 or not self._ends_at(reader, end):
+        if len(names) < 2 or not self._ends_at(reader, end):
             return 0
+        floors = given[0].floors if given[0] is not None else ()
+        rooms = Rooms(words=JOINED.join(names), floors=floors, every=True, number=len(names))
+        done = [s for s in self.clause if isinstance(s, Add | Ensure)]
+        self.clause = [msgspec.structs.replace(s, place=msgspec.structs.replace(s.place, rooms=rooms)) for s in done]
         self.statements.append(Mention(quote=self._quote(words, at + 1, end)))
-        return end
-
-    def _so_that_so_many_are_there(self, words: Sequence[Word], at: int) -> int:
-        """Read ``so that there are three`` after what is brought, which then are three with those there."""
-        start = at + (words[at].text == ",")
-        said = [word.text for word in words[start : start + 5]]
-        there = 1 + (said[1:2] == ["that"])
-        if said[:1] != ["so"] or said[there : there + 2] not in (["there", "are"], ["we", "have"], ["it", "has"]):
-            return 0
-        number = start + there + 2
-        brought = [s for s in self.clause if isinstance(s, Add | Ensure)]
-        if len(brought) != 1 or len(self.clause) != 1 or number >= len(words) or words[number].kind != "number":
-            return 0
-        end = number + 1
-        while text_at(words, end) in ("of", "them", "in", "all", "total", "altogether", "there"):
-            end += 1
-        if not (end >= len(words) or words[end].kind == "mark") or brought[0].each:
-            return 0
-        amount = Amount(kind="exactly", number=int(words[number].value))
-        things = msgspec.structs.replace(brought[0].things, amount=amount)
-        quote = brought[0].quote + self.text[words[at - 1].end : words[end - 1].end]
-        self.clause = [Ensure(things=things, place=brought[0].place, quote=quote)]
         return end
 
     def _end_of_intent(self, words: Sequence[Word], at: int) -> int:
