@@ -56,9 +56,16 @@ def room_of(reading: Reading, measure: Measure, phrases: list[Phrase]) -> int | 
     phrase = phrases[candidates[-1]]
     if is_building(reading, phrase) or (phrase.areas and len(measure.values) == 1):
         return None
+    if after[:2] == ["on", "each"] and not after[2:] and _fills_storeys(reading, phrase):
+        return None  # "three floors of offices with 450 m2 on each"
     if comma and phrase.last == end and not _listed(reading, measure, phrase, after):
         return None
     return candidates[-1]
+
+
+def _fills_storeys(reading: Reading, phrase: Phrase) -> bool:
+    """Whether rooms are what storeys are of: "two floors of offices"."""
+    return reading.word(phrase.begin - 1) == "of" and reading.word(phrase.begin - 2) in FLOOR_WORDS
 
 
 def _is_of_all(reading: Reading, measure: Measure, phrases: list[Phrase], after: list[str]) -> bool:

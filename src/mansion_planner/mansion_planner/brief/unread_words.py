@@ -22,6 +22,9 @@ def leave_unread(reading: Reading) -> None:
             first = -1
 
 
+_HOUSEHOLD = frozenset({"couple", "family", "man", "woman", "people", "professional"})
+"""Whose age asks for nothing that a building could have."""
+
 _RELATING = frozenset(
     """
     above below beneath underneath over under behind beside next near opposite surrounded share sharing overlooking
@@ -41,9 +44,22 @@ _YARDS = frozenset({"courtyard", "patio", "yard", "atrium", "cloister"})
 _REQUESTS = frozenset(
     """
     design generate imagine think thank suppose assume kindly hereby attach attached regards turn convert converting
+    furnish bought dream dreaming
     """.split()
 )
 """Words that ask for a building and say nothing of it."""
+
+_ASKING = {
+    "plan": frozenset({"a", "an", "the", "our", "my", "me", "us", "this"}),
+    "draw": frozenset({"a", "an", "the", "up", "me", "us", "out"}),
+    "show": frozenset({"me", "us"}),
+    "looking": frozenset({"for"}),
+    "move": frozenset({"into", "to"}),
+    "letting": frozenset({"a", "an", "the", "our", "my", "out"}),
+    "restoring": frozenset({"a", "an", "the", "our", "my"}),
+}
+"""Verbs that ask for a building where one of these words follows: "we are looking for a flat", "plan a clinic"."""
+
 _FORMS = frozenset({"form", "plan", "shape", "format", "layout", "outline"})
 """Nouns of an outline that is read from the words beside them: "an L-shaped plan", "in form of U"."""
 
@@ -76,6 +92,12 @@ def _says_no_more(reading: Reading, index: int) -> bool:
     """Whether a token only goes with what was read beside it: "a bakery building", "a gross area of 90 m2"."""
     token = reading.tokens[index]
     if token.text == "one" and reading.word(index + 1) == "another":
+        return True
+    if reading.word(index + 1) in _ASKING.get(token.text, ()):
+        return True
+    if token.text == "mind" and reading.word(index - 1) == "in":
+        return True  # "I have a studio flat in mind"
+    if token.text == "young" and reading.word(index + 1) in _HOUSEHOLD:
         return True
     if token.text in _SIZES and _has_measure(reading, index):
         return True  # "a gross floor area in the region of 3,200 m2"
