@@ -6,6 +6,7 @@ phrase, else a noun that can head a room's name ("honey room"), else a piece of 
 
 from dataclasses import replace
 
+from mansion_planner.brief.figurative_nouns import is_figurative, is_modifier
 from mansion_planner.brief.furniture_words import furniture_of, own_furniture_of
 from mansion_planner.brief.lexicon import Mention, lexicon_of
 from mansion_planner.brief.own_names import by_own_name, with_own_names
@@ -13,7 +14,6 @@ from mansion_planner.brief.phrase import (
     FUNCTION_WORDS,
     PEOPLE,
     PLAIN,
-    PREDICATES,
     UNITS_OF_ROOMS,
     Head,
     Phrase,
@@ -33,6 +33,7 @@ from mansion_planner.brief.room_names import (
     with_sizes,
 )
 from mansion_planner.brief.room_users import with_users, with_users_before
+from mansion_planner.brief.rooms_named_again import room_by_its_contents, rooms_named_again
 from mansion_planner.brief.similarity import (
     HEAD_TYPES,
     elliptic_room_type,
@@ -81,8 +82,8 @@ def noun_phrases(reading: Reading) -> list[Phrase]:
     phrases = _with_own_names(reading, phrases)
     phrases = [_room_of_staff(reading, phrases, phrase) for phrase in phrases]
     phrases += _with_own_names(reading, listed_unknowns(reading, chunks, phrases))
-    phrases = [_room_by_its_contents(reading, phrases, phrase) for phrase in phrases]
-    phrases += _named_again(reading, chunks, phrases)
+    phrases = [room_by_its_contents(reading, phrases, phrase) for phrase in phrases]
+    phrases += rooms_named_again(reading, chunks, phrases)
     phrases += further_ones(reading, phrases)
     phrases = with_users(reading, phrases)
     return sorted(by_own_name(reading, with_sizes(reading, phrases)), key=lambda phrase: phrase.first)
@@ -114,74 +115,6 @@ def _with_own_names(reading: Reading, phrases: list[Phrase]) -> list[Phrase]:
             continue
         found += with_own_names(reading, with_purpose(reading, phrase))
     return found
-
-
-def _named_again(reading: Reading, chunks: list[tuple[int, int]], phrases: list[Phrase]) -> list[Phrase]:
-    """Return later mentions of rooms of unknown kinds: "keep the scriptorium apart from the kitchen"."""
-    unknown = {
-        reading.words(p.begin, p.noun_end): p
-        for p in phrases
-        if p.head == "room" and (not p.known or p.begin not in reading.mention_at)
-    }
-    heads = _by_head(phrases)
-    found = []
-    for begin, end in chunks:
-        first = unknown.get(reading.words(begin, end))
-        first = first or _by_its_modifier(reading, phrases, begin, end) or _by_its_head(reading, heads, begin, end)
-        if first is not None and reading.free(begin, end):
-            phrase = finished_phrase(reading, "room", begin, end, room=first.room_type, known=first.known)
-            reading.take(phrase.first, phrase.last)
-            one_of = phrase.determiner in ("each", "every", "all", "both", "either")
-            found.append(replace(phrase, name=first.name, determiner=phrase.determiner if one_of else "the"))
-    return found
-
-
-def _room_by_its_contents(reading: Reading, phrases: list[Phrase], phrase: Phrase) -> Phrase:
-    """Return the room that a thing stands for as the subject of a sentence: "percussion must not be next to ..."."""
-    bare = phrase.head == "object" and not (phrase.determiner or phrase.counted) and reading.starts(phrase.begin)
-    if not bare or phrase.noun_end - phrase.begin != 1 or reading.word(phrase.last) not in ("must", "should", "shall"):
-        return phrase
-    named = _by_its_modifier(reading, phrases, phrase.begin, phrase.noun_end)
-    if named is None:
-        return phrase
-    room = finished_phrase(reading, "room", phrase.begin, phrase.noun_end, room=named.room_type, known=named.known)
-    return replace(room, name=named.name, determiner="the")
-
-
-def _by_its_modifier(reading: Reading, phrases: list[Phrase], begin: int, end: int) -> Phrase | None:
-    """Return the one room of an earlier sentence that some words are short for: "the preparation", "sterilisation"."""
-    sentence = reading.sentence[begin]
-    words = reading.words(begin, end)
-    elided = reading.word(begin - 1) == "the" and reading.word(end) in ("and", "or") and reading.word(end + 1) == "the"
-    named = [
-        phrase
-        for phrase in phrases
-        if phrase.head == "room"
-        and phrase.count == 1
-        and (reading.sentence[phrase.first] < sentence or (elided and phrase.last <= begin))
-        and set(words) < set(phrase.name.split("_"))
-        and words[-1] not in HEAD_TYPES
-        and not PLAIN.issuperset(words)
-    ]
-    return named[0] if len({phrase.name for phrase in named}) == 1 else None
-
-
-def _by_head(phrases: list[Phrase]) -> dict[str, Phrase]:
-    """Return rooms by the last word of their names, where no two of other names share it."""
-    named: dict[str, dict[str, Phrase]] = {}
-    for phrase in phrases:
-        if phrase.head == "room" and "_" in phrase.name:
-            named.setdefault(phrase.name.rpartition("_")[2], {}).setdefault(phrase.name, phrase)
-    return {head: next(iter(rooms.values())) for head, rooms in named.items() if len(rooms) == 1}
-
-
-def _by_its_head(reading: Reading, heads: dict[str, Phrase], begin: int, end: int) -> Phrase | None:
-    """Return the one room of an earlier sentence that "the dock" is short for: the loading dock."""
-    if end - begin != 1 or reading.word(begin - 1) != "the":
-        return None
-    phrase = heads.get(reading.word(begin))
-    earlier = phrase is not None and (reading.sentence[phrase.first] < reading.sentence[begin] or phrase.last <= begin)
-    return phrase if earlier else None
 
 
 def _chunks(reading: Reading) -> list[tuple[int, int]]:
@@ -315,7 +248,7 @@ def _phrases_of(reading: Reading, begin: int, end: int) -> list[Phrase]:
 
 def _headed(reading: Reading, begin: int, end: int, *, whole: bool) -> Phrase | None:
     """Return the phrase of tokens `begin` to `end` if the last of them can be its head."""
-    if _goes_on(reading, begin, end, whole=whole) or _is_figurative(reading, begin, end):
+    if _goes_on(reading, begin, end, whole=whole) or is_figurative(reading, begin, end):
         return None
     mention = _mention_ending(reading, begin, end)
     found = _furniture_or_core(reading, begin, end, mention)
@@ -466,53 +399,9 @@ def _people_or_furniture(reading: Reading, begin: int, end: int, *, whole: bool)
         return None  # "the school of a small island"
     titles = last == "table" and reading.words(end, end + 2) in (("of", "room"), ("of", "content"))
     held = not whole and reading.word(end) in _HOLDERS and not furniture_of(reading.words(begin, end + 1))[1] > 1
-    if category and not titles and not held and (whole or not _modifies(reading, end)):
+    if category and not titles and not held and (whole or not is_modifier(reading, end)):
         return finished_phrase(reading, "object", begin, end, category=category)
     return None
-
-
-def _is_figurative(reading: Reading, begin: int, end: int) -> bool:
-    """Whether a noun names nothing to build: "see table", "ten sofas on display", "they sold the car"."""
-    noun, lead = reading.word(begin), reading.word(begin - 1)
-    if end - begin > 1:
-        return False
-    if lead in ("the", "our", "my", "their") and reading.word(begin - 2) in ("sold", "sell"):
-        return True
-    if lead in ("they", "we", "you", "people") or lead in _MODALS:
-        return True  # "they slide down a pole", "where a robot can vacuum": a verb
-    if noun == "present" and lead in _COPULAS:
-        return True  # "a lift is present"
-    if noun == "snug" and (lead in _COPULAS or (lead in ("and", ",") and reading.word(begin - 2) in PLAIN)):
-        return True  # "the bedrooms should be warm and snug"
-    if noun == "flat" and not reading.plural(begin) and _is_level(reading, end):
-        return True
-    if noun in _PICTURES and reading.word(end) in ("for", "of") and not reading.plural(begin):
-        first = begin - (lead in ("a", "an", "the", "our", "my"))
-        return first == 0 or reading.word(first - 1) in _MADE  # "a map for a stealth game"
-    if noun == "table" and not reading.plural(begin):
-        return lead == "see" or (lead == "the" and reading.word(begin - 2) in ("see", "per"))
-    return noun == "display" and lead == "on"
-
-
-def _is_level(reading: Reading, index: int) -> bool:
-    """Whether "flat" before a token says that something is level: "a flat simple rectangular plan", "a flat site"."""
-    at = index
-    while at < index + 4 and reading.word(at) not in _LEVEL_THINGS:
-        if reading.word(at) not in PLAIN | {","} and at not in reading.taken:
-            return False
-        at += 1
-    return reading.word(at) in _LEVEL_THINGS
-
-
-_LEVEL_THINGS = frozenset("plan roof site plot ground land terrain layout meadow country facade".split())
-"""What can be flat."""
-
-_MODALS = frozenset({"can", "could", "will", "would", "may", "might", "shall", "cannot"})
-_COPULAS = frozenset("is are be feel feels look looks very so stay keep".split())
-"""Words after which an adjective stands."""
-_PICTURES = frozenset({"map", "model", "picture", "drawing", "globe"})
-_MADE = frozenset("make create build generate want need design draw plan".split())
-"""What a brief asks to be made, of which the whole building is the picture."""
 
 
 def _are_book_stacks(reading: Reading, begin: int, end: int) -> bool:
@@ -522,24 +411,6 @@ def _are_book_stacks(reading: Reading, begin: int, end: int) -> bool:
         and reading.words(end - 2, end) == ("book", "stack")
         and bool(count_before(reading, begin, end)[2])
     )
-
-
-def _modifies(reading: Reading, end: int) -> bool:
-    """Whether furniture only tells apart the noun after it: "a computer game", "a chess club"."""
-    counted = reading.plural(end - 1) or reading.kind(end - 2) == "number"
-    noun = (
-        reading.kind(end) == "word"
-        and reading.word(end) not in FUNCTION_WORDS | PLAIN | PREDICATES | FLOOR_WORDS | _NO_NOUNS
-    )
-    return not counted and noun and not reading.word(end).endswith(("ly", "ed", "ing"))
-
-
-_NO_NOUNS = frozenset("ea too instead somewhere optional ready available kit set piece".split())
-"""Words after a piece of furniture that it is not the modifier of."""
-
-
-_HOLDERS = frozenset("box basket bin crate case holder bag container".split())
-"""Nouns that make a thing before them what is kept there: "a shoes box"."""
 
 
 def _are_people(reading: Reading, index: int) -> bool:
@@ -577,7 +448,6 @@ _PLACES_OF = frozenset({"zone", "post", "reserve", "section", "depot"})
 """Nouns that name a room by what it is for: "zone of shipping"; without that they may be anything."""
 _REGIONS = frozenset("city town building house site plot land country work duty office".split())
 _LIST_LEADS = frozenset({",", ":", "and", "with", "is", "are", "has", "have", "there", "&", ";", "-"})
-
 _STANDS_ALONE = frozenset(
     {"surgery", "booth", "cabin", "cell", "chamber", "ward", "salon", "loft", "kiosk", "chapel", "atelier"}
 )
@@ -606,3 +476,7 @@ def _mention_ending(reading: Reading, begin: int, end: int) -> Mention | None:
         if meaning is not None and (meaning.room or meaning.building):
             return Mention(end - size, end, meaning.room, meaning.building, meaning.style, reading.plural(end - 1))
     return None
+
+
+_HOLDERS = frozenset("box basket bin crate case holder bag container".split())
+"""Nouns that make a thing before them what is kept there: "a shoes box"."""
