@@ -4,6 +4,7 @@ from collections import Counter
 from typing import Any
 
 import pytest
+from shapely.geometry import Polygon
 
 from mansion_msgs_py.request import BuildRequest
 from mansion_planner.plan import plan_building
@@ -68,3 +69,10 @@ def test_a_square_building_is_as_long_as_it_is_deep(brief: str) -> None:
     xs, ys = [x for x, _ in ground.outline], [y for _, y in ground.outline]
     assert len(ground.outline) == 4
     assert max(xs) - min(xs) == pytest.approx(max(ys) - min(ys))
+
+
+@pytest.mark.parametrize("seed", [1, 2, 3])
+def test_no_other_depth_gives_up_a_stated_area(seed: int) -> None:
+    reply = plan_building(BuildRequest(description="A T-shaped house of 360 m2 on two floors.", seed=seed))
+    for floor in reply.program.floors:
+        assert Polygon(floor.outline).area <= 1.15 * 180.0

@@ -330,6 +330,7 @@ def choose_massing(wish: MassingWish, generator: np.random.Generator) -> Massing
         return rectangle_massing(wish, float(side), float(side))
     candidates = _bands(wish)
     if wish.variant:
+        candidates = _near_the_area(wish, candidates) if wish.exact else candidates
         candidates = [candidates[-wish.variant % len(candidates)]]
     jitter = generator.random(len(candidates))
     best: tuple[float, Massing] | None = None
@@ -343,6 +344,16 @@ def choose_massing(wish: MassingWish, generator: np.random.Generator) -> Massing
             best = (cost, massing)
     assert best is not None
     return best[1]
+
+
+_FURTHER = 0.05
+"""Share of a stated area by which another depth may miss it more than the nearest does."""
+
+
+def _near_the_area(wish: MassingWish, candidates: list[tuple[float, float, float]]) -> list[tuple[float, float, float]]:
+    """Return the depths whose storeys are nearly as close to the area as the closest; no variant gives up an area."""
+    errors = [abs(gross_area(_dimensions(wish, *bands)) - wish.area) / wish.area for bands in candidates]
+    return [bands for bands, error in zip(candidates, errors, strict=True) if error <= min(errors) + _FURTHER]
 
 
 def _least_side(cores: CoreWish) -> int:
