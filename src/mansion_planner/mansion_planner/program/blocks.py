@@ -144,10 +144,13 @@ def _is_narrow(room: PlannedRoom, depth: float) -> bool:
 _WINDOWED = 2.5
 """Least width of a room of a band's whole depth that must have a window, metres."""
 
+_SLENDER = 0.88 * STRIP
+"""Depth to width of such a room at most, which may still be laid somewhat smaller."""
+
 
 def _wide_enough(room: PlannedRoom, depth: float) -> PlannedRoom:
     """Return a room that must have a window with the area to reach the outer wall, where its limits allow it."""
-    area = max(_WINDOWED, depth / STRIP) * depth
+    area = max(_WINDOWED, depth / _SLENDER) * depth
     must = needs_outer_wall(room.kind) and not room.fixed and not room.suite
     if not must or not _is_narrow(room, depth) or area > room.most:
         return room

@@ -160,6 +160,10 @@ def _arranged(
     return Sketch([hub], placements, {core.id: hub_id for core in massing.cores})
 
 
+_LEAST_BAND = 3.0
+"""Least depth of the rooms between two stairs, metres."""
+
+
 def _divided(
     massing: Massing,
     rooms: Sequence[PlannedRoom],
@@ -175,7 +179,7 @@ def _divided(
     stairs = [core for core in massing.cores if core.type == "stair"]
     if far:
         band = sum(room.gross for room in rooms) / (length - far - begin)
-        band = min(max(band, *(depth - core.box[1] for core in stairs)), 0.6 * depth)
+        band = min(max(band, _LEAST_BAND), 0.6 * depth)
         return group_blocks(rooms, band, pairs), [], band
     if arrangement.north is None:
         total = sum(room.gross for room in rooms)
