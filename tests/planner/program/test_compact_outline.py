@@ -16,13 +16,14 @@ def planned(description: str, **fields: float) -> tuple[Polygon, list[str]]:
     return Polygon(reply.program.floors[0].outline), [downgrade.wish for downgrade in reply.program.downgrades]
 
 
-@given(area=st.floats(48.0, 140.0), seed=st.integers(0, 2**40))
-def test_an_outline_has_six_corners_the_area_and_arms_that_rooms_fit_in(area: float, seed: int) -> None:
-    outline = compact_l(area, seed)
+@given(area=st.floats(48.0, 140.0), seed=st.integers(0, 2**40), step=st.sampled_from([0.5, 1.0]))
+def test_an_outline_has_six_corners_the_area_and_arms_that_rooms_fit_in(area: float, seed: int, step: float) -> None:
+    outline = compact_l(area, seed, step)
     assert outline.is_valid
     assert outline.exterior.is_ccw
     assert len(outline.exterior.coords) - 1 == 6
-    assert outline.area == pytest.approx(area, rel=1e-6)
+    assert outline.area == pytest.approx(area, rel=0.05)
+    assert all(value % step == 0.0 for corner in outline.exterior.coords for value in corner)
     assert outline.bounds[:2] == pytest.approx((0.0, 0.0))
     assert not outline.buffer(-1.7).is_empty
     assert isinstance(outline.buffer(-1.7), Polygon)
@@ -33,7 +34,7 @@ def test_an_outline_has_six_corners_the_area_and_arms_that_rooms_fit_in(area: fl
 def test_a_small_flat_is_l_shaped_where_the_brief_says_so(area: float) -> None:
     outline, given_up = planned("An L-shaped flat with one bedroom.", floor_area=area)
     assert len(outline.exterior.coords) - 1 == 6
-    assert outline.area == pytest.approx(area, rel=0.01)
+    assert outline.area == pytest.approx(area, rel=0.05)
     assert given_up == []
 
 
@@ -50,4 +51,4 @@ def test_what_is_too_small_for_two_arms_stays_a_rectangle_and_says_so() -> None:
 
 
 def test_seeds_give_different_outlines() -> None:
-    assert len({compact_l(70.0, seed).wkt for seed in range(20)}) == 20
+    assert len({compact_l(70.0, seed).wkt for seed in range(20)}) > 15

@@ -1,5 +1,8 @@
 """Outlines of homes that are too small for wings: an L of two short arms that the rooms share freely."""
 
+import itertools
+import math
+from collections.abc import Iterator
 from dataclasses import replace
 
 from shapely import affinity
@@ -32,29 +35,61 @@ def with_compact_outline(decisions: Decisions, area: float, stairs: int) -> Deci
     too_small = area < 0.98 * least_area("L", stairs)
     if not wanted or not too_small or area < (_LEAST_WITH_STAIR if stairs else _LEAST):
         return decisions
-    return replace(decisions, outline=compact_l(area, decisions.seed), free_form=True)
+    return replace(decisions, outline=compact_l(area, decisions.seed, _WHOLE if stairs else _HALF), free_form=True)
 
 
-def compact_l(area: float, seed: int) -> Polygon:
-    """Return an L-shaped outline whose arms are 0.5 to 0.58 of its length and depth, turned and mirrored by the seed.
+_WHOLE, _HALF = 1.0, 0.5
+"""Steps of the corners, metres: cores stand at whole metres, and leave no gap to a side that does too."""
+
+_MISSED = 0.02
+"""Share of the area that an outline may miss where others of its seed's choice do not come closer."""
+
+
+def compact_l(area: float, seed: int, step: float = _HALF) -> Polygon:
+    """Return an L-shaped outline with arms of about half its length and depth, mirrored as the seed says.
+
+    Parameters
+    ----------
+    area : float
+        Square metres; met to 2%, or as closely as corners in these steps allow.
+    seed : int
+        Chooses among the outlines that meet it.
+    step : float
+        Of the coordinates, metres.
 
     Examples
     --------
     >>> outline = compact_l(64.0, 3)
-    >>> round(outline.area, 1), len(outline.exterior.coords) - 1
-    (64.0, 6)
+    >>> abs(outline.area - 64.0) < 1.0, len(outline.exterior.coords) - 1
+    (True, 6)
     """
     generator = item_generator(seed, "compact outline")
-    ratio, across, along = generator.uniform((1.0, 0.5, 0.5), (1.3, 0.58, 0.58)).tolist()
-    share = 1.0 - (1.0 - across) * (1.0 - along)
-    length = round((area * ratio / share) ** 0.5, 1)
-    arm = round(across * length, 1)
-    # The depth is what is left to choose, so that the area is met exactly.
-    depth = area / (length - (length - arm) * (1.0 - along))
-    notch = along * depth
+    found = list(_candidates(area, step))
+    near = [sides for error, sides in found if error <= _MISSED] or [min(found)[1]]
+    length, depth, arm, notch = near[int(generator.integers(len(near)))]
     outline = Polygon([(0.0, 0.0), (length, 0.0), (length, notch), (arm, notch), (arm, depth), (0.0, depth)])
     if generator.random() < 0.5:
         outline = affinity.scale(outline, xfact=-1.0, origin=(length / 2, 0.0))
     if generator.random() < 0.5:
         outline = affinity.scale(outline, yfact=-1.0, origin=(0.0, depth / 2))
     return Polygon(outline.exterior.coords).normalize().reverse()
+
+
+def _candidates(area: float, step: float) -> Iterator[tuple[float, tuple[float, float, float, float]]]:
+    """Yield the share of the area that each outline misses, and its length, depth and both arms, metres."""
+    side = math.sqrt(area / 0.76)
+    sides = [step * n for n in range(math.floor(0.85 * side / step), math.ceil(1.25 * side / step) + 1)]
+    for length, depth in itertools.product(sides, sides):
+        if not 1.0 <= length / depth <= 1.35:
+            continue
+        arms = (_arms(length, step), _arms(depth, step))
+        for arm, notch in itertools.product(*arms):
+            error = abs(length * depth - (length - arm) * (depth - notch) - area) / area
+            yield error, (length, depth, arm, notch)
+
+
+def _arms(side: float, step: float) -> list[float]:
+    """Return the arms that go with a side: 0.48 to 0.6 of it, and at least one."""
+    return [step * n for n in range(math.ceil(0.48 * side / step), math.floor(0.6 * side / step) + 1)] or [
+        step * round(0.55 * side / step)
+    ]
