@@ -150,9 +150,9 @@ _SLENDER = 0.88 * STRIP
 
 def _wide_enough(room: PlannedRoom, depth: float) -> PlannedRoom:
     """Return a room that must have a window with the area to reach the outer wall, where its limits allow it."""
-    area = max(_WINDOWED, depth / _SLENDER) * depth
+    area = min(max(_WINDOWED, depth / _SLENDER) * depth, room.most)
     must = needs_outer_wall(room.kind) and not room.fixed and not room.suite
-    if not must or not _is_narrow(room, depth) or area > room.most:
+    if not must or not _is_narrow(room, depth) or area < _WINDOWED * depth:
         return room
     return msgspec.structs.replace(room, area=area)
 
