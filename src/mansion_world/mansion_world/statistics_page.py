@@ -6,6 +6,7 @@ from itertools import islice
 from typing import Final
 
 from mansion_msgs_py.building_folder import BuildingFolder
+from mansion_msgs_py.wording import counted
 from mansion_world.records import BuildingRow
 from mansion_world.statistics import AGENTS, WorldStatistics
 from mansion_world.world_folder import WorldFolder
@@ -84,5 +85,6 @@ def _shown(world: WorldFolder) -> Iterator[BuildingRow]:
 def _figure(world: WorldFolder, row: BuildingRow) -> str:
     picture = BuildingFolder(world.path / row.path).building.files.get("picture", "")
     source = escape(f"{row.path}/{picture}", quote=True)
-    caption = f"{row.index}: {row.description} ({row.floors} floors, {row.rooms} rooms, {row.difficulty}, {row.split})"
+    size = f"{counted(row.floors, 'floor')}, {counted(row.rooms, 'room')}"
+    caption = f"{row.index}: {row.description} ({size}, {row.difficulty}, {row.split})"
     return f'<figure><img loading="lazy" src="{source}" alt=""><figcaption>{escape(caption)}</figcaption></figure>'
