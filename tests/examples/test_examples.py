@@ -19,6 +19,7 @@ from mansion_msgs_py.world import SkillStatus, WorldState
 from mansion_tasks.episodes.log import read_log
 from mansion_tasks.episodes.port import LocalPort
 from mansion_tasks.episodes.replaying import replay
+from mansion_world.world_folder import WorldFolder
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 SCRIPTS = sorted(EXAMPLES.glob("*.py"))
@@ -210,6 +211,21 @@ def check_ros_client(lines: list[str], output: Path) -> None:
     assert float(reached[2]) == pytest.approx(y, abs=1.0)
 
 
+def check_world(lines: list[str], output: Path) -> None:
+    """Twenty buildings without a fault, each in a split and of a difficulty, and the rooms of the one opened."""
+    assert lines[0].startswith("20 buildings, ")
+    assert lines[1] == "faults: 0"
+    counts = {name: int(number) for name, number in (line.split(": ") for line in lines[2:9])}
+    assert sum(counts[name] for name in ("train", "val", "test")) == 20
+    assert sum(counts[name] for name in ("easy", "medium", "hard", "expert")) == 20
+    rows = list(WorldFolder(output / "world").manifest())
+    assert len(rows) == 20 and all(row.tasks == 1 for row in rows)
+    first = next(row for row in rows if row.split == "train")
+    rooms = [room.id for scene in BuildingFolder(output / "world" / first.path).scenes() for room in scene.rooms]
+    assert lines[9].startswith(first.description)
+    assert all(room in lines[9] for room in rooms)
+
+
 def check_other(lines: list[str], output: Path) -> None:
     """A script without a check of its own prints something."""
     assert lines
@@ -226,6 +242,7 @@ CHECKS: dict[str, Check] = {
     "model_reads": check_model_reads,
     "plan": check_plan,
     "ros_client": check_ros_client,
+    "world": check_world,
 }
 
 
