@@ -75,7 +75,7 @@ def test_the_command_line_tells_every_fault_and_ends_with_status_2(tmp_path: Pat
 @pytest.mark.parametrize("option", [["--complete", "doors"], ["--layers", "rooms=A"]])
 def test_options_of_a_plan_without_a_plan_are_refused(option: list[str], tmp_path: Path) -> None:
     done = CliRunner().invoke(app, ["build", "a flat", "-o", str(tmp_path / "x"), *option])
-    assert f"{option[0]} is for a plan" in str(done.exception)
+    assert f"{option[0]} needs a plan" in str(done.exception)
 
 
 def test_a_list_of_plans(tmp_path: Path) -> None:
