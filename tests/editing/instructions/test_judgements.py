@@ -65,3 +65,8 @@ def test_counted_things_are_taken_from_the_room_that_was_mentioned(editor: Scene
     report = instruct(editor, "The hall is full. Remove two chairs.")
     assert report.done, report.message
     assert sum(item.category == "chair" and item.room == "F1/hall" for _, item in editor.state.objects()) == 1
+
+
+def test_how_a_room_shall_feel_is_a_wish_that_is_not_passed_over(furnished_state: SceneState) -> None:
+    read = read_instruction("Remove the plates and make the kitchen feel cosier", furnished_state)
+    assert read.not_understood == ["make the kitchen feel cosier"]

@@ -107,6 +107,8 @@ class Changing(Wishes, Moving, Sizes):
         if colour is not None:
             return self._painted([item], colour[0], colour[1], self.quote(at, colour[2])), colour[2]
         found = self._predicate(item, end, at)
+        if found is not None and all(isinstance(statement, Mention) for statement in found[0]):
+            raise NotUnderstood(at, self.boundary(at))  # "make the hall feel cosier" is a wish, not an opinion
         if found is not None:
             return found
         it = item.phrase.refers == "last" and not item.phrase.noun.words and not item.phrase.plural
