@@ -2,10 +2,11 @@
 
 from typing import Any
 
+import msgspec
 import pytest
 
-from mansion_export.presentation import building_title, floor_title
-from mansion_msgs_py.scene import FloorScene
+from mansion_export.presentation import building_title, floor_title, main_door
+from mansion_msgs_py.scene import Door, FloorScene
 
 
 def scene(floor: int, floors: int, **more: Any) -> FloorScene:
@@ -42,3 +43,15 @@ def test_floors_are_named_as_people_do():
     assert floor_title(scene(2, 3, building_type="villa")) == "Villa: floor 2"
     assert floor_title(scene(0, 3, building_type="villa", label="B1")) == "Villa: basement 1"
     assert floor_title(scene(1, 1, building_type="flat")) == "Flat"
+
+
+def test_the_main_door_is_the_widest_entrance_whatever_other_doors_come_first() -> None:
+    def door(name: str, kind: str, room: str, width: float, x: float, y: float) -> Door:
+        segment = ((x, y), (x + width, y))
+        return Door(id=name, kind=kind, rooms=(room, None), width=width, height=2.1, segment=segment)  # type: ignore[arg-type]
+
+    escape, side = door("d1", "single", "stair_1", 1.0, 0.0, 0.0), door("d2", "entrance", "hall", 1.0, 5.0, 0.0)
+    main, garage = door("d3", "entrance", "hall", 1.8, 3.0, 9.0), door("d4", "garage", "garage", 3.0, 7.0, 0.0)
+    ground = msgspec.structs.replace(scene(1, 1), doors=[escape, side, main, garage])
+    assert main_door(ground) == main
+    assert main_door(msgspec.structs.replace(ground, doors=[garage])) is None

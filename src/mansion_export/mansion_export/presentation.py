@@ -5,9 +5,9 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from mansion_msgs_py.scene import FloorScene, SceneRoom
+from mansion_msgs_py.scene import Door, FloorScene, SceneRoom
 
-__all__ = ["building_name", "building_title", "floor_name", "floor_title", "quarter_turns", "room_title"]
+__all__ = ["building_name", "building_title", "floor_name", "floor_title", "main_door", "quarter_turns", "room_title"]
 
 _COUNTS = ("no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten")
 
@@ -62,6 +62,12 @@ def room_title(room: SceneRoom) -> str:
     return words[:1].upper() + words[1:]
 
 
+def main_door(scene: FloorScene) -> Door | None:
+    """Return the door that people come in by, the widest entrance; ``None`` where no door but a garage's leads out."""
+    doors = [door for door in scene.doors if None in door.rooms and door.kind != "garage"]
+    return max(doors, key=lambda door: (door.kind == "entrance", door.width), default=None)
+
+
 def quarter_turns(scenes: Sequence[FloorScene]) -> int:
     """Return by how many quarters to turn a building so that its long side and its entrance face the viewer."""
     above = (scene for scene in scenes if scene.floor >= 1)
@@ -71,7 +77,7 @@ def quarter_turns(scenes: Sequence[FloorScene]) -> int:
     points = np.array(ground.outline)
     low, high = points.min(0), points.max(0)
     turns = 1 if high[1] - low[1] > 1.1 * (high[0] - low[0]) else 0
-    door = next((door for door in ground.doors if None in door.rooms), None)
+    door = main_door(ground)
     if door is None:
         return turns
     x, y = np.mean(door.segment, axis=0)

@@ -9,11 +9,11 @@ import numpy as np
 import shapely
 from shapely.geometry import LineString, Polygon, box
 
-from mansion_export.exterior.entrances import ABOVE, THICKNESS, accent, outer_doors, outward
+from mansion_export.exterior.entrances import ABOVE, THICKNESS, accent, outward
 from mansion_export.exterior.lettering import lettering
 from mansion_export.materials import named
 from mansion_export.model import Material, Node, Part, Surface
-from mansion_export.presentation import building_name
+from mansion_export.presentation import building_name, main_door
 from mansion_export.solids import polygon_surface
 from mansion_knowledge import default_knowledge
 from mansion_msgs_py.scene import Door, FloorScene
@@ -37,10 +37,9 @@ CORNER: Final = 0.4
 
 def sign_parts(scene: FloorScene) -> Iterator[Part]:
     """Yield the board with the building's name over the widest door to the street; homes have none."""
-    doors = [door for door in outer_doors(scene) if door.kind != "garage"]
-    if not doors or default_knowledge().groups.is_dwelling(scene.building_type):
+    door = main_door(scene) if scene.floor == 1 else None
+    if door is None or default_knowledge().groups.is_dwelling(scene.building_type):
         return
-    door = max(doors, key=lambda door: (door.kind == "entrance", door.width))
     letters = lettering(building_name(scene))
     if letters.is_empty:
         return
