@@ -40,6 +40,9 @@ from stand_in_buildings import build_slowly, build_stand_in, no_faults
 FLATS: Final = Path(__file__).parents[2] / "examples" / "small_world.toml"
 SEED: Final = 7
 
+_SHOWN: Final = 20
+"""Differing files that are named."""
+
 
 def load() -> str:
     """Return the load of the machine."""
@@ -137,7 +140,10 @@ def kills(options: argparse.Namespace, root: Path) -> bool:
             print(f"the command ended with status {run.returncode}")
             return False
     subprocess.run([*command, "--output", str(root / "whole")], check=True)
-    same = contents(root / "killed") == contents(root / "whole")
+    killed, whole = contents(root / "killed"), contents(root / "whole")
+    same = killed == whole
+    for name in sorted(name for name in killed.keys() | whole.keys() if killed.get(name) != whole.get(name))[:_SHOWN]:
+        print(f"differs: {name}")
     print(
         f"{count} buildings, SIGKILL to {ended['worker']} workers and {ended['command']} commands in "
         f"{time.monotonic() - started:.0f} s: {'the same bytes' if same else 'OTHER BYTES'} ({load()})"
