@@ -10,7 +10,7 @@ from shapely.geometry import Polygon
 
 from mansion_geometry.randomness import item_generator
 from mansion_planner.program.decisions import Decisions
-from mansion_planner.program.shape_sizes import least_area
+from mansion_planner.program.shape_sizes import holds_shape
 
 __all__ = ["compact_l", "with_compact_outline"]
 
@@ -18,6 +18,12 @@ _LEAST = 48.0
 """Least gross area of a storey with two arms of rooms, square metres."""
 
 _LEAST_WITH_STAIR = 70.0
+
+_WHOLE, _HALF = 1.0, 0.5
+"""Steps of the corners, metres: cores stand at whole metres, and leave no gap to a side that does too."""
+
+_MISSED = 0.02
+"""Share of the area that the chosen outline may miss; the closest one is taken where none comes within it."""
 
 
 def with_compact_outline(decisions: Decisions, area: float, stairs: int) -> Decisions:
@@ -32,17 +38,9 @@ def with_compact_outline(decisions: Decisions, area: float, stairs: int) -> Deci
     """
     shapes = decisions.facts.shapes
     wanted = bool(shapes) and shapes[0][0] == "L" and decisions.building.family == "home" and decisions.outline is None
-    too_small = area < 0.98 * least_area("L", stairs)
-    if not wanted or not too_small or area < (_LEAST_WITH_STAIR if stairs else _LEAST):
+    if not wanted or holds_shape("L", area, stairs) or area < (_LEAST_WITH_STAIR if stairs else _LEAST):
         return decisions
     return replace(decisions, outline=compact_l(area, decisions.seed, _WHOLE if stairs else _HALF), free_form=True)
-
-
-_WHOLE, _HALF = 1.0, 0.5
-"""Steps of the corners, metres: cores stand at whole metres, and leave no gap to a side that does too."""
-
-_MISSED = 0.02
-"""Share of the area that an outline may miss where others of its seed's choice do not come closer."""
 
 
 def compact_l(area: float, seed: int, step: float = _HALF) -> Polygon:

@@ -17,7 +17,7 @@ from mansion_planner.program.allocation import Allocation
 from mansion_planner.program.decisions import AREA_CAP, Decisions, conflict, note
 from mansion_planner.program.exit_stairs import second_stair
 from mansion_planner.program.model import LIFT, CoreBox, CoreWish, Massing, Storey, Wing
-from mansion_planner.program.shape_sizes import least_area
+from mansion_planner.program.shape_sizes import holds_shape, least_area
 from mansion_planner.program.step_record import Record
 from mansion_planner.program.storey_rooms import base_rooms, hub_area, listed_area
 from mansion_planner.program.storeys import entries_of, is_hall
@@ -237,7 +237,7 @@ def choose_shape(decisions: Decisions, area: float, stairs: int, generator: np.r
     if decisions.facts.shapes:
         shape, span = decisions.facts.shapes[0]
         least = least_area(shape, stairs)
-        if decisions.free_form or area >= least * 0.98:
+        if decisions.free_form or holds_shape(shape, area, stairs):
             trace: list[TraceEntry] = []
             note(trace, span, f"{shape} outline")
             return "rectangle" if decisions.free_form else str(shape), Record(tuple(trace))

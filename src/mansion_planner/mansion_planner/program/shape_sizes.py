@@ -1,6 +1,6 @@
 """How large a storey is at least for its outline to have a shape."""
 
-__all__ = ["least_area", "most_storeys"]
+__all__ = ["holds_shape", "least_area", "most_storeys"]
 
 _LEAST = {"L": 104.0, "T": 170.0, "U": 300.0, "H": 380.0, "courtyard": 440.0}
 _LEAST_WITHOUT_STAIR = {**_LEAST, "U": 190.0}
@@ -15,6 +15,15 @@ def least_area(shape: str, stairs: int) -> float:
     (300.0, 190.0, 0.0)
     """
     return (_LEAST if stairs else _LEAST_WITHOUT_STAIR).get(shape, 0.0)
+
+
+_SHORT = 0.02
+"""Share by which an area may fall short of what a shape needs: outlines are in whole metres."""
+
+
+def holds_shape(shape: str, area: float, stairs: int) -> bool:
+    """Whether a storey of an area, square metres, is large enough for wings along a corridor in a shape."""
+    return area >= (1.0 - _SHORT) * least_area(shape, stairs)
 
 
 def most_storeys(shape: str, area: float, most: int) -> int:

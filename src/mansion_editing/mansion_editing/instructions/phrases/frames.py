@@ -10,11 +10,19 @@ from dataclasses import replace
 from typing import Final
 
 from mansion_editing.instructions.phrases.verb_words import BY_WORDS, GERUNDS
-from mansion_editing.instructions.phrases.words import BE, DETERMINERS, MODALS, NEED, Word, next_mark, text_at
+from mansion_editing.instructions.phrases.words import (
+    BE,
+    DETERMINERS,
+    MODALS,
+    NEED,
+    Word,
+    next_mark,
+    text_at,
+    with_leading_marks,
+)
 
 __all__ = ["without_frames"]
 
-_ENDS: Final = frozenset((".", "!", "?", ";", "\n"))
 _SPEAKERS: Final = frozenset("i we".split())
 _CONTRACTED: Final = frozenset(["i'd", "we'd"])
 _WISHED: Final = frozenset("want need like love prefer wish require miss missing lack lacking".split())
@@ -45,16 +53,10 @@ _LONGEST: Final = 14
 def without_frames(words: Sequence[Word]) -> list[Word]:
     """Return words with the clauses of sentences as plain requests; what is put anew keeps the place of the frame."""
     out: list[Word] = []
-    at = 0
-    while at < len(words):
-        end = at + 1
-        while end < len(words) and words[end].text not in _ENDS:
-            end += 1
-        sentence = list(words[at:end])
+    for sentence in with_leading_marks(words):
         for unframed in _FRAMES:
             sentence = unframed(sentence)
         out += sentence
-        at = end
     return out
 
 

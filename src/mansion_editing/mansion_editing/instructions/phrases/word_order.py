@@ -4,11 +4,18 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import Final
 
-from mansion_editing.instructions.phrases.words import DETERMINERS, FUNCTION_WORDS, Word, next_mark, text_at
+from mansion_editing.instructions.phrases.words import (
+    DETERMINERS,
+    FUNCTION_WORDS,
+    SENTENCE_ENDS,
+    Word,
+    next_mark,
+    text_at,
+    with_leading_marks,
+)
 
 __all__ = ["in_usual_order"]
 
-_ENDS: Final = frozenset(". ! ? ; \n".split(" "))
 _DOORS: Final = frozenset("door doorway opening passage".split())
 _BEFORE_DOORS: Final = frozenset("i we there please add make build create put install could can".split())
 """Words that begin what is asked for after the two rooms of a door."""
@@ -26,18 +33,12 @@ _ADDING: Final = frozenset("add install".split())
 def in_usual_order(words: Sequence[Word]) -> list[Word]:
     """Return words with sentences of an uncommon order in the usual one; what is moved keeps the whole's place."""
     out: list[Word] = []
-    at = 0
-    while at < len(words):
-        end = at + 1
-        while end < len(words) and words[end].text not in _ENDS:
-            end += 1
-        sentence = list(words[at:end])
+    for sentence in with_leading_marks(words):
         for reads in _READINGS:
             sentence = reads(sentence)
-        if any(word.text not in _ENDS for word in out):
+        if any(word.text not in SENTENCE_ENDS for word in out):
             sentence = _as_correction(sentence)
         out += sentence
-        at = end
     return out
 
 

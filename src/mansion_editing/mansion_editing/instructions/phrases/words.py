@@ -1,7 +1,7 @@
 """Words of an instruction, and the closed classes of English that clauses and phrases are told apart by."""
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Final
 
@@ -26,13 +26,15 @@ __all__ = [
     "PREPOSITIONS",
     "PRONOUNS",
     "REASONS",
+    "SENTENCE_ENDS",
     "STATE_WORDS",
     "UNRECORDED",
     "VAGUE",
     "Word",
-    "split_words",
     "next_mark",
+    "split_words",
     "text_at",
+    "with_leading_marks",
 ]
 
 
@@ -223,6 +225,21 @@ def _join_codes(words: list[Word]) -> list[Word]:
 def text_at(words: Sequence[Word], at: int) -> str:
     """Return the word at a place, empty before the first and beyond the last."""
     return words[at].text if 0 <= at < len(words) else ""
+
+
+SENTENCE_ENDS: Final = frozenset((".", "!", "?", ";", "\n"))
+"""Marks between sentences, and between main clauses that stand by themselves."""
+
+
+def with_leading_marks(words: Sequence[Word]) -> Iterator[list[Word]]:
+    """Yield the sentences of words, each with the mark that ends the one before it."""
+    at = 0
+    while at < len(words):
+        end = at + 1
+        while end < len(words) and words[end].text not in SENTENCE_ENDS:
+            end += 1
+        yield list(words[at:end])
+        at = end
 
 
 def next_mark(words: Sequence[Word], at: int) -> int:
