@@ -373,7 +373,7 @@ def _names_part(reading: Reading, first: int, last: int, like: str) -> bool:
 _PARTS = frozenset(
     """
     half third quarter part list everything everywhere room entrance lift elevator stair staircase wall floor roof
-    door window requirement wish programme program schedule note dr mr mrs ms prof
+    door window requirement wish programme program schedule note dr mr mrs ms prof brief description
     """.split()
 )
 

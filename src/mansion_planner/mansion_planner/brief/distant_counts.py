@@ -296,16 +296,19 @@ def read_counts_by_group(reading: Reading, phrases: list[Phrase], households: Ho
         for number, phrase in enumerate(phrases):
             if (
                 phrase.head == "room"
+                and subject != "room"
                 and phrase.first > index
                 and reading.sentence[phrase.first] == reading.sentence[index]
                 and phrase.count == 1
                 and phrase.determiner not in ("the",)
                 and phrase.first not in households.read
+                and _SHARED.isdisjoint(reading.words(phrase.first, phrase.noun_end))
             ):
                 phrases[number] = replace(phrase, count=counts[subject], counted=True)
         reading.take(index, index + 2)
 
 
+_SHARED = frozenset({"shared", "common", "communal"})
 _HAVING = frozenset({"with", "has", "have", "want", "need", "get", "having"})
 """What "each" can go on with: "two doctors, each with a consulting room"."""
 

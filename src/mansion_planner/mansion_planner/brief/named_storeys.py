@@ -64,6 +64,7 @@ class NamedStoreys:
             return None
         if word in ("underground", "subterranean") and following not in FLOOR_WORDS:
             predicate = reading.word(index - 1) in COPULAS | {"lie", "go", "all"} and following in CLOSERS
+            predicate = predicate or (following in (":", "=") and reading.starts(index))
             return ([FloorRef("basement")], last) if predicate else None
         return [FloorRef("basement")], last
 

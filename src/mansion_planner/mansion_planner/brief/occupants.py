@@ -3,11 +3,12 @@
 from collections.abc import Mapping
 
 from mansion_planner.brief.facts import OccupantFact
-from mansion_planner.brief.furnishings import people_served, seats_at_tables
+from mansion_planner.brief.furnishings import people_served
 from mansion_planner.brief.persons import COLLECTIVES
 from mansion_planner.brief.phrase import Phrase
 from mansion_planner.brief.reading import Reading
 from mansion_planner.brief.storey_attachment import Attachment
+from mansion_planner.brief.table_seats import seats_at_tables
 
 __all__ = ["read_occupants", "tell_users"]
 

@@ -41,6 +41,7 @@ from mansion_planner.brief.measures import find_measures, give_measures
 from mansion_planner.brief.named_rooms import desks_as_places, rooms_by_name
 from mansion_planner.brief.noun_phrases import noun_phrases
 from mansion_planner.brief.occupants import read_occupants, tell_users
+from mansion_planner.brief.one_sized import with_one_sized
 from mansion_planner.brief.phrase import BARE_BUILDINGS, Phrase
 from mansion_planner.brief.qualifiers import unheeded_words
 from mansion_planner.brief.reading import Place, Reading, start_reading
@@ -151,7 +152,7 @@ class _Reader:
         phrases = [phrase for number, phrase in enumerate(phrases) if number not in stacked]
         self.building = self._name_building(phrases)
         as_studio_flat(reading, phrases)
-        phrases = with_shared_sizes(reading, measures, phrases)
+        phrases = with_one_sized(reading, measures, with_shared_sizes(reading, measures, phrases))
         own = [room_for_building(reading, phrase) for phrase in give_measures(reading, measures, phrases)]
         self.phrases = by_what_else_is_named([told_by_its_words(reading, phrase) for phrase in own])
         one_of_several = told_by_size(reading, with_bare_areas(reading, self.phrases))

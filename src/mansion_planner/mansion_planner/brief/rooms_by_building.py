@@ -41,6 +41,8 @@ def room_for_building(reading: Reading, phrase: Phrase) -> Phrase:
     room = _PLAIN.get(kind) or _PLAIN.get(like)
     if room is not None:
         return replace(phrase, room_type=room, known=True)
+    if not _BEDS.isdisjoint(reading.words(phrase.first, phrase.noun_end)) and (not family or family in _DWELT_IN):
+        return replace(phrase, room_type="bedroom", known=True)  # "six single rooms"
     if phrase.name != "room" or reading.word(phrase.last) == "with":
         return phrase  # "one open room with 20 desks"
     reading.taken.difference_update(range(phrase.first, phrase.last))
@@ -89,6 +91,9 @@ _NAMED = {
     ("studio", "media_house"): "recording_studio",
 }
 """Rooms that the same words name another kind of in other buildings, by their name and the kind of building."""
+
+_BEDS = frozenset({"single", "double", "twin"})
+"""For how many a room is that people sleep in."""
 
 _PLAIN = {
     "hotel": "hotel_room",

@@ -1,5 +1,6 @@
 """Read storeys that the order of a brief tells: "one down", "the floor above", "then", "the rest", a list upwards."""
 
+from collections.abc import Iterator
 from dataclasses import replace
 
 from mansion_planner.brief.facts import FloorRef
@@ -83,11 +84,24 @@ class StoreySequence:
     def _then(self, index: int, base: FloorRef | None) -> tuple[list[FloorRef], int] | None:
         """Read "then" and "next" at the start of a sentence of a brief that goes up or down."""
         reading = self.reading
-        if self.direction == 0 or base is None or not reading.starts(index):
+        rises = reading.word(index) == "then" and self._rises_to_top(index)
+        if base is None or not ((self.direction and reading.starts(index)) or (rises and base.kind == "number")):
             return None
+        self.direction = self.direction or 1
         if reading.word(index) not in ("then", "next") or reading.word(index + 1) in FLOOR_WORDS | {"to", "door"}:
             return None
         return [_moved(base, self.direction)], index + 1
+
+    def _rises_to_top(self, index: int) -> bool:
+        """Whether a list goes up to what is on top: "below a shop, then two flats, and a studio on top"."""
+        reading = self.reading
+        if reading.word(index - 1) not in (",", ";", "and") or self.direction < 0:
+            return False
+        end = index
+        while end < len(reading.tokens) and reading.sentence[end] == reading.sentence[index]:
+            end += 1
+        words = reading.words(index, end)
+        return any(pair == ("on", "top") and after not in ("of",) for pair, after in _pairs(words))
 
     def _relative(self, index: int, previous: FloorRef | None) -> tuple[list[FloorRef], int] | None:
         """Read "one flight up", "next storey up", "the floor above", "the one below", "two below the top"."""
@@ -105,8 +119,8 @@ class StoreySequence:
             return [replace(previous) if previous is not None else base], index + 2
         if word in ("up", "down") and reading.word(index + 1) == "there" and previous is not None:
             return [replace(previous)], index + 2
-        if reading.words(index, index + 3) == ("one", "flight", "up"):
-            return [FloorRef("number", 2, 2)], index + 3
+        if up := self._flights(index):
+            return [FloorRef("number", 1 + up, 1 + up)], index + 3
         if (
             word in ("next",)
             and reading.word(index + 1) in FLOOR_WORDS
@@ -116,6 +130,14 @@ class StoreySequence:
                 reading.word(index + 2) in ("up", "above")
             )
         return self._beside(index, base, previous)
+
+    def _flights(self, index: int) -> int:
+        """Return how many flights of stairs "two flights up" or "up one flight" at a token tells of, or 0."""
+        reading = self.reading
+        at = index + (reading.word(index) == "up")
+        other = index + 2 if at == index else index
+        told = reading.kind(at) == "number" and reading.word(at + 1) == "flight" and reading.word(other) == "up"
+        return int(reading.value(at)) if told and 0 < reading.value(at) < 20 else 0
 
     def _is_same_again(self, index: int) -> bool:
         """Whether "same floor" is that of what was told before: "Also a toilet, at same floor"."""
@@ -209,6 +231,12 @@ def _moved(base: FloorRef | None, steps: int) -> FloorRef:
         return FloorRef("number", steps, steps) if steps > 0 else FloorRef("basement")
     number = (base.last if steps > 0 else base.first) + steps
     return FloorRef("number", number, number) if number >= 1 else FloorRef("basement")
+
+
+def _pairs(words: tuple[str, ...]) -> Iterator[tuple[tuple[str, str], str]]:
+    """Yield every two words that stand side by side, and the one after them."""
+    for first, second, after in zip(words, words[1:], (*words[2:], "")):
+        yield (first, second), after
 
 
 def other_storeys(refs: tuple[FloorRef, ...], storeys: int) -> tuple[FloorRef, ...]:

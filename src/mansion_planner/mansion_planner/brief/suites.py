@@ -139,6 +139,8 @@ class _Pair:
     def is_closed(self) -> bool:
         """Whether "each" closes what stands before: "meeting rooms with a screen each, a nap room with a sofa"."""
         ends = self.words[-2:] == ("each", ",") or self.words[-3:-1] == ("each", ",")
+        if self.phrase.determiner in ("both", "all") and self.phrase.room_type == "ensuite_bathroom":
+            return False  # "nine rooms each, all en suite"
         return ends and {"with", "has", "have", "get"}.isdisjoint(self.words[-1:])
 
     def list_goes_on(self, between: Sequence[Phrase]) -> bool:
