@@ -81,3 +81,32 @@ def test_what_is_said_all_the_way_up_is_on_every_upper_storey() -> None:
 def test_storeys_that_the_order_of_a_brief_tells(text: str, expected: list[str]) -> None:
     found = _read(text)
     assert [entry for entry in expected if entry not in found] == []
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        (
+            "Tower hotel: 12 storeys. Storeys 1-2 lobby, 3-11 four rooms per storey each with bathroom, 12 sky bar.",
+            ["1 lobby, each of floors 1 and 2", "4 rooms, each of floors 3 to 11", "1 sky bar, floor 12"],
+        ),
+        (
+            "A hospital ward with 10 patient rooms (2 beds each, ensuite bathroom), nurse station.",
+            ["10 ensuite bathrooms, in patient room"],
+        ),
+        (
+            "A school of two floors with 2 science labs upstairs with a preparation room in between.",
+            ["1 preparation room, floor 2", "preparation room next to science lab"],
+        ),
+        ("A police station with an office. Outside parking is not part of it.", ["no parking"]),
+        ("House of two storeys: two bathrooms upstairs, guest WC down.", ["1 guest wc, ground floor"]),
+        ("A house: ground floor 80 m2, upper floor 70 m2.", ["75 m2 a floor"]),
+        ("A cinema with 3 screens, a foyer and a projection room for each screen.", ["3 projection rooms"]),
+        ("The ministry asks for a border post on a single floor: 3 offices.", ["building: border post", "3 offices"]),
+        ("A clinic of two floors with two lifts, one of them for beds.", ["2 lifts"]),
+    ],
+)
+def test_statements_in_other_words(text: str, expected: list[str]) -> None:
+    found = _read(text)
+    assert [entry for entry in expected if entry not in found] == []
+    assert "beds" not in found

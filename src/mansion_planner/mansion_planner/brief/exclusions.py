@@ -65,6 +65,7 @@ _AFTER = (
     ("=", "no"),
     ("=", "none"),
     ("not", "included"),
+    *[(verb, "not", "part", "of", what) for verb in ("is", "are") for what in ("it", "this", "that", "the")],
     ("not", "foreseen"),
     ("can", "be", "omitted"),
     ("we", "do", "not", "have"),

@@ -311,7 +311,26 @@ _NO_MORE = frozenset({"least", "minimum", "min", "more", "less", "fewer"})
 """Words of a count that is a lower bound."""
 
 _VEHICLES = frozenset({"van", "truck", "car", "garage_car", "bus", "motorcycle", "ambulance"})
-_CARRIES = frozenset({"for", "that", "which", "carry", "carries", "carrying", "take", "takes", "taking", "to", "fit"})
+_CARRIES = frozenset(
+    {
+        ",",
+        "one",
+        "of",
+        "them",
+        "which",
+        "is",
+        "for",
+        "that",
+        "carry",
+        "carries",
+        "carrying",
+        "take",
+        "takes",
+        "taking",
+        "to",
+        "fit",
+    }
+)
 _ROOMY = frozenset("big large wide deep high long strong enough is be hold to".split())
 _POINTS = frozenset({"the", "these", "those", "our", "my", "their", "his", "her", "your"})
 
@@ -335,7 +354,10 @@ def _passes_by(reading: Reading, phrases: list[Phrase], number: int) -> bool:
     if "enough" in gap and set(gap) <= _CARRIES | _ROOMY:  # no lift is made larger: these words stay unread
         reading.taken.difference_update(range(phrase.first, phrase.last))
         return True
-    return bool(gap) and set(gap) <= _CARRIES
+    carried = bool(gap) and set(gap) <= _CARRIES
+    if carried and "one" in gap:
+        reading.take(before.last, phrase.first)
+    return carried
 
 
 def _replaced(reading: Reading, phrases: list[Phrase], negated: dict[int, tuple[int, int]], number: int) -> bool:

@@ -134,6 +134,8 @@ class NamedStoreys:
             return following in (":", ",") and lead == "the"
         if word == "down":
             stays = self.has_floors and following in CLOSERS and lead in _STAYS
+            room = any(mention.room and mention.last == index for mention in reading.mentions)
+            stays = stays or (room and following in CLOSERS and "upstairs" in {token.text for token in reading.tokens})
             return stays or (following == ":" and reading.starts(index))
         if word == "below":
             if reading.starts(index) and following in (":", "is", "are", "there", ",", "the", "we", "i", "you", "a"):
@@ -164,7 +166,8 @@ class NamedStoreys:
             return [FloorRef("top")], index + 1
         if self._is_on_top_of_it(index):
             return [FloorRef("top")], index + 3
-        attic = word in ("attic", "loft") and (following == ":" or self._is_place(index))
+        ours = word == "loft" and reading.word(index - 1) in ("our", "my")  # a flat
+        attic = word in ("attic", "loft") and (following == ":" or self._is_place(index)) and not ours
         highest = word in ("uppermost", "topmost", "highest") and self._names_storey(index)
         if attic or highest or self._is_at_the_top(index):
             return [FloorRef("top")], index + 1

@@ -24,6 +24,7 @@ from mansion_planner.brief.desk_areas import read_desk_areas
 from mansion_planner.brief.distant_counts import (
     read_counts_by_group,
     read_counts_by_person,
+    read_counts_by_room,
     read_counts_by_storey,
     read_halves,
     read_late_counts,
@@ -162,6 +163,7 @@ class _Reader:
         """Find what belongs together: late counts, what each flat holds, what only holds or furnishes another room."""
         reading = self.reading
         read_late_counts(reading, self.phrases)
+        read_counts_by_room(reading, self.phrases)
         self.phrases, self.households = read_households(reading, self.phrases, self.places, self.building)
         self._find_building()
         leave_out_containers(reading, self.phrases, self.places)

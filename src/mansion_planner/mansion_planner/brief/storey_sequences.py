@@ -31,6 +31,7 @@ class StoreySequence:
     def __init__(self, reading: Reading) -> None:
         self.reading = reading
         self.direction = 0
+        self.numbered: FloorRef | None = None
 
     def read(self, index: int, base: FloorRef | None) -> tuple[list[FloorRef], int] | None:
         """Read a storey that is told from `base`, the storey named before it.
@@ -44,6 +45,7 @@ class StoreySequence:
             self._steps(index, base)
             or self._beyond(index, base)
             or self._then(index, base)
+            or self._goes_on(index, base)
             or self._relative(index, base)
         )
 
@@ -91,6 +93,30 @@ class StoreySequence:
         if reading.word(index) not in ("then", "next") or reading.word(index + 1) in FLOOR_WORDS | {"to", "door"}:
             return None
         return [_moved(base, self.direction)], index + 1
+
+    def _goes_on(self, index: int, base: FloorRef | None) -> tuple[list[FloorRef], int] | None:
+        """Read the numbers in "Storeys 1-2 a lobby, 3-11 four rooms each, 12 a bar", each above the one before."""
+        reading = self.reading
+        base = base if base is not None and base.kind in ("number", "range") else self.numbered
+        if base is None or reading.kind(index) != "number" or reading.word(index - 1) not in (",", ";"):
+            return None
+        floors = int(reading.facts.floors[0].value) if reading.facts.floors else 0
+        first, last = int(reading.value(index)), index + 1
+        if first != base.last + 1 or first > floors or not self._is_headed_by_numbers(index):
+            return None
+        if reading.word(last) in ("-", "–", "to") and reading.kind(last + 1) == "number":
+            top = int(reading.value(last + 1))
+            self.numbered = FloorRef("range", first, top)
+            return ([self.numbered], last + 2) if first < top <= floors else None
+        return ([FloorRef("number", first, first)], last) if first == floors else None
+
+    def _is_headed_by_numbers(self, index: int) -> bool:
+        """Whether the sentence opens with storeys in numbers: "Storeys 1-2 ..."."""
+        reading = self.reading
+        first = index
+        while first > 0 and not reading.starts(first):
+            first -= 1
+        return reading.word(first) in FLOOR_WORDS and reading.kind(first + 1) == "number"
 
     def _rises_to_top(self, index: int) -> bool:
         """Whether a list goes up to what is on top: "below a shop, then two flats, and a studio on top"."""
