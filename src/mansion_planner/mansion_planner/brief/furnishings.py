@@ -311,26 +311,7 @@ _NO_MORE = frozenset({"least", "minimum", "min", "more", "less", "fewer"})
 """Words of a count that is a lower bound."""
 
 _VEHICLES = frozenset({"van", "truck", "car", "garage_car", "bus", "motorcycle", "ambulance"})
-_CARRIES = frozenset(
-    {
-        ",",
-        "one",
-        "of",
-        "them",
-        "which",
-        "is",
-        "for",
-        "that",
-        "carry",
-        "carries",
-        "carrying",
-        "take",
-        "takes",
-        "taking",
-        "to",
-        "fit",
-    }
-)
+_CARRIES = frozenset(", one of them which is for that carry carries carrying take takes taking to fit".split())
 _ROOMY = frozenset("big large wide deep high long strong enough is be hold to".split())
 _POINTS = frozenset({"the", "these", "those", "our", "my", "their", "his", "her", "your"})
 

@@ -208,12 +208,8 @@ class _Pair:
             return False  # "two laboratories with a preparation room in between"
         both = self.phrase.determiner in ("both", "all", "each") and self.phrase.room_type == "ensuite_bathroom"
         postposed = not self.words and self.phrase.room_type == "ensuite_bathroom"  # "three bedrooms en suite"
-        if (
-            self._is_bracketed()
-            and self.phrase.room_type in PRIVATE
-            and self.is_several()
-            and self.owner.room_type in SLEEPING
-        ):
+        private = self.phrase.room_type in PRIVATE and self.owner.room_type in SLEEPING
+        if private and self._is_bracketed() and self.is_several():
             return True  # "ten patient rooms (two beds each, ensuite bathroom)"
         return self._is_shared_out() or both or postposed or self._is_own() or self._is_private() or self._are_ensuite()
 

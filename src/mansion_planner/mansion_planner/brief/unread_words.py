@@ -45,7 +45,8 @@ _REQUESTS = frozenset(
     """
     design generate imagine think thank suppose assume kindly hereby attach attached regards turn convert converting
     furnish bought dream dreaming wanting requiring requirement help mean means call enter coming map
-    wished wishing renovate refurbish redesign naturally course completely strictly oh whatever latter thereabouts utmost provided outgrown premises
+    wished wishing renovate refurbish redesign naturally course completely strictly oh whatever latter thereabouts
+    utmost provided outgrown premises
     """.split()
 )
 """Words that ask for a building and say nothing of it."""
