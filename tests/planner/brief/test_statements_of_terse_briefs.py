@@ -104,6 +104,23 @@ def test_storeys_that_the_order_of_a_brief_tells(text: str, expected: list[str])
         ("A cinema with 3 screens, a foyer and a projection room for each screen.", ["3 projection rooms"]),
         ("The ministry asks for a border post on a single floor: 3 offices.", ["building: border post", "3 offices"]),
         ("A clinic of two floors with two lifts, one of them for beds.", ["2 lifts"]),
+        (
+            "A town house on three levels. At street level a kitchen; one level up the lounge; the top level a study.",
+            ["1 kitchen, ground floor", "1 lounge, floor 2", "1 study, floor 3"],
+        ),
+        (
+            "An embassy of 4 storeys; a hall at the bottom; the second has eight offices; third is the library.",
+            ["8 offices, floor 2", "1 library, floor 3"],
+        ),
+        ("Mansion, 3 storeys. Ground: hall. First floor: library. Attic floor: nursery.", ["1 nursery, floor 3"]),
+        ("A clinic with two operating theatres (35 m2 each) with a shared scrub area.", ["1 scrub area"]),
+        ("A rehab centre of two floors with 14 patient rooms with shower.", ["14 showers, in patient room"]),
+        ("A pub on one floor with a kitchen, office upstairs is not wanted.", ["no private office, ground floor"]),
+        ("A chalet sleeping ten over three floors.", ["for 10 people", "3 storeys"]),
+        (
+            "An office with a reception, 45 workstations in open plan.",
+            ["45 workstations, no others, in open plan office"],
+        ),
     ],
 )
 def test_statements_in_other_words(text: str, expected: list[str]) -> None:

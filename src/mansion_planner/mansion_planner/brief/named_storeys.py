@@ -160,7 +160,7 @@ class NamedStoreys:
         reading = self.reading
         word, following = reading.word(index), reading.word(index + 1)
         single = word in TOPS and not reading.plural(index + 1)
-        if following in FLOOR_WORDS and (single or word in ("rooftop", "roof")):
+        if following in FLOOR_WORDS and (single or word in ("rooftop", "roof", "attic", "loft", "mansard", "garret")):
             return [FloorRef("top")], index + 2
         if self._is_roof(index) or self._is_top(index):
             return [FloorRef("top")], index + 1

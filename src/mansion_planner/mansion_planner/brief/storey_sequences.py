@@ -46,6 +46,7 @@ class StoreySequence:
             or self._beyond(index, base)
             or self._then(index, base)
             or self._goes_on(index, base)
+            or self._next_ordinal(index, base)
             or self._relative(index, base)
         )
 
@@ -60,7 +61,10 @@ class StoreySequence:
         last += storeyed
         last += reading.word(last) == "further"
         word = reading.word(last)
-        if word not in (_UP | _DOWN) - {"under", "beneath"} or reading.word(last + 1) in ("the", "ground", "grade"):
+        told_from = reading.word(last + 1) in ("ground", "grade") or (
+            reading.word(last + 1) == "the" and word not in ("up", "down", "higher", "lower")
+        )
+        if word not in (_UP | _DOWN) - {"under", "beneath"} or told_from:
             return None
         opens = reading.starts(index) or reading.word(index - 1) in _OPENERS
         if not (storeyed or (opens and base is not None)):
@@ -109,6 +113,17 @@ class StoreySequence:
             self.numbered = FloorRef("range", first, top)
             return ([self.numbered], last + 2) if first < top <= floors else None
         return ([FloorRef("number", first, first)], last) if first == floors else None
+
+    def _next_ordinal(self, index: int, base: FloorRef | None) -> tuple[list[FloorRef], int] | None:
+        """Read "third is the library" after "the second has two offices", in a brief of three storeys or more."""
+        reading = self.reading
+        floors = int(reading.facts.floors[0].value) if reading.facts.floors else 0
+        opens = reading.kind(index) == "ordinal" and reading.starts(index) and index not in reading.taken
+        if base is None or base.kind != "number" or not opens or reading.word(index + 1) in FLOOR_WORDS:
+            return None
+        value = int(reading.value(index))
+        follows = value == base.last + 1 and value <= floors
+        return ([FloorRef("number", value, value)], index + 1) if follows else None
 
     def _is_headed_by_numbers(self, index: int) -> bool:
         """Whether the sentence opens with storeys in numbers: "Storeys 1-2 ..."."""
