@@ -263,10 +263,29 @@ def _free_parts(outline: Polygon, taken: Sequence[Polygon | MultiPolygon]) -> tu
     return kept, [part for part in parts if part not in kept]
 
 
-def _told_lost(part: Polygon, angle: float) -> str:
+def _lost_part_message(part: Polygon, angle: float) -> str:
     """Say where a part that no room can have lies."""
     ((x, y),) = rotated(shapely.get_coordinates(part.representative_point()).tolist(), -angle)
     return f"{part.area:.2f} m2 at ({x:.2f}, {y:.2f}) are cut off and narrower than a room, and stay without one"
+
+
+def _outline(problem: FloorProblem) -> tuple[Polygon, float]:
+    """Return the outline, turned so that most of its walls are upright, and the angle that it was turned by."""
+    outline = _shape(problem.boundary, "$.boundary")
+    if outline.area > MAX_FLOOR_AREA:
+        raise _refuse(
+            f"the outline holds {outline.area:.4g} m2; at most {MAX_FLOOR_AREA:.0f} m2 are laid out", "$.boundary"
+        )
+    angle = -dominant_angle([problem.boundary])
+    return (outline if angle == 0.0 else _shape(problem.boundary, "$.boundary", angle)), angle
+
+
+def _refuse_repeated_ids(problem: FloorProblem) -> None:
+    """Raise where two nodes have the same id."""
+    ids = [node.id for node in problem.nodes]
+    if len(set(ids)) != len(ids):
+        twice = sorted({i for i in ids if ids.count(i) > 1})
+        raise _refuse("node ids must differ", "$.nodes", repeated=twice)
 
 
 def make_model(problem: FloorProblem, options: SolverOptions) -> FloorModel:
@@ -277,30 +296,20 @@ def make_model(problem: FloorProblem, options: SolverOptions) -> FloorModel:
     MansionError
         ``INFEASIBLE`` with the place and the reason when no layout can exist.
     """
-    outline = _shape(problem.boundary, "$.boundary")
-    if outline.area > MAX_FLOOR_AREA:
-        raise _refuse(
-            f"the outline holds {outline.area:.4g} m2; at most {MAX_FLOOR_AREA:.0f} m2 are laid out", "$.boundary"
-        )
-    angle = -dominant_angle([problem.boundary])
-    if angle != 0.0:
-        outline = _shape(problem.boundary, "$.boundary", angle)
+    outline, angle = _outline(problem)
     obstacles = _obstacles(problem, angle)
     holes = [_shape(hole, f"$.holes[{k}]", angle) for k, hole in enumerate(problem.holes)]
     parts, lost = _free_parts(outline, [*holes, *(obstacle.polygon for obstacle in obstacles)])
     region = parts[0] if len(parts) == 1 else MultiPolygon(parts)
 
     known = {o.id for o in obstacles}
-    ids = [node.id for node in problem.nodes]
-    if len(set(ids)) != len(ids):
-        twice = sorted({i for i in ids if ids.count(i) > 1})
-        raise _refuse("node ids must differ", "$.nodes", repeated=twice)
+    _refuse_repeated_ids(problem)
     rooms, zones, links, graph, messages = resolve_zones(problem, known)
     if not rooms:
         raise _refuse("there is no room to lay out: every node is a core or a fixed room", "$.nodes")
     rooms = _with_planned_areas(problem, rooms, zones, graph, known, float(region.area))
     targets, scale = _targets(rooms, float(region.area))
-    messages += [_told_lost(part, angle) for part in lost]
+    messages += [_lost_part_message(part, angle) for part in lost]
     if abs(scale - 1.0) > 0.01:
         messages.append(f"node areas were scaled by {scale:.3f} to fill the free region")
     seeds = _seeds(problem, rooms, angle)
