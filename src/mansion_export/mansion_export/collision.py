@@ -148,7 +148,7 @@ def mass_properties_of(shapes: Sequence[Shape], mass: float) -> MassProperties:
 
 
 def bounds_of(shape: Shape) -> tuple[Point3, Point3]:
-    """Return the lowest and the highest corner of a shape that is not turned."""
+    """Return the lowest and the highest corner of an axis-aligned shape."""
     if isinstance(shape, Hull):
         low, high = shape.vertices.min(axis=0).tolist(), shape.vertices.max(axis=0).tolist()
         return (low[0], low[1], low[2]), (high[0], high[1], high[2])

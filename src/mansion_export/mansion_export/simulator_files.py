@@ -32,7 +32,7 @@ class SimulatorModel:
 
 
 def write_stl(surface: Surface | Hull) -> bytes:
-    """Write a surface as binary STL, z up, metres; triangles without area are left out."""
+    """Write a surface as binary STL, z up, metres; degenerate triangles are left out."""
     corners = surface.vertices[surface.faces]
     ax, ay, az = (corners[:, 1] - corners[:, 0]).T
     bx, by, bz = (corners[:, 2] - corners[:, 0]).T

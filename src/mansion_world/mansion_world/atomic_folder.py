@@ -7,11 +7,11 @@ from pathlib import Path
 
 from mansion_msgs_py.errors import ErrorCode, MansionError
 
-__all__ = ["whole_folder"]
+__all__ = ["atomic_folder"]
 
 
 @contextmanager
-def whole_folder(output: Path) -> Iterator[Path]:
+def atomic_folder(output: Path) -> Iterator[Path]:
     """Give a folder beside `output` to write into; it takes its name at the end, and is removed after an error.
 
     Raises

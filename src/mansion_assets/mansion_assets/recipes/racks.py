@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from mansion_assets.builder import Box, Builder
+from mansion_assets.builder import Builder
 from mansion_assets.catalogue.receptacles import Receptacle, volume
 from mansion_assets.registry import receptacles, recipe
 from mansion_msgs_py.shapes import Size3
@@ -80,7 +80,7 @@ def pallet(b: Builder) -> None:
                 solid=False,
             )
     if count > 1:
-        b.boxes.append(_whole(b))
+        b.boxes.append(b.whole_box())
         b.box((-w / 2, w / 2), (-d / 2, d / 2), (h - 0.02, h), "wood_birch", "boards", solid=False)
         return
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, high), "wood_birch", "deck", solid=False)
@@ -100,11 +100,7 @@ def pallet(b: Builder) -> None:
                     "cartons",
                     solid=False,
                 )
-    b.boxes.append(_whole(b))
-
-
-def _whole(b: Builder) -> Box:
-    return Box((0.0, 0.0, b.h / 2), (b.w, b.d, b.h))
+    b.boxes.append(b.whole_box())
 
 
 @recipe("crate")

@@ -13,11 +13,11 @@ from shapely import LineString
 
 from mansion_assets.catalogue import Catalogue
 from mansion_editing.state import SceneState
-from mansion_editing.structure.standing_checks import LOW, RoomSpace, collides, shifted, turned_about
+from mansion_editing.structure.standing_checks import RoomSpace, collides, shifted, turned_about
 from mansion_editing.structure.wall_moves import MovedWall
 from mansion_editing.tools.destinations import InRoom
 from mansion_editing.tools.floor_places import free_floor_places
-from mansion_geometry.object_footprints import footprint
+from mansion_geometry.object_footprints import WALKABLE_HEIGHT, footprint
 from mansion_msgs_py.scene import FloorScene, SceneObject
 from mansion_msgs_py.shapes import Point
 
@@ -118,7 +118,11 @@ def _carry_along(space: RoomSpace, now: dict[str, SceneObject], move: MovedWall)
 
 
 def _leans(item: SceneObject, line: LineString) -> bool:
-    return item.mount in ("floor", "wall") and item.size[2] > LOW and footprint(item).distance(line) <= _LEANING
+    return (
+        item.mount in ("floor", "wall")
+        and item.size[2] > WALKABLE_HEIGHT
+        and footprint(item).distance(line) <= _LEANING
+    )
 
 
 def _cluster(first: SceneObject, items: Sequence[SceneObject]) -> list[SceneObject]:
@@ -178,7 +182,7 @@ class _Room:
     def _poses(self, item: SceneObject) -> Iterator[SceneObject]:
         if item.mount == "wall":
             yield from self._on_walls(item)
-        elif item.mount == "floor" and item.size[2] > LOW:
+        elif item.mount == "floor" and item.size[2] > WALKABLE_HEIGHT:
             scene = msgspec.structs.replace(self.scene, objects=self.standing)
             state = SceneState([scene], self.catalogue)
             for x, y, rotation in free_floor_places(state, item, InRoom(scene.floor, self.space.room)):

@@ -22,10 +22,10 @@ from mansion_msgs_py.shapes import Point
 __all__ = ["sign_parts"]
 
 HEIGHT: Final = 0.62
-"""Of letters where there is room for them, metres."""
+"""Height of the letters where there is room for them, metres."""
 
 BORDER: Final = 0.16
-"""Of the board around the letters, metres."""
+"""Margin of the board around the letters, metres."""
 
 BOARD: Final = 0.05
 RAISED: Final = 0.06

@@ -1,4 +1,4 @@
-"""Where the centre of a fleet's robot may be on a floor whose doors it can have opened."""
+"""The region of a floor where the centre of a fleet's robot may be, given that it can have doors opened."""
 
 from dataclasses import dataclass
 

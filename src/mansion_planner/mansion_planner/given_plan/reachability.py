@@ -8,15 +8,15 @@ import networkx as nx
 from mansion_geometry.wall_sizes import CLEAR_WIDTH
 from mansion_knowledge import is_class
 from mansion_msgs_py.openings import GivenDoor
+from mansion_msgs_py.program import GROUND_FLOOR
 from mansion_planner.given_plan.faults import Findings
 from mansion_planner.given_plan.storeys import PlanStorey, StoreyRoom
 
-__all__ = ["WallRoom", "complete_doors", "entrance_of", "main_room", "tell_unreached"]
+__all__ = ["WallRoom", "complete_doors", "entrance_of", "main_room", "report_unreached"]
 
 WallRoom: TypeAlias = Mapping[frozenset[str | None], float]
 """Metres of wall that a door may take, between two rooms or a room and the outside."""
 
-_GROUND = 1
 _LAST = 9
 _COMPLETE = '"complete": ["doors"] (--complete doors) adds one'
 
@@ -60,7 +60,7 @@ def _starts(storey: PlanStorey, doors: Sequence[GivenDoor]) -> list[str]:
     """Return the rooms that a floor is entered by: from outside, from stairs and lifts."""
     cores = {room.id for room in storey.rooms if room.core}
     found = [door.rooms[0] for door in doors if door.rooms[1] is None and door.kind != "garage"]
-    if storey.index != _GROUND:
+    if storey.index != GROUND_FLOOR:
         found = []
     for door in doors:
         a, b = door.rooms
@@ -72,7 +72,7 @@ def _starts(storey: PlanStorey, doors: Sequence[GivenDoor]) -> list[str]:
 def _reached(storey: PlanStorey, doors: Sequence[GivenDoor]) -> set[str]:
     graph = _graph(storey, doors)
     starts = _starts(storey, doors) or [main_room(storey, doors).id]
-    if storey.index == _GROUND and (entered := entrance_of(doors)) is not None:
+    if storey.index == GROUND_FLOOR and (entered := entrance_of(doors)) is not None:
         starts = [entered]
     reached: set[str] = set()
     for start in starts[:1]:
@@ -86,9 +86,9 @@ def _reached(storey: PlanStorey, doors: Sequence[GivenDoor]) -> set[str]:
     return reached
 
 
-def tell_unreached(storey: PlanStorey, doors: Sequence[GivenDoor], findings: Findings) -> None:
-    """Tell of a ground floor without an entrance, of rooms that no way leads to, and of cores with several doors."""
-    if storey.index == _GROUND and entrance_of(doors) is None:
+def report_unreached(storey: PlanStorey, doors: Sequence[GivenDoor], findings: Findings) -> None:
+    """Report a ground floor without an entrance, rooms that cannot be reached, and cores with several doors."""
+    if storey.index == GROUND_FLOOR and entrance_of(doors) is None:
         findings.fault(storey.index, "", f"has no entrance: no door leads from a room to the outside; {_COMPLETE}")
     reached = _reached(storey, doors)
     own = {name for door in doors for name in door.rooms}
@@ -112,7 +112,7 @@ def complete_doors(
 ) -> list[GivenDoor]:
     """Return the doors of a floor with those that it needs so that all of it is reached, each of them noted."""
     made = list(doors)
-    if storey.index == _GROUND and entrance_of(made) is None:
+    if storey.index == GROUND_FLOOR and entrance_of(made) is None:
         made += _entrance(storey, made, walls, findings)
     while True:
         reached = _reached(storey, made)

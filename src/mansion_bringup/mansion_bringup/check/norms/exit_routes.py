@@ -1,31 +1,31 @@
-"""Through which rooms the only way out of a room leads."""
+"""Rules on the rooms that an exit route may lead through."""
 
 from collections.abc import Iterator
 
-from mansion_bringup.check.norms.door_graph import Doors, behind, door_graph, gets_out, way_out
+from mansion_bringup.check.norms.door_graph import Doors, behind, door_graph, exit_route, gets_out
 from mansion_bringup.check.norms.premises import Deviation, Premises, rooms_of
 from mansion_knowledge.norms import Norm
 from mansion_msgs_py.scene import FloorScene, SceneRoom
 
-__all__ = ["way_deviations"]
+__all__ = ["exit_route_deviations"]
 
 
-def way_deviations(premises: Premises) -> Iterator[Deviation]:
-    """Yield rooms whose only way out leads through rooms that no way out may lead through."""
+def exit_route_deviations(premises: Premises) -> Iterator[Deviation]:
+    """Yield rooms whose every exit route leads through a room that none may lead through."""
     for scene in premises.scenes:
         doors = door_graph(scene)
         for name in ("way_out_through_sleeping", "way_out_through_stores"):
             norm = premises.norm(name)
             if norm is not None:
-                yield from _ways_out(premises, norm, scene, doors)
+                yield from _blocked_exits(premises, norm, scene, doors)
     yield from _toilet_through_bedroom(premises)
 
 
-def _ways_out(premises: Premises, norm: Norm, scene: FloorScene, doors: Doors) -> Iterator[Deviation]:
+def _blocked_exits(premises: Premises, norm: Norm, scene: FloorScene, doors: Doors) -> Iterator[Deviation]:
     barred = {room.id for room in rooms_of(scene) if premises.is_one_of(room, norm.others)}
     for room in _concerned(premises, norm, scene, doors):
         if room.id in doors and not gets_out(doors, room.id, barred):
-            through = " and ".join(name for name in way_out(doors, room.id) if name in barred)
+            through = " and ".join(name for name in exit_route(doors, room.id) if name in barred)
             if through:
                 yield premises.deviation(norm, room.id, f"its only way out leads through {through}", "another way")
 
