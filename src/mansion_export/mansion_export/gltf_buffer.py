@@ -11,8 +11,8 @@ import numpy as np
 import numpy.typing as npt
 
 from mansion_assets.materials import texture_set
-from mansion_export.materials import linear
-from mansion_export.model import Material
+from mansion_export.meshes.materials import linear
+from mansion_export.meshes.model import Material
 
 __all__ = ["Buffer", "Textures"]
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from mansion_assets.convex import Hull
-from mansion_export.model import Surface
+from mansion_export.meshes.model import Surface
 
 __all__ = ["SimulatorModel", "mesh_file_name", "number_list", "write_stl"]
 

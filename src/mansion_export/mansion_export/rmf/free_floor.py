@@ -6,8 +6,8 @@ import shapely
 from shapely.geometry import Polygon, box
 from shapely.geometry.base import BaseGeometry
 
-from mansion_export.door_sides import shaft_of
-from mansion_export.walls import WallBodies
+from mansion_export.meshes.door_sides import shaft_of
+from mansion_export.meshes.walls import WallBodies
 from mansion_geometry.doorways import depth_of_doors
 from mansion_geometry.floor_regions import disc_positions, largest_first, open_floor, strip
 from mansion_geometry.object_footprints import footprint, footprint_at, stops_robots

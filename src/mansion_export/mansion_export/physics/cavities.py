@@ -6,9 +6,9 @@ from typing import TypeAlias
 
 import numpy as np
 
-from mansion_export.collision import Colliders, Shape, bounds_of, shape_scaled
-from mansion_export.model import Model
-from mansion_export.solids import Box
+from mansion_export.meshes.model import Model
+from mansion_export.meshes.solids import Box
+from mansion_export.physics.collision import Colliders, Shape, bounds_of, shape_scaled
 from mansion_msgs_py.scene import FloorScene, SceneObject
 
 __all__ = ["is_loose", "loose_colliders"]

@@ -8,15 +8,15 @@ from shapely.geometry import Polygon
 
 from mansion_assets.catalogue import Asset, Catalogue, load_catalogue
 from mansion_assets.materials import art
-from mansion_export.asset_surfaces import asset_surfaces
-from mansion_export.core_meshes import core_parts
 from mansion_export.exterior import entrance_parts, plot_parts, roof_parts, sign_parts
-from mansion_export.materials import hex_color, named, surface_material
-from mansion_export.model import Material, Model, Node, Part, Surface, assemble, named_by_content
-from mansion_export.opening_meshes import door_parts, window_parts
+from mansion_export.meshes.asset_surfaces import asset_surfaces
+from mansion_export.meshes.core_meshes import core_parts
+from mansion_export.meshes.materials import hex_color, named, surface_material
+from mansion_export.meshes.model import Material, Model, Node, Part, Surface, assemble, named_by_content
+from mansion_export.meshes.opening_meshes import door_parts, window_parts
+from mansion_export.meshes.solids import Box, boxes_surface, polygon_surface
+from mansion_export.meshes.walls import WallBodies, wall_surfaces
 from mansion_export.presentation import floor_name, room_title
-from mansion_export.solids import Box, boxes_surface, polygon_surface
-from mansion_export.walls import WallBodies, wall_surfaces
 from mansion_msgs_py.scene import FloorScene, SceneObject, StairDetails
 from mansion_msgs_py.shapes import Ring
 

@@ -6,7 +6,7 @@ import msgspec
 import numpy as np
 import pytest
 
-from mansion_export.walls import WallBodies, wall_surfaces
+from mansion_export.meshes.walls import WallBodies, wall_surfaces
 from mansion_msgs_py.scene import Wall
 
 

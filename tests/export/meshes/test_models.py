@@ -15,14 +15,14 @@ from shapely.ops import unary_union
 
 from mansion_assets.catalogue import load_catalogue
 from mansion_assets.materials import art, material_set, set_of, texture_set
-from mansion_export.asset_surfaces import asset_surfaces
-from mansion_export.building_model import floor_model, object_parts
 from mansion_export.glb import building_glb, floor_glb
 from mansion_export.html import view_page
+from mansion_export.meshes.asset_surfaces import asset_surfaces
+from mansion_export.meshes.building_model import floor_model, object_parts
+from mansion_export.meshes.solids import triangulate
+from mansion_export.meshes.walls import WallBodies
 from mansion_export.mjcf import floor_mjcf
-from mansion_export.overview import overview_png
-from mansion_export.solids import triangulate
-from mansion_export.walls import WallBodies
+from mansion_export.pictures.overview import overview_png
 from mansion_msgs_py.scene import SceneObject, StairDetails
 
 

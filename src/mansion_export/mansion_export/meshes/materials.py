@@ -3,7 +3,7 @@
 from functools import cache
 
 from mansion_assets.materials import set_of
-from mansion_export.model import Material
+from mansion_export.meshes.model import Material
 from mansion_scene.structure.materials import library, match_material
 
 __all__ = ["hex_color", "linear", "named", "surface_material"]

@@ -7,9 +7,9 @@ import numpy as np
 import numpy.typing as npt
 
 from mansion_assets.texture_coordinates import box_coordinates
-from mansion_export.materials import named, surface_material
-from mansion_export.model import Material, Surface
-from mansion_export.solids import Box
+from mansion_export.meshes.materials import named, surface_material
+from mansion_export.meshes.model import Material, Surface
+from mansion_export.meshes.solids import Box
 from mansion_geometry.compiled import Floats
 from mansion_msgs_py.scene import FloorScene, Wall
 from mansion_msgs_py.shapes import Segment

@@ -12,8 +12,8 @@ from dataclasses import dataclass, fields, replace
 import numpy as np
 import numpy.typing as npt
 
-from mansion_export.model import Mesh, Model, Node
-from mansion_export.texture_sampling import base_color, sampled, texture_number, tiles_at
+from mansion_export.meshes.model import Mesh, Model, Node
+from mansion_export.pictures.texture_sampling import base_color, sampled, texture_number, tiles_at
 from mansion_geometry.compiled import Bools, Floats, Ints, kernel
 
 __all__ = ["Triangles", "View", "bounds", "flatten", "project", "render"]

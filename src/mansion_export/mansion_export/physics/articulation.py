@@ -13,12 +13,12 @@ from mansion_assets.convex import volume_of
 from mansion_assets.joints import DOOR_OPENS, Joint
 from mansion_assets.meshes import Link, links
 from mansion_assets.solids import Vec3
-from mansion_export.asset_surfaces import part_surfaces
-from mansion_export.collision import Shape, lies_flat, mass_properties_of, piece_shape, shape_scaled
-from mansion_export.door_sides import swing_side
-from mansion_export.model import Mesh, Node, Part, merge_surfaces
-from mansion_export.opening_meshes import leaf_parts
-from mansion_export.solids import Box, boxes_of
+from mansion_export.meshes.asset_surfaces import part_surfaces
+from mansion_export.meshes.door_sides import swing_side
+from mansion_export.meshes.model import Mesh, Node, Part, merge_surfaces
+from mansion_export.meshes.opening_meshes import leaf_parts
+from mansion_export.meshes.solids import Box, boxes_of
+from mansion_export.physics.collision import Shape, lies_flat, mass_properties_of, piece_shape, shape_scaled
 from mansion_geometry.building_models import object_mass
 from mansion_msgs_py.scene import FloorScene, SceneObject
 from mansion_msgs_py.shapes import Size3

@@ -6,9 +6,9 @@ from typing import Final
 import numpy as np
 
 from mansion_assets.materials import set_of
-from mansion_export.renderer import Triangles
-from mansion_export.solids import SIDES
-from mansion_export.texture_sampling import texture_number
+from mansion_export.meshes.solids import SIDES
+from mansion_export.pictures.renderer import Triangles
+from mansion_export.pictures.texture_sampling import texture_number
 
 __all__ = ["mirroring"]
 

@@ -156,8 +156,8 @@ def _page(room: PlacementRoom, panels: Sequence[Sequence[PlacementResult]], cata
     """Draw a page: a row for each system where it shows several runs, else the systems in one row."""
     from PIL import Image, ImageDraw
 
+    from mansion_export.pictures.room_picture import room_picture
     from mansion_export.plan.raster import load_font
-    from mansion_export.room_picture import room_picture
 
     several = max(len(results) for results in panels) > 1
     columns = max(len(results) for results in panels) if several else len(panels)

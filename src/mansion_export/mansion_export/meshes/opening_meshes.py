@@ -4,10 +4,10 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from mansion_export.door_sides import swing_side
-from mansion_export.materials import named
-from mansion_export.model import Material, Node, Part, Surface
-from mansion_export.solids import Box, boxes_surface
+from mansion_export.meshes.door_sides import swing_side
+from mansion_export.meshes.materials import named
+from mansion_export.meshes.model import Material, Node, Part, Surface
+from mansion_export.meshes.solids import Box, boxes_surface
 from mansion_geometry.building_models import ASIDE, JAMB, OPEN_ANGLE
 from mansion_geometry.doorways import LEAFLESS, depth_of_doors
 from mansion_knowledge import default_knowledge

@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from mansion_export.model import Material
-from mansion_export.normals import corner_normals
-from mansion_export.solids import Box, boxes_surface
+from mansion_export.meshes.model import Material
+from mansion_export.meshes.normals import corner_normals
+from mansion_export.meshes.solids import Box, boxes_surface
 
 
 def cylinder(sides: int) -> tuple[np.ndarray, np.ndarray]:

@@ -9,11 +9,11 @@ from shapely.geometry import Polygon
 from shapely.geometry.polygon import orient
 
 from mansion_assets.catalogue import Asset, Catalogue, load_catalogue
-from mansion_export.building_model import object_parts
-from mansion_export.materials import named
-from mansion_export.model import Node, Part, assemble
-from mansion_export.renderer import Triangles, View, bounds, flatten, project, render
-from mansion_export.solids import Box, boxes_surface, polygon_surface
+from mansion_export.meshes.building_model import object_parts
+from mansion_export.meshes.materials import named
+from mansion_export.meshes.model import Node, Part, assemble
+from mansion_export.meshes.solids import Box, boxes_surface, polygon_surface
+from mansion_export.pictures.renderer import Triangles, View, bounds, flatten, project, render
 from mansion_geometry.compiled import Floats
 from mansion_msgs_py.placement import PlacementResult, PlacementRoom
 from mansion_msgs_py.scene import FloorScene, SceneObject

@@ -7,12 +7,12 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from mansion_assets.catalogue import Catalogue
-from mansion_export.building_model import building_models
-from mansion_export.model import Model
+from mansion_export.meshes.building_model import building_models
+from mansion_export.meshes.model import Model
+from mansion_export.pictures.renderer import Triangles, View, bounds, project, render
 from mansion_export.plan.palette import INK
 from mansion_export.plan.raster import load_font
 from mansion_export.presentation import building_title, floor_name
-from mansion_export.renderer import Triangles, View, bounds, project, render
 from mansion_geometry.compiled import Floats
 from mansion_msgs_py.scene import FloorScene
 
@@ -23,11 +23,11 @@ import numpy as np
 import numpy.typing as npt
 from shapely.geometry import Polygon
 
-from mansion_export.glazing import mirroring
-from mansion_export.model import Node
+from mansion_export.meshes.model import Node
+from mansion_export.meshes.solids import triangulate
+from mansion_export.pictures.glazing import mirroring
+from mansion_export.pictures.renderer import flatten
 from mansion_export.presentation import quarter_turns
-from mansion_export.renderer import flatten
-from mansion_export.solids import triangulate
 from mansion_knowledge import is_class
 
 __all__ = ["overview_files", "overview_png"]

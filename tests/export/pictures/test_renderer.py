@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from mansion_export.glazing import mirroring
-from mansion_export.materials import named
-from mansion_export.renderer import Triangles, View, render
-from mansion_export.solids import Box, boxes_surface
+from mansion_export.meshes.materials import named
+from mansion_export.meshes.solids import Box, boxes_surface
+from mansion_export.pictures.glazing import mirroring
+from mansion_export.pictures.renderer import Triangles, View, render
 
 GREY = np.array([0.6, 0.6, 0.6])
 

@@ -3,7 +3,7 @@
 import msgspec
 import pytest
 
-from mansion_export.gallery import Answer, GalleryKey, gallery_files, tally
+from mansion_export.pictures.gallery import Answer, GalleryKey, gallery_files, tally
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.placement import PlacedObject, PlacementObject, PlacementOpening, PlacementResult, PlacementRoom
 

@@ -6,9 +6,9 @@ from typing import Final
 
 import numpy as np
 
-from mansion_export.materials import named
-from mansion_export.model import Material, Node, Part, Surface
-from mansion_export.solids import Box, box_between, boxes_surface
+from mansion_export.meshes.materials import named
+from mansion_export.meshes.model import Material, Node, Part, Surface
+from mansion_export.meshes.solids import Box, box_between, boxes_surface
 from mansion_knowledge import default_knowledge
 from mansion_msgs_py.scene import Box3, FloorScene, LiftDetails, SceneCore, StairDetails
 from mansion_msgs_py.shapes import Point3

@@ -11,7 +11,7 @@ from shapely.geometry.base import BaseGeometry
 from shapely.geometry.polygon import orient
 
 from mansion_assets.texture_coordinates import box_coordinates
-from mansion_export.model import Material, Surface
+from mansion_export.meshes.model import Material, Surface
 from mansion_geometry.compiled import Floats
 from mansion_geometry.rings import polygon_parts
 from mansion_msgs_py.shapes import Point, Segment

@@ -5,8 +5,8 @@ from collections import Counter
 
 import msgspec
 
-from mansion_export.building_model import building_models, floor_model
 from mansion_export.glb import building_glb
+from mansion_export.meshes.building_model import building_models, floor_model
 from mansion_export.mjcf import floor_mjcf
 from mansion_msgs_py.scene import FloorScene
 

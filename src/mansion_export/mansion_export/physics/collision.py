@@ -13,8 +13,8 @@ from mansion_assets.convex import Box as Piece
 from mansion_assets.convex import Convex, Hull
 from mansion_assets.mass_properties import MassProperties, mass_properties
 from mansion_assets.meshes import collision_pieces
-from mansion_export.model import Mesh, Node
-from mansion_export.solids import Box, box_between, box_scaled, boxes_of
+from mansion_export.meshes.model import Mesh, Node
+from mansion_export.meshes.solids import Box, box_between, box_scaled, boxes_of
 from mansion_geometry.building_models import object_mass
 from mansion_geometry.robot_body import FLAT
 from mansion_msgs_py.scene import FloorScene, SceneObject, StairDetails

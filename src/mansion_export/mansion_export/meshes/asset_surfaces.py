@@ -8,8 +8,8 @@ from mansion_assets.catalogue.palette import PbrMaterial
 from mansion_assets.catalogue.palette import material as pbr_material
 from mansion_assets.materials import art, set_of
 from mansion_assets.meshes import MeshPart, mesh
-from mansion_export.materials import hex_color
-from mansion_export.model import Material, Surface
+from mansion_export.meshes.materials import hex_color
+from mansion_export.meshes.model import Material, Surface
 
 __all__ = ["asset_surfaces", "part_surfaces"]
 

@@ -6,8 +6,8 @@ import msgspec
 import numpy as np
 import pytest
 
-from mansion_export.building_model import floor_model
-from mansion_export.core_meshes import core_sign
+from mansion_export.meshes.building_model import floor_model
+from mansion_export.meshes.core_meshes import core_sign
 from mansion_msgs_py.scene import FloorScene, SceneCore
 
 

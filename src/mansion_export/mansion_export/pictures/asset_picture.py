@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, Final
 
 from mansion_assets.catalogue import Asset, Catalogue
 from mansion_assets.library.source_model import SourceSurface
-from mansion_export.asset_surfaces import asset_surfaces
-from mansion_export.model import Material, Node, Surface, assemble
-from mansion_export.renderer import View, bounds, flatten, project, render
+from mansion_export.meshes.asset_surfaces import asset_surfaces
+from mansion_export.meshes.model import Material, Node, Surface, assemble
+from mansion_export.pictures.renderer import View, bounds, flatten, project, render
 
 if TYPE_CHECKING:
     from PIL.Image import Image
