@@ -49,7 +49,7 @@ def room_graph(problem: FloorProblem) -> "nx.Graph[str]":
                 if end not in known:
                     raise MansionError(
                         ErrorCode.INFEASIBLE,
-                        f"the edge names {end!r}, which is no node, core or fixed room",
+                        f"the edge names {end!r}, which is not a node, core or fixed room",
                         path=f"$.edges[{k}]",
                     )
                 graph.add_node(end)
