@@ -128,7 +128,8 @@ class SceneEditorNode(MansionNode):
         return str(self.get_parameter("physics").value)
 
     def _landed(self, editor: SceneEditor, floors: Sequence[int]) -> None:
-        for floor in floors or editor.store.log()[-1].revisions:
+        log = editor.store.edit_log
+        for floor in floors or log.transaction(len(log)).revisions:
             self._scenes.publish(editor.state.scenes[int(floor)])
         self._finish(editor.store)
 
