@@ -3,10 +3,12 @@
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.limits import MAX_BUILDING_AREA, MAX_COORDINATE, MAX_FLOOR_AREA, MAX_ROOMS
 from mansion_msgs_py.program import BuildingProgram
+from mansion_msgs_py.wording import counted
 from mansion_planner.brief.facts import BriefFacts
 
 __all__ = [
     "check_length",
+    "check_number",
     "check_size",
     "check_there",
     "check_total_area",
@@ -48,6 +50,24 @@ def check_length(description: str) -> None:
             ErrorCode.INVALID_PAYLOAD,
             f"the description has {len(description)} characters; up to {MOST_CHARACTERS} are read",
             path="$.description",
+        )
+
+
+def check_number(name: str, number: int, storeys: int) -> None:
+    """Refuse more rooms of one kind than the storeys can have, before they are shared out.
+
+    Raises
+    ------
+    MansionError
+        ``INFEASIBLE`` with the limit.
+    """
+    if number > MAX_ROOMS * storeys:
+        raise MansionError(
+            ErrorCode.INFEASIBLE,
+            f"the description asks for {number:.4g} rooms of the kind {name}; at most {MAX_ROOMS} on each of"
+            f" {counted(storeys, 'storey')} are built",
+            path="$.description",
+            details={"room_type": name, "limit": MAX_ROOMS * storeys},
         )
 
 

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from mansion_knowledge import KnowledgeBase, RoomEntry, RoomType
 from mansion_msgs_py.program import TraceEntry
 from mansion_planner.brief.facts import RoomFact
+from mansion_planner.brief_checks import check_number
 from mansion_planner.program.decisions import Decisions, note
 from mansion_planner.program.furniture_areas import furniture_area, furniture_areas, usual_number
 from mansion_planner.program.household import private_types
@@ -151,6 +152,7 @@ def allocate(decisions: Decisions, knowledge: KnowledgeBase, storeys: Sequence[S
         furniture[fact.name] = max(area, furniture.get(fact.name, 0.0))
     asked = [*facts, *(fact for fact, _ in for_furniture if fact not in decisions.facts.rooms)]
     for fact in sorted(asked, key=lambda fact: _is_free_bathroom(fact, decisions)):  # once bedrooms have their storeys
+        check_number(fact.name, _number_of(fact), len(storeys))
         floors, where = _floors_for(fact, knowledge, decisions, storeys, wanted)
         for floor in floors:
             wanted[floor].append(fact)
