@@ -17,6 +17,9 @@ __all__ = [
     "states_something",
 ]
 
+MOST_ASKED = 400
+"""Rooms of a storey that a description may ask for: to arrange them takes time that grows as the third power."""
+
 MOST_CHARACTERS = 20_000
 """Characters of a description that are read."""
 
@@ -54,20 +57,20 @@ def check_length(description: str) -> None:
 
 
 def check_number(name: str, number: int, storeys: int) -> None:
-    """Refuse more rooms of one kind than the storeys can have, before they are shared out.
+    """Refuse more rooms of one kind than so many storeys are planned with, before they are shared out.
 
     Raises
     ------
     MansionError
         ``INFEASIBLE`` with the limit.
     """
-    if number > MAX_ROOMS * storeys:
+    if number > MOST_ASKED * storeys:
         raise MansionError(
             ErrorCode.INFEASIBLE,
-            f"the description asks for {number:.4g} rooms of the kind {name}; at most {MAX_ROOMS} on each of"
-            f" {counted(storeys, 'storey')} are built",
+            f"the description asks for {number:.4g} rooms of the kind {name}; at most {MOST_ASKED} on each of"
+            f" {counted(storeys, 'storey')} are planned",
             path="$.description",
-            details={"room_type": name, "limit": MAX_ROOMS * storeys},
+            details={"room_type": name, "limit": MOST_ASKED * storeys},
         )
 
 

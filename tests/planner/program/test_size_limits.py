@@ -36,13 +36,14 @@ def test_a_building_beyond_the_limit_is_refused() -> None:
         "three bedrooms, a kitchen next to the living room, 9999999999 upstairs",
         "a three-storey hotel with 88888888 bedrooms",
         "an office with a meeting room, 77777777 of them",
+        "three bedrooms, a kitchen, 1900 upstairs",
     ],
 )
 def test_more_rooms_than_storeys_can_have_take_no_memory(description: str) -> None:
     try:
         plan = plan_building(BuildRequest(description=description))
     except MansionError as error:
-        assert error.code == ErrorCode.INFEASIBLE and "at most 1000 on each of" in error.info.message
+        assert error.code == ErrorCode.INFEASIBLE and "at most 400 on each of" in error.info.message
     else:
         assert sum(len(floor.rooms) for floor in plan.program.floors) < 100
 

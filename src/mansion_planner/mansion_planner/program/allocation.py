@@ -1,5 +1,6 @@
 """Share the rooms that the brief asks for out over the storeys, and tell which a storey may add to them."""
 
+from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
@@ -154,8 +155,9 @@ def allocate(decisions: Decisions, knowledge: KnowledgeBase, storeys: Sequence[S
     for fact in sorted(asked, key=lambda fact: _is_free_bathroom(fact, decisions)):  # once bedrooms have their storeys
         check_number(fact.name, _number_of(fact), len(storeys))
         floors, where = _floors_for(fact, knowledge, decisions, storeys, wanted)
-        for floor in floors:
-            wanted[floor].append(fact)
+        for floor, number in Counter(floors).items():
+            check_number(fact.name, number, 1)
+            wanted[floor] += [fact] * number
         note(trace, fact.span, f"{fact.name} x{_number_of(fact)}{where}")
     allocation = Allocation(
         wanted=wanted,
