@@ -8,7 +8,7 @@ from typing import Annotated, Literal, TypeAlias
 
 import msgspec
 
-from mansion_msgs_py.limits import MAX_COORDINATE, MAX_CORNERS, MAX_FLOOR_AREA, MAX_HEIGHT
+from mansion_msgs_py.limits import MAX_COORDINATE, MAX_CORNERS, MAX_FLOOR_AREA, MAX_HEIGHT, MIN_AREA
 
 __all__ = [
     "Area",
@@ -49,8 +49,8 @@ CompassSide: TypeAlias = Literal["north", "south", "east", "west"]
 Length: TypeAlias = Annotated[float, msgspec.Meta(gt=0.0, le=MAX_COORDINATE)]
 """A positive length in metres."""
 
-Area: TypeAlias = Annotated[float, msgspec.Meta(gt=0.0, le=MAX_FLOOR_AREA)]
-"""A positive area of a room or a storey in square metres."""
+Area: TypeAlias = Annotated[float, msgspec.Meta(ge=MIN_AREA, le=MAX_FLOOR_AREA)]
+"""An area of a room or a storey in square metres."""
 
 Size3: TypeAlias = tuple[Length, Length, Length]
 """Width along the front, depth and height, in metres."""

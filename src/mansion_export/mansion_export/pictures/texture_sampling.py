@@ -86,7 +86,6 @@ def _shrunk(name: str, halved_across: int, halved_down: int) -> Floats:
     return mean
 
 
-@cache
 def _texels(name: str) -> Floats:
     """Return a set's base colour, over its mean unless the colours are its own."""
     from PIL import Image
