@@ -298,7 +298,8 @@ def _room(wish: Wish, finished: _Finished) -> str:
     ]
     if wish.scope.each and floors:
         there = Counter(floor for floor, _ in rooms)
-        if any(there[floor] == 0 or value.count not in (None, there[floor]) for floor in floors):
+        each = None if None in alike else sum(count or 0 for count in alike)
+        if any(there[floor] == 0 or each not in (None, there[floor]) for floor in floors):
             return f"the storeys have {[there[floor] for floor in floors]} of them"
     else:
         numbers = [count for count in alike if count is not None]
