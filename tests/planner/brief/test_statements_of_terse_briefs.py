@@ -117,6 +117,8 @@ def test_storeys_that_the_order_of_a_brief_tells(text: str, expected: list[str])
         ("A rehab centre of two floors with 14 patient rooms with shower.", ["14 showers, in patient room"]),
         ("A pub on one floor with a kitchen, office upstairs is not wanted.", ["no private office, ground floor"]),
         ("A chalet sleeping ten over three floors.", ["for 10 people", "3 storeys"]),
+        ("A three-storey house. Each level should come to roughly 65 m2.", ["65 m2 a floor"]),
+        ("Warehouse, one floor, general area 760 m2. A toilet.", ["760 m2 in all"]),
         (
             "An office with a reception, 45 workstations in open plan.",
             ["45 workstations, no others, in open plan office"],

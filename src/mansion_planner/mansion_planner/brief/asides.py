@@ -72,7 +72,9 @@ def _site(reading: Reading, index: int) -> set[int]:
     while reading.word(first - 1) in _ATTRIBUTES and first - 1 not in reading.taken:
         first -= 1
     asks = reading.word(index - 1) in ("our", "the", "a") and reading.word(index + 1) in ("need", "want", "require")
-    stands = asks or reading.word(first - 1) in _AT
+    stands = asks or reading.word(first - 1) in _AT | (
+        {"buy", "bought", "own"} if reading.word(index) == "plot" else frozenset()
+    )
     return set(range(first - 1, index + 1)) if stands and index not in reading.taken else set()
 
 

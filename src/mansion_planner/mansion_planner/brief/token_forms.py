@@ -79,7 +79,9 @@ def gross_areas(tokens: list[Token]) -> list[Token]:
     return result
 
 
-_KINDS_OF_AREA = frozenset("construction constructed built building covered plinth carpet usable".split())
+_KINDS_OF_AREA = frozenset(
+    "general overall construction constructed built building covered plinth carpet usable".split()
+)
 """What the area of a building is called by, as in "construction area": no room's."""
 _TO_MEASURE = frozenset(": = is of about around approx approximately should be must has have with".split())
 
