@@ -35,19 +35,13 @@ class RoomShape:
 ANY: Final = RoomShape()
 """A room of which nothing more is known: a rectangle that touches the envelope."""
 
-# Means of real flats (ResPlan): bedrooms 1 : 1.24 with .95 of their rectangle and half of their outline on the
-# envelope, bathrooms with .38 of it, kitchens 1 : 1.35 with .55. Chosen on 20 plans, stated in docs/floor_solver.md.
-_BEDROOM: Final = RoomShape(compact=6.0, detour=1.01, corner=1.4, wall=1.4, facade=2.0)
-_BATHROOM: Final = RoomShape(compact=3.0, detour=1.03, wall=4.2, facade=1.6)
-_KITCHEN: Final = RoomShape(compact=3.0, detour=1.02, wall=4.2, facade=2.2)
+_BEDROOM: Final = RoomShape(compact=3.0, detour=1.02, corner=1.4)
+"""Bedrooms of real flats (ResPlan) are 1 : 1.24 and fill .95 of their rectangle, those of a free search 1 : 1.7 and .85.
 
-_SHAPES: Final[dict[str, RoomShape]] = {
-    "bedroom": _BEDROOM,
-    "master_bedroom": _BEDROOM,
-    "bathroom": _BATHROOM,
-    "ensuite_bathroom": _BATHROOM,
-    "kitchen": _KITCHEN,
-}
+Chosen on 20 plans; what else was tried is in docs/floor_solver.md.
+"""
+
+_SHAPES: Final[dict[str, RoomShape]] = {"bedroom": _BEDROOM, "master_bedroom": _BEDROOM}
 
 
 def shape_of(room_type: str) -> RoomShape:
