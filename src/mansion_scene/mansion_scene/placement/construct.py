@@ -81,12 +81,11 @@ class Construction:
         left = [member for member in group.members if member.role.fitment and self.missing(member) > 0]
         if not left:
             return
+        walls = sorted((wall.length for wall in self.floor.room.walls), reverse=True)
         mirrored = bool(self.rng.integers(2))
-        for worktops in range(self.missing(anchor), 0, -1):
-            for size in (anchor.size, *anchor.smaller):
-                for unit in runs(group, worktops, size, mirrored=mirrored, left=left):
-                    if find_placement(self.floor, anchor, unit, self.rng):
-                        return
+        for unit in runs(group, self.missing(anchor), left, walls, mirrored=mirrored):
+            if find_placement(self.floor, anchor, unit, self.rng):
+                return
 
     def place_copies(self, spec: Spec, *, strict: bool = True) -> None:
         """Place the missing copies of an object, each with its share of members."""

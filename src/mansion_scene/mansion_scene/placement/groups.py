@@ -60,8 +60,8 @@ class Spec:
 
     @property
     def front_needed(self) -> bool:
-        """Whether its front must be approachable (not for small round objects, seats and beds)."""
-        if self.role.seat or self.role.bed or self.role.symmetric:
+        """Whether its front must be approachable (not for small round objects, seats, beds and worktops in corners)."""
+        if self.role.seat or self.role.bed or self.role.symmetric or self.role.fitment == "worktop":
             return False
         return self.where == "edge" or self.rows > 0
 

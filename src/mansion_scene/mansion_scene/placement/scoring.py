@@ -14,6 +14,15 @@ __all__ = ["pose_scores"]
 
 _FAR = 1.5
 
+_NEAREST, _USUAL, _FARTHEST = 1.3, 3.6, 7.0
+"""Distances from a sofa to the wall with the screen: the least, the usual at most, and where it ends, metres."""
+
+_DOORWAY = 1.0
+"""Distance from the middle of a door within which no screen stands, metres."""
+
+_FOR_TWO, _ENTRY = 1.3, 0.5
+"""Width of a bed from which two sleep in it, and of the floor on either side where they get in, metres."""
+
 
 def pose_scores(
     floor: Floor, spec: Spec, unit: Unit, poses: Floats, rng: np.random.Generator, *, at_wall: bool
@@ -43,6 +52,10 @@ def pose_scores(
         score += 1.2 * front
         if spec.role.screen:
             score += _opposite_sofa(floor, poses)
+        if spec.role.sofa and any(("opposite", spec.index) in other.relations for other in floor.specs):
+            score += _view(floor, spec, poses)
+        if spec.role.fitment:
+            score -= _hob_before_window(floor, unit, poses)
         if spec.role.centred or spec.role.bed:
             score += 0.8 * np.minimum(beside, 0.9) / 0.9
             score -= 0.15 * np.abs(clear[:, 2] - clear[:, 3])
@@ -61,6 +74,7 @@ def pose_scores(
             score += 2.0 * around - 0.25 * narrow - 0.1 * uneven
         else:
             score += 0.5 * front + 0.5 * (1.0 - clear.min(axis=1) / _FAR) - 0.1 * narrow
+    score -= _beside_beds(floor, centres, (x1 - x0) / 2, (y1 - y0) / 2)
     score += _away_from_doors(floor, poses, spec)
     score += _spread_out(floor, spec, centres)
     score += _aligned(floor, spec, poses)
@@ -86,6 +100,51 @@ def _opposite_sofa(floor: Floor, poses: Floats) -> Floats:
             aside = np.abs((poses[:, :2] - np.array(copy.box[:2])) @ u)
             return np.asarray(-(poses[:, 2:] @ u) - 0.3 * np.minimum(aside, 3.0))
     return np.zeros(len(poses))
+
+
+def _view(floor: Floor, spec: Spec, poses: Floats) -> Floats:
+    """Return a score for sofas that a screen can stand before: at a usual distance, with a wall behind it."""
+    half_depth = spec.size[1] / 2
+    ahead = front_clearance(poses, spec.size[0] / 2, half_depth, floor.room.edges, floor.boxes, _FARTHEST)[:, 0]
+    score = np.minimum((ahead - _NEAREST) / 0.7, 1.0) - np.maximum(ahead - _USUAL, 0.0) / 2.0
+    doors = floor.room.door_points
+    if len(doors):
+        reach = (half_depth + ahead)[:, None]
+        seen = poses[:, :2] + reach * np.column_stack([-poses[:, 3], poses[:, 2]])
+        distance = np.hypot(*(seen[:, None] - doors[None]).transpose(2, 0, 1)).min(axis=1)
+        score = score - (distance < _DOORWAY)
+    return np.asarray(0.8 * np.maximum(score, -1.0))
+
+
+def _hob_before_window(floor: Floor, unit: Unit, poses: Floats) -> Floats:
+    """Return a penalty for runs of a kitchen whose hob stands before a window."""
+    hobs = [i for i, index in enumerate(unit.specs) if floor.specs[index].role.fitment == "hob"]
+    windows = floor.room.window_zones
+    if not hobs or not len(windows):
+        return np.zeros(len(poses))
+    x, y, ux, uy, half_width, half_depth = unit.parts[hobs[0]][:6]
+    placed = poses.copy()
+    placed[:, 0] += x * poses[:, 2] - y * poses[:, 3]
+    placed[:, 1] += x * poses[:, 3] + y * poses[:, 2]
+    placed[:, 2], placed[:, 3] = (
+        ux * poses[:, 2] - uy * poses[:, 3],
+        ux * poses[:, 3] + uy * poses[:, 2],
+    )
+    return np.asarray(1.5 * (gap_matrix(placed, half_width, half_depth, windows[:, :6]) <= 0.0).any(axis=1))
+
+
+def _beside_beds(floor: Floor, centres: Floats, half_width: float, half_depth: float) -> Floats:
+    """Return a penalty for what stands where one gets into a bed for two, on either side below its head."""
+    strips = [
+        (x + sign * (hw + _ENTRY / 2) * ux - 0.3 * uy, y + sign * (hw + _ENTRY / 2) * uy + 0.3 * ux, ux, uy)
+        for x, y, ux, uy, hw, _ in (copy.box for copy in floor.placed if floor.specs[copy.spec].role.bed)
+        if 2 * hw >= _FOR_TWO
+        for sign in (-1.0, 1.0)
+    ]
+    if not strips:
+        return np.zeros(len(centres))
+    boxes = np.column_stack([np.array(strips), np.full((len(strips), 2), (_ENTRY / 2, 0.6))])
+    return np.asarray(1.0 * (gap_matrix(centres, half_width, half_depth, boxes) <= 0.0).any(axis=1))
 
 
 def _same_wall(floor: Floor, spec: Spec, poses: Floats) -> Floats:

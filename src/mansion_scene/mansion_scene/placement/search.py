@@ -5,10 +5,10 @@ import numpy.typing as npt
 
 from mansion_geometry.boxes import compose, gap_matrix
 from mansion_geometry.compiled import Floats
-from mansion_scene.placement.candidates import floor_poses, ring_poses, wall_poses
+from mansion_scene.placement.candidates import floor_poses, opposite_poses, ring_poses, wall_poses
 from mansion_scene.placement.floor import Floor, Placed
 from mansion_scene.placement.groups import Spec
-from mansion_scene.placement.relations import LIMITS, relation_holds
+from mansion_scene.placement.relations import LIMITS, related_boxes, relation_holds
 from mansion_scene.placement.scoring import pose_scores
 from mansion_scene.placement.units import Unit
 
@@ -114,7 +114,7 @@ def relation_mask(floor: Floor, spec: Spec, unit: Unit, poses: Floats) -> tuple[
     held = np.zeros(len(poses), dtype=np.int64)
     asked = 0
     for kind, target in spec.relations:
-        boxes = floor.boxes_of(target)
+        boxes = related_boxes(floor, spec, kind, target)
         if len(boxes):
             asked += 1
             held += relation_holds(kind, poses, hw, hd, boxes)
@@ -147,7 +147,9 @@ def _candidates(floor: Floor, spec: Spec, unit: Unit, rng: np.random.Generator) 
     """Return candidate sets in order of preference, each with whether its poses are backed by a wall."""
     walls = wall_poses(floor, unit.extent(), unit.sizes[0][1] / 2, rng)
     if spec.where == "edge":
-        return [(walls, True)]
+        viewed = [floor.boxes_of(target) for kind, target in spec.relations if kind == "opposite"]
+        facing = [opposite_poses(floor, unit.sizes[0][1] / 2, boxes) for boxes in viewed]
+        return [(np.concatenate([*facing, walls]), True)]
     grid = floor_poses(floor, rng)
     rings = _rings(floor, spec, unit)
     if spec.where == "middle":
