@@ -2,13 +2,14 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import product
 
 import numpy as np
 
 from mansion_scene.placement.floor import Floor
 from mansion_scene.placement.groups import Group, Spec
 from mansion_scene.placement.patterns import place_lattice, place_matrix, place_rows
-from mansion_scene.placement.runs import is_run, runs
+from mansion_scene.placement.runs import is_run, run_members, runs
 from mansion_scene.placement.search import find_placement
 from mansion_scene.placement.units import Size3, Unit, UnitStyle, build_unit
 
@@ -83,9 +84,10 @@ class Construction:
             return
         walls = sorted((wall.length for wall in self.floor.room.walls), reverse=True)
         mirrored = bool(self.rng.integers(2))
-        for unit in runs(group, self.missing(anchor), left, walls, mirrored=mirrored):
-            if find_placement(self.floor, anchor, unit, self.rng):
-                return
+        for members, clear in product(run_members(left), (True, False)):
+            for unit in runs(group, self.missing(anchor), members, walls, mirrored=mirrored):
+                if find_placement(self.floor, anchor, unit, self.rng, clear_hob=clear):
+                    return
 
     def place_copies(self, spec: Spec, *, strict: bool = True) -> None:
         """Place the missing copies of an object, each with its share of members."""

@@ -1,12 +1,13 @@
 """Kitchens in one run: fridge, worktop, sink, worktop and hob side by side along a wall, or round a corner."""
 
 from collections.abc import Iterator, Sequence
+from itertools import product
 
 from mansion_scene.placement.groups import Group, Spec
 from mansion_scene.placement.roles import Fitment
 from mansion_scene.placement.units import BACK, Size3, Unit
 
-__all__ = ["is_run", "run_orders", "runs"]
+__all__ = ["is_run", "run_members", "run_orders", "runs"]
 
 _JOINT = 0.01
 """Gap between the pieces of a run, metres."""
@@ -27,7 +28,7 @@ _ORDERS: dict[int, tuple[tuple[Fitment, ...], ...]] = {
 }
 """Runs by their worktops, as one works along them: what is stored is washed, cut and cooked."""
 
-_SPARED: tuple[frozenset[Fitment], ...] = (frozenset(), frozenset({"dishwasher"}), frozenset({"dishwasher", "fridge"}))
+_SPARED: tuple[frozenset[Fitment | None], ...] = (frozenset(), frozenset({"dishwasher"}), frozenset({"dishwasher", "fridge"}))
 """What stands apart where a whole run finds no wall."""
 
 Piece = tuple[Spec, Size3]
@@ -69,27 +70,28 @@ def runs(group: Group, missing: int, left: Sequence[Spec], walls: Sequence[float
     missing : int
         How many worktops it has at most.
     left : sequence of Spec
-        Members that are not placed yet.
+        Its other members.
     walls : sequence of float
         Lengths of the room's walls, the longest first, metres.
     mirrored : bool
         Which way round comes first.
     """
     anchor = group.anchor
+    fitted = {spec.role.fitment: spec for spec in reversed(left)}
+    widths = (False, True) if any(spec.smaller for spec in left) else (False,)
+    for worktops, size, compact in product(range(missing, 0, -1), (anchor.size, *anchor.smaller), widths):
+        for order in run_orders(worktops, [kind for kind in fitted if kind]):
+            pieces = [
+                (anchor, size) if kind == "worktop" else _piece(fitted[kind], compact=compact) for kind in order
+            ]
+            yield from _shapes(pieces, walls, mirrored=mirrored)
+
+
+def run_members(left: Sequence[Spec]) -> Iterator[list[Spec]]:
+    """Yield what stands in a run: all that is left, then less where no wall is long enough for it."""
     for spared in _SPARED:
-        fitted = {spec.role.fitment: spec for spec in reversed(left) if spec.role.fitment not in spared}
-        if spared and not spared & {spec.role.fitment for spec in left}:
-            continue
-        widths = (False, True) if any(spec.smaller for spec in fitted.values()) else (False,)
-        for worktops in range(missing, 0, -1):
-            for size in (anchor.size, *anchor.smaller):
-                for compact in widths:
-                    for order in run_orders(worktops, [kind for kind in fitted if kind]):
-                        pieces = [
-                            (anchor, size) if kind == "worktop" else _piece(fitted[kind], compact=compact)
-                            for kind in order
-                        ]
-                        yield from _shapes(pieces, walls, mirrored=mirrored)
+        if not spared or not spared.isdisjoint(spec.role.fitment for spec in left):
+            yield [spec for spec in left if spec.role.fitment not in spared]
 
 
 def _piece(spec: Spec, *, compact: bool) -> Piece:

@@ -3,13 +3,13 @@
 import numpy as np
 
 from mansion_geometry.boxes import gap_matrix
-from mansion_geometry.compiled import Floats
+from mansion_geometry.compiled import Bools, Floats
 from mansion_geometry.fitting import front_clearance
 from mansion_scene.placement.floor import Floor
 from mansion_scene.placement.groups import Spec
 from mansion_scene.placement.units import Unit
 
-__all__ = ["pose_scores"]
+__all__ = ["hob_before_window", "pose_scores"]
 
 
 _FAR = 1.5
@@ -55,7 +55,7 @@ def pose_scores(
         if spec.role.sofa and any(("opposite", spec.index) in other.relations for other in floor.specs):
             score += _view(floor, spec, poses)
         if spec.role.fitment:
-            score -= _hob_before_window(floor, unit, poses)
+            score -= 1.5 * hob_before_window(floor, unit, poses)
         if spec.role.centred or spec.role.bed:
             score += 0.8 * np.minimum(beside, 0.9) / 0.9
             score -= 0.15 * np.abs(clear[:, 2] - clear[:, 3])
@@ -116,12 +116,12 @@ def _view(floor: Floor, spec: Spec, poses: Floats) -> Floats:
     return np.asarray(0.8 * np.maximum(score, -1.0))
 
 
-def _hob_before_window(floor: Floor, unit: Unit, poses: Floats) -> Floats:
-    """Return a penalty for runs of a kitchen whose hob stands before a window."""
+def hob_before_window(floor: Floor, unit: Unit, poses: Floats) -> Bools:
+    """Tell at which poses the hob of a unit stands before a window."""
     hobs = [i for i, index in enumerate(unit.specs) if floor.specs[index].role.fitment == "hob"]
     windows = floor.room.window_zones
     if not hobs or not len(windows):
-        return np.zeros(len(poses))
+        return np.zeros(len(poses), dtype=np.bool_)
     x, y, ux, uy, half_width, half_depth = unit.parts[hobs[0]][:6]
     placed = poses.copy()
     placed[:, 0] += x * poses[:, 2] - y * poses[:, 3]
@@ -130,7 +130,7 @@ def _hob_before_window(floor: Floor, unit: Unit, poses: Floats) -> Floats:
         ux * poses[:, 2] - uy * poses[:, 3],
         ux * poses[:, 3] + uy * poses[:, 2],
     )
-    return np.asarray(1.5 * (gap_matrix(placed, half_width, half_depth, windows[:, :6]) <= 0.0).any(axis=1))
+    return np.asarray((gap_matrix(placed, half_width, half_depth, windows[:, :6]) <= 0.0).any(axis=1))
 
 
 def _beside_beds(floor: Floor, centres: Floats, half_width: float, half_depth: float) -> Floats:

@@ -9,7 +9,7 @@ from mansion_scene.placement.candidates import floor_poses, opposite_poses, ring
 from mansion_scene.placement.floor import Floor, Placed
 from mansion_scene.placement.groups import Spec
 from mansion_scene.placement.relations import LIMITS, related_boxes, relation_holds
-from mansion_scene.placement.scoring import pose_scores
+from mansion_scene.placement.scoring import hob_before_window, pose_scores
 from mansion_scene.placement.units import Unit
 
 __all__ = ["examine", "find_placement", "relation_mask"]
@@ -20,7 +20,7 @@ _RELATED, _SCORED = 900, 200
 
 
 def find_placement(
-    floor: Floor, spec: Spec, unit: Unit, rng: np.random.Generator, *, strict: bool = True
+    floor: Floor, spec: Spec, unit: Unit, rng: np.random.Generator, *, strict: bool = True, clear_hob: bool = False
 ) -> list[Placed] | None:
     """Place a unit at its best feasible pose.
 
@@ -29,6 +29,8 @@ def find_placement(
     strict : bool
         Whether all of the anchor's relations must hold; else as many as can. An edge object keeps to a wall
         either way.
+    clear_hob : bool
+        Whether a hob must not stand before a window.
 
     Returns
     -------
@@ -38,6 +40,8 @@ def find_placement(
         if not len(poses):
             continue
         poses = _thinned(poses[floor.fits(poses, unit.array())], _RELATED, rng)
+        if clear_hob:
+            poses = poses[~hob_before_window(floor, unit, poses)]
         held, asked = relation_mask(floor, spec, unit, poses)
         if strict:
             poses, held = poses[held == asked], held[held == asked]
