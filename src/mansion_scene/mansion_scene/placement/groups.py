@@ -84,6 +84,8 @@ class Group:
     def _kind(self) -> int:
         if self.anchor.rows:
             return 0 if self.anchor.where == "edge" else 2
+        if self.anchor.role.table and sum(member.link == "around" for member in self.members):
+            return 1  # a table and its chairs need a place of their own before cupboards take it
         return {"edge": 1, "middle": 3}.get(self.anchor.where, 4)
 
     @property

@@ -14,11 +14,8 @@ __all__ = ["hob_before_window", "pose_scores"]
 
 _FAR = 1.5
 
-_NEAREST, _USUAL, _FARTHEST = 1.3, 3.6, 7.0
-"""Distances from a sofa to the wall with the screen: the least, the usual at most, and where it ends, metres."""
-
-_DOORWAY = 1.0
-"""Distance from the middle of a door within which no screen stands, metres."""
+_NEAREST, _USUAL = 2.0, 4.5
+"""Least distance from the middle of a sofa to the wall with the screen, and the usual at most, metres."""
 
 _FOR_TWO, _ENTRY = 1.3, 0.5
 """Width of a bed from which two sleep in it, and of the floor on either side where they get in, metres."""
@@ -52,8 +49,9 @@ def pose_scores(
         score += 1.2 * front
         if spec.role.screen:
             score += _opposite_sofa(floor, poses)
-        if spec.role.sofa and any(("opposite", spec.index) in other.relations for other in floor.specs):
-            score += _view(floor, spec, poses)
+        for other in floor.specs if spec.role.sofa else ():
+            if ("opposite", spec.index) in other.relations and not floor.count(other.index):
+                score += _view(floor, other, poses)
         if spec.role.fitment:
             score -= 1.5 * hob_before_window(floor, unit, poses)
         if spec.role.centred or spec.role.bed:
@@ -102,18 +100,23 @@ def _opposite_sofa(floor: Floor, poses: Floats) -> Floats:
     return np.zeros(len(poses))
 
 
-def _view(floor: Floor, spec: Spec, poses: Floats) -> Floats:
-    """Return a score for sofas that a screen can stand before: at a usual distance, with a wall behind it."""
-    half_depth = spec.size[1] / 2
-    ahead = front_clearance(poses, spec.size[0] / 2, half_depth, floor.room.edges, floor.boxes, _FARTHEST)[:, 0]
-    score = np.minimum((ahead - _NEAREST) / 0.7, 1.0) - np.maximum(ahead - _USUAL, 0.0) / 2.0
-    doors = floor.room.door_points
-    if len(doors):
-        reach = (half_depth + ahead)[:, None]
-        seen = poses[:, :2] + reach * np.column_stack([-poses[:, 3], poses[:, 2]])
-        distance = np.hypot(*(seen[:, None] - doors[None]).transpose(2, 0, 1)).min(axis=1)
-        score = score - (distance < _DOORWAY)
-    return np.asarray(0.8 * np.maximum(score, -1.0))
+def _view(floor: Floor, screen: Spec, poses: Floats) -> Floats:
+    """Return a score for sofas that a screen fits opposite of, against the nearest wall ahead, at a usual distance."""
+    front = np.column_stack([-poses[:, 3], poses[:, 2]])
+    nearest, found = np.full(len(poses), np.inf), np.zeros((len(poses), 4))
+    half_depth = screen.size[1] / 2 + floor.options.wall_gap
+    for wall in floor.room.walls:
+        q = poses[:, :2] - wall.start
+        at, ahead = q @ wall.along, q @ wall.inward
+        seen = (front @ wall.inward < -0.99) & (at > 0.0) & (at < wall.length) & (ahead > 0.0) & (ahead < nearest)
+        centres = wall.start + at[:, None] * wall.along + half_depth * wall.inward
+        found[seen] = np.column_stack([centres, np.tile(wall.along, (len(poses), 1))])[seen]
+        nearest[seen] = ahead[seen]
+    part = np.array([[0.0, 0.0, 1.0, 0.0, screen.size[0] / 2, screen.size[1] / 2, screen.size[2], 0.0]])
+    usual = np.clip((nearest - _NEAREST) / 0.6, 0.0, 1.0) - np.maximum(np.minimum(nearest, 9.0) - _USUAL, 0.0) / 4.0
+    possible = np.isfinite(nearest)
+    possible[possible] = floor.fits(found[possible], part)
+    return np.asarray(np.where(possible, 1.5 * usual, 0.0))
 
 
 def hob_before_window(floor: Floor, unit: Unit, poses: Floats) -> Bools:
