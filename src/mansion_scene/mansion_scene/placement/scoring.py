@@ -9,7 +9,7 @@ from mansion_scene.placement.floor import Floor
 from mansion_scene.placement.groups import Spec
 from mansion_scene.placement.units import Unit
 
-__all__ = ["hob_before_window", "pose_scores"]
+__all__ = ["hob_before_window", "pose_scores", "screen_of", "view"]
 
 
 _FAR = 1.5
@@ -42,6 +42,7 @@ def pose_scores(
     aisle = room.aisle
     clear = front_clearance(centres, (x1 - x0) / 2, (y1 - y0) / 2, room.edges, floor.boxes, _FAR)
     # Sofas and desks dominate a room: more weight for chance there gives variety between seeds.
+    screen = screen_of(floor, spec)
     score = rng.uniform(0.0, 0.5 if spec.role.sofa or spec.role.table else 0.25, len(poses))
     front = np.minimum(clear[:, 0], aisle) / aisle
     beside = np.minimum(clear[:, 2], clear[:, 3])
@@ -49,9 +50,6 @@ def pose_scores(
         score += 1.2 * front
         if spec.role.screen:
             score += _opposite_sofa(floor, poses)
-        for other in floor.specs if spec.role.sofa else ():
-            if ("opposite", spec.index) in other.relations and not floor.count(other.index):
-                score += _view(floor, other, poses)
         if spec.role.fitment:
             score -= 1.5 * hob_before_window(floor, unit, poses)
         if spec.role.centred or spec.role.bed:
@@ -72,6 +70,8 @@ def pose_scores(
             score += 2.0 * around - 0.25 * narrow - 0.1 * uneven
         else:
             score += 0.5 * front + 0.5 * (1.0 - clear.min(axis=1) / _FAR) - 0.1 * narrow
+    if screen is not None:
+        score += view(floor, screen, poses)
     score -= _beside_beds(floor, centres, (x1 - x0) / 2, (y1 - y0) / 2)
     score += _away_from_doors(floor, poses, spec)
     score += _spread_out(floor, spec, centres)
@@ -100,7 +100,15 @@ def _opposite_sofa(floor: Floor, poses: Floats) -> Floats:
     return np.zeros(len(poses))
 
 
-def _view(floor: Floor, screen: Spec, poses: Floats) -> Floats:
+def screen_of(floor: Floor, spec: Spec) -> Spec | None:
+    """Return the screen that is to stand opposite of a sofa, and does not yet."""
+    if not spec.role.sofa:
+        return None
+    screens = [other for other in floor.specs if ("opposite", spec.index) in other.relations]
+    return next((screen for screen in screens if not floor.count(screen.index)), None)
+
+
+def view(floor: Floor, screen: Spec, poses: Floats) -> Floats:
     """Return a score for sofas that a screen fits opposite of, against the nearest wall ahead, at a usual distance."""
     front = np.column_stack([-poses[:, 3], poses[:, 2]])
     nearest, found = np.full(len(poses), np.inf), np.zeros((len(poses), 4))

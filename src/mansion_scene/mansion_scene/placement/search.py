@@ -1,5 +1,7 @@
 """FINDFEASIBLEPLACEMENT of Algorithm 4: candidate poses, hard filters, a score, then incremental reachability."""
 
+from collections.abc import Iterator
+
 import numpy as np
 import numpy.typing as npt
 
@@ -9,7 +11,7 @@ from mansion_scene.placement.candidates import floor_poses, opposite_poses, ring
 from mansion_scene.placement.floor import Floor, Placed
 from mansion_scene.placement.groups import Spec
 from mansion_scene.placement.relations import LIMITS, related_boxes, relation_holds
-from mansion_scene.placement.scoring import hob_before_window, pose_scores
+from mansion_scene.placement.scoring import hob_before_window, pose_scores, screen_of, view
 from mansion_scene.placement.units import Unit
 
 __all__ = ["examine", "find_placement", "relation_mask"]
@@ -17,6 +19,10 @@ __all__ = ["examine", "find_placement", "relation_mask"]
 
 _RELATED, _SCORED = 900, 200
 """Feasible poses whose relations are tested, and of these how many are scored; more are thinned out at random."""
+
+
+_VIEW = 0.5
+"""Least score of a view that a sofa is free in the room for."""
 
 
 def find_placement(
@@ -36,7 +42,7 @@ def find_placement(
     -------
     The new copies, or None where no examined pose is feasible.
     """
-    for poses, at_wall in _candidates(floor, spec, unit, rng):
+    for unit, poses, at_wall in _ways(floor, spec, unit, rng):
         if not len(poses):
             continue
         poses = _thinned(poses[floor.fits(poses, unit.array())], _RELATED, rng)
@@ -145,6 +151,20 @@ def _free_hosts(floor: Floor, spec: Spec) -> Floats:
             load[copy.host] += 1
     least = min(load.values(), default=0)
     return np.array([h.box for h in hosts if load[h.key] == least]).reshape(-1, 6)
+
+
+def _ways(floor: Floor, spec: Spec, unit: Unit, rng: np.random.Generator) -> Iterator[tuple[Unit, Floats, bool]]:
+    """Yield the candidates of a unit; those of a sofa with a view of its screen first, at a wall or free in the room."""
+    ways = [(unit, poses, at_wall) for poses, at_wall in _candidates(floor, spec, unit, rng)]
+    screen = screen_of(floor, spec)
+    if screen is None:
+        yield from ways
+        return
+    if spec.where == "edge":
+        ways.append((unit.freed(), floor_poses(floor, rng), False))
+    for way, poses, at_wall in ways:
+        yield way, poses[view(floor, screen, poses) > _VIEW], at_wall
+    yield from ways
 
 
 def _candidates(floor: Floor, spec: Spec, unit: Unit, rng: np.random.Generator) -> list[tuple[Floats, bool]]:
