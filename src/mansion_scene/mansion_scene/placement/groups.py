@@ -84,9 +84,14 @@ class Group:
     def _kind(self) -> int:
         if self.anchor.rows:
             return 0 if self.anchor.where == "edge" else 2
-        if self.anchor.role.table and sum(member.link == "around" for member in self.members):
-            return 1  # a table and its chairs need a place of their own before cupboards take it
+        if self._dining_table:
+            return 1  # it and its chairs need a place of their own before cupboards take it
         return {"edge": 1, "middle": 3}.get(self.anchor.where, 4)
+
+    @property
+    def _dining_table(self) -> bool:
+        alone = self.anchor.role.table and self.anchor.quantity == 1
+        return alone and any(member.link == "around" and member.role.seat for member in self.members)
 
     @property
     def area(self) -> float:

@@ -21,7 +21,7 @@ LIMITS = {
     "at_head": 0.25,
     "opposite": 6.0,
     "in_run": 0.06,
-    "sat_at": 0.5,
+    "sat_at": 0.2,
     "towards": 1.0,
 }
 """Largest gap between footprints (``far``: the least), metres."""
