@@ -9,7 +9,7 @@ import numpy as np
 from mansion_scene.placement.floor import Floor
 from mansion_scene.placement.groups import Group, Spec
 from mansion_scene.placement.patterns import place_lattice, place_matrix, place_rows
-from mansion_scene.placement.runs import is_run, run_members, runs
+from mansion_scene.placement.runs import run_members, run_pieces, runs
 from mansion_scene.placement.search import find_placement
 from mansion_scene.placement.units import Size3, Unit, UnitStyle, build_unit
 
@@ -67,8 +67,7 @@ class Construction:
     def place_group(self, group: Group) -> None:
         """Place a group: all copies of its anchor, then the members that were not placed with them."""
         anchor = group.anchor
-        if is_run(group):
-            self._place_run(group)
+        self._place_run(anchor)
         if anchor.rows:
             self._place_matrix(anchor)
         else:
@@ -76,16 +75,15 @@ class Construction:
         for member in group.members:
             self.place_copies(member)
 
-    def _place_run(self, group: Group) -> None:
+    def _place_run(self, anchor: Spec) -> None:
         """Place a kitchen's worktops and appliances side by side: as many worktops as fit, the widest first."""
-        anchor = group.anchor
-        left = [member for member in group.members if member.role.fitment and self.missing(member) > 0]
+        left = [spec for spec in run_pieces(anchor, self.floor.specs) if self.missing(spec) > 0]
         if not left:
             return
         walls = sorted((wall.length for wall in self.floor.room.walls), reverse=True)
         mirrored = bool(self.rng.integers(2))
         for members, clear in product(run_members(left), (True, False)):
-            for unit in runs(group, self.missing(anchor), members, walls, mirrored=mirrored):
+            for unit in runs(anchor, self.missing(anchor), members, walls, mirrored=mirrored):
                 if find_placement(self.floor, anchor, unit, self.rng, clear_hob=clear):
                     return
 

@@ -3,11 +3,11 @@
 from collections.abc import Iterator, Sequence
 from itertools import product
 
-from mansion_scene.placement.groups import Group, Spec
+from mansion_scene.placement.groups import Spec
 from mansion_scene.placement.roles import Fitment
 from mansion_scene.placement.units import BACK, Size3, Unit
 
-__all__ = ["is_run", "run_members", "run_orders", "runs"]
+__all__ = ["run_members", "run_orders", "run_pieces", "runs"]
 
 _JOINT = 0.01
 """Gap between the pieces of a run, metres."""
@@ -34,11 +34,17 @@ _SPARED: tuple[frozenset[Fitment | None], ...] = (frozenset(), frozenset({"dishw
 Piece = tuple[Spec, Size3]
 
 
-def is_run(group: Group) -> bool:
-    """Tell whether a group is a kitchen's: worktops at a wall with what belongs beside them."""
-    fitted = [member for member in group.members if member.role.fitment]
-    anchor = group.anchor
-    return anchor.role.fitment == "worktop" and anchor.where == "edge" and not anchor.rows and bool(fitted)
+def run_pieces(anchor: Spec, specs: Sequence[Spec]) -> list[Spec]:
+    """Return what stands in a run with some worktops at a wall; nothing where the anchor of a group is no worktop."""
+    if anchor.role.fitment != "worktop" or anchor.where != "edge" or anchor.rows:
+        return []
+    return [
+        spec
+        for spec in specs
+        if spec.role.fitment not in (None, "worktop")
+        and (spec.where, spec.rows) == ("edge", 0)
+        and spec.host in (-1, anchor.index)
+    ]
 
 
 def run_orders(worktops: int, present: Sequence[Fitment]) -> list[list[Fitment]]:
@@ -62,7 +68,7 @@ def run_orders(worktops: int, present: Sequence[Fitment]) -> list[list[Fitment]]
     ]
 
 
-def runs(group: Group, missing: int, left: Sequence[Spec], walls: Sequence[float], *, mirrored: bool) -> Iterator[Unit]:
+def runs(anchor: Spec, missing: int, left: Sequence[Spec], walls: Sequence[float], *, mirrored: bool) -> Iterator[Unit]:
     """Yield the units of a run that the walls have the length for, the most complete first.
 
     Parameters
@@ -76,7 +82,6 @@ def runs(group: Group, missing: int, left: Sequence[Spec], walls: Sequence[float
     mirrored : bool
         Which way round comes first.
     """
-    anchor = group.anchor
     fitted = {spec.role.fitment: spec for spec in reversed(left)}
     widths = (False, True) if any(spec.smaller for spec in left) else (False,)
     for worktops, size, compact in product(range(missing, 0, -1), (anchor.size, *anchor.smaller), widths):
