@@ -6,8 +6,8 @@ from dataclasses import replace
 from typing import Final
 
 from mansion_bringup.building.judged_building import JudgedBuilding, JudgedRoom
-from mansion_bringup.building.verdicts import AREA_TOLERANCE, Judge, Verdict, keeps_to, listed, met_if, spoken
-from mansion_msgs_py.wishes import Wish
+from mansion_bringup.building.verdicts import Judge, Verdict, keeps_to, listed, met_if, spoken
+from mansion_msgs_py.wishes import AREA_TOLERANCE, Wish
 
 __all__ = ["ROOM_JUDGES"]
 
