@@ -16,8 +16,7 @@ def bedroom(number: int, area: float, *, room_type: str = "bedroom", name: str =
         polygon=square,
         net_polygon=square,
         area=area,
-        ceiling_height=2.6,
-        materials={},
+        kind="area",
     )
 
 
