@@ -170,7 +170,7 @@ def furnish_request(
     if items is not None:
         card = msgspec.structs.replace(card, floor=tuple(items))
     if beside:
-        card = msgspec.structs.replace(card, floor=tuple(item for item in card.floor if item.unless not in beside))
+        card = msgspec.structs.replace(card, floor=tuple(item for item in card.floor if not _had_elsewhere(item, beside)))
     rng = item_generator(seed, "furnish", room_id, card.room_type)
     counts = asked_counts(requested)
     asked = (
@@ -196,6 +196,12 @@ def furnish_request(
         small=without_small(_arrangements(catalogue, card), [c for c, count in counts.items() if not count]),
         asked=draft.first,
     )
+
+
+def _had_elsewhere(item: Item, beside: Collection[str]) -> bool:
+    """Whether another room of the floor has an item in the room's stead."""
+    stead = [item.unless] if isinstance(item.unless, str) else item.unless
+    return any(name in beside for name in stead)
 
 
 def _is_whole(shape: MatrixShape | None, wanted: int) -> bool:

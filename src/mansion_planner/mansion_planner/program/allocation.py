@@ -10,6 +10,7 @@ from mansion_planner.program.decisions import Decisions, note
 from mansion_planner.program.furniture_areas import furniture_area, furniture_areas, usual_number
 from mansion_planner.program.household import private_types
 from mansion_planner.program.model import PlannedRoom, Storey
+from mansion_planner.program.people_rooms import people_rooms, place_rooms, professional_rooms
 from mansion_planner.program.planned_rooms import planned_room
 from mansion_planner.program.step_record import Record
 from mansion_planner.program.storeys import entries_of, floors_of
@@ -58,39 +59,11 @@ class Allocation:
         return floor not in self.complete and not refused
 
 
-def _people_rooms(decisions: Decisions, knowledge: KnowledgeBase) -> tuple[RoomFact, str] | None:
-    """Return the rooms that stated occupants need (classrooms for pupils, bedrooms for a family), and that in words."""
-    facts, seats = decisions.facts, decisions.building.seats
-    if not facts.occupants:
-        return None
-    people = facts.occupants[0]
-    stated = {fact.room_type for fact in facts.rooms if fact.count is not None}
-    if decisions.building.family == "home" and people.noun in (
-        "family",
-        "people",
-        "person",
-        "resident",
-        "adult",
-        "inhabitant",
-        "kid",
-        "child",
-    ):
-        if any(knowledge.room(name).counts_as == "bedroom" for name in stated):
-            return None
-        grown = people.count if people.noun not in ("kid", "child") else people.count + 2
-        count = max(1, min(grown - 1, 8))
-        return RoomFact("bedroom", "bedroom", people.span, count), f"{count} bedrooms for {people.count} people"
-    if seats is None or people.noun in ("employee", "worker", "staff", "visitor", "teacher", "family"):
-        return None
-    kind = knowledge.room(seats.room_type)
-    if kind.name in stated:
-        return None
-    count = max(1, -(-people.count // int(seats.area or 1)))
-    return RoomFact(kind.name, kind.name, people.span, count), f"{count} x {kind.name} for {people.count} people"
-
-
 MANY = 6
 """From so many pieces on, furniture that the brief puts in no room gets one that usually has as many."""
+
+_IN_STEAD = 0.5
+"""Of the pieces that the building's own room for them usually has, what a stated room takes to get them instead."""
 
 
 def _furniture_rooms(
@@ -116,15 +89,15 @@ def _furniture_rooms(
             and not (floors and fact.floors and floors.isdisjoint(floors_of(fact.floors, decisions)))
         ]
         own = [
-            entry.room_type
+            name
             for storey in storeys
-            for entry in entries_of(storey)
+            for name in (storey.hub.name, *(entry.room_type for entry in entries_of(storey)))
             if not floors or storey.index in floors
         ]
-        if stated:
+        best = max(own, key=holds, default="")
+        if stated and not (best and _IN_STEAD * holds(best) > max(holds(fact.room_type) for fact in stated)):
             out.append((max(stated, key=lambda fact: holds(fact.room_type)), 0.0))
-        elif own and max(holds(name) for name in own) >= MANY / 2:
-            best = max(own, key=holds)
+        elif best and holds(best) >= MANY / 2:
             out.append((RoomFact(best, best, wanted.span, 1, floors=wanted.floors, each=wanted.each), 0.0))
         else:
             continue
@@ -139,25 +112,32 @@ def allocate(decisions: Decisions, knowledge: KnowledgeBase, storeys: Sequence[S
     """
     trace: list[TraceEntry] = []
     facts = list(decisions.facts.rooms)
-    for_people = _people_rooms(decisions, knowledge)
-    if for_people is not None:
-        fact, effect = for_people
+    for_people = people_rooms(decisions, knowledge)
+    professional = professional_rooms(decisions, knowledge)
+    for fact, effect in [*([for_people] if for_people is not None else []), *professional]:
         note(trace, fact.span, effect)
-        facts.append(fact)
+    facts += [for_people[0]] if for_people is not None else []
     wanted: dict[int, list[RoomFact]] = {storey.index: [] for storey in storeys}
     for_furniture = _furniture_rooms(decisions, knowledge, storeys)
     furniture = furniture_areas(decisions.facts.rooms, decisions.facts.objects)
     for fact, area in for_furniture:
         furniture[fact.name] = max(area, furniture.get(fact.name, 0.0))
-    asked = [*facts, *(fact for fact, _ in for_furniture if fact not in decisions.facts.rooms)]
+    asked = [*facts, *(fact for fact, _ in professional), *(fact for fact, _ in for_furniture if fact not in decisions.facts.rooms)]
     for fact in sorted(asked, key=lambda fact: _is_free_bathroom(fact, decisions)):  # once bedrooms have their storeys
         floors, where = _floors_for(fact, knowledge, decisions, storeys, wanted)
         for floor in floors:
             wanted[floor].append(fact)
         note(trace, fact.span, f"{fact.name} x{_number_of(fact)}{where}")
+    places = place_rooms(decisions, storeys, wanted)
+    if places is not None:
+        fact, area, on = places
+        for floor in on:
+            wanted[floor].append(fact)
+        furniture[fact.name] = max(area, furniture.get(fact.name, 0.0))
+        note(trace, fact.span, f"{fact.name} of about {area:.0f} m2 on storey {', '.join(str(floor) for floor in on)}")
     allocation = Allocation(
         wanted=wanted,
-        settled=_settled_types(facts, decisions, knowledge),
+        settled=_settled_types(facts, decisions, knowledge).union(fact.room_type for fact, _ in professional),
         unwanted=_unwanted_types(wanted, decisions, knowledge),
         complete=_complete_storeys(decisions, storeys),
         furniture=furniture,
@@ -213,6 +193,7 @@ _SAME_USE = (
     frozenset({"treatment_room", "dental_room", "consultation_room"}),
     frozenset({"cinema_hall", "auditorium"}),
     frozenset({"toilet", "restroom"}),
+    frozenset({"kitchen", "open_kitchen", "commercial_kitchen"}),
     frozenset({"classroom", "training_room"}),
     frozenset({"dorm_room", "hostel_dorm", "bunk_room", "holding_cell"}),
 )

@@ -109,7 +109,7 @@ def decide(
     if request.footprint is not None:
         _area_of_footprint(request, decisions)
     else:
-        _settle_area(request, decisions, size, generator)
+        _settle_area(request, decisions, size, generator, knowledge)
     return decisions
 
 
@@ -269,7 +269,11 @@ def _usual_floors(
 
 
 def _settle_area(
-    request: BuildRequest, decisions: Decisions, size: ProgramSize | None, generator: np.random.Generator
+    request: BuildRequest,
+    decisions: Decisions,
+    size: ProgramSize | None,
+    generator: np.random.Generator,
+    knowledge: KnowledgeBase,
 ) -> None:
     """Set the area of a storey from what the request and the brief state, or from what is usual.
 
@@ -302,7 +306,7 @@ def _settle_area(
         note(trace, total.span if total else None, f"{whole:.0f} m2 over {counted(storeys, 'storey')}, as stated")
         decisions.area_stated = True
     else:
-        _infer_area(decisions, size, generator)
+        _infer_area(decisions, size, generator, knowledge)
 
 
 def _kept(area: Quantity) -> float:
@@ -377,7 +381,13 @@ def _area_of_footprint(request: BuildRequest, decisions: Decisions) -> None:
     note(decisions.trace, None, f"{area:.0f} m2 a storey, as the footprint gives")
 
 
-def _infer_area(decisions: Decisions, size: ProgramSize | None, generator: np.random.Generator) -> None:
+_PRACTICE = 55.0
+"""Gross square metres of a practice for each of the professionals who have a room of their own there."""
+
+
+def _infer_area(
+    decisions: Decisions, size: ProgramSize | None, generator: np.random.Generator, knowledge: KnowledgeBase
+) -> None:
     facts, building = decisions.facts, decisions.building
     least, usual = building.floor_area
     area = usual * float(generator.uniform(0.92, 1.08))
@@ -388,8 +398,10 @@ def _infer_area(decisions: Decisions, size: ProgramSize | None, generator: np.ra
         area = min(1.25 * area, AREA_CAP)
     if facts.occupants and building.seats is None and building.family != "home":
         people = sum(o.count for o in facts.occupants)
-        area = min(max(people * building.people / decisions.floors, least), AREA_CAP)
-        note(decisions.trace, facts.occupants[0].span, f"{building.people:g} m2 for each of {people} people")
+        own_rooms = all(o.noun in knowledge.groups.room_of for o in facts.occupants)
+        each = max(_PRACTICE, building.people) if own_rooms else building.people
+        area = min(max(people * each / decisions.floors, usual if own_rooms else least), AREA_CAP)
+        note(decisions.trace, facts.occupants[0].span, f"{each:g} m2 for each of {people} people")
     if size is not None:
         decisions.area = min(size.area, AREA_CAP)
         note(decisions.trace, None, f"about {decisions.area:.0f} m2 a storey, for the rooms that are counted")

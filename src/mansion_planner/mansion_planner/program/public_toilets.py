@@ -20,6 +20,15 @@ _STALL, _BASIN = 5.75, 8.0
 _WALLS = 1.6
 """Square metres that walls take of a restroom."""
 
+_WOMENS = 2.0
+"""Water closets of a restroom for women at least: one alone makes a queue (planning practice)."""
+
+_OF_CHILDREN = 3.0
+"""Water closets of a washroom for small children at least, whom two grown-ups take there in groups."""
+
+_CHILDRENS = frozenset({"kindergarten_classroom", "nursery_room"})
+"""Rooms of children who go to washrooms of their own."""
+
 _LEAST = 8.0
 """Square metres of a restroom for one sex."""
 
@@ -104,12 +113,15 @@ class _Need:
         Men and women have toilets of their own.
     one_each : bool
         One water closet is enough for each.
+    children : bool
+        They are for small children, boys and girls alike.
     """
 
     closets: dict[str, float]
     basins: float
     separate: bool
     one_each: bool
+    children: bool = False
 
 
 def _need_of(
@@ -130,7 +142,8 @@ def _need_of(
     }
     basins = people / norms.rules["washbasins"].limit(kind, family) - others.basins
     one_each = all(people / 2 <= limit for limit in limits.values())
-    return _Need(closets, basins, people > rule.limit(kind, family), one_each)
+    children = any(room.kind.name in _CHILDRENS for top in rooms for room in top.each())
+    return _Need(closets, basins, people > rule.limit(kind, family), one_each, children)
 
 
 def _choices(
@@ -147,8 +160,11 @@ def _choices(
         return [[small]] if accessible and not any(_serves_wheelchairs(room) for room in rooms) else []
     toilets = []
     for name, closets in need.closets.items():
-        room = planned_room(knowledge.room("restroom"), knowledge, area=_area_for(closets, need.basins / 2))
-        toilets.append(msgspec.structs.replace(room, id=f"{name}s_restroom", base=f"{name}s_restroom"))
+        least = _OF_CHILDREN if need.children else _WOMENS if name == "women" else 1.0
+        area = _area_for(max(closets, least), need.basins / 2)
+        room = planned_room(knowledge.room("restroom"), knowledge, area=area)
+        called = "childrens_washroom" if need.children else f"{name}s_restroom"
+        toilets.append(msgspec.structs.replace(room, id=called, base=called))
     if not accessible:
         return [toilets]
     best = [*toilets, planned_room(kind, knowledge)]

@@ -159,6 +159,12 @@ _CROWDED = 1.25
 """Of the area for rooms, what the least areas of a home's rooms may come to: small homes have smaller rooms."""
 
 
+_ONE_A_STOREY = frozenset(
+    "lounge common_room laundry_room gym cafe bar sauna business_center computer_lab art_room break_room".split()
+)
+"""Rooms of general use that a storey is not filled up with more than once."""
+
+
 def _topped_up(
     storey: Storey,
     allocation: Allocation,
@@ -171,9 +177,20 @@ def _topped_up(
     filled = list(rooms)
     if storey.hub.zone == "service":
         return filled  # a hall for cars, goods or machines takes what is left
-    kinds = [knowledge.room(name) for name in knowledge.groups.filler_of(storey.use.family)]
-    kinds = [kind for kind in kinds if allocation.adds(kind.name, storey.index)]
-    for kind in kinds * (1 if storey.use.family == "home" else 3):
+    names = storey.use.filler or knowledge.groups.filler_of(storey.use.family)
+    home = storey.use.family == "home"
+    turn = 0 if home else max(storey.index - 1, 0) % len(names)  # storeys of one kind do not all get the same
+    kinds = [knowledge.room(name) for name in names[turn:] + names[:turn]]
+    stated = {fact.room_type for facts in allocation.wanted.values() for fact in facts}
+    there = {room.kind.name for room in filled}
+    kinds = [
+        kind
+        for kind in kinds
+        if allocation.adds(kind.name, storey.index)
+        and kind.name not in stated
+        and not (kind.name in _ONE_A_STOREY and kind.name in there)
+    ]
+    for kind in kinds + ([] if home else [kind for kind in kinds if kind.name not in _ONE_A_STOREY] * 2):
         used = sum(room.gross for room in filled)
         if used >= 0.82 * budget or len(filled) >= most:
             break

@@ -10,6 +10,7 @@ from mansion_scene.placement.groups import Group, Spec
 from mansion_scene.placement.patterns import place_lattice, place_matrix, place_rows
 from mansion_scene.placement.search import find_placement
 from mansion_scene.placement.units import Size3, Unit, UnitStyle, build_unit
+from mansion_scene.placement.vehicle_bays import place_behind_doors
 
 __all__ = ["Construction", "construct"]
 
@@ -71,6 +72,8 @@ class Construction:
 
     def place_copies(self, spec: Spec, *, strict: bool = True) -> None:
         """Place the missing copies of an object, each with its share of members."""
+        if spec.role.vehicle and spec.host < 0:
+            place_behind_doors(self.floor, spec, self.due(spec))
         count = self.due(spec)
         if count >= 2 and spec.host < 0 and strict and self._place_pattern(spec, count):
             return

@@ -27,6 +27,7 @@ _SYMMETRIC = _set("plant lamp bin basket vase can pot tree stand rack umbrella p
 _SCREENS = _set("tv television")
 _MACHINES = _set("bike elliptical rowing rower treadmill weight press")
 _TABLES = _set("table desk island workbench counter")
+_VEHICLES = _set("car truck van engine lorry tractor ambulance bus")
 _ENTRANCE = _set("host hostess reception umbrella coat shoe doormat checkout cashier ticket turnstile")
 
 
@@ -44,9 +45,11 @@ class Role:
         One watches it from a sofa.
     exercise : bool
         One moves on it, and needs room on both sides.
+    vehicle : bool
+        It is driven in and out.
     """
 
-    __slots__ = ("bed", "centred", "entrance", "exercise", "focal", "screen", "seat", "sofa", "symmetric", "table")
+    __slots__ = ("bed", "centred", "entrance", "exercise", "focal", "screen", "seat", "sofa", "symmetric", "table", "vehicle")
 
     def __init__(self, words: frozenset[str]) -> None:
         self.seat = bool(words & _SEATS)
@@ -54,6 +57,7 @@ class Role:
         self.bed = bool(words & _BEDS)
         self.screen = bool(words & _SCREENS)
         self.exercise = bool(words & _MACHINES)
+        self.vehicle = bool(words & _VEHICLES)
         self.table = bool(words & _TABLES) and not self.seat
         self.entrance = bool(words & _ENTRANCE) and not self.seat
         self.focal = bool(words & _FOCAL) and not self.seat
