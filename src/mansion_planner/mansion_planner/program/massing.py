@@ -165,6 +165,10 @@ def _outgrown(
     return conflict(wish, f"{least:.0f} m2 a storey", reason, fullest.index)
 
 
+_WITH_WAYS = 1.1
+"""Of the area that a main room's furniture needs, what a storey has for it and for the ways through it."""
+
+
 def _typical(
     decisions: Decisions,
     storeys: list[Storey],
@@ -176,7 +180,8 @@ def _typical(
     """What a storey's own list and the rooms asked for take at their usual sizes."""
     most = 0.0
     for storey in storeys:
-        hub = 1.3 * storey.hub.usual if is_hall(decisions) else 0.0
+        stated = _WITH_WAYS * hub_area(storey, allocation)
+        hub = max(1.3 * storey.hub.usual, stated) if is_hall(decisions) else 0.0
         most = max(most, listed_area(storey, allocation, knowledge) + hub)
     return (most + fixed) / (1.0 - share)
 

@@ -6,14 +6,14 @@ from mansion_geometry.compiled import Floats
 from mansion_scene.placement.floor import Floor
 from mansion_scene.placement.groups import Spec
 from mansion_scene.placement.search import examine
-from mansion_scene.placement.units import build_unit, UnitStyle
+from mansion_scene.placement.units import UnitStyle, build_unit
 
 __all__ = ["place_behind_doors"]
 
 _DOOR = 3.0
 """Least width of the door of a bay, metres."""
 
-_BEFORE = (1.0, 1.3, 1.7, 2.2)
+_BEFORE = (1.2, 1.0, 0.93, 1.5, 2.0)
 """Distances between a door and the vehicle behind it that are tried, metres."""
 
 
@@ -37,7 +37,7 @@ def place_behind_doors(floor: Floor, spec: Spec, count: int) -> int:
 
 
 def _poses(floor: Floor, door: Floats, depth: float) -> Floats:
-    """Return poses abreast of a door, the nearest first, with the front towards it."""
+    """Return poses abreast of a door, the best first, with the front towards it."""
     middle = (door[:2] + door[2:]) / 2
     wall = min(floor.room.walls, key=lambda wall: abs(float((middle - wall.start) @ wall.inward)))
     poses = []
