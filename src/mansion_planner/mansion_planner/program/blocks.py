@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import msgspec
 
-from mansion_knowledge import RoomType
+from mansion_knowledge import RoomType, is_class
 from mansion_knowledge.norms import Norm, load_norms
 from mansion_planner.program.model import Box, PlannedRoom
 from mansion_planner.program.plan_quality import STRIP
@@ -179,7 +179,7 @@ def _fit(block: Block, room: PlannedRoom, depth: float, pairs: Sequence[tuple[st
         (block.host.called(one) and room.called(other)) or (block.host.called(other) and room.called(one))
         for one, other in pairs
     )
-    clean = not (room.kind.wet and "kitchen" in block.host.kind.name)
+    clean = not (room.kind.wet and "kitchen" in block.host.kind.name) and not is_class(block.host.kind.name, "vehicle")
     return (
         3.0 * wanted
         + 8.0 * asked
