@@ -172,8 +172,11 @@ def _spare_front(block: Block, depth: float) -> float:
 
 
 def _fit(block: Block, room: PlannedRoom, depth: float, pairs: Sequence[tuple[str, str]]) -> float:
-    """Prefer hosts of kindred use with room to spare."""
+    """Prefer hosts of kindred use with room to spare; toilets go together, so that they carve up one room alone."""
     same_zone = block.host.kind.zone == room.kind.zone
+    others = len(block.smalls)
+    if room.kind.toilet and any(small.kind.toilet for small in block.smalls):
+        others = -others
     wanted = room.kind.name in block.host.kind.near or block.host.kind.name in room.kind.near
     asked = any(
         (block.host.called(one) and room.called(other)) or (block.host.called(other) and room.called(one))
@@ -184,8 +187,8 @@ def _fit(block: Block, room: PlannedRoom, depth: float, pairs: Sequence[tuple[st
         3.0 * wanted
         + 8.0 * asked
         + 2.0 * clean
-        + 0.5 * same_zone
-        - 2.0 * len(block.smalls)
+        + 1.5 * same_zone
+        - 2.0 * others
         + min(_spare_front(block, depth), 12.0) / 6.0
         - (1.0 if block.host.fixed else 0.0)
     )
