@@ -259,6 +259,8 @@ def choose_shape(decisions: Decisions, area: float, stairs: int, generator: np.r
 
 def corridor_width(use: BuildingType, area: float) -> float:
     """Return the width of the corridors of a building whose storeys have `area` square metres, metres."""
+    if use.family == "home" and use.parti != "spine":
+        return 1.3 if area < 140 else 1.4
     if use.family == "home" or use.parti == "house":
         return 1.4 if area < 140 else 1.6
     usual = 1.8 if area < 300 else 2.0

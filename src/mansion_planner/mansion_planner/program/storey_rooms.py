@@ -7,7 +7,7 @@ import msgspec
 
 from mansion_knowledge import KnowledgeBase, RoomEntry
 from mansion_planner.program.allocation import Allocation
-from mansion_planner.program.household import use_of
+from mansion_planner.program.household import is_one_room_home, use_of
 from mansion_planner.program.model import PlannedRoom, Storey
 from mansion_planner.program.planned_rooms import planned_room
 from mansion_planner.program.storeys import entries_of
@@ -175,8 +175,8 @@ def _topped_up(
 ) -> list[PlannedRoom]:
     """Return the rooms, with others of general use where the brief settles the number of those that would fill up."""
     filled = list(rooms)
-    if storey.hub.zone == "service":
-        return filled  # a hall for cars, goods or machines takes what is left
+    if storey.hub.zone == "service" or is_one_room_home(storey.hub):
+        return filled  # a hall for cars, goods or machines takes what is left, and so does a studio
     names = storey.use.filler or knowledge.groups.filler_of(storey.use.family)
     home = storey.use.family == "home"
     turn = 0 if home else max(storey.index - 1, 0) % len(names)  # storeys of one kind do not all get the same
