@@ -8,6 +8,7 @@ import numpy as np
 from mansion_scene.placement.floor import Floor
 from mansion_scene.placement.groups import Group, Spec
 from mansion_scene.placement.patterns import place_lattice, place_matrix, place_rows
+from mansion_scene.placement.runs import is_run, runs
 from mansion_scene.placement.search import find_placement
 from mansion_scene.placement.units import Size3, Unit, UnitStyle, build_unit
 from mansion_scene.placement.vehicle_bays import place_behind_doors
@@ -21,6 +22,9 @@ ENOUGH = 0.7
 """Share of the tables that are placed at least with room to pass behind their seats, before all are pushed together."""
 
 _TIGHT = frozenset({"paired", "around", "in_front_of", "side_of"})
+
+_NOWHERE_ELSE = frozenset({"at_head", "sat_at"})
+"""Relations of what is in the way anywhere else."""
 
 _AT_HOST = frozenset({"paired", "around", "in_front_of"})
 """Links of what is of no use without its host."""
@@ -63,6 +67,8 @@ class Construction:
     def place_group(self, group: Group) -> None:
         """Place a group: all copies of its anchor, then the members that were not placed with them."""
         anchor = group.anchor
+        if is_run(group):
+            self._place_run(group)
         if anchor.rows:
             self._place_matrix(anchor)
         else:
@@ -70,8 +76,23 @@ class Construction:
         for member in group.members:
             self.place_copies(member)
 
+    def _place_run(self, group: Group) -> None:
+        """Place a kitchen's worktops and appliances side by side: as many worktops as fit, the widest first."""
+        anchor = group.anchor
+        left = [member for member in group.members if member.role.fitment and self.missing(member) > 0]
+        if not left:
+            return
+        mirrored = bool(self.rng.integers(2))
+        for worktops in range(self.missing(anchor), 0, -1):
+            for size in (anchor.size, *anchor.smaller):
+                for unit in runs(group, worktops, size, mirrored=mirrored, left=left):
+                    if find_placement(self.floor, anchor, unit, self.rng):
+                        return
+
     def place_copies(self, spec: Spec, *, strict: bool = True) -> None:
         """Place the missing copies of an object, each with its share of members."""
+        if not strict and not spec.first and any(kind in _NOWHERE_ELSE for kind, _ in spec.relations):
+            return
         if spec.role.vehicle and spec.host < 0:
             place_behind_doors(self.floor, spec, self.due(spec))
         count = self.due(spec)
@@ -95,7 +116,7 @@ class Construction:
     def _place_matrix(self, spec: Spec) -> None:
         shares = self._shares(spec, spec.quantity, equal=True)
         units = self._units(spec, spec.size, shares)
-        seated = next((unit for unit in units if not spec.first and _seats(self.floor, unit) > 1), None)
+        seated = next((unit for unit in units if _seats(self.floor, unit) > 1), None)
         if seated is not None and self._place_tables(spec, seated):
             return
         alone = [unit for unit in units if len(unit.parts) == 1]
@@ -109,31 +130,40 @@ class Construction:
                 return
 
     def _place_tables(self, spec: Spec, unit: Unit) -> bool:
-        """Place most of some tables with their seats, so that people pass between them, in rows or around corners."""
-        if place_matrix(self.floor, spec, unit, self.rng, self.aisle, least=ENOUGH, roomy=True) is not None:
+        """Place most of some tables with their seats, so that people pass between them, in rows or around corners.
+
+        Tables that are asked for are placed so all, or not at all.
+        """
+        least = 1.0 if spec.first else ENOUGH
+        if place_matrix(self.floor, spec, unit, self.rng, self.aisle, least=least, roomy=True) is not None:
             return True
-        counts = dict.fromkeys(round(share * spec.quantity) for share in (1.0, 0.85, 0.7, 0.55))
+        shares = (1.0,) if spec.first else (1.0, 0.85, 0.7, 0.55)
+        counts = dict.fromkeys(round(share * spec.quantity) for share in shares)
         return any(place_lattice(self.floor, spec, unit, count, self.rng, self.aisle) for count in counts if count > 1)
 
     def _place_one(self, spec: Spec, left: int, *, strict: bool) -> bool:
         shares = self._shares(spec, left)
+        alone: list[Unit] = []
         for size in (spec.size, *spec.smaller):
-            units = self._units(spec, size, shares)
+            *units, bare = self._units(spec, size, shares)
             for fewer in self._fewer(spec, shares):
-                units[-1:-1] = self._units(spec, size, fewer)[:1]
-            for unit in units:
-                if find_placement(self.floor, spec, unit, self.rng, strict=strict):
-                    return True
-        return False
+                units += self._units(spec, size, fewer)[:2]
+            alone.append(bare)
+            if any(find_placement(self.floor, spec, unit, self.rng, strict=strict) for unit in units):
+                return True
+        return any(find_placement(self.floor, spec, unit, self.rng, strict=strict) for unit in alone)
 
     def _fewer(self, spec: Spec, shares: dict[int, int]) -> list[dict[int, int]]:
-        """Return shares with one and two pairs of seats fewer around the copy, where it has more than four."""
-        around = [
-            child.index
-            for child in self.children.get(spec.index, ())
-            if child.link == "around" and shares.get(child.index, 0) > 4
+        """Return shares with fewer seats around the copy, a pair each time, and with one table beside its head."""
+        children = self.children.get(spec.index, ())
+        around = {c.index: shares.get(c.index, 0) for c in children if c.link == "around" and c.role.seat}
+        fewer = [
+            {**shares, **{index: max(2, number - cut) for index, number in around.items()}}
+            for cut in (2, 4, 6)
+            if any(number - cut >= 2 for number in around.values())
         ]
-        return [{**shares, **{index: max(4, shares[index] - cut) for index in around}} for cut in (2, 4) if around]
+        heads = [c.index for c in children if c.role.bedside and spec.role.bed and shares.get(c.index, 0) > 1]
+        return [*fewer, {**shares, **dict.fromkeys(heads, 1)}] if heads else fewer
 
     def _units(self, spec: Spec, size: Size3, shares: dict[int, int]) -> list[Unit]:
         """Return the distinct units of a copy and its share of members, the most complete first."""

@@ -122,7 +122,7 @@ def relation_mask(floor: Floor, spec: Spec, unit: Unit, poses: Floats) -> tuple[
         boxes = _free_hosts(floor, spec)
         if len(boxes):
             asked += 1
-            held += relation_holds("around", poses, hw, hd, boxes)
+            held += relation_holds("sat_at" if spec.role.seat else "around", poses, hw, hd, boxes)
     for other in floor.specs:
         if ("far", spec.index) in other.relations:
             boxes = floor.boxes_of(other.index)

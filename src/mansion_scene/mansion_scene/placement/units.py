@@ -16,6 +16,7 @@ from mansion_geometry.compiled import Floats
 from mansion_scene.placement.groups import Spec
 
 __all__ = [
+    "BACK",
     "Slot",
     "Unit",
     "UnitStyle",
@@ -147,7 +148,7 @@ def near_slots(anchor: Size, member: Size, *, seat: bool, backed: bool, mirrored
 
 Size3 = tuple[float, float, float]
 
-_BACK = 0.14
+BACK = 0.14
 """How far the back of an edge object may be from its wall, metres."""
 
 
@@ -217,7 +218,7 @@ class Unit:
             base = self.parts[host]
             x, y = base[0] + x * base[2] - y * base[3], base[1] + x * base[3] + y * base[2]
             ux, uy = ux * base[2] - uy * base[3], ux * base[3] + uy * base[2]
-        back = _BACK if spec.where == "edge" else 0.0
+        back = BACK if spec.where == "edge" else 0.0
         part = (x, y, ux, uy, size[0] / 2, size[1] / 2, size[2], back)
         box = np.array(part[:6])
         if any(boxes_overlap(box, np.array(other[:6]), 0.0) for other in self.parts):
