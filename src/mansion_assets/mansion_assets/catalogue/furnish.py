@@ -114,6 +114,9 @@ _SHALLOW = 0.7
 _AISLES = (0.6, 0.9)
 """Distance between the columns and rows of objects that are requested in such numbers, metres."""
 
+_NEARLY = 0.8
+"""Share of what is asked for that stands in comfortable rows, the rest beside them, before all stand close together."""
+
 _LOOSE = MatrixShape(max_rows=99, max_cols=99, gap=(0.05, 0.6))
 
 _WALLED = 0.55
@@ -412,7 +415,7 @@ class _Draft:
                 sizes = [a.size[1] for a in self.catalogue.choose_from(other.category, other.extent)]
                 depth += 0.8 * min(sizes) if sizes else 0.0
         rows, cols = grid(wanted, (asset.size[0], depth), shape, self.extent)
-        if item.name in self.asked.least and rows * cols < wanted:
+        if item.name in self.asked.least and rows * cols < _NEARLY * wanted:
             return max(
                 (rows, cols), grid(wanted, (asset.size[0], depth), _LOOSE, self.extent), key=lambda g: g[0] * g[1]
             )

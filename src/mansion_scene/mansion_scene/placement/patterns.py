@@ -37,6 +37,9 @@ _LEGS = 0.5
 _VIEW = 3.0
 """Free floor that an audience has before it, metres; what is more does not count."""
 
+_LEAST_VIEW, _FEWER = 2.0, 0.5
+"""Free floor that an audience has before it at least, metres, and the share of its seats that is kept whatever it has."""
+
 _SCREEN = 5.0
 """Width of a wall for a screen or a stage, metres; what is more does not count."""
 
@@ -353,11 +356,16 @@ def _place_macro(
     macro, poses = _macro_poses(floor, spec, unit, shape, gaps, rng)
     if not len(poses):
         return False
+    audience = _is_audience(spec, unit)
+    if audience and not spec.first and shape[0] * shape[1] > _FEWER * spec.rows * spec.cols:
+        poses = poses[(_clear_before(floor, macro, poses) >= _LEAST_VIEW) & (_wide_ahead(floor, macro, poses) >= 0.7)]
+        if not len(poses):
+            return False
     if len(poses) > 80:
         poses = poses[np.sort(rng.choice(len(poses), 80, replace=False))]
     scores = pose_scores(floor, spec, macro, poses, rng, at_wall=spec.where == "edge")
     scores += _before_the_board(floor, spec, unit, poses)
-    if _is_audience(spec, unit):
+    if audience:
         scores += _with_view(floor, macro, poses)
     return examine(floor, macro, poses, scores, most=5) is not None
 
@@ -375,15 +383,34 @@ def _facing(floor: Floor, spec: Spec, unit: Unit, poses: Floats) -> Floats:
 
 def _with_view(floor: Floor, macro: Unit, poses: Floats) -> Floats:
     """Return a score for free floor before the foremost row, and for a wide wall without doors beyond it."""
+    walls = [_wall_ahead(floor, pose) for pose in _centred(macro, poses)]
+    doors = floor.room.door_points
+    shut = np.array([wall is not None and not any(_is_on(wall, door) for door in doors) for wall in walls])
+    return np.asarray(
+        3.0 * _clear_before(floor, macro, poses) / _VIEW + 2.0 * _wide_ahead(floor, macro, poses) + shut
+    )
+
+
+def _wide_ahead(floor: Floor, macro: Unit, poses: Floats) -> Floats:
+    """Return how wide the wall straight ahead of an audience is, 1 where a screen has all the place that it needs."""
+    walls = [_wall_ahead(floor, pose) for pose in _centred(macro, poses)]
+    return np.array([min(wall.length, _SCREEN) / _SCREEN if wall is not None else 0.0 for wall in walls])
+
+
+def _clear_before(floor: Floor, macro: Unit, poses: Floats) -> Floats:
+    """Return the free floor before the foremost row at each pose, metres, up to what counts."""
+    x0, x1, y0, y1 = macro.extent()
+    centres = _centred(macro, poses)
+    clear = front_clearance(centres, (x1 - x0) / 2, (y1 - y0) / 2, floor.room.edges, floor.boxes, _VIEW)
+    return np.asarray(np.minimum(clear[:, 0], _VIEW))
+
+
+def _centred(macro: Unit, poses: Floats) -> Floats:
+    """Return the poses of a unit's middle."""
     x0, x1, y0, y1 = macro.extent()
     centres = poses.copy()
     centres[:, :2] += (x0 + x1) / 2 * poses[:, 2:] + (y0 + y1) / 2 * np.column_stack([-poses[:, 3], poses[:, 2]])
-    clear = front_clearance(centres, (x1 - x0) / 2, (y1 - y0) / 2, floor.room.edges, floor.boxes, _VIEW)
-    walls = [_wall_ahead(floor, pose) for pose in centres]
-    wide = np.array([min(wall.length, _SCREEN) if wall is not None else 0.0 for wall in walls])
-    doors = floor.room.door_points
-    shut = np.array([wall is not None and not any(_is_on(wall, door) for door in doors) for wall in walls])
-    return np.asarray(3.0 * np.minimum(clear[:, 0], _VIEW) / _VIEW + 2.0 * wide / _SCREEN + shut)
+    return centres
 
 
 def _wall_ahead(floor: Floor, pose: Floats) -> Wall | None:
