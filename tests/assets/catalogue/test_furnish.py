@@ -134,3 +134,13 @@ def test_a_long_piece_that_is_asked_for_stands_lengthwise_in_a_narrow_room() -> 
     asked = [RequestedObject(category="exam_table", count=1)]
     request = furnish_request(CATALOGUE, "consultation_room", 12.5, seed=0, extent=(6.2, 2.05), requested=asked)
     assert "exam_table" in {asset.category for asset in request.floor_assets.values()}
+
+
+def test_a_lobby_leaves_the_desk_to_a_reception_beside_it() -> None:
+    def has_desk(*beside: str) -> bool:
+        wishes = furnish_request(CATALOGUE, "lobby", 60.0, seed=1, room_id="F1/lobby", beside=beside)
+        return any(entry.name == "reception_desk" for entry in wishes.floor)
+
+    assert has_desk()
+    assert not has_desk("reception")
+    assert not has_desk("open_office", "ticket_office")

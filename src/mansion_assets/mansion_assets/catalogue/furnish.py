@@ -173,7 +173,9 @@ def furnish_request(
     if items is not None:
         card = msgspec.structs.replace(card, floor=tuple(items))
     if beside:
-        card = msgspec.structs.replace(card, floor=tuple(item for item in card.floor if not _had_elsewhere(item, beside)))
+        card = msgspec.structs.replace(
+            card, floor=tuple(item for item in card.floor if not _had_elsewhere(item, beside))
+        )
     rng = item_generator(seed, "furnish", room_id, card.room_type)
     counts = asked_counts(requested)
     asked = (

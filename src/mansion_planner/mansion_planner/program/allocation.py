@@ -122,7 +122,11 @@ def allocate(decisions: Decisions, knowledge: KnowledgeBase, storeys: Sequence[S
     furniture = furniture_areas(decisions.facts.rooms, decisions.facts.objects)
     for fact, area in for_furniture:
         furniture[fact.name] = max(area, furniture.get(fact.name, 0.0))
-    asked = [*facts, *(fact for fact, _ in professional), *(fact for fact, _ in for_furniture if fact not in decisions.facts.rooms)]
+    asked = [
+        *facts,
+        *(fact for fact, _ in professional),
+        *(fact for fact, _ in for_furniture if fact not in decisions.facts.rooms),
+    ]
     for fact in sorted(asked, key=lambda fact: _is_free_bathroom(fact, decisions)):  # once bedrooms have their storeys
         floors, where = _floors_for(fact, knowledge, decisions, storeys, wanted)
         for floor in floors:

@@ -53,4 +53,6 @@ def with_kitchen(
 def _at_least(kitchen: PlannedRoom, area: float) -> PlannedRoom:
     """Return a kitchen of no less than `area` square metres."""
     area = max(area, kitchen.area)
-    return msgspec.structs.replace(kitchen, area=area, least=max(kitchen.least, _TIGHT * area), most=max(kitchen.most, area))
+    return msgspec.structs.replace(
+        kitchen, area=area, least=max(kitchen.least, _TIGHT * area), most=max(kitchen.most, area)
+    )

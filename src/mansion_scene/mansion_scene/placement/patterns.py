@@ -386,9 +386,7 @@ def _with_view(floor: Floor, macro: Unit, poses: Floats) -> Floats:
     walls = [_wall_ahead(floor, pose) for pose in _centred(macro, poses)]
     doors = floor.room.door_points
     shut = np.array([wall is not None and not any(_is_on(wall, door) for door in doors) for wall in walls])
-    return np.asarray(
-        3.0 * _clear_before(floor, macro, poses) / _VIEW + 2.0 * _wide_ahead(floor, macro, poses) + shut
-    )
+    return np.asarray(3.0 * _clear_before(floor, macro, poses) / _VIEW + 2.0 * _wide_ahead(floor, macro, poses) + shut)
 
 
 def _wide_ahead(floor: Floor, macro: Unit, poses: Floats) -> Floats:
