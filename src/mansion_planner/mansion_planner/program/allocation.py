@@ -34,6 +34,8 @@ class Allocation:
         Storeys on which the brief wants no room but those that it names.
     furniture : dict of str to float
         Square metres that the furniture wanted in rooms of a name needs.
+    places : frozenset of str
+        Names of rooms that are as large as the places of those who work there need, whatever is usual.
     households : dict of str to RoomFact
         What every unit holds that a storey adds by itself, by the room type that it counts as.
     """
@@ -43,6 +45,7 @@ class Allocation:
     unwanted: dict[int, frozenset[str]] = field(default_factory=dict)
     complete: frozenset[int] = frozenset()
     furniture: dict[str, float] = field(default_factory=dict)
+    places: frozenset[str] = frozenset()
     households: dict[str, RoomFact] = field(default_factory=dict)
 
     def added(self, entry: RoomEntry, knowledge: KnowledgeBase) -> PlannedRoom:
@@ -145,6 +148,7 @@ def allocate(decisions: Decisions, knowledge: KnowledgeBase, storeys: Sequence[S
         unwanted=_unwanted_types(wanted, decisions, knowledge),
         complete=_complete_storeys(decisions, storeys),
         furniture=furniture,
+        places=frozenset() if places is None else frozenset({places[0].name}),
         households={knowledge.room(fact.room_type).counts_as: fact for fact in decisions.facts.households},
     )
     return allocation, Record(tuple(trace))
@@ -186,6 +190,9 @@ def _unwanted_types(
 ) -> dict[int, frozenset[str]]:
     """Return the room types that a storey adds none of: those that the brief excludes there or that are in a unit."""
     unwanted = {floor: frozenset(private_types(facts, knowledge)) for floor, facts in wanted.items()}
+    for floor, facts in wanted.items():
+        if any(fact.room_type in _KITCHENS for fact in facts):
+            unwanted[floor] |= _KITCHENS
     for name, ref, _ in decisions.facts.excluded_on:
         like = next((group for group in _SAME_USE if name in group), frozenset())
         for floor in floors_of((ref,), decisions):
@@ -197,11 +204,13 @@ _SAME_USE = (
     frozenset({"treatment_room", "dental_room", "consultation_room"}),
     frozenset({"cinema_hall", "auditorium"}),
     frozenset({"toilet", "restroom"}),
-    frozenset({"kitchen", "open_kitchen", "commercial_kitchen"}),
     frozenset({"classroom", "training_room"}),
     frozenset({"dorm_room", "hostel_dorm", "bunk_room", "holding_cell"}),
 )
 """Room types that stand for each other: a stated number of one leaves no room for another."""
+
+_KITCHENS = frozenset({"kitchen", "open_kitchen", "commercial_kitchen"})
+"""Rooms to cook in: a storey for which the brief asks one gets no other of another kind."""
 
 _REFUSED_TOGETHER = (frozenset({"cafeteria", "cafe", "restaurant"}),)
 """Room types of which a brief that refuses one by name wants none of the others."""

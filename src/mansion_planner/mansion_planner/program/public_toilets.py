@@ -29,6 +29,9 @@ _OF_CHILDREN = 3.0
 _CHILDRENS = frozenset({"kindergarten_classroom", "nursery_room"})
 """Rooms of children who go to washrooms of their own."""
 
+_LOOSE = 0.4
+"""Of a storey's rooms, what has no stated area where toilets take more than the rules ask for."""
+
 _LEAST = 8.0
 """Square metres of a restroom for one sex."""
 
@@ -92,7 +95,8 @@ def with_public_toilets(
         return kept
     before, whole = sum(room.gross for room in own), sum(room.gross for room in kept)
     need = _need_of(storey, kept, knowledge, hub, others if entrance else Served())
-    choices = _choices(need, kept, knowledge, accessible=entrance) if need is not None else []
+    roomy = sum(room.gross for room in kept if not room.fixed) > _LOOSE * whole
+    choices = _choices(need, kept, knowledge, accessible=entrance, roomy=roomy) if need is not None else []
     for number, wanted in enumerate(choices):
         most = _MOST_SHARE * (whole + (hub if number else 0.0)) + before
         fitting = _within(wanted, most)
@@ -147,7 +151,7 @@ def _need_of(
 
 
 def _choices(
-    need: _Need, rooms: Sequence[PlannedRoom], knowledge: KnowledgeBase, *, accessible: bool
+    need: _Need, rooms: Sequence[PlannedRoom], knowledge: KnowledgeBase, *, accessible: bool, roomy: bool
 ) -> list[list[PlannedRoom]]:
     """Return the toilets that a storey may have, the best first, then for small storeys; none where its own do.
 
@@ -160,7 +164,7 @@ def _choices(
         return [[small]] if accessible and not any(_serves_wheelchairs(room) for room in rooms) else []
     toilets = []
     for name, closets in need.closets.items():
-        least = _OF_CHILDREN if need.children else _WOMENS if name == "women" else 1.0
+        least = _OF_CHILDREN if need.children else _WOMENS if name == "women" and roomy else 1.0
         area = _area_for(max(closets, least), need.basins / 2)
         room = planned_room(knowledge.room("restroom"), knowledge, area=area)
         called = "childrens_washroom" if need.children else f"{name}s_restroom"

@@ -26,7 +26,8 @@ def base_rooms(storey: Storey, allocation: Allocation, knowledge: KnowledgeBase)
         if fact.room_type == storey.hub.name and fact.count == 1:
             continue
         kind = knowledge.room(fact.room_type)
-        area = max(kind.usual, allocation.furniture.get(fact.name, 0.0))
+        least = kind.least if fact.name in allocation.places else kind.usual
+        area = max(least, allocation.furniture.get(fact.name, 0.0))
         rooms.append(planned_room(kind, knowledge, area=area, fact=fact))
     return rooms
 
