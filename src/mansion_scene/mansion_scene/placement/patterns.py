@@ -38,7 +38,7 @@ _VIEW = 3.0
 """Free floor that an audience has before it, metres; what is more does not count."""
 
 _LEAST_VIEW, _FEWER = 2.0, 0.5
-"""Free floor that an audience has before it at least, metres, and the share of its seats that is kept whatever it has."""
+"""Free floor that an audience has before it at least, metres, and the share of its seats that stays without."""
 
 _SCREEN = 5.0
 """Width of a wall for a screen or a stage, metres; what is more does not count."""
