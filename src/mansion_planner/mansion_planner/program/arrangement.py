@@ -79,15 +79,20 @@ def best_arrangement(
 ) -> Arrangement:
     """Lay the building out; when rooms lack a door's wall, wished neighbours or good proportions, try other depths."""
     best: tuple[tuple[int, int, float], Arrangement] | None = None
+    home = decisions.building.family == "home"
     attempts = _ATTEMPTS if decisions.outline is None and not decisions.free_form else 1
+    # Of several depths without a fault the first is taken: seeds begin at different ones.
+    free = home and not decisions.area_stated
+    first = int(item_generator(decisions.seed, "first depth").integers(_FIRST)) if free else 0
     for attempt in range(attempts):
         growth = 1.0 if decisions.area_stated else 1.0 + 0.03 * attempt
         generator = item_generator(decisions.seed, "massing", attempt)
-        varied = replace(wish, area=wish.area * growth, variant=attempt)
+        varied = replace(wish, area=wish.area * growth, variant=(attempt + first) % attempts)
         massing = _massing(decisions, varied, generator)
         shaped = set_back(decisions, massing, storeys, allocation, knowledge)
         layout = _arranged(decisions, massing, shaped, allocation, knowledge, generator)
-        price = (_missed(decisions, wish, layout), *_ill_shaped(layout, home=decisions.building.family == "home"))
+        missed, (shallow, ill) = _missed(decisions, wish, layout), _ill_shaped(layout, home=home)
+        price = missed, shallow, ill
         if best is None or price < best[0]:
             best = (price, layout)
         if not any(price):
@@ -96,6 +101,9 @@ def best_arrangement(
     layout = _deep_where_it_suits(decisions, wish, best[1], allocation, knowledge)
     return _loosened_where_missed(decisions, layout)
 
+
+_FIRST = 4
+"""Depths that a home whose area nobody states may begin with."""
 
 _ATTEMPTS = 6
 """Massings that are tried at most."""
