@@ -12,6 +12,7 @@ from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.wording import counted, with_article
 from mansion_planner.brief.facts import BriefFacts, FloorRef, Quantity, Span
 from mansion_planner.program.footprint import check_footprint, is_rectangle
+from mansion_planner.program.master_suites import with_master_suite
 from mansion_planner.program.program_size import ProgramSize, size_of_program
 from mansion_planner.program.shape_sizes import most_storeys
 from mansion_planner.program.usual_meanings import as_meant_in
@@ -91,6 +92,7 @@ def decide(
     stated, facts = facts, _settled(facts, given_way)
     building = _building(facts, knowledge, trace)
     stated, facts = as_meant_in(building, stated), as_meant_in(building, facts)
+    facts = with_master_suite(facts) if building.family == "home" else facts
     sized = request.floors or request.area or request.floor_area or request.footprint or facts.floors
     size = None if sized else size_of_program(facts, building, knowledge)
     floors, facts = _floors(request, facts, building, size, trace, generator, given_way)
