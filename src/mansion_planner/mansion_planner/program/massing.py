@@ -274,7 +274,7 @@ def _bands(wish: MassingWish) -> list[tuple[float, float, float]]:
         corridor = 1.4
         return [((d - corridor) / 2, corridor, (d - corridor) / 2) for d in (8, 9)]
     if wish.shape in ("H", "courtyard", "U") and area < 620:
-        corridor = 1.8
+        corridor = corridor if wish.use.family == "home" else 1.8
         return [(stair, corridor, d - stair - corridor) for d in (12, 13)]
     if wish.hall and wish.shape in ("rectangle", "square"):
         side = math.sqrt(area / 1.35)
