@@ -20,7 +20,7 @@ from mansion_planner.program.footprint import free_cores, free_massing, sketch_f
 from mansion_planner.program.hall_sketch import most_fronts
 from mansion_planner.program.home_orders import HOME_PAIRS
 from mansion_planner.program.home_quality import home_faults
-from mansion_planner.program.household import is_one_room_home
+from mansion_planner.program.household import STUDIO
 from mansion_planner.program.massing import MassingWish, choose_massing, gross_area, rectangle_massing
 from mansion_planner.program.model import (
     Massing,
@@ -46,7 +46,15 @@ from mansion_planner.program.public_toilets import TOILETS, Served, served_by, w
 from mansion_planner.program.setbacks import set_back
 from mansion_planner.program.shared_washrooms import for_sleepers
 from mansion_planner.program.storey_forms import capacity, form_of, sketched
-from mansion_planner.program.storey_rooms import MOST_ROOMS, fill_storey, fit_areas, hub_area, listed_area, name_rooms
+from mansion_planner.program.storey_rooms import (
+    MOST_ROOMS,
+    fill_storey,
+    fit_areas,
+    hub_area,
+    listed_area,
+    name_rooms,
+    needed_area,
+)
 
 __all__ = [
     "Arrangement",
@@ -350,6 +358,15 @@ _MOST_STORE = 0.9
 """The same of a hall for cars, goods or machines, which takes all that the rooms of its list leave."""
 
 
+_LEAST_HOME_HUB = 0.4
+"""Of a home's storey, what its main room takes at least beside the other rooms."""
+
+
+def _most_home_hub(storey: Storey, allocation: Allocation, knowledge: KnowledgeBase, room: float) -> float:
+    """Return what the main room of a home may take of the area for rooms and leave the others their least."""
+    return max(room - needed_area(storey, allocation, knowledge), _LEAST_HOME_HUB * room)
+
+
 def _rooms(
     storey: Storey,
     massing: Massing,
@@ -368,11 +385,13 @@ def _rooms(
     else:
         room, share = capacity(massing, storey), 0.0
     stores = hall and storey.hub.zone == "service"
-    takes_rest = stores or is_one_room_home(storey.hub)
+    takes_rest = stores or storey.hub.name == STUDIO
     if hall:
-        most = room if storey.use.family == "home" else (_MOST_STORE if stores else _MOST_HUB) * room
+        most = _most_home_hub(storey, allocation, knowledge, room)
+        if storey.use.family != "home":
+            most = (_MOST_STORE if stores else _MOST_HUB) * room
         usual = room - listed_area(storey, allocation, knowledge) if takes_rest else 0.38 * room
-        least = storey.hub.least if is_one_room_home(storey.hub) else storey.hub.usual
+        least = storey.hub.least if storey.hub.name == STUDIO else storey.hub.usual
         share = stated or min(max(least, usual), most)
     most = most_fronts(form) if hall else MOST_ROOMS
     filled = fill_storey(storey, allocation, knowledge, room, hub_share=share, most_rooms=most)
