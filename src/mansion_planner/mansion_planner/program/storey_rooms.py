@@ -177,9 +177,9 @@ _CROWDED = 1.25
 """Of the area for rooms, what the least areas of a home's rooms may come to: small homes have smaller rooms."""
 
 
-_ENOUGH, _ENOUGH_TO_SLEEP = 0.82, 0.7
-"""Of the area for rooms, what rooms may take so that they grow to fill it: rooms of homes and hotels rather grow than
-get others beside them that nobody asked for."""
+_ENOUGH, _ENOUGH_FOR_GUESTS = 0.82, 0.7
+"""Of the area for rooms, what rooms may take so that they grow to fill it: those of hotels rather grow than get lounges
+beside them that nobody asked for."""
 
 
 def _topped_up(
@@ -198,10 +198,10 @@ def _topped_up(
     kinds = [kind for kind in kinds if allocation.adds(kind.name, storey.index)]
     if storey.use.family == "home" and storey.index >= 2:
         kinds.sort(key=lambda kind: kind.storey != "upper")
-    slept_in = storey.use.family in ("home", "lodging")
-    for kind in kinds * (1 if slept_in else 3):
+    enough = _ENOUGH_FOR_GUESTS if storey.use.family == "lodging" else _ENOUGH
+    for kind in kinds * (1 if storey.use.family in ("home", "lodging") else 3):
         used = sum(room.gross for room in filled)
-        if used >= (_ENOUGH_TO_SLEEP if slept_in else _ENOUGH) * budget or len(filled) >= most:
+        if used >= enough * budget or len(filled) >= most:
             break
         if used + 0.8 * kind.usual <= budget:
             filled.append(planned_room(kind, knowledge))
