@@ -144,3 +144,28 @@ def test_a_lobby_leaves_the_desk_to_a_reception_beside_it() -> None:
     assert has_desk()
     assert not has_desk("reception")
     assert not has_desk("open_office", "ticket_office")
+
+
+def test_a_terrace_of_a_home_has_one_table_and_a_place_to_lounge() -> None:
+    counts = {o.category: o.quantity for o in furnish_request(CATALOGUE, "home_terrace", 60.0, seed=1).floor}
+    assert counts["patio_table"] == 1 and counts["patio_chair"] == 4
+    assert {"loveseat", "barbecue", "planter_box", "lounger"} <= counts.keys()
+
+
+def test_a_womens_restroom_has_no_urinals() -> None:
+    men, women = (
+        {o.category for o in furnish_request(CATALOGUE, name, 24.0, seed=1).floor}
+        for name in ("restroom", "womens_restroom")
+    )
+    assert "urinal" in men and "urinal" not in women and "toilet_stall" in women
+
+
+def test_a_garage_for_two_has_two_cars() -> None:
+    counts = {o.category: o.quantity for o in furnish_request(CATALOGUE, "double_garage", 38.0, seed=1).floor}
+    assert counts["garage_car"] == 2
+
+
+def test_a_lobby_leaves_the_counter_to_the_reception() -> None:
+    alone = {o.category for o in furnish_request(CATALOGUE, "lobby", 60.0, seed=1).floor}
+    beside = {o.category for o in furnish_request(CATALOGUE, "lobby", 60.0, seed=1, beside=["reception"]).floor}
+    assert "reception_desk" in alone and not {"reception_desk", "office_chair"} & beside

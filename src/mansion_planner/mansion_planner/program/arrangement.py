@@ -20,7 +20,7 @@ from mansion_planner.program.footprint import free_cores, free_massing, sketch_f
 from mansion_planner.program.hall_sketch import most_fronts
 from mansion_planner.program.home_orders import HOME_PAIRS
 from mansion_planner.program.home_quality import home_faults
-from mansion_planner.program.household import is_one_room_home
+from mansion_planner.program.household import STUDIO
 from mansion_planner.program.massing import MassingWish, choose_massing, gross_area, rectangle_massing
 from mansion_planner.program.model import (
     Massing,
@@ -46,7 +46,15 @@ from mansion_planner.program.public_toilets import TOILETS, Served, served_by, w
 from mansion_planner.program.setbacks import set_back
 from mansion_planner.program.shared_washrooms import for_sleepers
 from mansion_planner.program.storey_forms import capacity, form_of, sketched
-from mansion_planner.program.storey_rooms import MOST_ROOMS, fill_storey, fit_areas, hub_area, listed_area, name_rooms
+from mansion_planner.program.storey_rooms import (
+    MOST_ROOMS,
+    fill_storey,
+    fit_areas,
+    hub_area,
+    listed_area,
+    name_rooms,
+    needed_area,
+)
 
 __all__ = [
     "Arrangement",
@@ -79,15 +87,20 @@ def best_arrangement(
 ) -> Arrangement:
     """Lay the building out; when rooms lack a door's wall, wished neighbours or good proportions, try other depths."""
     best: tuple[tuple[int, int, float], Arrangement] | None = None
+    home = decisions.building.family == "home"
     attempts = _ATTEMPTS if decisions.outline is None and not decisions.free_form else 1
+    # Of several depths without a fault the first is taken: seeds begin at different ones.
+    free = home and not decisions.area_stated
+    first = int(item_generator(decisions.seed, "first depth").integers(_FIRST)) if free else 0
     for attempt in range(attempts):
         growth = 1.0 if decisions.area_stated else 1.0 + 0.03 * attempt
         generator = item_generator(decisions.seed, "massing", attempt)
-        varied = replace(wish, area=wish.area * growth, variant=attempt)
+        varied = replace(wish, area=wish.area * growth, variant=(attempt + first) % attempts)
         massing = _massing(decisions, varied, generator)
         shaped = set_back(decisions, massing, storeys, allocation, knowledge)
         layout = _arranged(decisions, massing, shaped, allocation, knowledge, generator)
-        price = (_missed(decisions, wish, layout), *_ill_shaped(layout, home=decisions.building.family == "home"))
+        missed, (shallow, ill) = _missed(decisions, wish, layout), _ill_shaped(layout, home=home)
+        price = missed, shallow, ill
         if best is None or price < best[0]:
             best = (price, layout)
         if not any(price):
@@ -96,6 +109,9 @@ def best_arrangement(
     layout = _deep_where_it_suits(decisions, wish, best[1], allocation, knowledge)
     return _loosened_where_missed(decisions, layout)
 
+
+_FIRST = 4
+"""Depths that a home whose area nobody states may begin with."""
 
 _ATTEMPTS = 6
 """Massings that are tried at most."""
@@ -342,6 +358,15 @@ _MOST_STORE = 0.9
 """The same of a hall for cars, goods or machines, which takes all that the rooms of its list leave."""
 
 
+_LEAST_HOME_HUB = 0.4
+"""Of a home's storey, what its main room takes at least beside the other rooms."""
+
+
+def _most_home_hub(storey: Storey, allocation: Allocation, knowledge: KnowledgeBase, room: float) -> float:
+    """Return what the main room of a home may take of the area for rooms and leave the others their least."""
+    return max(room - needed_area(storey, allocation, knowledge), _LEAST_HOME_HUB * room)
+
+
 def _rooms(
     storey: Storey,
     massing: Massing,
@@ -360,11 +385,13 @@ def _rooms(
     else:
         room, share = capacity(massing, storey), 0.0
     stores = hall and storey.hub.zone == "service"
-    takes_rest = stores or is_one_room_home(storey.hub)
+    takes_rest = stores or storey.hub.name == STUDIO
     if hall:
-        most = room if storey.use.family == "home" else (_MOST_STORE if stores else _MOST_HUB) * room
+        most = _most_home_hub(storey, allocation, knowledge, room)
+        if storey.use.family != "home":
+            most = (_MOST_STORE if stores else _MOST_HUB) * room
         usual = room - listed_area(storey, allocation, knowledge) if takes_rest else 0.38 * room
-        least = storey.hub.least if is_one_room_home(storey.hub) else storey.hub.usual
+        least = storey.hub.least if storey.hub.name == STUDIO else storey.hub.usual
         share = stated or min(max(least, usual), most)
     most = most_fronts(form) if hall else MOST_ROOMS
     filled = fill_storey(storey, allocation, knowledge, room, hub_share=share, most_rooms=most)

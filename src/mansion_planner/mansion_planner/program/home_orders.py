@@ -104,7 +104,7 @@ def _moved(blocks: Sequence[Block], last: Block) -> tuple[Block, ...]:
 
 
 def home_price(sketch: Sketch, pairs: Sequence[Pair], apart: Sequence[Pair]) -> Price:
-    """Return what is wrong with an order of rooms: doors without a wall, pairs apart and odd rooms, hall and ragged ones.
+    """Return what is wrong with an order of rooms: doors without a wall; pairs apart, odd rooms; hall, ragged rooms.
 
     Pairs that the brief asks for count more than those that any home has.
     """

@@ -6,7 +6,7 @@ from dataclasses import replace
 from mansion_knowledge import KnowledgeBase, RoomEntry, RoomType
 from mansion_planner.brief.facts import RoomFact
 
-__all__ = ["household_of", "is_one_room_home", "is_whole", "main_room", "private_types", "use_of"]
+__all__ = ["STUDIO", "household_of", "is_whole", "main_room", "private_types", "use_of"]
 
 _SMALL, _LARGE = 48.0, 95.0
 """Square metres below which a dwelling has one bedroom by default, and from which on it has three."""
@@ -26,17 +26,15 @@ def _need(kind: RoomType) -> str:
     return ""
 
 
-_TO_LIVE_IN = frozenset({"living_room", "lounge", "common_room", "studio_room"})
+STUDIO = "studio_room"
+"""The room type in which people both live and sleep."""
+
+_TO_LIVE_IN = frozenset({"living_room", "lounge", "common_room", STUDIO})
 
 
 def use_of(kind: RoomType) -> str:
     """Return which of the four things that no home does without a room serves: living, sleeping, cooking, washing."""
     return "living" if kind.name in _TO_LIVE_IN else _need(kind)
-
-
-def is_one_room_home(hub: RoomType) -> bool:
-    """Whether people sit, sleep and cook in a home's main room."""
-    return hub.name == "studio_room"
 
 
 def is_whole(fact: RoomFact, knowledge: KnowledgeBase) -> bool:

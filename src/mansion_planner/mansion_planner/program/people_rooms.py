@@ -7,7 +7,7 @@ from mansion_knowledge.object_kinds import answers
 from mansion_msgs_py.program import RequestedObject
 from mansion_planner.brief.facts import OccupantFact, RoomFact
 from mansion_planner.program.decisions import Decisions
-from mansion_planner.program.household import is_one_room_home
+from mansion_planner.program.household import STUDIO
 from mansion_planner.program.model import PlannedRoom, Storey
 from mansion_planner.program.storeys import entries_of
 
@@ -20,9 +20,6 @@ _VISITORS = frozenset({"visitor", "guest", "customer", "client", "patient", "fam
 """Occupants who have no place of work."""
 
 _HOUSEHOLD = frozenset({"family", "people", "person", "resident", "adult", "inhabitant", "kid", "child"})
-
-_IN_ONE_ROOM = 2
-"""People who sleep in a studio at most."""
 
 _USABLE = 0.6
 """Of a storey, what its rooms take beside corridors, walls and cores."""
@@ -45,9 +42,7 @@ def people_rooms(decisions: Decisions, knowledge: KnowledgeBase) -> tuple[RoomFa
     people = facts.occupants[0]
     stated = {fact.room_type for fact in facts.rooms if fact.count is not None}
     if decisions.building.family == "home" and people.noun in _HOUSEHOLD:
-        if any(knowledge.room(name).counts_as == "bedroom" for name in stated):
-            return None
-        if is_one_room_home(knowledge.room(decisions.building.hub)) and people.count <= _IN_ONE_ROOM:
+        if decisions.building.hub == STUDIO or any(knowledge.room(name).counts_as == "bedroom" for name in stated):
             return None
         grown = people.count if people.noun not in ("kid", "child") else people.count + 2
         count = max(1, min(grown - 1, 8))

@@ -7,12 +7,21 @@ import msgspec
 
 from mansion_knowledge import KnowledgeBase, RoomEntry
 from mansion_planner.program.allocation import Allocation
-from mansion_planner.program.household import is_one_room_home, use_of
+from mansion_planner.program.household import STUDIO, use_of
 from mansion_planner.program.model import PlannedRoom, Storey
 from mansion_planner.program.planned_rooms import planned_room
 from mansion_planner.program.storeys import entries_of
 
-__all__ = ["MOST_ROOMS", "base_rooms", "fill_storey", "fit_areas", "hub_area", "listed_area", "name_rooms"]
+__all__ = [
+    "MOST_ROOMS",
+    "base_rooms",
+    "fill_storey",
+    "fit_areas",
+    "hub_area",
+    "listed_area",
+    "name_rooms",
+    "needed_area",
+]
 
 
 MOST_ROOMS = 34
@@ -47,6 +56,14 @@ def hub_area(storey: Storey, allocation: Allocation) -> float:
     stated = max((fact.area or 0.0 for fact in own), default=0.0)
     needed = max(allocation.furniture.get(name, 0.0) for name in ("", *(fact.name for fact in own)))
     return stated or (needed if needed > storey.hub.usual else 0.0)
+
+
+def needed_area(storey: Storey, allocation: Allocation, knowledge: KnowledgeBase) -> float:
+    """Return the least area of the rooms asked for and of those that no home does without, square metres."""
+    asked = sum(room.least for top in base_rooms(storey, allocation, knowledge) for room in top.each())
+    return asked + sum(
+        knowledge.room(entry.room_type).least for entry in _needed_entries(storey, allocation, knowledge)
+    )
 
 
 def fill_storey(
@@ -137,19 +154,20 @@ def _beside_others(room: PlannedRoom, budget: float) -> PlannedRoom:
 def _needed_entries(storey: Storey, allocation: Allocation, knowledge: KnowledgeBase) -> list[RoomEntry]:
     """Return the rooms of a home's list to live, cook and wash in that the brief leaves open on every storey.
 
-    Other rooms are made smaller for them: no home does without.
+    Other rooms are made smaller for them: no home does without. In a studio people cook where they live.
     """
     if storey.use.family != "home":
         return []
+    needs = [need for need in _NEEDS if not (need == "cooking" and storey.hub.name == STUDIO)]
     stated = [fact for facts in allocation.wanted.values() for fact in facts]
     served = {use_of(knowledge.room(part.room_type)) for fact in stated for part in (fact, *fact.suite)}
     needed: dict[str, RoomEntry] = {}
     for entry in entries_of(storey):
         kind = knowledge.room(entry.room_type)
         need = use_of(kind)
-        if need in _NEEDS and need not in served and allocation.adds(kind.name, storey.index):
+        if need in needs and need not in served and allocation.adds(kind.name, storey.index):
             needed.setdefault(need, entry)
-    found = [needed[need] for need in _NEEDS if need in needed]
+    found = [needed[need] for need in needs if need in needed]
     return [entry for entry in found if not entry.repeat and entry.count == 1]
 
 
@@ -165,6 +183,10 @@ _ONE_A_STOREY = frozenset(
 )
 """Rooms of general use that a storey is not filled up with more than once."""
 
+_ENOUGH, _ENOUGH_FOR_GUESTS = 0.82, 0.7
+"""Of the area for rooms, what rooms may take so that they grow to fill it: those of hotels rather grow than get lounges
+beside them that nobody asked for."""
+
 
 def _topped_up(
     storey: Storey,
@@ -176,7 +198,7 @@ def _topped_up(
 ) -> list[PlannedRoom]:
     """Return the rooms, with others of general use where the brief settles the number of those that would fill up."""
     filled = list(rooms)
-    if storey.hub.zone == "service" or is_one_room_home(storey.hub):
+    if storey.hub.zone == "service" or storey.hub.name == STUDIO:
         return filled  # a hall for cars, goods or machines takes what is left, and so does a studio
     names = storey.use.filler or knowledge.groups.filler_of(storey.use.family)
     home = storey.use.family == "home"
@@ -191,9 +213,13 @@ def _topped_up(
         and kind.name not in stated
         and not (kind.name in _ONE_A_STOREY and kind.name in there)
     ]
-    for kind in kinds + ([] if home else [kind for kind in kinds if kind.name not in _ONE_A_STOREY] * 2):
+    if home and storey.index >= 2:
+        kinds.sort(key=lambda kind: kind.storey != "upper")
+    enough = _ENOUGH_FOR_GUESTS if storey.use.family == "lodging" else _ENOUGH
+    once = storey.use.family in ("home", "lodging")
+    for kind in kinds + ([] if once else [kind for kind in kinds if kind.name not in _ONE_A_STOREY] * 2):
         used = sum(room.gross for room in filled)
-        if used >= 0.82 * budget or len(filled) >= most:
+        if used >= enough * budget or len(filled) >= most:
             break
         if used + 0.8 * kind.usual <= budget:
             filled.append(planned_room(kind, knowledge))
