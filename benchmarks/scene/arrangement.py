@@ -62,6 +62,10 @@ DOUBLE = 1.3
 """Width of the narrowest bed for two, metres."""
 
 
+_FLAT = 0.05
+"""Height of a rug at most, metres."""
+
+
 class Piece:
     """An object of the floor in its own frame: its footprint, and where others lie ahead of and beside it."""
 
@@ -155,7 +159,7 @@ def measure_floor(scene: FloorScene, tally: Tally) -> None:
     """Add the rooms of one floor to a tally."""
     by_room = defaultdict[str, list[Piece]](list)
     for thing in scene.objects:
-        if thing.mount == "floor" or thing.category == "television":
+        if (thing.mount == "floor" and thing.size[2] > _FLAT) or thing.category == "television":
             by_room[thing.room].append(Piece(thing))
     for room in scene.rooms:
         pieces = by_room[room.id]

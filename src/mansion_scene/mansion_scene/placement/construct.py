@@ -2,13 +2,14 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import product
 
 import numpy as np
 
 from mansion_scene.placement.floor import Floor
 from mansion_scene.placement.groups import Group, Spec
 from mansion_scene.placement.patterns import place_lattice, place_matrix, place_rows
-from mansion_scene.placement.runs import is_run, runs
+from mansion_scene.placement.runs import run_members, run_pieces, runs
 from mansion_scene.placement.search import find_placement
 from mansion_scene.placement.units import Size3, Unit, UnitStyle, build_unit
 from mansion_scene.placement.vehicle_bays import place_behind_doors
@@ -67,8 +68,7 @@ class Construction:
     def place_group(self, group: Group) -> None:
         """Place a group: all copies of its anchor, then the members that were not placed with them."""
         anchor = group.anchor
-        if is_run(group):
-            self._place_run(group)
+        self._place_run(anchor)
         if anchor.rows:
             self._place_matrix(anchor)
         else:
@@ -76,18 +76,17 @@ class Construction:
         for member in group.members:
             self.place_copies(member)
 
-    def _place_run(self, group: Group) -> None:
+    def _place_run(self, anchor: Spec) -> None:
         """Place a kitchen's worktops and appliances side by side: as many worktops as fit, the widest first."""
-        anchor = group.anchor
-        left = [member for member in group.members if member.role.fitment and self.missing(member) > 0]
+        left = [spec for spec in run_pieces(anchor, self.floor.specs) if self.missing(spec) > 0]
         if not left:
             return
+        walls = sorted((wall.length for wall in self.floor.room.walls), reverse=True)
         mirrored = bool(self.rng.integers(2))
-        for worktops in range(self.missing(anchor), 0, -1):
-            for size in (anchor.size, *anchor.smaller):
-                for unit in runs(group, worktops, size, mirrored=mirrored, left=left):
-                    if find_placement(self.floor, anchor, unit, self.rng):
-                        return
+        for members, clear in product(run_members(left), (True, False)):
+            for unit in runs(anchor, self.missing(anchor), members, walls, mirrored=mirrored):
+                if find_placement(self.floor, anchor, unit, self.rng, clear_hob=clear):
+                    return
 
     def place_copies(self, spec: Spec, *, strict: bool = True) -> None:
         """Place the missing copies of an object, each with its share of members."""

@@ -60,8 +60,8 @@ class Spec:
 
     @property
     def front_needed(self) -> bool:
-        """Whether its front must be approachable (not for small round objects, seats and beds)."""
-        if self.role.seat or self.role.bed or self.role.symmetric:
+        """Whether its front must be approachable (not for small round objects, seats, beds and worktops in corners)."""
+        if self.role.seat or self.role.bed or self.role.symmetric or self.role.fitment == "worktop":
             return False
         return self.where == "edge" or self.rows > 0
 
@@ -84,7 +84,14 @@ class Group:
     def _kind(self) -> int:
         if self.anchor.rows:
             return 0 if self.anchor.where == "edge" else 2
+        if self._dining_table:
+            return 1  # it and its chairs need a place of their own before cupboards take it
         return {"edge": 1, "middle": 3}.get(self.anchor.where, 4)
+
+    @property
+    def _dining_table(self) -> bool:
+        alone = self.anchor.role.table and self.anchor.quantity == 1
+        return alone and any(member.link == "around" and member.role.seat for member in self.members)
 
     @property
     def area(self) -> float:

@@ -9,7 +9,7 @@ from mansion_geometry.compiled import Bools, Floats
 from mansion_scene.placement.floor import Floor, Placed
 from mansion_scene.placement.groups import Manner, Spec
 
-__all__ = ["FIRST", "LIMITS", "Rating", "rate", "relation_count", "relation_holds"]
+__all__ = ["FIRST", "LIMITS", "Rating", "rate", "related_boxes", "relation_count", "relation_holds"]
 
 
 LIMITS = {
@@ -21,7 +21,7 @@ LIMITS = {
     "at_head": 0.25,
     "opposite": 6.0,
     "in_run": 0.06,
-    "sat_at": 0.5,
+    "sat_at": 0.2,
     "towards": 1.0,
 }
 """Largest gap between footprints (``far``: the least), metres."""
@@ -102,6 +102,14 @@ def _looking(poses: Floats, targets: Floats) -> Floats:
     return np.asarray((-poses[:, None, 3] * wx + poses[:, None, 2] * wy) / length)
 
 
+def related_boxes(floor: Floor, spec: Spec, kind: Manner, target: int) -> Floats:
+    """Return the boxes to which an object may have a relation: of its target, or of all in the run of a kitchen."""
+    if kind != "in_run":
+        return floor.boxes_of(target)
+    run = [other.index for other in floor.specs if other.role.fitment and other.index != spec.index]
+    return np.concatenate([floor.boxes_of(index) for index in run])
+
+
 @dataclass(frozen=True)
 class Rating:
     """How complete a floor is.
@@ -141,7 +149,7 @@ def rate(floor: Floor) -> Rating:
         if not relation_count(spec):
             continue
         paired = _paired(floor, spec)
-        targets = [(kind, floor.boxes_of(target)) for kind, target in spec.relations]
+        targets = [(kind, related_boxes(floor, spec, kind, target)) for kind, target in spec.relations]
         for copy in floor.copies(spec.index):
             box = np.array(copy.box)
             pose = box[None, :4]

@@ -92,7 +92,7 @@ def role_of(name: str, category: str) -> Role:
     """Return the role that the words of an object's name and category imply."""
     text = f"{name} {category}".lower().replace("_", " ")
     words = _WORDS.findall(text)
-    return Role(frozenset(words) | {word.removesuffix("s") for word in words}, category)
+    return Role(frozenset(words) | {word.removesuffix("s") for word in words}, category.lower().replace(" ", "_"))
 
 
 def is_public_room(room_type: str) -> bool:

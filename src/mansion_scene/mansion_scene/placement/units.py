@@ -4,7 +4,7 @@ A slot is ``(x, y, degrees)``: centre and rotation of a member where the anchor'
 """
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from itertools import product
 from typing import TypeAlias
@@ -209,6 +209,10 @@ class Unit:
             float((p[:, 1] - ey).min()),
             float((p[:, 1] + ey).max()),
         )
+
+    def freed(self) -> "Unit":
+        """Return the unit with no back that must be at a wall."""
+        return replace(self, parts=tuple((*part[:7], 0.0) for part in self.parts))
 
     def with_part(self, spec: Spec, size: Size3, slot: Slot, host: int) -> "Unit | None":
         """Return the unit with one part more, at a slot in the frame of part `host`; None where it overlaps another."""
