@@ -22,7 +22,7 @@ from mansion_knowledge.furnished_as import furnished_as
         ("roof_terrace", "hotel", "roof terrace", "roof_terrace"),
         ("restroom", "office", "womens restroom", "womens_restroom"),
         ("restroom", "office", "Women's toilets", "womens_restroom"),
-        ("restroom", "office", "mens restroom", "restroom"),
+        ("restroom", "office", "mens restroom", "restroom_with_urinals"),
     ],
 )
 def test_building_and_name_say_how_a_room_is_furnished(
