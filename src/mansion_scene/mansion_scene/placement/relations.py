@@ -26,7 +26,7 @@ LIMITS = {
 }
 """Largest gap between footprints (``far``: the least), metres."""
 
-_SAT_AT, _TOWARDS = 0.9, 0.5
+_SAT_AT, _TOWARDS = 0.97, 0.5
 """Least cosine between where a seat at a table looks, or one near something, and the way to it."""
 
 _HEAD = 0.2

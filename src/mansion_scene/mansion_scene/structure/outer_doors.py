@@ -7,7 +7,7 @@ from shapely.geometry import LineString, Point, Polygon
 
 from mansion_knowledge import is_class
 from mansion_msgs_py.errors import ErrorCode, MansionError
-from mansion_msgs_py.program import Downgrade
+from mansion_msgs_py.program import GROUND_FLOOR, Downgrade
 from mansion_scene.structure.boundaries import BoundarySegment, reentrant_corners, usable_part
 from mansion_scene.structure.dimensions import CLEAR_WIDTH, WALL_END
 from mansion_scene.structure.door_positions import Frontage, approach_zone, choose_position
@@ -32,7 +32,6 @@ _BAY = 60.0
 
 _MOST_BAYS = 6
 
-_GROUND = 1
 _FAR = 100.0  # metres, longer than any building
 
 _HALL = 60.0
@@ -152,7 +151,7 @@ def place_garage_doors(
     """
     placed: list[Opening] = []
     missing: list[Downgrade] = []
-    for region in floor.regions if floor.floor == _GROUND else ():
+    for region in floor.regions if floor.floor == GROUND_FLOOR else ():
         if region.id in served or not (region.is_room and is_class(region.room_type, "vehicle")):
             continue
         bays = _place_bay_doors(floor, boundaries, region, frontages) if is_class(region.room_type, "lorry") else []
