@@ -1,4 +1,4 @@
-"""What stands together stands as it is used: kitchens in a run, bedside tables, sofas before screens, chairs at tables."""
+"""What stands together stands as it is used: kitchens, beds, sofas and screens, tables and chairs."""
 
 import numpy as np
 import pytest
@@ -128,5 +128,5 @@ def test_chairs_that_find_no_side_of_their_table_are_left_out(seed: int) -> None
     for chair in pieces(result, "chair"):
         ahead = chair.centre + chair.v * (chair.depth / 2 + 0.3)
         assert chair.shape.distance(table.shape) <= 0.2
-        assert abs((ahead - table.centre) @ table.u) < table.width / 2
-        assert abs((ahead - table.centre) @ table.v) < table.depth / 2
+        assert abs((ahead - table.centre) @ table.u) < table.width / 2 + 0.12
+        assert abs((ahead - table.centre) @ table.v) < table.depth / 2 + 0.12

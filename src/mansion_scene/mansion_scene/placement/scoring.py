@@ -41,27 +41,12 @@ def pose_scores(
     room = floor.room
     aisle = room.aisle
     clear = front_clearance(centres, (x1 - x0) / 2, (y1 - y0) / 2, room.edges, floor.boxes, _FAR)
-    # Sofas and desks dominate a room: more weight for chance there gives variety between seeds.
     screen = screen_of(floor, spec)
+    # Sofas and desks dominate a room: more weight for chance there gives variety between seeds.
     score = rng.uniform(0.0, 0.5 if spec.role.sofa or spec.role.table else 0.25, len(poses))
     front = np.minimum(clear[:, 0], aisle) / aisle
-    beside = np.minimum(clear[:, 2], clear[:, 3])
     if at_wall:
-        score += 1.2 * front
-        if spec.role.screen:
-            score += _opposite_sofa(floor, poses)
-        if spec.role.fitment:
-            score -= 1.5 * hob_before_window(floor, unit, poses)
-        if spec.role.centred or spec.role.bed:
-            score += 0.8 * np.minimum(beside, 0.9) / 0.9
-            score -= 0.15 * np.abs(clear[:, 2] - clear[:, 3])
-            if spec.role.focal:
-                score -= _window_behind(floor, poses)
-                score += _same_wall(floor, spec, poses)
-        else:
-            score += 0.5 * (1.0 - beside / _FAR)
-            # Either touching its neighbour or leaving room to pass: no unusable gap.
-            score -= 0.4 * ((beside > 0.06) & (beside < 0.35))
+        score += _at_wall(floor, spec, unit, poses, clear)
     else:
         around = np.minimum(clear, aisle).sum(axis=1) / (4 * aisle)
         uneven = np.abs(clear[:, 0] - clear[:, 1]) + np.abs(clear[:, 2] - clear[:, 3])
@@ -76,6 +61,27 @@ def pose_scores(
     score += _away_from_doors(floor, poses, spec)
     score += _spread_out(floor, spec, centres)
     score += _aligned(floor, spec, poses)
+    return np.asarray(score)
+
+
+def _at_wall(floor: Floor, spec: Spec, unit: Unit, poses: Floats, clear: Floats) -> Floats:
+    """Return a score for poses with the back to a wall, given the free floor on each side."""
+    beside = np.minimum(clear[:, 2], clear[:, 3])
+    score = 1.2 * np.minimum(clear[:, 0], floor.room.aisle) / floor.room.aisle
+    if spec.role.screen:
+        score += _opposite_sofa(floor, poses)
+    if spec.role.fitment:
+        score -= 1.5 * hob_before_window(floor, unit, poses)
+    if spec.role.centred or spec.role.bed:
+        score += 0.8 * np.minimum(beside, 0.9) / 0.9
+        score -= 0.15 * np.abs(clear[:, 2] - clear[:, 3])
+        if spec.role.focal:
+            score -= _window_behind(floor, poses)
+            score += _same_wall(floor, spec, poses)
+    else:
+        score += 0.5 * (1.0 - beside / _FAR)
+        # Either touching its neighbour or leaving room to pass: no unusable gap.
+        score -= 0.4 * ((beside > 0.06) & (beside < 0.35))
     return np.asarray(score)
 
 
@@ -137,10 +143,7 @@ def hob_before_window(floor: Floor, unit: Unit, poses: Floats) -> Bools:
     placed = poses.copy()
     placed[:, 0] += x * poses[:, 2] - y * poses[:, 3]
     placed[:, 1] += x * poses[:, 3] + y * poses[:, 2]
-    placed[:, 2], placed[:, 3] = (
-        ux * poses[:, 2] - uy * poses[:, 3],
-        ux * poses[:, 3] + uy * poses[:, 2],
-    )
+    placed[:, 2], placed[:, 3] = (ux * poses[:, 2] - uy * poses[:, 3], ux * poses[:, 3] + uy * poses[:, 2])
     return np.asarray((gap_matrix(placed, half_width, half_depth, windows[:, :6]) <= 0.0).any(axis=1))
 
 

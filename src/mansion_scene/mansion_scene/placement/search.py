@@ -42,13 +42,13 @@ def find_placement(
     -------
     The new copies, or None where no examined pose is feasible.
     """
-    for unit, poses, at_wall in _ways(floor, spec, unit, rng):
+    for way, poses, at_wall in _ways(floor, spec, unit, rng):
         if not len(poses):
             continue
-        poses = _thinned(poses[floor.fits(poses, unit.array())], _RELATED, rng)
+        poses = _thinned(poses[floor.fits(poses, way.array())], _RELATED, rng)
         if clear_hob:
-            poses = poses[~hob_before_window(floor, unit, poses)]
-        held, asked = relation_mask(floor, spec, unit, poses)
+            poses = poses[~hob_before_window(floor, way, poses)]
+        held, asked = relation_mask(floor, spec, way, poses)
         if strict:
             poses, held = poses[held == asked], held[held == asked]
         if not len(poses):
@@ -56,9 +56,9 @@ def find_placement(
         if len(poses) > _SCORED:
             chosen = np.sort(rng.choice(len(poses), _SCORED, replace=False))
             poses, held = poses[chosen], held[chosen]
-        scores = pose_scores(floor, spec, unit, poses, rng, at_wall=at_wall)
-        scores += 2.0 * held + _belonging(floor, spec, unit, poses)
-        placed = examine(floor, unit, poses, scores, host=spec.host)
+        scores = pose_scores(floor, spec, way, poses, rng, at_wall=at_wall)
+        scores += 2.0 * held + _belonging(floor, spec, way, poses)
+        placed = examine(floor, way, poses, scores, host=spec.host)
         if placed is not None:
             return placed
     return None
@@ -154,7 +154,7 @@ def _free_hosts(floor: Floor, spec: Spec) -> Floats:
 
 
 def _ways(floor: Floor, spec: Spec, unit: Unit, rng: np.random.Generator) -> Iterator[tuple[Unit, Floats, bool]]:
-    """Yield the candidates of a unit; those of a sofa with a view of its screen first, at a wall or free in the room."""
+    """Yield the candidates of a unit; for a sofa those with a view of its screen first, at a wall or free."""
     ways = [(unit, poses, at_wall) for poses, at_wall in _candidates(floor, spec, unit, rng)]
     screen = screen_of(floor, spec)
     if screen is None:
