@@ -23,6 +23,12 @@ def test_svg_names_every_element_of_the_floor(ground):
     assert drawn <= ids
 
 
+def test_one_room_is_not_called_rooms(ground):
+    alone = msgspec.structs.replace(ground, rooms=ground.rooms[:1], objects=ground.objects[:1])
+    texts = " ".join(text.text or "" for text in ElementTree.fromstring(plan_svg(alone)).iter(f"{SVG}text"))
+    assert "in 1 room, 1 object, level" in texts
+
+
 def test_svg_writes_names_and_areas_of_rooms(ground):
     texts = {text.text for text in ElementTree.fromstring(plan_svg(ground)).iter(f"{SVG}text")}
     assert {"Bedroom 1", "20.0 m²", "Kitchen 1", "16.0 m²", "14.40 m", "Lift", "N"} <= texts

@@ -18,9 +18,26 @@ from mansion_knowledge.furnished_as import furnished_as
         ("prayer_hall", "church", "", "chapel"),
         ("prayer_hall", "mosque", "", "prayer_hall"),
         ("bedroom", "", "", "bedroom"),
+        ("roof_terrace", "villa", "roof terrace", "home_terrace"),
+        ("roof_terrace", "hotel", "roof terrace", "roof_terrace"),
+        ("restroom", "office", "womens restroom", "womens_restroom"),
+        ("restroom", "office", "Women's toilets", "womens_restroom"),
+        ("restroom", "office", "mens restroom", "restroom_with_urinals"),
     ],
 )
 def test_building_and_name_say_how_a_room_is_furnished(
     room_type: str, building_type: str, name: str, expected: str
 ) -> None:
     assert furnished_as(room_type, building_type, name) == expected
+
+
+@pytest.mark.parametrize(
+    ("beside", "expected"),
+    [
+        (["bathroom"], "studio_room"),
+        (["bathroom", "kitchen"], "bed_sitting_room"),
+        (["bedroom", "bathroom"], "living_kitchen"),
+    ],
+)
+def test_a_studio_has_what_no_other_room_of_its_floor_is_for(beside: list[str], expected: str) -> None:
+    assert furnished_as("studio_room", "studio_flat", "", beside) == expected

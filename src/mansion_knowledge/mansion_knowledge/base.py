@@ -333,7 +333,7 @@ def _building(name: str, record: dict[str, Any]) -> BuildingType:
     storeys = {key: tuple(parse_entry(entry) for entry in record[key]) for key in _STOREYS if key in record}
     if "single" not in storeys:
         raise ValueError('has no "single" storey')
-    seats = record.get("seats") or record.get("beds")
+    seats, places = record.get("seats") or record.get("beds"), record.get("places")
     return BuildingType(
         name=name,
         synonyms=tuple(record.get("synonyms", ())),
@@ -348,6 +348,9 @@ def _building(name: str, record: dict[str, Any]) -> BuildingType:
         people=float(record["people"]),
         storeys=storeys,
         seats=parse_entry(seats) if seats else None,
+        places=parse_entry(places) if places else None,
+        place=str(record.get("place", "")),
+        filler=tuple(str(name) for name in record.get("filler", ())),
         stretcher=bool(record.get("stretcher", False)),
         like=str(record.get("like", "")),
         heads=tuple(str(head) for head in record.get("heads", ())),
@@ -373,6 +376,7 @@ def _groups(record: Mapping[str, Any]) -> BuildingGroups:
                 if name != "flat"
             },
             flat_styles=frozenset(record["roof"]["flat"]),
+            room_of={str(noun): str(room) for noun, room in record.get("room_of", {}).items()},
         )
     except (KeyError, TypeError, ValueError, AttributeError) as error:
         raise _fault(Path("building_groups.toml"), "", str(error)) from None
@@ -401,12 +405,13 @@ def _check_references(knowledge: KnowledgeBase) -> None:
             )
     for family, fillers in knowledge.groups.filler.items():
         check(family, [RoomEntry(name) for name in fillers])
+    check("room_of", [RoomEntry(name) for name in knowledge.groups.room_of.values()])
     for building in knowledge.buildings.values():
         check(building.name, [RoomEntry(building.hub), RoomEntry(building.hub_upper)])
         for entries in building.storeys.values():
             check(building.name, entries)
-        if building.seats is not None:
-            check(building.name, [building.seats])
+        check(building.name, [RoomEntry(name) for name in building.filler])
+        check(building.name, [entry for entry in (building.seats, building.places) if entry is not None])
         if building.style not in knowledge.styles:
             raise MansionError(
                 ErrorCode.INVALID_PAYLOAD,

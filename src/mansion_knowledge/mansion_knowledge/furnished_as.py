@@ -1,10 +1,13 @@
 """The type whose furniture a room gets, where its building or its name says more than its own type."""
 
+import re
+from collections.abc import Collection
 from functools import cache
 from importlib.resources import files
 
 import msgspec
 
+from mansion_knowledge.base import default_knowledge
 from mansion_msgs_py.codec import prepared
 
 __all__ = ["furnished_as"]
@@ -15,7 +18,9 @@ class _Rule(msgspec.Struct, frozen=True, forbid_unknown_fields=True, rename={"as
     rooms: list[str]
     as_: str
     buildings: list[str] = []
+    families: list[str] = []
     names: list[str] = []
+    beside: list[str] = []
 
 
 class _Rules(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -28,7 +33,7 @@ def _rules() -> list[_Rule]:
     return msgspec.toml.decode(text, type=prepared(_Rules)).rule
 
 
-def furnished_as(room_type: str, building_type: str = "", name: str = "") -> str:
+def furnished_as(room_type: str, building_type: str = "", name: str = "", beside: Collection[str] = ()) -> str:
     """Return the type whose furniture a room gets: its own, but for what `furnished_as.toml` states.
 
     Parameters
@@ -37,6 +42,8 @@ def furnished_as(room_type: str, building_type: str = "", name: str = "") -> str
     building_type : str
     name : str
         What people call the room.
+    beside : collection of str
+        Types of the other rooms of its floor.
 
     Examples
     --------
@@ -44,13 +51,28 @@ def furnished_as(room_type: str, building_type: str = "", name: str = "") -> str
     ('sports_hall', 'gym')
     >>> furnished_as("vip_room", "restaurant", "private dining room")
     'private_dining_room'
+    >>> furnished_as("roof_terrace", "villa"), furnished_as("roof_terrace", "hotel")
+    ('home_terrace', 'roof_terrace')
     """
-    building, called = (set(text.lower().replace("_", " ").split()) for text in (building_type, name))
+    building, called = _words(building_type), _words(name)
     for rule in _rules():
         if (
             room_type in rule.rooms
             and (not rule.buildings or building.intersection(rule.buildings))
+            and (not rule.families or _family(building_type) in rule.families)
             and (not rule.names or called.intersection(rule.names))
+            and (not rule.beside or any(other in rule.beside for other in beside))
         ):
             return rule.as_
     return room_type
+
+
+def _words(text: str) -> set[str]:
+    """Return the words of a name, possessives without their apostrophe."""
+    return set(re.findall(r"[a-z0-9]+", re.sub("['\u2019]", "", text.lower())))
+
+
+def _family(building_type: str) -> str:
+    """Return the family of a building type; empty for one that is not known."""
+    known = default_knowledge().buildings.get(building_type.lower().replace(" ", "_"))
+    return known.family if known is not None else ""

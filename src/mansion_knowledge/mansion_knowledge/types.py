@@ -192,6 +192,12 @@ class BuildingType:
         Gross square metres for a person, where a brief states occupants only.
     seats : RoomEntry, optional
         The room that occupants are counted by: its type, and occupants per room as `area`.
+    places : RoomEntry, optional
+        The room in which occupants have a place each: its type, and square metres a place as `area`.
+    place : str
+        Category of the furniture that is such a place.
+    filler : tuple of str
+        Room types of general use that fill a storey, instead of the family's.
     storeys : dict of str to tuple of RoomEntry
         ``single``, ``ground``, ``second``, ``upper``, ``top``, ``basement``.
     like : str
@@ -217,6 +223,9 @@ class BuildingType:
     people: float
     storeys: dict[str, tuple[RoomEntry, ...]] = field(default_factory=dict)
     seats: RoomEntry | None = None
+    places: RoomEntry | None = None
+    place: str = ""
+    filler: tuple[str, ...] = ()
     stretcher: bool = False
     like: str = ""
     heads: tuple[str, ...] = ()
@@ -239,6 +248,8 @@ class BuildingGroups:
         Likewise the forms of their roofs: ``gable``, ``hip`` or ``flat``.
     flat_styles : frozenset of str
         Styles whose roofs are flat.
+    room_of : dict of str to str
+        Room types that people of a profession have one each of, by the noun for one of them.
     """
 
     filler: dict[str, tuple[str, ...]]
@@ -246,6 +257,7 @@ class BuildingGroups:
     facades: dict[str, tuple[frozenset[str], tuple[str, ...]]]
     roofs: dict[str, tuple[frozenset[str], tuple[str, ...]]]
     flat_styles: frozenset[str]
+    room_of: dict[str, str] = field(default_factory=dict)
 
     def filler_of(self, family: str) -> tuple[str, ...]:
         """Return the room types of general use of a family."""

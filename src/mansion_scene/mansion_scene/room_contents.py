@@ -154,7 +154,7 @@ class RoomFurnisher:
             What is in the room already; it keeps its place and its id, and is not among the objects returned.
         """
         asked = self._requested.get(room.id, ())
-        kind = furnished_as(room.room_type, self._building_type, room.name)
+        kind = furnished_as(room.room_type, self._building_type, room.name, self._beside(room))
         room = msgspec.structs.replace(room, room_type=kind)
         net = Polygon(room.net_polygon, room.net_holes)
         slept_in = slept_in_as(room, self._structure.rooms, self._building_type)
@@ -257,8 +257,12 @@ class RoomFurnisher:
             items=items,
             requested=asked,
             compact=compact,
-            beside=tuple(other.room_type for other in self._structure.rooms if other.id != room.id),
+            beside=self._beside(room),
         )
+
+    def _beside(self, room: SceneRoom) -> tuple[str, ...]:
+        """Return the types of the other rooms of the floor."""
+        return tuple(other.room_type for other in self._structure.rooms if other.id != room.id)
 
     def _placed(self, room: SceneRoom, wishes: RoomFurnishing, *, high_windows: bool = True) -> PlacementResult:
         doors, windows = room_openings(self._structure, room)

@@ -134,3 +134,38 @@ def test_a_long_piece_that_is_asked_for_stands_lengthwise_in_a_narrow_room() -> 
     asked = [RequestedObject(category="exam_table", count=1)]
     request = furnish_request(CATALOGUE, "consultation_room", 12.5, seed=0, extent=(6.2, 2.05), requested=asked)
     assert "exam_table" in {asset.category for asset in request.floor_assets.values()}
+
+
+def test_a_lobby_leaves_the_desk_to_a_reception_beside_it() -> None:
+    def has_desk(*beside: str) -> bool:
+        wishes = furnish_request(CATALOGUE, "lobby", 60.0, seed=1, room_id="F1/lobby", beside=beside)
+        return any(entry.name == "reception_desk" for entry in wishes.floor)
+
+    assert has_desk()
+    assert not has_desk("reception")
+    assert not has_desk("open_office", "ticket_office")
+
+
+def test_a_terrace_of_a_home_has_one_table_and_a_place_to_lounge() -> None:
+    counts = {o.category: o.quantity for o in furnish_request(CATALOGUE, "home_terrace", 60.0, seed=1).floor}
+    assert counts["patio_table"] == 1 and counts["patio_chair"] == 4
+    assert {"loveseat", "barbecue", "planter_box", "lounger"} <= counts.keys()
+
+
+def test_a_womens_restroom_has_no_urinals() -> None:
+    men, women = (
+        {o.category for o in furnish_request(CATALOGUE, name, 24.0, seed=1).floor}
+        for name in ("restroom", "womens_restroom")
+    )
+    assert "urinal" in men and "urinal" not in women and "toilet_stall" in women
+
+
+def test_a_garage_for_two_has_two_cars() -> None:
+    counts = {o.category: o.quantity for o in furnish_request(CATALOGUE, "double_garage", 38.0, seed=1).floor}
+    assert counts["garage_car"] == 2
+
+
+def test_a_lobby_leaves_the_counter_to_the_reception() -> None:
+    alone = {o.category for o in furnish_request(CATALOGUE, "lobby", 60.0, seed=1).floor}
+    beside = {o.category for o in furnish_request(CATALOGUE, "lobby", 60.0, seed=1, beside=["reception"]).floor}
+    assert "reception_desk" in alone and not {"reception_desk", "office_chair"} & beside

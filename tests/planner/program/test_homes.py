@@ -13,9 +13,12 @@ from mansion_planner.plan import plan_building
 from mansion_planner.program.bands import Segment
 from mansion_planner.program.blocks import DOOR, Block
 from mansion_planner.program.building import PlannedBuilding, plan_program
-from mansion_planner.program.home_orders import home_orders
-from mansion_planner.program.model import short_edges, touching
+from mansion_planner.program.home_orders import best_sketch, home_orders
+from mansion_planner.program.model import Massing, Placement, Sketch, short_edges, touching
+from mansion_planner.program.plan_quality import shallow_garages
 from mansion_planner.program.planned_rooms import planned_room
+
+MASSING = Massing(length=12.0, north=4.0, corridor=1.0, south=4.0, cores=())
 
 
 def sketched(text: str, seed: int) -> PlannedBuilding:
@@ -159,6 +162,66 @@ def test_the_widest_rooms_are_tried_at_the_end_of_the_hall() -> None:
     assert orders[0] == [block.host.kind.name for block in blocks]
     assert orders[1][-1] == "living_room"
     assert all(order[-1] != "bathroom" for order in orders)
+
+
+@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize(
+    "brief", ["a two-storey house with a garage", "a bungalow with a garage", "a villa with a double garage"]
+)
+def test_cars_drive_into_a_garage_along_its_length(brief: str, seed: int) -> None:
+    sketch = sketched(brief, seed).sketches[1]
+    assert any("garage" in placement.room.id for placement in sketch.rooms)
+    assert not shallow_garages(sketch)
+
+
+def test_a_garage_for_two_cars_is_wider_than_one_for_one() -> None:
+    one, two = (
+        next(room for room in plan(f"a house with {garage}").floors[0].rooms if "garage" in room.id)
+        for garage in ("a garage", "a double garage")
+    )
+    assert two.room_type == "double_garage" and two.area_estimate > one.area_estimate + 8.0
+
+
+@pytest.mark.parametrize(
+    "brief",
+    ["a studio flat", "a studio flat of 34 m2 for a single person", "a small studio of 30 m2 with a sleeping area"],
+)
+def test_a_studio_is_one_room_and_a_bathroom(brief: str) -> None:
+    kinds = {room.room_type for room in plan(brief).floors[0].rooms}
+    assert {"studio_room", "bathroom"} <= kinds
+    assert not kinds & {"kitchen", "laundry_room", "home_office", "library_room"}
+
+
+@pytest.mark.parametrize("brief", ["a two-storey house", "a house with four bedrooms and a utility room", "a villa"])
+def test_halls_of_homes_take_no_more_than_their_share(brief: str) -> None:
+    building = sketched(brief, 0)
+    floor = sum(building.envelopes[storey.index].area for storey in building.storeys)
+    halls = sum(corridor.area for sketch in building.sketches.values() for corridor in sketch.corridors)
+    assert halls < 0.16 * floor
+
+
+def test_blocks_change_places_where_that_brings_rooms_together() -> None:
+    knowledge = default_knowledge()
+    names = ("kitchen", "bedroom", "living_room", "home_office")
+    segment = Segment(
+        "main", True, 0.0, 12.0, 5.0, 4.0,
+        blocks=tuple(Block(planned_room(knowledge.room(name), knowledge)) for name in names),
+    )  # fmt: skip
+
+    def lay(order: list[Segment]) -> Sketch:
+        placed = [
+            Placement(block.host, [part.world(box, x0, MASSING) for box in [(0.0, 0.0, x1 - x0, part.depth)]], "hall")
+            for part in order
+            for block, x0, x1 in part.laid()
+        ]
+        return Sketch([], placed, {})
+
+    def price(sketch: Sketch) -> tuple[float, float, float]:
+        rooms = {placement.room.kind.name: placement for placement in sketch.rooms}
+        return 0.0, float(not touching(rooms["kitchen"], rooms["living_room"])), 0.0
+
+    assert price(lay([segment]))[1] == 1.0
+    assert price(best_sketch([segment], lay, price))[1] == 0.0
 
 
 @pytest.mark.parametrize("area", [22, 25, 28, 31, 34, 37, 40, 48])

@@ -98,3 +98,14 @@ def test_no_chair_stands_without_its_table() -> None:
     result = place_room(dining(4.2, 4.2, 3, 4), seed=0)
     tables = sum(p.name == "restaurant_table" for p in result.placements)
     assert sum(p.name == "dining_chair" for p in result.placements) <= 4 * tables < 48
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_an_audience_has_leg_room_and_a_view(seed: int) -> None:
+    seats = place_room(hall(12.0, 9.0, 5, 4), seed=seed).placements
+    angle = np.radians(seats[0].rotation)
+    ahead = np.array([-np.sin(angle), np.cos(angle)])
+    rows = np.unique(np.round([np.dot(seat.center, ahead) for seat in seats], 3))
+    assert np.diff(rows).min() >= 0.85 + 0.5 - 1e-3
+    corners = np.array([(0, 0), (12, 0), (12, 9), (0, 9)]) @ ahead
+    assert corners.max() - rows.max() >= 2.0

@@ -81,3 +81,14 @@ def test_no_window_overlaps_a_garage_door(sample_floors):
         structure = build_structure(request)
         for door in garage_doors(structure):
             assert all(window.wall != door.wall for window in structure.windows)
+
+
+def test_a_hall_of_fire_engines_has_a_tall_door_for_each_bay(sample_floors):
+    rooms = {
+        "bay": ("apparatus_bay", [(0.0, 0.0), (24.0, 0.0), (24.0, 9.0), (0.0, 9.0)]),
+        "hall": ("hallway", [(0.0, 9.0), (24.0, 9.0), (24.0, 14.0), (0.0, 14.0)]),
+    }
+    structure = build_structure(sample_floors.request(rooms, [("hall", "bay")]))
+    doors = garage_doors(structure)
+    assert len(doors) == 3
+    assert all(door.width >= 3.7 and door.height > 2.5 for door in doors)

@@ -114,6 +114,9 @@ _SHALLOW = 0.7
 _AISLES = (0.6, 0.9)
 """Distance between the columns and rows of objects that are requested in such numbers, metres."""
 
+_NEARLY = 0.8
+"""Share of what is asked for that stands in comfortable rows, the rest beside them, before all stand close together."""
+
 _LOOSE = MatrixShape(max_rows=99, max_cols=99, gap=(0.05, 0.6))
 
 _WALLED = 0.55
@@ -170,7 +173,9 @@ def furnish_request(
     if items is not None:
         card = msgspec.structs.replace(card, floor=tuple(items))
     if beside:
-        card = msgspec.structs.replace(card, floor=tuple(item for item in card.floor if item.unless not in beside))
+        card = msgspec.structs.replace(
+            card, floor=tuple(item for item in card.floor if not _had_elsewhere(item, beside))
+        )
     rng = item_generator(seed, "furnish", room_id, card.room_type)
     counts = asked_counts(requested)
     asked = (
@@ -196,6 +201,12 @@ def furnish_request(
         small=without_small(_arrangements(catalogue, card), [c for c, count in counts.items() if not count]),
         asked=draft.first,
     )
+
+
+def _had_elsewhere(item: Item, beside: Collection[str]) -> bool:
+    """Whether another room of the floor has an item in the room's stead."""
+    stead = [item.unless] if isinstance(item.unless, str) else item.unless
+    return any(name in beside for name in stead)
 
 
 def _is_whole(shape: MatrixShape | None, wanted: int) -> bool:
@@ -406,7 +417,7 @@ class _Draft:
                 sizes = [a.size[1] for a in self.catalogue.choose_from(other.category, other.extent)]
                 depth += 0.8 * min(sizes) if sizes else 0.0
         rows, cols = grid(wanted, (asset.size[0], depth), shape, self.extent)
-        if item.name in self.asked.least and rows * cols < wanted:
+        if item.name in self.asked.least and rows * cols < _NEARLY * wanted:
             return max(
                 (rows, cols), grid(wanted, (asset.size[0], depth), _LOOSE, self.extent), key=lambda g: g[0] * g[1]
             )

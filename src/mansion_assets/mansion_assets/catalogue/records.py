@@ -159,8 +159,8 @@ class Item(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
         Bounds of the room's area, square metres.
     matrix, paired
         Structural constraint; without either each copy stands on its own.
-    unless : str
-        A room type that has it in the room's stead where the floor has one.
+    unless : str or list of str
+        Room types that have it in the room's stead where the floor has one.
     """
 
     name: Snake
@@ -174,7 +174,7 @@ class Item(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
     min_area: float = 0.0
     max_area: float = 1e9
     extent: Extent | None = None
-    unless: str = ""
+    unless: str | list[str] = ""
 
 
 class HangItem(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):

@@ -81,6 +81,54 @@ def _car_pillar(b: Builder, side: int) -> None:
     )
 
 
+@recipe("fire_engine")
+def fire_engine(b: Builder) -> None:
+    """Cab with glass in front of a body with lockers, a ladder on the roof, blue lamps."""
+    w, d, h = b.w, b.d, b.h
+    m, floor, cab = b.mat(), 0.42, d / 2 - 0.24 * d
+    b.box((-w / 2 + 0.03, w / 2 - 0.03), (-d / 2, cab - 0.06), (floor, h - 0.25), m, "body")
+    b.prism(
+        [(cab, floor), (d / 2, floor), (d / 2, h * 0.52), (d / 2 - 0.22, h - 0.4), (cab, h - 0.4)],
+        (-w / 2 + 0.03, w / 2 - 0.03),
+        m,
+        part="cab",
+    )
+    b.box((-w * 0.3, w * 0.3), (-d / 2, d / 2 - 0.3), (0.28, floor), "metal_dark", "chassis")
+    b.box((-w * 0.44, w * 0.44), (d / 2 - 0.2, d / 2 - 0.1), (h * 0.54, h - 0.5), "glass_black", "glass", solid=False)
+    b.box((-w * 0.4, w * 0.4), (cab + 0.2, cab + 0.5), (h - 0.4, h - 0.28), "light_blue", "lamps", solid=False)
+    for side in (-1, 1):
+        _engine_side(b, side, floor, cab)
+    _engine_ladder(b, cab)
+
+
+def _engine_side(b: Builder, side: int, floor: float, cab: float) -> None:
+    """Lockers, door glass, wheels, and lamps at both ends."""
+    w, d, h = b.w, b.d, b.h
+    low, high = sorted((side * (w / 2 - 0.03), side * (w / 2 - 0.01)))
+    length = (cab + d / 2 - 0.3) / 3
+    for k in range(3):
+        y = -d / 2 + 0.1 + k * (length + 0.04)
+        b.box((low, high), (y, y + length), (floor + 0.35, h - 0.4), "metal_steel", "lockers", solid=False)
+    b.box((low, high), (cab + 0.25, d / 2 - 0.4), (h * 0.54, h - 0.5), "glass_black", "glass", solid=False)
+    for y in (-d * 0.27, d * 0.3):
+        b.rod((side * (w / 2 - 0.32), y, 0.5), (side * w / 2, y, 0.5), 0.5, "rubber_black", "wheels", 24, solid=True)
+    x = (side * w * 0.38 - 0.12, side * w * 0.38 + 0.12)
+    b.box(x, (d / 2 - 0.02, d / 2), (floor + 0.1, floor + 0.3), "light_white", "lamps", solid=False)
+    b.box(x, (-d / 2 - 0.0, -d / 2 + 0.02), (floor + 0.1, floor + 0.3), "light_red", "lamps", solid=False)
+
+
+def _engine_ladder(b: Builder, cab: float) -> None:
+    """A ladder along the roof of the body."""
+    d, z = b.d, b.h - 0.12
+    for x in (-0.3, 0.3):
+        b.rod((x, -d / 2 + 0.1, z), (x, cab + 0.3, z), 0.04, "metal_steel", "ladder", 8)
+    for k in range(9):
+        y = -d / 2 + 0.3 + k * (cab + d / 2) / 9
+        b.rod((-0.3, y, z), (0.3, y, z), 0.025, "metal_steel", "ladder", 6)
+    for y in (-d * 0.4, cab - 0.4):
+        b.rod((0.0, y, b.h - 0.25), (0.0, y, z + 0.12), 0.06, "metal_dark", "ladder", 8)
+
+
 def _wheel(b: Builder, x: float, y: float, r: float, tyre: float = 0.02) -> None:
     points = [(x, y + r * math.cos(a), r + tyre + r * math.sin(a)) for a in [k * math.pi / 12 for k in range(25)]]
     b.path(points, tyre, "rubber_black", "wheels")

@@ -334,7 +334,9 @@ def _idle(finished: _Finished, rooms: Sequence[tuple[int, SceneRoom]]) -> str:
             for entry in finished.ledger
             if entry.kind == "no_object" and entry.value.type and _covers(entry, finished, floor, room)
         ]
-        kind = furnished_as(room.room_type, finished.on(floor).building_type, room.name)
+        scene = finished.on(floor)
+        beside = [other.room_type for other in scene.rooms if other.id != room.id]
+        kind = furnished_as(room.room_type, scene.building_type, room.name, beside)
         for need in needs_of(kind, (room.name, *room.aliases)):
             if all(any(answers(kind, thing.categories[0]) for kind in refused) for thing in need.things):
                 continue

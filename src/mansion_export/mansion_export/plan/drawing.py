@@ -12,6 +12,7 @@ from mansion_export.plan.palette import INK
 from mansion_export.plan.shapes import Area, Canvas, Label, Line, Shape, circle, rectangle
 from mansion_export.presentation import floor_title
 from mansion_msgs_py.scene import FloorScene
+from mansion_msgs_py.wording import counted
 
 __all__ = ["Drawing", "draw_plan"]
 
@@ -100,7 +101,8 @@ def _unit(width: float, height: float) -> float:
 def _heading(scene: FloorScene, x0: float, x1: float, y1: float, unit: float) -> list[Shape]:
     area = sum(room.area for room in scene.rooms if room.kind not in ("stair", "elevator"))
     rooms = sum(room.kind not in ("stair", "elevator") for room in scene.rooms)
-    facts = f"{area:.0f} m² in {rooms} rooms, {len(scene.objects)} objects, level {scene.elevation:+.2f} m"
+    things = counted(len(scene.objects), "object")
+    facts = f"{area:.0f} m² in {counted(rooms, 'room')}, {things}, level {scene.elevation:+.2f} m"
     # Both lines end before the north arrow.
     width = x1 - x0 - 1.8 * unit
     title = min(0.72 * unit, width / (0.68 * len(floor_title(scene))))

@@ -10,8 +10,9 @@ from mansion_planner.brief.facts import RoomFact
 from mansion_planner.brief_checks import check_number
 from mansion_planner.program.decisions import Decisions, note
 from mansion_planner.program.furniture_areas import furniture_area, furniture_areas, usual_number
-from mansion_planner.program.household import STUDIO, private_types
+from mansion_planner.program.household import private_types
 from mansion_planner.program.model import PlannedRoom, Storey
+from mansion_planner.program.people_rooms import people_rooms, place_rooms, professional_rooms
 from mansion_planner.program.planned_rooms import planned_room
 from mansion_planner.program.step_record import Record
 from mansion_planner.program.storeys import entries_of, floors_of
@@ -35,6 +36,8 @@ class Allocation:
         Storeys on which the brief wants no room but those that it names.
     furniture : dict of str to float
         Square metres that the furniture wanted in rooms of a name needs.
+    places : frozenset of str
+        Names of rooms that are as large as the places of those who work there need, whatever is usual.
     households : dict of str to RoomFact
         What every unit holds that a storey adds by itself, by the room type that it counts as.
     """
@@ -44,6 +47,7 @@ class Allocation:
     unwanted: dict[int, frozenset[str]] = field(default_factory=dict)
     complete: frozenset[int] = frozenset()
     furniture: dict[str, float] = field(default_factory=dict)
+    places: frozenset[str] = frozenset()
     households: dict[str, RoomFact] = field(default_factory=dict)
 
     def added(self, entry: RoomEntry, knowledge: KnowledgeBase) -> PlannedRoom:
@@ -60,39 +64,11 @@ class Allocation:
         return floor not in self.complete and not refused
 
 
-def _people_rooms(decisions: Decisions, knowledge: KnowledgeBase) -> tuple[RoomFact, str] | None:
-    """Return the rooms that stated occupants need (classrooms for pupils, bedrooms for a family), and that in words."""
-    facts, seats = decisions.facts, decisions.building.seats
-    if not facts.occupants:
-        return None
-    people = facts.occupants[0]
-    stated = {fact.room_type for fact in facts.rooms if fact.count is not None}
-    if decisions.building.family == "home" and people.noun in (
-        "family",
-        "people",
-        "person",
-        "resident",
-        "adult",
-        "inhabitant",
-        "kid",
-        "child",
-    ):
-        if decisions.building.hub == STUDIO or any(knowledge.room(name).counts_as == "bedroom" for name in stated):
-            return None
-        grown = people.count if people.noun not in ("kid", "child") else people.count + 2
-        count = max(1, min(grown - 1, 8))
-        return RoomFact("bedroom", "bedroom", people.span, count), f"{count} bedrooms for {people.count} people"
-    if seats is None or people.noun in ("employee", "worker", "staff", "visitor", "teacher", "family"):
-        return None
-    kind = knowledge.room(seats.room_type)
-    if kind.name in stated:
-        return None
-    count = max(1, -(-people.count // int(seats.area or 1)))
-    return RoomFact(kind.name, kind.name, people.span, count), f"{count} x {kind.name} for {people.count} people"
-
-
 MANY = 6
 """From so many pieces on, furniture that the brief puts in no room gets one that usually has as many."""
+
+_IN_STEAD = 0.5
+"""Of the pieces that the building's own room for them usually has, what a stated room takes to get them instead."""
 
 
 def _furniture_rooms(
@@ -118,15 +94,15 @@ def _furniture_rooms(
             and not (floors and fact.floors and floors.isdisjoint(floors_of(fact.floors, decisions)))
         ]
         own = [
-            entry.room_type
+            name
             for storey in storeys
-            for entry in entries_of(storey)
+            for name in (storey.hub.name, *(entry.room_type for entry in entries_of(storey)))
             if not floors or storey.index in floors
         ]
-        if stated:
+        best = max(own, key=holds, default="")
+        if stated and not (best and _IN_STEAD * holds(best) > max(holds(fact.room_type) for fact in stated)):
             out.append((max(stated, key=lambda fact: holds(fact.room_type)), 0.0))
-        elif own and max(holds(name) for name in own) >= MANY / 2:
-            best = max(own, key=holds)
+        elif best and holds(best) >= MANY / 2:
             out.append((RoomFact(best, best, wanted.span, 1, floors=wanted.floors, each=wanted.each), 0.0))
         else:
             continue
@@ -141,17 +117,21 @@ def allocate(decisions: Decisions, knowledge: KnowledgeBase, storeys: Sequence[S
     """
     trace: list[TraceEntry] = []
     facts = list(decisions.facts.rooms)
-    for_people = _people_rooms(decisions, knowledge)
-    if for_people is not None:
-        fact, effect = for_people
+    for_people = people_rooms(decisions, knowledge)
+    professional = professional_rooms(decisions, knowledge)
+    for fact, effect in [*([for_people] if for_people is not None else []), *professional]:
         note(trace, fact.span, effect)
-        facts.append(fact)
+    facts += [for_people[0]] if for_people is not None else []
     wanted: dict[int, list[RoomFact]] = {storey.index: [] for storey in storeys}
     for_furniture = _furniture_rooms(decisions, knowledge, storeys)
     furniture = furniture_areas(decisions.facts.rooms, decisions.facts.objects)
     for fact, area in for_furniture:
         furniture[fact.name] = max(area, furniture.get(fact.name, 0.0))
-    asked = [*facts, *(fact for fact, _ in for_furniture if fact not in decisions.facts.rooms)]
+    asked = [
+        *facts,
+        *(fact for fact, _ in professional),
+        *(fact for fact, _ in for_furniture if fact not in decisions.facts.rooms),
+    ]
     for fact in sorted(asked, key=lambda fact: _is_free_bathroom(fact, decisions)):  # once bedrooms have their storeys
         check_number(fact.name, _number_of(fact), len(storeys))
         floors, where = _floors_for(fact, knowledge, decisions, storeys, wanted)
@@ -159,12 +139,20 @@ def allocate(decisions: Decisions, knowledge: KnowledgeBase, storeys: Sequence[S
             check_number(fact.name, number, 1)
             wanted[floor] += [fact] * number
         note(trace, fact.span, f"{fact.name} x{_number_of(fact)}{where}")
+    places = place_rooms(decisions, storeys, wanted)
+    if places is not None:
+        fact, area, on = places
+        for floor in on:
+            wanted[floor].append(fact)
+        furniture[fact.name] = max(area, furniture.get(fact.name, 0.0))
+        note(trace, fact.span, f"{fact.name} of about {area:.0f} m2 on storey {', '.join(str(floor) for floor in on)}")
     allocation = Allocation(
         wanted=wanted,
-        settled=_settled_types(facts, decisions, knowledge),
+        settled=_settled_types(facts, decisions, knowledge).union(fact.room_type for fact, _ in professional),
         unwanted=_unwanted_types(wanted, decisions, knowledge),
         complete=_complete_storeys(decisions, storeys),
         furniture=furniture,
+        places=frozenset() if places is None else frozenset({places[0].name}),
         households={knowledge.room(fact.room_type).counts_as: fact for fact in decisions.facts.households},
     )
     return allocation, Record(tuple(trace))
@@ -188,7 +176,8 @@ def _settled_types(facts: Iterable[RoomFact], decisions: Decisions, knowledge: K
         if not fact.unit:
             settled.update(child.room_type for child in fact.suite if not knowledge.room(child.room_type).wet)
         kind = knowledge.room(fact.room_type)
-        if fact.count is not None and not (kind.common and fact.count == 1):
+        one_of_several = fact.count == 1 and (kind.common or kind.name == "master_suite")
+        if fact.count is not None and not one_of_several:
             settled.update(name for name, other in knowledge.rooms.items() if other.counts_as == kind.counts_as)
             settled.update(next((group for group in _SAME_USE if kind.name in group), ()))
             if kind.name == "private_office" and decisions.building.family != "office":
@@ -206,6 +195,9 @@ def _unwanted_types(
 ) -> dict[int, frozenset[str]]:
     """Return the room types that a storey adds none of: those that the brief excludes there or that are in a unit."""
     unwanted = {floor: frozenset(private_types(facts, knowledge)) for floor, facts in wanted.items()}
+    for floor, facts in wanted.items():
+        if any(fact.room_type in _KITCHENS for fact in facts):
+            unwanted[floor] |= _KITCHENS
     for name, ref, _ in decisions.facts.excluded_on:
         like = next((group for group in _SAME_USE if name in group), frozenset())
         for floor in floors_of((ref,), decisions):
@@ -221,6 +213,9 @@ _SAME_USE = (
     frozenset({"dorm_room", "hostel_dorm", "bunk_room", "holding_cell"}),
 )
 """Room types that stand for each other: a stated number of one leaves no room for another."""
+
+_KITCHENS = frozenset({"kitchen", "open_kitchen", "commercial_kitchen"})
+"""Rooms to cook in: a storey for which the brief asks one gets no other of another kind."""
 
 _REFUSED_TOGETHER = (frozenset({"cafeteria", "cafe", "restaurant"}),)
 """Room types of which a brief that refuses one by name wants none of the others."""

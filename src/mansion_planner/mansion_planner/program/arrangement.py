@@ -19,6 +19,8 @@ from mansion_planner.program.dining_kitchens import with_kitchen
 from mansion_planner.program.footprint import free_cores, free_massing, sketch_free
 from mansion_planner.program.hall_sketch import most_fronts
 from mansion_planner.program.home_orders import HOME_PAIRS
+from mansion_planner.program.home_quality import home_faults
+from mansion_planner.program.household import STUDIO
 from mansion_planner.program.massing import MassingWish, choose_massing, gross_area, rectangle_massing
 from mansion_planner.program.model import (
     Massing,
@@ -84,16 +86,21 @@ def best_arrangement(
     decisions: Decisions, wish: MassingWish, storeys: Sequence[Storey], allocation: Allocation, knowledge: KnowledgeBase
 ) -> Arrangement:
     """Lay the building out; when rooms lack a door's wall, wished neighbours or good proportions, try other depths."""
-    best: tuple[tuple[int, int, int], Arrangement] | None = None
-    attempts = 6 if decisions.outline is None and not decisions.free_form else 1
+    best: tuple[tuple[int, int, float], Arrangement] | None = None
+    home = decisions.building.family == "home"
+    attempts = _ATTEMPTS if decisions.outline is None and not decisions.free_form else 1
+    # Of several depths without a fault the first is taken: seeds begin at different ones.
+    free = home and not decisions.area_stated
+    first = int(item_generator(decisions.seed, "first depth").integers(_FIRST)) if free else 0
     for attempt in range(attempts):
         growth = 1.0 if decisions.area_stated else 1.0 + 0.03 * attempt
         generator = item_generator(decisions.seed, "massing", attempt)
-        varied = replace(wish, area=wish.area * growth, variant=attempt)
+        varied = replace(wish, area=wish.area * growth, variant=(attempt + first) % attempts)
         massing = _massing(decisions, varied, generator)
         shaped = set_back(decisions, massing, storeys, allocation, knowledge)
         layout = _arranged(decisions, massing, shaped, allocation, knowledge, generator)
-        price = (_missed(decisions, wish, layout), *_ill_shaped(layout))
+        missed, (shallow, ill) = _missed(decisions, wish, layout), _ill_shaped(layout, home=home)
+        price = missed, shallow, ill
         if best is None or price < best[0]:
             best = (price, layout)
         if not any(price):
@@ -103,15 +110,28 @@ def best_arrangement(
     return _loosened_where_missed(decisions, layout)
 
 
+_FIRST = 4
+"""Depths that a home whose area nobody states may begin with."""
+
+_ATTEMPTS = 6
+"""Massings that are tried at most."""
+
+
 def _own_sketches(layout: Arrangement) -> list[Sketch]:
     """Return the sketches of the storeys that copy no other."""
     return [layout.sketches[storey.index] for storey in layout.storeys if storey.copy is None]
 
 
-def _ill_shaped(layout: Arrangement) -> tuple[int, int]:
-    """Count the garages that are too shallow for their cars, and the rooms that are strips, too small or too large."""
+def _ill_shaped(layout: Arrangement, *, home: bool) -> tuple[int, float]:
+    """Count the garages that are too shallow for their cars, and the rooms that are strips, too small or too large.
+
+    Homes count what is wrong with them as such besides.
+    """
     own = _own_sketches(layout)
-    ill = sum(len(strips(sketch)) + len(shrunk_rooms(sketch)) + len(swollen_rooms(sketch)) for sketch in own)
+    ill: float = sum(len(strips(sketch)) + len(shrunk_rooms(sketch)) + len(swollen_rooms(sketch)) for sketch in own)
+    if home:
+        above = [storey for storey in layout.storeys if storey.copy is None and storey.index >= 1]
+        ill += home_faults([(s, layout.sketches[s.index], layout.envelopes[s.index].area) for s in above])
     return sum(len(shallow_garages(sketch)) for sketch in own), ill
 
 
@@ -365,12 +385,14 @@ def _rooms(
     else:
         room, share = capacity(massing, storey), 0.0
     stores = hall and storey.hub.zone == "service"
+    takes_rest = stores or storey.hub.name == STUDIO
     if hall:
         most = _most_home_hub(storey, allocation, knowledge, room)
         if storey.use.family != "home":
             most = (_MOST_STORE if stores else _MOST_HUB) * room
-        usual = room - listed_area(storey, allocation, knowledge) if stores else 0.38 * room
-        share = stated or min(max(storey.hub.usual, usual), most)
+        usual = room - listed_area(storey, allocation, knowledge) if takes_rest else 0.38 * room
+        least = storey.hub.least if storey.hub.name == STUDIO else storey.hub.usual
+        share = stated or min(max(least, usual), most)
     most = most_fronts(form) if hall else MOST_ROOMS
     filled = fill_storey(storey, allocation, knowledge, room, hub_share=share, most_rooms=most)
     filled = with_kitchen(filled, storey, allocation, knowledge, share)
@@ -382,5 +404,5 @@ def _rooms(
         asked = sum(r.gross for r in chosen)
         wanted = sum(r.gross for r in chosen if r.stated)
         share = max(storey.hub.least, 0.5 * share, min(share, room - wanted))
-        room = min(room - share, asked if stores else max(asked, 0.45 * room))
+        room = min(room - share, asked if takes_rest else max(asked, 0.45 * room))
     return name_rooms(fit_areas(chosen, room), storey.hub.name)

@@ -7,7 +7,7 @@ import msgspec
 from mansion_planner.program.blocks import Block, widened
 from mansion_planner.program.model import Box, Massing, PlannedRoom, Wing
 
-__all__ = ["Segment", "bring_together", "fill_segments", "front_order", "with_rows"]
+__all__ = ["Segment", "bring_together", "fill_segments", "front_order", "misfit_of_exchange", "with_rows"]
 
 _BESIDE_NICHE = 2.0
 """Least metres of corridor of a room that also has the floor behind lifts."""
@@ -293,12 +293,12 @@ def _best_swap(
     Its segments are as full after the exchange as before, or nearly so; ``None`` where no exchange does that.
     """
     options = [
-        (_misfit_of_swap(segments, (s, i), (t, k)), n, m, k)
+        (misfit_of_exchange(segments, (s, i), (t, k)), n, m, k)
         for n, (s, i) in enumerate(places) for m, (t, j) in enumerate(goals)
         for k in range(len(segments[t].blocks)) if k != j
     ]  # fmt: skip
     options += [
-        (_misfit_of_swap(segments, (s, k), (t, j)), n, -1 - m, k)
+        (misfit_of_exchange(segments, (s, k), (t, j)), n, -1 - m, k)
         for n, (s, i) in enumerate(places) for m, (t, j) in enumerate(goals)
         for k in range(len(segments[s].blocks)) if k != i
     ]  # fmt: skip
@@ -309,7 +309,7 @@ def _best_swap(
     return (places[n], goals[m], k) if m >= 0 else (goals[-1 - m], places[n], k)
 
 
-def _misfit_of_swap(segments: Sequence[Segment], one: _Place, other: _Place) -> float:
+def misfit_of_exchange(segments: Sequence[Segment], one: _Place, other: _Place) -> float:
     """How far the worse of two segments is from full after they exchange a block, as a share of its length."""
     s, t = segments[one[0]], segments[other[0]]
     ours, theirs = s.blocks[one[1]], t.blocks[other[1]]

@@ -9,7 +9,7 @@ import msgspec
 from mansion_knowledge.norms import load_norms
 from mansion_planner.program.bands import Segment, fill_segments, front_order
 from mansion_planner.program.blocks import DOOR, group_blocks, lay_block
-from mansion_planner.program.home_orders import home_orders, home_price
+from mansion_planner.program.home_orders import best_sketch, home_price
 from mansion_planner.program.model import (
     Box,
     Corridor,
@@ -66,8 +66,11 @@ def sketch_storey(
     filled = keep_apart(fill_segments(segments, blocks, pairs), apart, pairs)
     if storey.use.family != "home":
         return _assemble(massing, storey, hub_id, filled, ends, stop, length)
-    sketches = [_assemble(massing, storey, hub_id, order, ends, stop, length) for order in home_orders(filled)]
-    return min(sketches, key=lambda sketch: home_price(sketch, pairs, apart))
+    return best_sketch(
+        filled,
+        lambda order: _assemble(massing, storey, hub_id, order, ends, stop, length),
+        lambda sketch: home_price(sketch, pairs, apart),
+    )
 
 
 _LANDING = 1.6

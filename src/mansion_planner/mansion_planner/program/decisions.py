@@ -13,6 +13,7 @@ from mansion_msgs_py.wording import counted, with_article
 from mansion_planner.brief.facts import BriefFacts, FloorRef, Quantity, Span
 from mansion_planner.program.called_sizes import called_size, within_called
 from mansion_planner.program.footprint import check_footprint, is_rectangle
+from mansion_planner.program.master_suites import with_master_suite
 from mansion_planner.program.program_size import ProgramSize, size_of_program
 from mansion_planner.program.shape_sizes import most_storeys
 from mansion_planner.program.usual_meanings import as_meant_in
@@ -100,6 +101,7 @@ def decide(
     stated, facts = facts, _settled(facts, given_way)
     building = _building(facts, knowledge, trace)
     stated, facts = as_meant_in(building, stated), as_meant_in(building, facts)
+    facts = with_master_suite(facts) if building.family == "home" else facts
     sized = request.floors or request.area or request.floor_area or request.footprint or facts.floors
     size = None if sized else size_of_program(facts, building, knowledge)
     floors, facts = _floors(request, facts, building, size, trace, generator, given_way)
@@ -118,7 +120,7 @@ def decide(
     if request.footprint is not None:
         _area_of_footprint(request, decisions)
     else:
-        _settle_area(request, decisions, size, generator)
+        _settle_area(request, decisions, size, generator, knowledge)
     return decisions
 
 
@@ -278,7 +280,11 @@ def _usual_floors(
 
 
 def _settle_area(
-    request: BuildRequest, decisions: Decisions, size: ProgramSize | None, generator: np.random.Generator
+    request: BuildRequest,
+    decisions: Decisions,
+    size: ProgramSize | None,
+    generator: np.random.Generator,
+    knowledge: KnowledgeBase,
 ) -> None:
     """Set the area of a storey from what the request and the brief state, or from what is usual.
 
@@ -311,7 +317,7 @@ def _settle_area(
         note(trace, total.span if total else None, f"{whole:.0f} m2 over {counted(storeys, 'storey')}, as stated")
         decisions.area_stated = True
     else:
-        _infer_area(decisions, size, generator)
+        _infer_area(decisions, size, generator, knowledge)
 
 
 def _kept(area: Quantity) -> float:
@@ -386,7 +392,13 @@ def _area_of_footprint(request: BuildRequest, decisions: Decisions) -> None:
     note(decisions.trace, None, f"{area:.0f} m2 a storey, as the footprint gives")
 
 
-def _infer_area(decisions: Decisions, size: ProgramSize | None, generator: np.random.Generator) -> None:
+_PRACTICE = 55.0
+"""Gross square metres of a practice for each of the professionals who have a room of their own there."""
+
+
+def _infer_area(
+    decisions: Decisions, size: ProgramSize | None, generator: np.random.Generator, knowledge: KnowledgeBase
+) -> None:
     facts, building = decisions.facts, decisions.building
     least, usual = building.floor_area
     area = usual * float(generator.uniform(0.92, 1.08))
@@ -398,8 +410,10 @@ def _infer_area(decisions: Decisions, size: ProgramSize | None, generator: np.ra
         area, cap = 1.25 * min(area, AREA_CAP), 1.25 * AREA_CAP
     if facts.occupants and building.seats is None and building.family != "home":
         people = sum(o.count for o in facts.occupants)
-        area = min(max(people * building.people / decisions.floors, least), cap)
-        note(decisions.trace, facts.occupants[0].span, f"{building.people:g} m2 for each of {people} people")
+        own_rooms = all(o.noun in knowledge.groups.room_of for o in facts.occupants)
+        each = max(_PRACTICE, building.people) if own_rooms else building.people
+        area = min(max(people * each / decisions.floors, usual if own_rooms else least), cap)
+        note(decisions.trace, facts.occupants[0].span, f"{each:g} m2 for each of {people} people")
     if size is not None:
         decisions.area = min(size.area, AREA_CAP)
         note(decisions.trace, None, f"about {decisions.area:.0f} m2 a storey, for the rooms that are counted")

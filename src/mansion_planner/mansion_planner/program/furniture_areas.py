@@ -14,7 +14,7 @@ _BESIDE, _BEFORE = 0.5, 0.9
 _PACKED = 0.75
 """Share of a room's floor that its furniture covers with the free floor around it."""
 
-_ROW, _TABLE, _PAIRED = 1.3, 1.8, 2.6
+_ROW, _TABLE, _PAIRED = 1.3, 2.3, 2.6
 """Floor of a seat in a row, at a table, and at a desk of its own, square metres."""
 
 _ABREAST, _LEGS = 0.15, 0.6

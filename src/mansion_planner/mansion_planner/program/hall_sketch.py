@@ -1,5 +1,6 @@
 """Sketch a storey whose hub is its main room: a living room, a sales floor, a restaurant; the other rooms line it."""
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -43,11 +44,14 @@ class _Arrangement:
         The column ends below the north row, which takes the whole length.
     large_last : bool
         The largest block of the row lies above the column: what lies there is as wide as the column is.
+    part : bool
+        The row takes as much of the north side as its rooms need at a good depth, and the hub has the rest.
     """
 
     north: tuple[int, ...] | None = None
     under: bool = False
     large_last: bool = False
+    part: bool = False
 
 
 def sketch_hall(
@@ -60,9 +64,10 @@ def sketch_hall(
     """
     best = _arranged(massing, storey, hub_id, pairs, apart, _Arrangement())
     short = len(short_edges(best)) + len(joined_pairs(best, apart))
-    if not short or far_stair(massing):
+    odd = storey.use.family == "home" and _ill_shape(best) > _ODD
+    if not (short or odd) or far_stair(massing):
         return best
-    price = (short, float("inf"))
+    price = (short, _ill_shape(best) if odd else float("inf"))
     for arrangement in _others(len(storey.rooms)):
         sketch = _arranged(massing, storey, hub_id, pairs, apart, arrangement)
         found = (len(short_edges(sketch)) + len(joined_pairs(sketch, apart)), _ill_shape(sketch))
@@ -70,6 +75,9 @@ def sketch_hall(
             best, price = sketch, found
     return best
 
+
+_ODD = 1.0
+"""How far the rooms of a home may be from good proportions before other ways to place them are tried."""
 
 _FRONT = 3.0
 """Metres of a hall's sides for each room that opens to it."""
@@ -95,7 +103,12 @@ def _others(rooms: int) -> list[_Arrangement]:
         groups = [tuple(range(n)) for n in range(1, rooms + 1)]
         groups += [tuple(range(n, rooms)) for n in range(1, rooms)]
     forms = ((True, False), (True, True), (False, False))
-    return [_Arrangement(group, *form) for form in forms for group in groups]
+    found = [_Arrangement(group, *form) for form in forms for group in groups]
+    return found + [_Arrangement(tuple(range(rooms)), part=True)] * (0 < rooms <= _FEW)
+
+
+_FEW = 3
+"""So many rooms need not line the whole north side of a hall."""
 
 
 def _ill_shape(sketch: Sketch) -> float:
@@ -150,13 +163,18 @@ def _arranged(
     widest = max(length - begin - _LEAST_HUB, 1.0)
     column = min(area / depth, widest)
     end = length - far if far else length if under else length - column
-    if north and sum(block.gross for block in north) < 0.97 * (end - begin) * band:
-        band = max(sum(block.gross for block in north) / (end - begin), 3.0 if stairs else 0.0)
+    lined_area = sum(block.gross for block in north)
+    if arrangement.part and lined_area < 0.7 * (end - begin) * band:
+        end = begin + lined_area / band
+    elif north and lined_area < 0.97 * (end - begin) * band:
+        band = max(lined_area / (end - begin), 3.0 if stairs else 0.0)
     lined = Segment("main", True, begin, end, depth - band, band, blocks=tuple(north))
     reach = depth - band if under else depth
     column = min(area / reach, widest)
     placements = _in_row(lined, massing, hub_id) + _in_column(east, (length - column, reach, column), hub_id)
-    hub = Corridor(hub_id, _hub_boxes(massing, begin, length - column, band, lined=bool(north)))
+    boxes = _hub_boxes(massing, begin, length - column, band, lined=bool(north))
+    boxes += [(end, depth - band, length, depth)] if arrangement.part and end < length - 0.01 else []
+    hub = Corridor(hub_id, boxes)
     return Sketch([hub], placements, {core.id: hub_id for core in massing.cores})
 
 
@@ -188,6 +206,7 @@ def _divided(
     chosen = [rooms[n] for n in arrangement.north]
     rest = [room for n, room in enumerate(rooms) if n not in arrangement.north]
     band = sum(room.gross for room in chosen) / (length - begin)
+    band = max(band, math.sqrt(max(room.gross for room in chosen))) if arrangement.part else band
     band = min(max(band, 3.0 if stairs else 2.4), 0.6 * depth)
     slim = any(room.area / band < 1.5 for room in chosen)
     north = group_blocks(chosen, band, pairs) if slim else [Block(room) for room in chosen]

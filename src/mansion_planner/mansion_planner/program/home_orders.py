@@ -1,16 +1,16 @@
 """In which order the rooms of a home line its hall: so that the hall is short, and day rooms lie side by side."""
 
 import itertools
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Sequence
 
 import msgspec
 
-from mansion_planner.program.bands import Segment
+from mansion_planner.program.bands import Segment, misfit_of_exchange, with_rows
 from mansion_planner.program.blocks import Block
 from mansion_planner.program.model import Sketch, joined_pairs, short_edges, touching
-from mansion_planner.program.plan_quality import ragged
+from mansion_planner.program.plan_quality import ragged, shallow_garages, shrunk_rooms, strips, swollen_rooms
 
-__all__ = ["HOME_PAIRS", "home_orders", "home_price"]
+__all__ = ["HOME_PAIRS", "best_sketch", "home_orders", "home_price"]
 
 Pair = tuple[str, str]
 
@@ -26,6 +26,60 @@ HOME_PAIRS: tuple[Pair, ...] = (
 
 _WIDEST = 3
 """So many of the widest blocks of a stretch are tried at the end of the hall."""
+
+
+_ROUNDS = 4
+"""Times that two blocks change places at most."""
+
+Price = tuple[float, float, float]
+
+
+def best_sketch(
+    segments: Sequence[Segment], lay: Callable[[list[Segment]], Sketch], price: Callable[[Sketch], Price]
+) -> Sketch:
+    """Return the best sketch of a home's blocks: of all orders of `home_orders`, then with blocks exchanged.
+
+    Parameters
+    ----------
+    segments : sequence of Segment
+        With the blocks as they fill the stretches.
+    lay : callable
+        Draws an order.
+    price : callable
+        Tells what is wrong with a sketch, the worst first.
+    """
+    tried = [(price(sketch), order, sketch) for order in home_orders(segments) for sketch in [lay(order)]]
+    paid, order, best = min(tried, key=lambda entry: entry[0])
+    for _ in range(_ROUNDS):
+        if not any(paid[:2]):
+            break
+        tried = [(price(sketch), other, sketch) for other in _exchanged(order) for sketch in [lay(other)]]
+        found = min(tried, key=lambda entry: entry[0], default=None)
+        if found is None or found[0] >= paid:
+            break
+        paid, order, best = found
+    return best
+
+
+_MISFIT = 0.12
+"""How far an exchange may leave a stretch from full, as a share of its length."""
+
+
+def _exchanged(segments: Sequence[Segment]) -> Iterator[list[Segment]]:
+    """Yield the orders in which two blocks have changed places; what is stacked over the storeys stays."""
+    places = [
+        (s, i)
+        for s, segment in enumerate(segments)
+        for i, block in enumerate(segment.blocks)
+        if not block.host.kind.stack
+    ]
+    for one, other in itertools.combinations(places, 2):
+        (s, i), (t, j) = one, other
+        if s != t and misfit_of_exchange(segments, one, other) > _MISFIT:
+            continue
+        rows = [list(segment.blocks) for segment in segments]
+        rows[s][i], rows[t][j] = rows[t][j], rows[s][i]
+        yield with_rows(segments, rows)
 
 
 def home_orders(segments: Sequence[Segment]) -> list[list[Segment]]:
@@ -49,12 +103,20 @@ def _moved(blocks: Sequence[Block], last: Block) -> tuple[Block, ...]:
     return (*(block for block in blocks if block is not last), last)
 
 
-def home_price(sketch: Sketch, pairs: Sequence[Pair], apart: Sequence[Pair]) -> tuple[int, int, float]:
-    """Return what is wrong with an order of rooms: doors without a wall, pairs apart, hall and ragged rooms."""
+def home_price(sketch: Sketch, pairs: Sequence[Pair], apart: Sequence[Pair]) -> Price:
+    """Return what is wrong with an order of rooms: doors without a wall; pairs apart, odd rooms; hall, ragged rooms.
+
+    Pairs that the brief asks for count more than those that any home has.
+    """
     wrong = len(short_edges(sketch)) + len(joined_pairs(sketch, apart))
     hall = sum(corridor.area for corridor in sketch.corridors)
-    return wrong, sum(_are_apart(sketch, pair) for pair in pairs), hall + _RAGGED * len(ragged(sketch))
+    missed = sum(_are_apart(sketch, pair) * (1.0 if pair in HOME_PAIRS else _ASKED) for pair in pairs)
+    odd = len(strips(sketch)) + len(shrunk_rooms(sketch)) + len(swollen_rooms(sketch)) + len(shallow_garages(sketch))
+    return wrong, missed + odd, hall + _RAGGED * len(ragged(sketch))
 
+
+_ASKED = 3.0
+"""What a pair that the brief asks for counts beside one that any home has."""
 
 _RAGGED = 4.0
 """Square metres of hall that a room of an awkward shape counts as."""

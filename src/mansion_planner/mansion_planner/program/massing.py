@@ -171,6 +171,10 @@ def _outgrown(
     return conflict(wish, f"{least:.0f} m2 a storey", reason, fullest.index)
 
 
+_WITH_WAYS = 1.1
+"""Of the area that a main room's furniture needs, what a storey has for it and for the ways through it."""
+
+
 def _typical(
     decisions: Decisions,
     storeys: list[Storey],
@@ -182,7 +186,8 @@ def _typical(
     """What a storey's own list and the rooms asked for take at their usual sizes."""
     most = 0.0
     for storey in storeys:
-        hub = 1.3 * storey.hub.usual if is_hall(decisions) else 0.0
+        stated = _WITH_WAYS * hub_area(storey, allocation)
+        hub = max(1.3 * storey.hub.usual, stated) if is_hall(decisions) else 0.0
         most = max(most, listed_area(storey, allocation, knowledge) + hub)
     return (most + fixed) / (1.0 - share)
 
@@ -260,6 +265,8 @@ def choose_shape(decisions: Decisions, area: float, stairs: int, generator: np.r
 
 def corridor_width(use: BuildingType, area: float) -> float:
     """Return the width of the corridors of a building whose storeys have `area` square metres, metres."""
+    if use.family == "home" and use.parti != "spine":
+        return 1.3 if area < 140 else 1.4
     if use.family == "home" or use.parti == "house":
         return 1.4 if area < 140 else 1.6
     usual = 1.8 if area < 300 else 2.0
@@ -278,7 +285,7 @@ def _bands(wish: MassingWish) -> list[tuple[float, float, float]]:
         corridor = 1.4
         return [((d - corridor) / 2, corridor, (d - corridor) / 2) for d in (8, 9)]
     if wish.shape in ("H", "courtyard", "U") and area < 620:
-        corridor = 1.8
+        corridor = corridor if wish.use.family == "home" else 1.8
         return [(stair, corridor, d - stair - corridor) for d in (12, 13)]
     if wish.hall and wish.shape in ("rectangle", "square"):
         side = math.sqrt(area / 1.35)

@@ -1,5 +1,7 @@
 """How good the plan of a storey is: proportions and sizes of its rooms, and which lack the window that they want."""
 
+from collections.abc import Sequence
+
 from mansion_planner.program.model import Box, Massing, Placement, PlannedRoom, Sketch, box_area
 
 __all__ = [
@@ -57,14 +59,32 @@ def strips(sketch: Sketch) -> list[Placement]:
     return [placement for placement in sketch.rooms if placement.boxes and aspect(placement.boxes) > STRIP]
 
 
-_TWO_CARS, _CAR = 30.0, 5.2
-"""Area from which a garage is for two cars side by side, square metres, and its least depth then, metres."""
+_TWO_CARS = 30.0
+"""Area from which a garage is for two cars side by side, square metres."""
+
+_CAR = (2.9, 5.2)
+"""Least width and length of the place of a car with the ways around it, metres, walls included."""
 
 
 def shallow_garages(sketch: Sketch) -> list[Placement]:
-    """Return the garages of a sketch that are too shallow for cars side by side."""
-    garages = [placement for placement in sketch.rooms if placement.room.kind.name == "garage" and placement.boxes]
-    return [each for each in garages if each.room.area >= _TWO_CARS and _sides(each.boxes)[0] < _CAR]
+    """Return the garages of a sketch into which no car drives along its length, or not two side by side."""
+    garages = [p for p in sketch.rooms if "garage" in (p.room.kind.name, p.room.kind.counts_as) and p.boxes]
+    if not garages:
+        return []
+    boxes = [box for part in (*sketch.rooms, *sketch.corridors) for box in part.boxes]
+    bounds = (*(min(box[i] for box in boxes) for i in (0, 1)), *(max(box[i] for box in boxes) for i in (2, 3)))
+    return [each for each in garages if not _holds_cars(each, bounds)]
+
+
+def _holds_cars(garage: Placement, bounds: Sequence[float]) -> bool:
+    """Whether a car, or two side by side, stand behind a facade of the largest part of a garage."""
+    box = max(garage.boxes, key=box_area)
+    on_facade = [any(abs(box[i] - bounds[i]) < 0.01 for i in (side, side + 2)) for side in (0, 1)]
+    wide, high = box[2] - box[0], box[3] - box[1]
+    ways_in = [sides for sides, open_ in zip(((high, wide), (wide, high)), on_facade) if open_]
+    width, length = _CAR
+    least = length if garage.room.area >= _TWO_CARS else width
+    return any(front >= least - 0.01 and depth >= length - 0.01 for front, depth in ways_in)
 
 
 _SHRUNK = 0.9

@@ -20,6 +20,18 @@ _STALL, _BASIN = 5.75, 8.0
 _WALLS = 1.6
 """Square metres that walls take of a restroom."""
 
+_WOMENS = 2.0
+"""Water closets of a restroom for women at least: one alone makes a queue (planning practice)."""
+
+_OF_CHILDREN = 3.0
+"""Water closets of a washroom for small children at least, whom two grown-ups take there in groups."""
+
+_CHILDRENS = frozenset({"kindergarten_classroom", "nursery_room"})
+"""Rooms of children who go to washrooms of their own."""
+
+_LOOSE = 0.4
+"""Of a storey's rooms, what has no stated area where toilets take more than the rules ask for."""
+
 _LEAST = 8.0
 """Square metres of a restroom for one sex."""
 
@@ -83,7 +95,8 @@ def with_public_toilets(
         return kept
     before, whole = sum(room.gross for room in own), sum(room.gross for room in kept)
     need = _need_of(storey, kept, knowledge, hub, others if entrance else Served())
-    choices = _choices(need, kept, knowledge, accessible=entrance) if need is not None else []
+    roomy = sum(room.gross for room in kept if not room.fixed) > _LOOSE * whole
+    choices = _choices(need, kept, knowledge, accessible=entrance, roomy=roomy) if need is not None else []
     for number, wanted in enumerate(choices):
         most = _MOST_SHARE * (whole + (hub if number else 0.0)) + before
         fitting = _within(wanted, most)
@@ -104,12 +117,15 @@ class _Need:
         Men and women have toilets of their own.
     one_each : bool
         One water closet is enough for each.
+    children : bool
+        They are for small children, boys and girls alike.
     """
 
     closets: dict[str, float]
     basins: float
     separate: bool
     one_each: bool
+    children: bool = False
 
 
 def _need_of(
@@ -130,11 +146,12 @@ def _need_of(
     }
     basins = people / norms.rules["washbasins"].limit(kind, family) - others.basins
     one_each = all(people / 2 <= limit for limit in limits.values())
-    return _Need(closets, basins, people > rule.limit(kind, family), one_each)
+    children = any(room.kind.name in _CHILDRENS for top in rooms for room in top.each())
+    return _Need(closets, basins, people > rule.limit(kind, family), one_each, children)
 
 
 def _choices(
-    need: _Need, rooms: Sequence[PlannedRoom], knowledge: KnowledgeBase, *, accessible: bool
+    need: _Need, rooms: Sequence[PlannedRoom], knowledge: KnowledgeBase, *, accessible: bool, roomy: bool
 ) -> list[list[PlannedRoom]]:
     """Return the toilets that a storey may have, the best first, then for small storeys; none where its own do.
 
@@ -147,8 +164,11 @@ def _choices(
         return [[small]] if accessible and not any(_serves_wheelchairs(room) for room in rooms) else []
     toilets = []
     for name, closets in need.closets.items():
-        room = planned_room(knowledge.room("restroom"), knowledge, area=_area_for(closets, need.basins / 2))
-        toilets.append(msgspec.structs.replace(room, id=f"{name}s_restroom", base=f"{name}s_restroom"))
+        least = _OF_CHILDREN if need.children else _WOMENS if name == "women" and roomy else 1.0
+        area = _area_for(max(closets, least), need.basins / 2)
+        room = planned_room(knowledge.room("restroom"), knowledge, area=area)
+        called = "childrens_washroom" if need.children else f"{name}s_restroom"
+        toilets.append(msgspec.structs.replace(room, id=called, base=called))
     if not accessible:
         return [toilets]
     best = [*toilets, planned_room(kind, knowledge)]

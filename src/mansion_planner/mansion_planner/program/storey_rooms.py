@@ -35,7 +35,8 @@ def base_rooms(storey: Storey, allocation: Allocation, knowledge: KnowledgeBase)
         if fact.room_type == storey.hub.name and fact.count == 1:
             continue
         kind = knowledge.room(fact.room_type)
-        area = max(kind.usual, allocation.furniture.get(fact.name, 0.0))
+        least = kind.least if fact.name in allocation.places else kind.usual
+        area = max(least, allocation.furniture.get(fact.name, 0.0))
         rooms.append(planned_room(kind, knowledge, area=area, fact=fact))
     return rooms
 
@@ -177,6 +178,16 @@ _CROWDED = 1.25
 """Of the area for rooms, what the least areas of a home's rooms may come to: small homes have smaller rooms."""
 
 
+_ONE_A_STOREY = frozenset(
+    "lounge common_room laundry_room gym cafe bar sauna business_center computer_lab art_room break_room".split()
+)
+"""Rooms of general use that a storey is not filled up with more than once."""
+
+_ENOUGH, _ENOUGH_FOR_GUESTS = 0.82, 0.7
+"""Of the area for rooms, what rooms may take so that they grow to fill it: those of hotels rather grow than get lounges
+beside them that nobody asked for."""
+
+
 def _topped_up(
     storey: Storey,
     allocation: Allocation,
@@ -187,13 +198,28 @@ def _topped_up(
 ) -> list[PlannedRoom]:
     """Return the rooms, with others of general use where the brief settles the number of those that would fill up."""
     filled = list(rooms)
-    if storey.hub.zone == "service":
-        return filled  # a hall for cars, goods or machines takes what is left
-    kinds = [knowledge.room(name) for name in knowledge.groups.filler_of(storey.use.family)]
-    kinds = [kind for kind in kinds if allocation.adds(kind.name, storey.index)]
-    for kind in kinds * (1 if storey.use.family == "home" else 3):
+    if storey.hub.zone == "service" or storey.hub.name == STUDIO:
+        return filled  # a hall for cars, goods or machines takes what is left, and so does a studio
+    names = storey.use.filler or knowledge.groups.filler_of(storey.use.family)
+    home = storey.use.family == "home"
+    turn = 0 if home else max(storey.index - 1, 0) % len(names)  # storeys of one kind do not all get the same
+    kinds = [knowledge.room(name) for name in names[turn:] + names[:turn]]
+    stated = {fact.room_type for facts in allocation.wanted.values() for fact in facts}
+    there = {room.kind.name for room in filled}
+    kinds = [
+        kind
+        for kind in kinds
+        if allocation.adds(kind.name, storey.index)
+        and kind.name not in stated
+        and not (kind.name in _ONE_A_STOREY and kind.name in there)
+    ]
+    if home and storey.index >= 2:
+        kinds.sort(key=lambda kind: kind.storey != "upper")
+    enough = _ENOUGH_FOR_GUESTS if storey.use.family == "lodging" else _ENOUGH
+    once = storey.use.family in ("home", "lodging")
+    for kind in kinds + ([] if once else [kind for kind in kinds if kind.name not in _ONE_A_STOREY] * 2):
         used = sum(room.gross for room in filled)
-        if used >= 0.82 * budget or len(filled) >= most:
+        if used >= enough * budget or len(filled) >= most:
             break
         if used + 0.8 * kind.usual <= budget:
             filled.append(planned_room(kind, knowledge))

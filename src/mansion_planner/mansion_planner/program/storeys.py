@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from mansion_knowledge import BuildingType, KnowledgeBase, RoomEntry
+from mansion_knowledge import BuildingType, KnowledgeBase, RoomEntry, is_class
 from mansion_msgs_py.program import Downgrade, TraceEntry
 from mansion_planner.brief.facts import FloorRef, RoomFact
 from mansion_planner.program.decisions import Decisions, conflict, note
@@ -94,17 +94,23 @@ def is_hall(decisions: Decisions) -> bool:
     """Whether the main room is the hub.
 
     The type is planned so, the outline is a plain rectangle, and the brief neither excludes that room nor gives it a
-    name or an area of its own. A home with a stair, or with a hallway that the brief asks for, has that as its hub.
+    name or an area of its own. A home with a stair, with a hallway that the brief asks for or with three bedrooms has a
+    hallway as its hub: nobody wants the living room to be the way to all of them.
     """
     facts, hub = decisions.facts, decisions.building.hub
     storeyed = decisions.floors + decisions.basements > 1
-    if decisions.building.family == "home" and (storeyed or any(fact.room_type in _PASSAGES for fact in facts.rooms)):
+    passage = any(fact.room_type in _PASSAGES for fact in facts.rooms)
+    bedrooms = sum(fact.count or 1 for fact in facts.rooms if is_class(fact.room_type, "sleeping"))
+    if decisions.building.family == "home" and (storeyed or passage or bedrooms >= _APART):
         return False
     plain = not facts.shapes or facts.shapes[0][0] in ("rectangle", "square")
     own = any(fact.room_type == hub and (fact.name != hub or fact.area) for fact in facts.rooms)
     excluded = any(name == hub for name, _ in facts.excluded)
     return decisions.building.parti == "hall" and plain and not decisions.free_form and not own and not excluded
 
+
+_APART = 3
+"""So many bedrooms of a home are reached from a hallway."""
 
 _PASSAGES = frozenset({"corridor", "hallway"})
 """Types of the room that others are reached from in a home whose living room is not."""

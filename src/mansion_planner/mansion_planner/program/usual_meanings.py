@@ -12,9 +12,12 @@ _MEANT = {
     "kitchen": ("commercial_kitchen",), "open_kitchen": ("commercial_kitchen",), "dining_room": ("restaurant",),
     "private_room": ("resident_room", "patient_room"), "single_room": ("resident_room", "patient_room"),
     "child_room": ("childrens_area",), "kid_room": ("childrens_area",), "lounge": ("living_room",),
-    "showroom": ("car_showroom",),
+    "showroom": ("car_showroom",), "kitchenette": ("kitchen",), "sleeping_area": ("bedroom",),
 }  # fmt: skip
 """Plain names of rooms, and what they are where a building has that for its guests, the likeliest first."""
+
+_OF_EVERY_HOME = frozenset({"kitchen", "bedroom"})
+"""What a home has for those who live there, even where its usual rooms are fewer."""
 
 _PRIVATE = frozenset({"bedroom", "master_bedroom", "living_room", "bathroom"})
 
@@ -94,6 +97,7 @@ class _Meanings:
 def _meanings_in(building: BuildingType, facts: BriefFacts) -> _Meanings | None:
     """Return what plain names mean in a building, or ``None`` where all mean what they say."""
     own = {entry.room_type for entries in building.storeys.values() for entry in entries} | {building.hub}
+    own |= _OF_EVERY_HOME if building.family == "home" else set()
     stated = {room.room_type for room in facts.rooms}
     kinds = {plain: next((kind for kind in found if kind in own), "") for plain, found in _MEANT.items()}
     meant = {plain: kind for plain, kind in kinds.items() if kind and kind not in stated}

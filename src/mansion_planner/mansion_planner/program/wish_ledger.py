@@ -17,6 +17,7 @@ from mansion_planner.program.decisions import Decisions
 from mansion_planner.program.furniture_areas import usual_number, usually_has
 from mansion_planner.program.household import is_whole
 from mansion_planner.program.model import PlannedRoom, Storey
+from mansion_planner.program.people_rooms import place_requests
 from mansion_planner.program.storeys import floors_of
 
 __all__ = ["furniture_of", "requested_objects", "wishes_of"]
@@ -45,6 +46,8 @@ def furniture_of(decisions: Decisions, storeys: Sequence[Storey]) -> dict[tuple[
             furniture.setdefault((storey.index, room.id), []).append(
                 RequestedObject(category=fact.category, count=count, words=_noun(fact), exact=fact.exact)
             )
+    for place, request in place_requests(decisions, rooms).items():
+        furniture.setdefault(place, []).append(request)
     return furniture
 
 
@@ -93,10 +96,18 @@ def _matching(
     return own or [(s, r) for s, r in named if r.kind.name == fact.room_type]
 
 
-def _likelihood(fact: ObjectFact, entry: tuple[Storey, PlannedRoom]) -> tuple[bool, bool, bool, bool, float]:
+_MOST = 0.5
+"""Of many pieces, what a room that gets all of them usually has."""
+
+
+def _likelihood(fact: ObjectFact, entry: tuple[Storey, PlannedRoom]) -> tuple[bool, bool, bool, bool, bool, float]:
     _, room = entry
-    many = (fact.count or 2) >= MANY and usual_number(room.kind.name, fact.category, room.area) >= MANY / 2
-    return many, usually_has(room.kind.name, fact.category), room.stated, room.kind.zone == "public", room.area
+    count = fact.count or 2
+    number = usual_number(room.kind.name, fact.category, max(room.area, room.kind.usual)) if count >= MANY else 0.0
+    many = number >= MANY / 2
+    most = many and number >= _MOST * count
+    usual = usually_has(room.kind.name, fact.category)
+    return most, many, usual, room.stated, room.kind.zone == "public", room.area
 
 
 def requested_objects(decisions: Decisions, room_id: str, storey: Storey) -> list[RequestedObject]:

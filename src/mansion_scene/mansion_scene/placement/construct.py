@@ -12,6 +12,7 @@ from mansion_scene.placement.patterns import place_lattice, place_matrix, place_
 from mansion_scene.placement.runs import run_members, run_pieces, runs
 from mansion_scene.placement.search import find_placement
 from mansion_scene.placement.units import Size3, Unit, UnitStyle, build_unit
+from mansion_scene.placement.vehicle_bays import place_behind_doors
 
 __all__ = ["Construction", "construct"]
 
@@ -91,6 +92,8 @@ class Construction:
         """Place the missing copies of an object, each with its share of members."""
         if not strict and not spec.first and any(kind in _NOWHERE_ELSE for kind, _ in spec.relations):
             return
+        if spec.role.vehicle and spec.host < 0:
+            place_behind_doors(self.floor, spec, self.due(spec))
         count = self.due(spec)
         if count >= 2 and spec.host < 0 and strict and self._place_pattern(spec, count):
             return
@@ -112,7 +115,7 @@ class Construction:
     def _place_matrix(self, spec: Spec) -> None:
         shares = self._shares(spec, spec.quantity, equal=True)
         units = self._units(spec, spec.size, shares)
-        seated = next((unit for unit in units if not spec.first and _seats(self.floor, unit) > 1), None)
+        seated = next((unit for unit in units if _seats(self.floor, unit) > 1), None)
         if seated is not None and self._place_tables(spec, seated):
             return
         alone = [unit for unit in units if len(unit.parts) == 1]
@@ -126,10 +129,15 @@ class Construction:
                 return
 
     def _place_tables(self, spec: Spec, unit: Unit) -> bool:
-        """Place most of some tables with their seats, so that people pass between them, in rows or around corners."""
-        if place_matrix(self.floor, spec, unit, self.rng, self.aisle, least=ENOUGH, roomy=True) is not None:
+        """Place most of some tables with their seats, so that people pass between them, in rows or around corners.
+
+        Tables that are asked for are placed so all, or not at all.
+        """
+        least = 1.0 if spec.first else ENOUGH
+        if place_matrix(self.floor, spec, unit, self.rng, self.aisle, least=least, roomy=True) is not None:
             return True
-        counts = dict.fromkeys(round(share * spec.quantity) for share in (1.0, 0.85, 0.7, 0.55))
+        shares = (1.0,) if spec.first else (1.0, 0.85, 0.7, 0.55)
+        counts = dict.fromkeys(round(share * spec.quantity) for share in shares)
         return any(place_lattice(self.floor, spec, unit, count, self.rng, self.aisle) for count in counts if count > 1)
 
     def _place_one(self, spec: Spec, left: int, *, strict: bool) -> bool:

@@ -7,6 +7,7 @@ import numpy as np
 
 from mansion_geometry.boxes import compose, unit_vector
 from mansion_geometry.compiled import Floats
+from mansion_geometry.fitting import front_clearance
 from mansion_scene.placement.candidates import floor_poses, flush_poses, wall_poses
 from mansion_scene.placement.floor import Floor
 from mansion_scene.placement.groups import Spec
@@ -29,6 +30,18 @@ __all__ = [
 
 BACK_TO_BACK = 0.4
 """Least gap between the seats of neighbouring tables that people pass through, metres."""
+
+_LEGS = 0.5
+"""Least distance between the rows of an audience, metres."""
+
+_VIEW = 3.0
+"""Free floor that an audience has before it, metres; what is more does not count."""
+
+_LEAST_VIEW, _FEWER = 2.0, 0.5
+"""Free floor that an audience has before it at least, metres, and the share of its seats that stays without."""
+
+_SCREEN = 5.0
+"""Width of a wall for a screen or a stage, metres; what is more does not count."""
 
 _OFFSETS = 6
 """Positions of a lattice that are tried at each pitch."""
@@ -278,6 +291,11 @@ def _narrowest(spacings: list[tuple[float, float]]) -> list[tuple[float, float]]
     return [(x, y) for x, y in spacings if not any((a <= x and b <= y) and (a, b) != (x, y) for a, b in spacings)]
 
 
+def _is_audience(spec: Spec, unit: Unit) -> bool:
+    """Whether copies are the seats of an audience, in rows one behind the other."""
+    return spec.role.seat and spec.rows > 0 and len(unit.parts) == 1
+
+
 def _spacings(floor: Floor, spec: Spec, unit: Unit, copies: int, aisle: float) -> list[tuple[float, float]]:
     """Return gaps between columns and between rows, the most comfortable first.
 
@@ -285,6 +303,8 @@ def _spacings(floor: Floor, spec: Spec, unit: Unit, copies: int, aisle: float) -
     either direction.
     """
     lane = floor.passage
+    if _is_audience(spec, unit) and not spec.first:
+        return [(floor.gap, 1.25 * aisle), (floor.gap, aisle), (floor.gap, 0.75), (floor.gap, 0.6), (floor.gap, _LEGS)]
     if len(unit.parts) == 1 and not spec.role.table:
         beside = 0.5 if spec.role.exercise else floor.gap
         return [
@@ -336,10 +356,17 @@ def _place_macro(
     macro, poses = _macro_poses(floor, spec, unit, shape, gaps, rng)
     if not len(poses):
         return False
+    audience = _is_audience(spec, unit)
+    if audience and not spec.first and shape[0] * shape[1] > _FEWER * spec.rows * spec.cols:
+        poses = poses[(_clear_before(floor, macro, poses) >= _LEAST_VIEW) & (_wide_ahead(floor, macro, poses) >= 0.7)]
+        if not len(poses):
+            return False
     if len(poses) > 80:
         poses = poses[np.sort(rng.choice(len(poses), 80, replace=False))]
     scores = pose_scores(floor, spec, macro, poses, rng, at_wall=spec.where == "edge")
     scores += _before_the_board(floor, spec, unit, poses)
+    if audience:
+        scores += _with_view(floor, macro, poses)
     return examine(floor, macro, poses, scores, most=5) is not None
 
 
@@ -352,6 +379,53 @@ def _facing(floor: Floor, spec: Spec, unit: Unit, poses: Floats) -> Floats:
     wanted = -focus if seated[0] else focus
     ahead = -poses[:, 3] * wanted[0] + poses[:, 2] * wanted[1]
     return np.asarray(poses[ahead > 0.9])
+
+
+def _with_view(floor: Floor, macro: Unit, poses: Floats) -> Floats:
+    """Return a score for free floor before the foremost row, and for a wide wall without doors beyond it."""
+    walls = [_wall_ahead(floor, pose) for pose in _centred(macro, poses)]
+    doors = floor.room.door_points
+    shut = np.array([wall is not None and not any(_is_on(wall, door) for door in doors) for wall in walls])
+    return np.asarray(3.0 * _clear_before(floor, macro, poses) / _VIEW + 2.0 * _wide_ahead(floor, macro, poses) + shut)
+
+
+def _wide_ahead(floor: Floor, macro: Unit, poses: Floats) -> Floats:
+    """Return how wide the wall straight ahead of an audience is, 1 where a screen has all the place that it needs."""
+    walls = [_wall_ahead(floor, pose) for pose in _centred(macro, poses)]
+    return np.array([min(wall.length, _SCREEN) / _SCREEN if wall is not None else 0.0 for wall in walls])
+
+
+def _clear_before(floor: Floor, macro: Unit, poses: Floats) -> Floats:
+    """Return the free floor before the foremost row at each pose, metres, up to what counts."""
+    x0, x1, y0, y1 = macro.extent()
+    centres = _centred(macro, poses)
+    clear = front_clearance(centres, (x1 - x0) / 2, (y1 - y0) / 2, floor.room.edges, floor.boxes, _VIEW)
+    return np.asarray(np.minimum(clear[:, 0], _VIEW))
+
+
+def _centred(macro: Unit, poses: Floats) -> Floats:
+    """Return the poses of a unit's middle."""
+    x0, x1, y0, y1 = macro.extent()
+    centres = poses.copy()
+    centres[:, :2] += (x0 + x1) / 2 * poses[:, 2:] + (y0 + y1) / 2 * np.column_stack([-poses[:, 3], poses[:, 2]])
+    return centres
+
+
+def _wall_ahead(floor: Floor, pose: Floats) -> Wall | None:
+    """Return the nearest wall that one looks at straight ahead."""
+    here, front = pose[:2], np.array([-pose[3], pose[2]])
+    found: list[tuple[float, int]] = []
+    for number, wall in enumerate(floor.room.walls):
+        distance, along = float((wall.start - here) @ front), float((here - wall.start) @ wall.along)
+        if wall.inward @ front < -0.99 and distance > 0.0 and 0.0 <= along <= wall.length:
+            found.append((distance, number))
+    return floor.room.walls[min(found)[1]] if found else None
+
+
+def _is_on(wall: Wall, point: Floats) -> bool:
+    """Whether a door's middle is on a wall."""
+    along = float((point - wall.start) @ wall.along)
+    return abs(float((point - wall.start) @ wall.inward)) < 0.3 and 0.0 <= along <= wall.length
 
 
 def _before_the_board(floor: Floor, spec: Spec, unit: Unit, poses: Floats) -> Floats:

@@ -30,6 +30,7 @@ _SYMMETRIC = _set("plant lamp bin basket vase can pot tree stand rack umbrella p
 _SCREENS = _set("tv television media")
 _MACHINES = _set("bike elliptical rowing rower treadmill weight press")
 _TABLES = _set("table desk island workbench counter")
+_VEHICLES = _set("car truck van engine lorry tractor ambulance bus")
 _BEDSIDE = frozenset({"nightstand", "bedside_table", "side_table"})
 _FITMENTS: dict[str, Fitment] = {
     "counter_top": "worktop",
@@ -62,11 +63,13 @@ class Role:
         It stands at the head of a bed.
     fitment : Fitment or None
         Its part in the run of a kitchen.
+    vehicle : bool
+        It is driven in and out.
     """
 
     __slots__ = (
         *("bed", "bedside", "centred", "entrance", "exercise", "fitment", "focal"),
-        *("screen", "seat", "sofa", "symmetric", "table"),
+        *("screen", "seat", "sofa", "symmetric", "table", "vehicle"),
     )
 
     def __init__(self, words: frozenset[str], category: str = "") -> None:
@@ -77,6 +80,7 @@ class Role:
         self.bed = bool(words & _BEDS)
         self.screen = bool(words & _SCREENS)
         self.exercise = bool(words & _MACHINES)
+        self.vehicle = bool(words & _VEHICLES)
         self.table = bool(words & _TABLES) and not self.seat
         self.entrance = bool(words & _ENTRANCE) and not self.seat
         self.focal = bool(words & _FOCAL) and not self.seat

@@ -176,6 +176,9 @@ def _away_from_doors(floor: Floor, poses: Floats, spec: Spec) -> Floats:
     doors = floor.room.door_points
     if not len(doors):
         return np.zeros(len(poses))
+    if spec.role.entrance:
+        widths = np.array([np.hypot(*(door[2:] - door[:2])) for door in floor.room.doors])
+        doors = doors[widths >= widths.max() - 0.05]  # the way in is the widest
     distance = np.hypot(*(poses[:, None, :2] - doors[None]).transpose(2, 0, 1)).min(axis=1)
     if spec.role.entrance:
         return np.asarray(-0.8 * np.abs(np.minimum(distance, 6.0) - 1.6) / 4.4)

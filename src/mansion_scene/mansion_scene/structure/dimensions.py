@@ -6,6 +6,7 @@ from mansion_geometry.wall_sizes import CLEAR_WIDTH, EXTERIOR_THICKNESS, INTERIO
 
 __all__ = [
     "APPROACH_DEPTH",
+    "BAY_DOOR_HEIGHT",
     "CLEAR_WIDTH",
     "DOOR_GAP",
     "DOOR_HEIGHT",
@@ -25,6 +26,7 @@ PARAPET_HEIGHT: Final = 1.1
 
 DOOR_HEIGHT: Final = 2.1
 GARAGE_DOOR_HEIGHT: Final = 2.2
+BAY_DOOR_HEIGHT: Final = 3.6
 
 JAMB: Final = 0.09
 """Distance between a door's clear opening and the nearest wall face or opening."""

@@ -24,6 +24,14 @@ _GARAGE_WIDTHS = (5.0, 3.5, 2.5)
 _NARROWEST_GARAGE = 2.4
 """Least clear width of a garage door, metres: a car of 1.8 m passes with its mirrors."""
 
+_BAY_DOOR, _BAY_PITCH = 3.8, 4.8
+"""Clear width of the door of a bay, and least distance between the middles of two such doors, metres."""
+
+_BAY = 60.0
+"""Square metres of a hall of bays for each of its doors."""
+
+_MOST_BAYS = 6
+
 _FAR = 100.0  # metres, longer than any building
 
 _HALL = 60.0
@@ -146,6 +154,11 @@ def place_garage_doors(
     for region in floor.regions if floor.floor == GROUND_FLOOR else ():
         if region.id in served or not (region.is_room and is_class(region.room_type, "vehicle")):
             continue
+        bays = _place_bay_doors(floor, boundaries, region, frontages) if is_class(region.room_type, "lorry") else []
+        frontages = with_doors(frontages, bays)
+        placed += bays
+        if bays:
+            continue
         found = _place(floor, boundaries, region, frontages, nets)
         if isinstance(found, Downgrade):
             missing.append(found)
@@ -153,6 +166,28 @@ def place_garage_doors(
             frontages = with_doors(frontages, [found])
             placed.append(found)
     return placed, missing
+
+
+def _place_bay_doors(
+    floor: FloorRegions, boundaries: Sequence[BoundarySegment], region: Region, frontages: Mapping[str, Frontage]
+) -> list[Opening]:
+    """Place two and more doors side by side in the longest facade of a hall of bays; none where it is too short."""
+    facade = next(iter(facades_of(floor, boundaries, region.id)), None)
+    if facade is None:
+        return []
+    most = min(_MOST_BAYS, int(region.polygon.area // _BAY), int(facade.length // _BAY_PITCH))
+    kind = OpeningKind("garage", _BAY_DOOR, "painted_steel")
+    for number in range(most, 1, -1):
+        doors: list[Opening] = []
+        for bay in range(number):
+            center = facade.at(facade.length * (bay + 0.5) / number)
+            seen = with_doors(frontages, doors)
+            position = choose_position([facade], seen, _BAY_DOOR, margin=WALL_END, center=center)
+            if position is not None:
+                doors.append(Opening((region.id, None), kind, facade, position.segment))
+        if len(doors) == number:
+            return doors
+    return []
 
 
 def _place(

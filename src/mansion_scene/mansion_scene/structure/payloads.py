@@ -12,6 +12,7 @@ from mansion_msgs_py.stages import FurnishRequest
 from mansion_msgs_py.topology import TopologyNode
 from mansion_scene.structure.boundaries import BoundarySegment, corner_key
 from mansion_scene.structure.dimensions import (
+    BAY_DOOR_HEIGHT,
     DOOR_HEIGHT,
     EXTERIOR_THICKNESS,
     GARAGE_DOOR_HEIGHT,
@@ -212,6 +213,12 @@ def _wall_of(walls: Sequence[tuple[BoundarySegment, Wall]], boundary: BoundarySe
     raise AssertionError(f"no wall between {boundary.left} and {boundary.right} at {middle}")
 
 
+def _vehicle_height(floor: FloorRegions, regions: Sequence[str | None]) -> float:
+    """Return the height of a door that cars, or lorries, drive in by."""
+    lorries = any(region.id in regions and is_class(region.room_type, "lorry") for region in floor.regions)
+    return BAY_DOOR_HEIGHT if lorries else GARAGE_DOOR_HEIGHT
+
+
 def number_doors(
     floor: FloorRegions, walls: Sequence[tuple[BoundarySegment, Wall]], openings: Sequence[Opening], ceiling: float
 ) -> list[Door]:
@@ -221,7 +228,7 @@ def number_doors(
         kind = opening.kind
         is_open = kind.kind == "open"
         segment = _on_wall(opening.boundary, opening.segment)
-        tall = GARAGE_DOOR_HEIGHT if kind.kind == "garage" else DOOR_HEIGHT
+        tall = _vehicle_height(floor, opening.regions) if kind.kind == "garage" else DOOR_HEIGHT
         doors.append(
             Door(
                 id=f"F{floor.floor}/door_{number}",
