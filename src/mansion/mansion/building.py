@@ -446,7 +446,7 @@ class Building(Closing):
         if drawn.is_file():
             return drawn.read_bytes()
         with importing:
-            from mansion_export.overview import overview_png
+            from mansion_export.pictures.overview import overview_png
 
         return overview_png(self._scenes)
 

@@ -4,7 +4,7 @@ Lengths are metres in plan coordinates: x to the right, y up (REP-103), z up. A 
 not repeat its first point.
 """
 
-from typing import Annotated, TypeAlias
+from typing import Annotated, Literal, TypeAlias
 
 import msgspec
 
@@ -13,6 +13,7 @@ from mansion_msgs_py.limits import MAX_COORDINATE, MAX_CORNERS, MAX_FLOOR_AREA, 
 __all__ = [
     "Area",
     "BuildingId",
+    "CompassSide",
     "Coordinate",
     "Degrees",
     "Elevation",
@@ -41,6 +42,9 @@ Point: TypeAlias = tuple[Coordinate, Coordinate]
 Point3: TypeAlias = tuple[Coordinate, Coordinate, Elevation]
 Ring: TypeAlias = Annotated[list[Point], msgspec.Meta(max_length=MAX_CORNERS)]
 Segment: TypeAlias = tuple[Point, Point]
+
+CompassSide: TypeAlias = Literal["north", "south", "east", "west"]
+"""A side of an upright rectangle in plan; north is up."""
 
 Length: TypeAlias = Annotated[float, msgspec.Meta(gt=0.0, le=MAX_COORDINATE)]
 """A positive length in metres."""

@@ -11,7 +11,7 @@ from mansion_bringup.check.fault import Fault
 from mansion_bringup.check.shapes import net_area, vertical
 from mansion_geometry.doorways import PASSAGE_DEPTH, is_walkway
 from mansion_geometry.floor_regions import disc_positions_among, strip
-from mansion_geometry.object_footprints import footprint, oblique_margin
+from mansion_geometry.object_footprints import WALKABLE_HEIGHT, footprint, oblique_margin
 from mansion_geometry.robot_body import BODY_RADIUS, CLEARANCE, ROBOT_RADIUS, ROBOT_REACH
 from mansion_msgs_py.scene import FloorScene, SceneObject
 
@@ -19,9 +19,6 @@ __all__ = ["Walk", "check_reach", "walkable"]
 
 SLACK = 0.03
 """Metres by which what is near may lie off, for the grid of 0.05 m on which furniture is placed."""
-
-WALKABLE_HEIGHT = 0.03
-"""Height up to which an object counts as floor, metres: below `FLAT`, to be on the safe side."""
 
 ENTRANCE_REACH = 0.8
 """How near to a core's entrance pose the robot must get, metres."""
