@@ -275,20 +275,28 @@ def place_at(things: Things, number: int, place: Place, targets: Sequence[Target
     """
     assets = yield from _assets_of(things, state)
     reasons: list[str] = []
-    for target in targets[:MOST_CARRIERS]:
-        made: list[str] = []
-        for _ in range(number):
-            one, reason = yield from _place_one(things, assets, place, target, state, alone=len(targets) == 1)
-            if not one:
-                reasons.append(reason)
-                break
-            made.append(one)
-        if len(made) == number:
-            yield from _finished(things, made, state)
-            return made
-        for object_id in reversed(made):
-            yield from ask("They do not all fit there.", "RemoveObject", {"object_id": object_id})
+    for kinds, clearing in _attempts(assets, number):
+        for target in targets[:MOST_CARRIERS]:
+            made: list[str] = []
+            for _ in range(number):
+                one, reason = yield from _place_one(things, kinds, place, target, state, clearing=clearing)
+                if not one:
+                    reasons.append(reason)
+                    break
+                made.append(one)
+            if len(made) == number:
+                yield from _finished(things, made, state)
+                return made
+            for object_id in reversed(made):
+                yield from ask("They do not all fit there.", "RemoveObject", {"object_id": object_id})
     raise Unmet("; ".join(dict.fromkeys(reasons)) or f"there is no place for {thing_words(things)}")
+
+
+def _attempts(assets: list[AssetInfo], number: int) -> list[tuple[list[AssetInfo], bool]]:
+    """Return which assets are tried in turn, and whether what is in the way may make room: small ones before that."""
+    small = sorted(assets, key=lambda asset: (asset.category != assets[0].category, asset.size[0] * asset.size[1]))
+    tried = [(assets, False), (small, False)] if number > 1 and small[0] != assets[0] else [(assets, False)]
+    return [*tried, (small if number > 1 else assets, True)]
 
 
 def _assets_of(things: Things, state: SceneState) -> Generator[Action, Outcome, list[AssetInfo]]:
@@ -302,7 +310,7 @@ def _assets_of(things: Things, state: SceneState) -> Generator[Action, Outcome, 
 
 
 def _place_one(
-    things: Things, assets: list[AssetInfo], place: Place, target: Target, state: SceneState, *, alone: bool
+    things: Things, assets: list[AssetInfo], place: Place, target: Target, state: SceneState, *, clearing: bool
 ) -> Generator[Action, Outcome, tuple[str, str]]:
     colour, wishes = things.colour, wishes_of(place, target)
     if target.anchor is not None and place.relation in ("on", "in"):
@@ -315,7 +323,7 @@ def _place_one(
         made, reason = yield from place_any(
             assets, carrier.id, relation, colour=colour, name=things.noun, wishes=wishes
         )
-        if not made and alone:
+        if not made and clearing:
             there = [item for _, item in state.objects() if item.parent == carrier.id]
             alike = {item.id for item in called(state, there, things.noun, many=True)}
             thing = ObjectDescription(things.noun, 1, colour)

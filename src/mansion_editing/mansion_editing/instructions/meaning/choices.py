@@ -68,8 +68,9 @@ def one_room_each(state: SceneState, rooms: Rooms, context: Context, fits: Fit |
         raise MansionError(ErrorCode.NOT_FOUND, message)
     if len(found) > 1 and is_one(rooms):
         fitting = [room for room in found if fits is not None and fits(room)]
+        fitting = fitting if len(fitting) == 1 else context.brief.rooms_first(fitting or found)
         if len(fitting) != 1:
-            candidates = fitting or found
+            candidates = fitting
             raise ambiguous(f"the {room_words(rooms)}", [room_title(state, r) for r in candidates], candidates)
         return fitting
     return found
@@ -213,6 +214,9 @@ def _counted_out(
         raise too_few(things, found)
     found = _counted_here(state, things, found, number, context)
     if things.definite and not things.refers and number < count and not amount.of:
+        asked = context.brief.things_first(found, things.noun)
+        if len(asked) == number:
+            return asked
         raise ambiguous(thing_words(things), [title_of(state, item) for item in found], [i.id for i in found])
     return _any_of(state, found, number)
 
@@ -257,7 +261,8 @@ def _the_one(
     near = context.nearest([item.room for item in found])
     here = [item for item in found if item.room in near]
     own = [item for item in here if is_of_its_room(state, item, things.noun)]
-    found = next((few for few in (preferred, here, own) if len(few) == 1), found)
+    asked = context.brief.things_first(here, things.noun)
+    found = next((few for few in (preferred, here, own, asked) if len(few) == 1), found)
     if len(found) > 1:
         raise ambiguous(thing_words(things), [title_of(None, item) for item in found], [item.id for item in found])
     return found
@@ -307,7 +312,10 @@ def _at_one_place(state: SceneState, place: Place, found: list[SceneObject], con
         return found
     rooms = sorted({item.room for item in found})
     if place.rooms is not None and is_one(place.rooms) and len(rooms) > 1:
-        raise ambiguous(f"the {room_words(place.rooms)}", [room_title(state, room) for room in rooms], rooms)
+        rooms = context.brief.rooms_first(rooms)
+        if len(rooms) > 1:
+            raise ambiguous(f"the {room_words(place.rooms)}", [room_title(state, room) for room in rooms], rooms)
+        found = [item for item in found if item.room == rooms[0]]
     if place.anchor is None or not means_one(place.anchor):
         return found
     anchors = anchors_of(state, place, context)

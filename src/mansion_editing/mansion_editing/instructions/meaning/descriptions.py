@@ -16,6 +16,7 @@ from mansion_editing.instructions.statements import JOINED, Place, Rooms, Things
 from mansion_editing.state import SceneState
 from mansion_editing.tools.perception import contents, on_top
 from mansion_editing.tools.relations import relation_holds
+from mansion_editing.tools.tops import carries_on_top
 from mansion_msgs_py.editing.objects import Side
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import SceneObject, SceneRoom
@@ -295,7 +296,7 @@ def carried_by(state: SceneState, holder: SceneObject, relation: str) -> list[Sc
     if found is None:
         return []
     floor, index, asset = found[0], state.index(found[0]), state.asset(holder)
-    surfaces, volumes = (bool(asset.surfaces), bool(asset.volumes)) if asset is not None else (True, True)
+    surfaces, volumes = (carries_on_top(asset), bool(asset.volumes)) if asset is not None else (True, True)
     out: list[SceneObject] = []
     if relation != "in" or not volumes:
         out += on_top(index, holder, asset)

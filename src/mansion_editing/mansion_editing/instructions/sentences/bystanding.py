@@ -259,14 +259,14 @@ def stands_wrong(words: Sequence[Word]) -> Sequence[Word]:
 
 
 def needs_the_space(words: Sequence[Word]) -> bool:
-    """Whether somebody needs ``the space`` that a request leaves or makes free: ``we need the space for plates``."""
+    """Whether somebody needs ``the space`` or the floor that a request makes free: ``we need the space for plates``."""
     texts = [word.text for word in _bare(words)]
     needing = texts.index("need") if "need" in texts else 0
     subject = [word for word in _bare(words)[:needing] if word.text not in ("the", "our", "my")]
     somebody = len(subject) == 1 and subject[0].text in PERSONS | RELATIVES | PEOPLE | {"they"}
     after = texts[needing + 1 : needing + 4]
     plain = all(word.kind == "word" for word in _bare(words)) and not {*texts} & {"more", "from", "in", "not"}
-    return somebody and plain and after[:2] == ["the", "space"] and after[2:] in ([], ["for"])
+    return somebody and plain and after[:2] in (["the", "space"], ["the", "floor"]) and after[2:] in ([], ["for"])
 
 
 def tells_whose(words: Sequence[Word]) -> bool:
@@ -320,7 +320,8 @@ def is_purpose(words: Sequence[Word], lexicon: Lexicon) -> bool:
     people = rest[0].text in PERSONS | RELATIVES | {"it", "they", "you"} or (
         1 < able <= 7 and rest[0].text in ("the", "our", "my", "a", "every", "nobody") and not named
     )
-    if any(w.kind in ("number", "ordinal") or w.text in STATE_WORDS or w.text in COLOUR_WORDS for w in rest):
+    states = STATE_WORDS.keys() - ({"on"} if able and rest[able - 1].text != "be" else set())
+    if any(w.kind in ("number", "ordinal") or w.text in states or w.text in COLOUR_WORDS for w in rest):
         return False
     texts = texts[:-1] if able and texts[-1] in ("there", "here") else texts
     return people and not ({*texts} & {"there", "only", "no", "not", "just", "all", "each", "every"})
