@@ -15,6 +15,7 @@ from mansion_editing.instructions.meaning.descriptions import all_at, rooms_of, 
 from mansion_editing.instructions.meaning.nouns import called, has_material
 from mansion_editing.instructions.meaning.numbers import (
     is_one_of_each_room,
+    is_shared_out,
     means_any_in_each_room,
     means_several,
     new_number,
@@ -74,12 +75,27 @@ def add(statement: Add, state: SceneState, context: Context) -> Work:
     if place.anchor is not None and place.anchor.amount.of:  # on one of the desks: first on those without such a thing
         groups = [sorted(g, key=lambda target: len(at_target(state, things, place, target, context))) for g in groups]
     made: list[str] = []
-    before = 0
-    for group in groups:
-        before += sum(len(at_target(state, things, place, target, context)) for target in group)
-        made += yield from place_at(things, number, place, group, state)
+    before = sum(len(at_target(state, things, place, t, context)) for group in groups for t in group)
+    if is_shared_out(things, place, each=statement.each):
+        made = yield from _shared_out(things, number, place, groups, state, context)
+    else:
+        for group in groups:
+            made += yield from place_at(things, number, place, group, state)
     done = _added_reply(things, place, before, made, state, context)
     return replace(done, reply=done.reply + _brought_to_carry(groups, known))
+
+
+def _shared_out(
+    things: Things, number: int, place: Place, groups: Sequence[Sequence[Target]], state: SceneState, context: Context
+) -> Made:
+    """Place so many things on several pieces of furniture together: each next one where the fewest are."""
+    targets = [target for group in groups for target in group]
+    one = msgspec.structs.replace(things, amount=Amount(number=1), plural=False)
+    made: list[str] = []
+    for _ in range(number):
+        order = sorted(targets, key=lambda target: len(at_target(state, things, place, target, context)))
+        made += yield from place_at(one, 1, place, order, state)
+    return made
 
 
 def _added_reply(
@@ -384,11 +400,16 @@ def ensure(statement: Ensure, state: SceneState, context: Context) -> Work:
         groups = yield from _groups(things, place, state, context, each=several)
     _refuse_other_number_lacking(statement, things, place, groups, state, context)
     had, made, gone = 0, [], []
-    for group in groups:
-        there = [(target, at_target(state, things, place, target, context)) for target in group]
+    shared = is_shared_out(things, place, each=statement.each)
+    if shared:
+        there = {i.id for g in groups for t in g for i in at_target(state, things, place, t, context)}
+        had = len(there)
+        made = yield from _shared_out(things, max(0, number - had), place, groups, state, context)
+    for group in [] if shared else groups:
+        found_at = [(target, at_target(state, things, place, target, context)) for target in group]
         whole = place.anchor is None
-        best = max(there, key=lambda pair: len(pair[1]), default=None)
-        found = list({i.id: i for _, items in there for i in items}.values())
+        best = max(found_at, key=lambda pair: len(pair[1]), default=None)
+        found = list({i.id: i for _, items in found_at for i in items}.values())
         if not whole and (best is None or kind in ("exactly", "at_most", "none") or len(found) < number):
             found = best[1] if best else []
         had += len(found)

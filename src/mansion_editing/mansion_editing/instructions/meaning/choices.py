@@ -8,7 +8,7 @@ import msgspec
 from mansion_assets.catalogue.vocabulary import stems
 from mansion_editing.instructions.meaning.context import Context, ambiguous
 from mansion_editing.instructions.meaning.descriptions import all_at, anchors_of, rooms_of, things_of
-from mansion_editing.instructions.meaning.numbers import by_holder, counts_each, is_one, means_one
+from mansion_editing.instructions.meaning.numbers import by_holder, counts_each, is_one, means_one, of_one_kind
 from mansion_editing.instructions.meaning.room_words import room_title
 from mansion_editing.instructions.meaning.wording import (
     at_words,
@@ -185,7 +185,10 @@ def _counted_out(
     surplus: bool,
 ) -> list[SceneObject]:
     """Return as many of the objects that words fit as they say."""
-    amount, count = things.amount, len(found)
+    amount = things.amount
+    told = amount.of or (amount.number if things.definite and amount.kind in ("some", "all") else 0)
+    found = of_one_kind(found, told) or found
+    count = len(found)
     if amount.of and amount.of != count:
         are = "is" if count == 1 else "are"
         kind = counted(count, bare_words(things))

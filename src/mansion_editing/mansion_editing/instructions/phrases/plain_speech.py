@@ -38,6 +38,8 @@ _GIVEN_AWAY: Final = (
 """Where things go that leave the building."""
 _STANDING: Final = frozenset("stand hang sit lie go live".split())
 _STAYING: Final = (("that",), ("which",), ("that", "will"), ("which", "will"))
+_BELONGING: Final = frozenset("belong belongs go goes come comes".split())
+_SPOTS: Final = frozenset("by near next beside at against behind under opposite between".split())
 _FETCHING: Final = frozenset("take get bring fetch use borrow".split())
 _WANTING: Final = frozenset("need want require".split())
 _LONGEST: Final = 14
@@ -232,6 +234,70 @@ def _is_source(words: Sequence[Word], at: int) -> bool:
     return out and text_at(words, at + 1) in DETERMINERS
 
 
+def _brought_there(words: list[Word]) -> list[Word]:
+    """Return ``on the counter put a tray`` for ``on the counter belong a tray and a mug``, ``on it goes a vase``."""
+    start = _start_of(words)
+    stop = next_mark(words, start)
+    verb = next((k for k in range(start + 2, stop - 1) if words[k].text in _BELONGING), 0)
+    begins = text_at(words, start) in ("on", "in", "under", "beside", "above", "behind") or _said(
+        words, start, ("next", "to"), ("in", "front", "of")
+    )
+    counted = verb and (words[verb + 1].text in ("a", "an") or words[verb + 1].kind == "number")
+    if not (begins and counted) or any((word.text,) in BY_WORDS for word in words[start:verb]):
+        return words
+    return [*words[:verb], *_new(("put",), words[verb]), *words[verb + 1 :]]
+
+
+def _laid(words: list[Word]) -> list[Word]:
+    """Return ``on each table lay two books`` for ``on each table lay out two books``."""
+    for at in range(2, len(words) - 2):
+        counted = words[at + 2].kind == "number" or words[at + 2].text in _COUNTED
+        if words[at].text == "lay" and words[at + 1].text == "out" and counted:
+            return [*words[:at], replace(words[at], end=words[at + 1].end), *words[at + 2 :]]
+    return words
+
+
+def _instead_in(words: list[Word]) -> list[Word]:
+    """Return ``it should stand in the hall by the window`` for ``it should stand in the hall instead, by the window``."""
+    for at in range(4, len(words) - 2):
+        spot = words[at].text == "instead" and words[at + 1].text == "," and words[at + 2].text in _SPOTS
+        if spot and _ends(words, next_mark(words, at + 2)) and text_at(words, at - 1) not in ("there", "place"):
+            return [*words[: at - 1], replace(words[at - 1], end=words[at + 1].end), *words[at + 2 :]]
+    return words
+
+
+def _from_number_to_number(words: list[Word]) -> list[Word]:
+    """Return ``exactly four shelves`` for ``shelves from six down to four``."""
+    for at in range(1, len(words) - 3):
+        if words[at].text not in ("from", "down") or not words[at - 1].plural:
+            continue
+        old = at + 1 + (text_at(words, at + 1) == "from")
+        to = old + 1 + (text_at(words, old + 1) in ("down", "up"))
+        numbers = [k for k in (old, to + 1) if k < len(words) and words[k].kind == "number"]
+        if len(numbers) < 2 or text_at(words, to) != "to" or not _ends(words, to + 2):
+            continue
+        first = at - 1
+        while first > 0 and words[first - 1].kind == "word" and at - first < 3:
+            first -= 1
+        if any((word.text,) in BY_WORDS for word in words[first:at]):
+            return words
+        name = words[first + (words[first].text in DETERMINERS) : at]
+        exactly = [*_new(("there", "should", "be", "exactly"), words[first]), words[to + 1], *name]
+        return [*words[:first], *_over(words[first : to + 2], exactly), *words[to + 2 :]]
+    return words
+
+
+def _on_its_side(words: list[Word]) -> list[Word]:
+    """Return ``a mug left of it`` for ``a mug to its left``, ``on its right``."""
+    for at in range(1, len(words) - 2):
+        side = words[at].text in ("to", "on") and words[at + 1].text in _OWN and words[at + 2].text in ("left", "right")
+        if side and not (at + 3 < len(words) and words[at + 3].kind == "word" and words[at + 3].text != "and"):
+            pronoun = "it" if words[at + 1].text == "its" else "them"
+            new = _over(words[at : at + 3], [words[at + 2], *_new(("of", pronoun), words[at])])
+            return [*words[:at], *new, *words[at + 3 :]]
+    return words
+
+
 def _could_stand(words: list[Word]) -> list[Word]:
     """Return ``the shelf should stand next to the desk`` for ``could the shelf stand next to the desk?``."""
     start = _start_of(words)
@@ -256,7 +322,8 @@ def _all_but_one(words: list[Word]) -> list[Word]:
             continue
         noun = next((k for k in range(every + 1, at) if words[k].text in PREPOSITIONS), at) - 1
         several = [replace(word, plural=k == noun) for k, word in enumerate(words[: at + length + 1])]
-        begin = [*_new(("all", "but", "one", "of", "the"), words[every]), *several[every + 1 : at]]
+        one = [words[at + length], *_new(("of", "the"), words[every])]
+        begin = [*_new(("all", "but"), words[every]), *one, *several[every + 1 : at]]
         return [*words[:every], *_over(words[every : at + length + 1], begin), *words[at + length + 1 :]]
     return words
 
@@ -335,8 +402,8 @@ _READINGS: Final[tuple[Callable[[list[Word]], list[Word]], ...]] = (
     _order_after_not,
     _all_but_one,
     _no_longer_wanted,
-    _kept_of,
     _leaving_for_good,
+    _kept_of,
     _staying_behind,
     _without_thanks,
     _for_each,
@@ -344,6 +411,11 @@ _READINGS: Final[tuple[Callable[[list[Word]], list[Word]], ...]] = (
     _taken_along,
     _in_its_place_last,
     _place_last,
+    _brought_there,
+    _laid,
+    _instead_in,
+    _from_number_to_number,
+    _on_its_side,
     _could_stand,
     _only_of_them,
 )

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from typing import Final
 
 from mansion_editing.instructions.phrases.lexicon import Lexicon
-from mansion_editing.instructions.phrases.verb_words import BY_WORDS, PARTICIPLES
+from mansion_editing.instructions.phrases.verb_words import BY_WORDS, GERUNDS, PARTICIPLES
 from mansion_editing.instructions.phrases.verbs import verb_at
 from mansion_editing.instructions.phrases.word_sets import OPEN_TO_ALL, PEOPLE, RELATIVES
 from mansion_editing.instructions.phrases.words import (
@@ -267,6 +267,28 @@ def needs_the_space(words: Sequence[Word]) -> bool:
     after = texts[needing + 1 : needing + 4]
     plain = all(word.kind == "word" for word in _bare(words)) and not {*texts} & {"more", "from", "in", "not"}
     return somebody and plain and after[:2] in (["the", "space"], ["the", "floor"]) and after[2:] in ([], ["for"])
+
+
+def needs_doing(words: Sequence[Word]) -> bool:
+    """Whether words say what happens to things that a request was about: ``they need airing``, ``it needs a rest``.
+
+    What the editor can do itself ("it needs cleaning") is asked for.
+    """
+    words = _bare(words)
+    if len(words) != 3 or words[0].text not in ("it", "they", "these", "those") or words[1].text != "need":
+        return False
+    done = words[2].raw
+    return done.endswith("ing") and done not in GERUNDS
+
+
+def keeps_doors_free(words: Sequence[Word]) -> bool:
+    """Whether words forbid to stand in the way of doors, where nothing is ever put: ``it must not block the door``."""
+    texts = [word.text for word in _bare(words)]
+    way = any(texts[k : k + 3] == ["in", "the", "way"] for k in range(len(texts)))
+    blocking = any(text in ("block", "obstruct") for text in texts)
+    subject = texts[:1] and texts[0] in ("it", "they", "that", "do", "not", "nothing", "none")
+    denied = "not" in texts or texts[:1] == ["nothing"]
+    return bool(subject) and denied and (way or blocking) and bool({*texts} & {"door", "doorway", "entrance", "exit"})
 
 
 def tells_whose(words: Sequence[Word]) -> bool:
