@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+import msgspec
 import pytest
 
 from mansion_editing.instructions.meaning.brief import Asked
@@ -45,6 +46,17 @@ def test_any_of_several_alike_in_a_room_is_beside_enough(furnished_state: SceneS
 def test_the_chair_that_shall_go_is_asked_about(furnished_state: SceneState) -> None:
     with pytest.raises(Ambiguous):
         things_meant(furnished_state, Things(noun="chair", definite=True), Context())
+
+
+def test_of_more_than_the_brief_asked_for_one_serves(furnished_state: SceneState) -> None:
+    words = Things(noun="mug", definite=True, place=Place(rooms=Rooms(words=OFFICE)))
+    mug = RequestedObject(category="mug", count=1, words="mug")
+    one, two = (
+        replace(Context(), brief=Asked({OFFICE: (msgspec.structs.replace(mug, count=count),)})) for count in (1, 2)
+    )
+    assert [item.id for item in things_meant(furnished_state, words, one)] == [f"{OFFICE}/mug_1"]
+    with pytest.raises(Ambiguous):
+        things_meant(furnished_state, words, two)
 
 
 def test_the_room_is_the_one_that_the_brief_names(furnished_state: SceneState) -> None:

@@ -39,18 +39,27 @@ def _bare(text: str, state: SceneState) -> list[Statement]:
             "I don't want any chairs in the hall any more, bring them to the kitchen.",
             "Bring all the chairs in the hall to the kitchen.",
         ),
-        ("On the dining table in the kitchen belong a vase and a tray.", "On the dining table in the kitchen put a vase "
-         "and a tray."),
-        ("The sofa should stand in the kitchen instead, by the window.", "The sofa should stand in the kitchen by the "
-         "window."),
-        ("Switch off every ceiling light in the kitchen except one.",
-         "Switch off all but one of the ceiling lights in the kitchen."),
-        ("On the dining table in the kitchen lay out two plates.", "On the dining table in the kitchen lay two plates."),
+        (
+            "On the dining table in the kitchen belong a vase and a tray.",
+            "On the dining table in the kitchen put a vase and a tray.",
+        ),
+        (
+            "The sofa should stand in the kitchen instead, by the window.",
+            "The sofa should stand in the kitchen by the window.",
+        ),
+        (
+            "Switch off every ceiling light in the kitchen except one.",
+            "Switch off all but one of the ceiling lights in the kitchen.",
+        ),
+        (
+            "In the kitchen lay out two plates on the dining table.",
+            "In the kitchen lay two plates on the dining table.",
+        ),
         ("Put a mug on the office desk, a plate to its left.", "Put a mug on the office desk, a plate left of it."),
         ("Chairs: only two of them please.", "There should be exactly two chairs."),
         ("chairs from 3 down to 2", "there should be exactly 2 chairs"),
     ],
-)  # fmt: skip
+)
 def test_an_everyday_wording_is_read_as_the_plain_one(furnished_state: SceneState, said: str, meant: str) -> None:
     assert _bare(said, furnished_state) == _bare(meant, furnished_state)
 
@@ -78,6 +87,13 @@ def test_an_order_after_what_is_not_to_be_done_stands_by_itself(furnished_state:
     assert isinstance(first, Keep) and isinstance(second, SetState)
 
 
+def test_the_one_that_is_left_out_is_the_other_one(furnished_state: SceneState) -> None:
+    first = "Switch off every ceiling light in the kitchen except one."
+    assert _bare(f"{first} That one should be on.", furnished_state) == _bare(
+        f"{first} The other one should be on.", furnished_state
+    )
+
+
 def test_a_sum_of_new_things_is_that_of_all_notes(furnished_state: SceneState) -> None:
     statements = _bare("kitchen: +2 mugs, +1 plate", furnished_state)
     assert [(s.things.noun, s.things.amount.number) for s in statements if isinstance(s, Add)] == [
@@ -90,6 +106,19 @@ def test_a_sum_of_new_things_is_that_of_all_notes(furnished_state: SceneState) -
 def test_what_things_need_is_a_reason(editor: SceneEditor, reason: str) -> None:
     report = instruct(editor, f"Open the fridge in the kitchen, {reason}.")
     assert report.done and editor.state.get("F1/kitchen/fridge_1")[1].states["open"]
+
+
+@pytest.mark.parametrize(
+    ("purpose", "told"),
+    [
+        ("the doctor on night duty can rest there", True),
+        ("the doctor can use a lamp", False),
+        ("the lamp can be on", False),
+    ],
+)
+def test_what_people_can_do_then_is_a_purpose(furnished_state: SceneState, purpose: str, told: bool) -> None:
+    read = read_instruction(f"Put a chair in the kitchen, so that {purpose}.", furnished_state)
+    assert (read.not_understood == []) is told
 
 
 @pytest.mark.parametrize("wish", ["it needs cleaning", "they need emptying"])

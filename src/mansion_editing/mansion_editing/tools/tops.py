@@ -41,7 +41,7 @@ def carries_on_top(asset: Asset) -> bool:
 
 
 def _flat_top(asset: Asset) -> Ledge | None:
-    """Return the level top of a piece of furniture; None where the catalogue has a surface there, or it is not level."""
+    """Return the level top of furniture; None where the catalogue has a surface there, or it is not level."""
     h = asset.size[2]
     known = any(surface.z > h / 2 - 0.05 for surface in asset.surfaces)
     if known or asset.mount != "floor" or asset.pickupable or not _LEAST_HEIGHT <= h <= _UNDER_CEILING - _LEAST_HEIGHT:

@@ -164,7 +164,7 @@ def _aside(diff: Differences, finding: Finding) -> list[str]:
 
 
 def _is_aside(old: SceneObject, new: SceneObject) -> bool:
-    """Whether a thing lies elsewhere in its room: on what it lay on before, or, where a hand can carry it, on another."""
+    """Whether a thing lies elsewhere on what it lay on, or, where a hand can carry it, elsewhere in its room."""
     on_it = old.parent is not None and old.parent == new.parent and old.mount != "floor"
     return old.room == new.room and (on_it or old.pickupable)
 

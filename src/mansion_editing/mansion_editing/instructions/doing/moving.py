@@ -86,7 +86,7 @@ def move(statement: Move, state: SceneState, context: Context) -> Work:
 def _already_there(
     state: SceneState, found: list[SceneObject], place: Place, targets: list[Target], context: Context
 ) -> set[str]:
-    """Return the ids of things that are at the place: at the very one that words mean, where they mean one of several."""
+    """Return the ids of things that are at the place: at the very one that words mean where they mean one."""
     if not targets or place.anchor is None or not means_one(place.anchor):
         return {item.id for item in all_at(state, found, place, context)}
     exact = [msgspec.structs.replace(place, anchor=Things(noun=t.anchor.id)) for t in targets if t.anchor is not None]

@@ -37,16 +37,23 @@ class Asked:
             return list(items)
         return [item for item in items if item.room == asking[0]]
 
+    def wants_one(self, items: Sequence[SceneObject], noun: str) -> bool:
+        """Whether objects are of one kind, in one room for which the brief asks for just one of them."""
+        if len({(item.room, item.category) for item in items}) != 1:
+            return False
+        counts = [entry.count for entry in self.rooms.get(items[0].room, ()) if _is_of(entry, items[0], noun)]
+        return counts == [1]
+
     def _asks(self, item: SceneObject, noun: str) -> bool:
-        wanted = stems(noun)
-        return any(
-            entry.count > 0
-            and (
-                entry.category == item.category
-                or wanted in (stems(entry.words), stems(entry.category.replace("_", " ")))
-            )
-            for entry in self.rooms.get(item.room, ())
-        )
+        return any(entry.count > 0 and _is_of(entry, item, noun) for entry in self.rooms.get(item.room, ()))
+
+
+def _is_of(entry: RequestedObject, item: SceneObject, noun: str) -> bool:
+    """Whether what a brief asks for is of an object's kind, or called so."""
+    return entry.category == item.category or stems(noun) in (
+        stems(entry.words),
+        stems(entry.category.replace("_", " ")),
+    )
 
 
 def asked_of(program: BuildingProgram) -> Asked:

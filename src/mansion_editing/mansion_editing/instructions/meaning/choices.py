@@ -266,6 +266,8 @@ def _the_one(
     own = [item for item in here if is_of_its_room(state, item, things.noun)]
     asked = context.brief.things_first(here, things.noun)
     found = next((few for few in (preferred, here, own, asked) if len(few) == 1), found)
+    if len(found) > 1 and context.brief.wants_one(asked, things.noun):
+        return asked[:1]
     if len(found) > 1:
         raise ambiguous(thing_words(things), [title_of(None, item) for item in found], [item.id for item in found])
     return found

@@ -1,7 +1,7 @@
 """What was mentioned before, and words that fit several things."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 from mansion_editing.instructions.meaning.brief import Asked
 from mansion_msgs_py.errors import ErrorCode, MansionError
@@ -46,7 +46,7 @@ class Context:
     holders: tuple[str, ...] = ()
     assumed: frozenset[str] = frozenset()
     earlier: tuple[str, ...] = ()
-    brief: Asked = Asked()
+    brief: Asked = field(default_factory=Asked)
 
     def followed(
         self, things: Sequence[str], rooms: Sequence[str], noun: str, holders: Sequence[str] = ()

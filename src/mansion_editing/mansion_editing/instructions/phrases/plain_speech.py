@@ -48,11 +48,23 @@ _LONGEST: Final = 14
 def in_plain_words(words: Sequence[Word]) -> list[Word]:
     """Return words with everyday wordings put plainly; what is put anew keeps the place of what it stands for."""
     out: list[Word] = []
+    spared = False
     for sentence in with_leading_marks(_moved_from_elsewhere(list(words))):
+        if spared:
+            sentence = _that_one(sentence)
+        spared = _all_but_one(sentence) != sentence
         for plain in _READINGS:
             sentence = plain(sentence)
         out += sentence
     return out
+
+
+def _that_one(words: list[Word]) -> list[Word]:
+    """Return ``the other one should be on`` for ``that one should be on`` after ``every lamp except one``."""
+    start = _start_of(words)
+    if _said(words, start, ("that", "one")) != 2:
+        return words
+    return [*words[:start], *_new(("the", "other"), words[start]), *words[start + 1 :]]
 
 
 def _start_of(words: Sequence[Word]) -> int:
@@ -154,7 +166,7 @@ def _leaving_for_good(words: list[Word]) -> list[Word]:
 
 
 def _kept_of(words: list[Word]) -> list[Word]:
-    """Return ``only two of the six chairs stay`` for ``keep two of the six chairs`` and ``..., the other four can go``."""
+    """Return ``remove all but two of the six chairs`` for ``keep two of the six chairs, the other four can go``."""
     start = _start_of(words)
     of = start + 2
     numbers = [words[k].kind for k in (start + 1, start + 4) if k < len(words)] == ["number", "number"]
@@ -175,8 +187,10 @@ def _kept_of(words: list[Word]) -> list[Word]:
 
 
 def _in_its_place_last(words: list[Word]) -> list[Word]:
-    """Return ``I want a lamp in its place`` for ``in its place I want a lamp``; of several things, or before a further place,
-    ``there``."""
+    """Return ``I want a lamp in its place`` for ``in its place I want a lamp``.
+
+    Of several things, and before a further place, that is ``there``.
+    """
     start = _start_of(words)
     if _said(words, start, ("in", "its", "place"), ("in", "their", "place")) != 3:
         return words
@@ -257,8 +271,17 @@ def _laid(words: list[Word]) -> list[Word]:
     return words
 
 
+def _slid(words: list[Word]) -> list[Word]:
+    """Return ``put a box under the table`` for ``slide a box under the table``, which tells of no box that is there."""
+    for at in range(len(words) - 3):
+        begins = not at or words[at - 1].kind == "mark" or words[at - 1].text in ("and", "please", "then")
+        if begins and words[at].text == "slide" and words[at + 1].text in ("a", "an"):
+            return [*words[:at], *_new(("put",), words[at]), *words[at + 1 :]]
+    return words
+
+
 def _instead_in(words: list[Word]) -> list[Word]:
-    """Return ``it should stand in the hall by the window`` for ``it should stand in the hall instead, by the window``."""
+    """Return ``it should stand in the hall by the window`` for ``... in the hall instead, by the window``."""
     for at in range(4, len(words) - 2):
         spot = words[at].text == "instead" and words[at + 1].text == "," and words[at + 2].text in _SPOTS
         if spot and _ends(words, next_mark(words, at + 2)) and text_at(words, at - 1) not in ("there", "place"):
@@ -413,6 +436,7 @@ _READINGS: Final[tuple[Callable[[list[Word]], list[Word]], ...]] = (
     _place_last,
     _brought_there,
     _laid,
+    _slid,
     _instead_in,
     _from_number_to_number,
     _on_its_side,

@@ -338,7 +338,8 @@ def is_purpose(words: Sequence[Word], lexicon: Lexicon) -> bool:
         return False
     rest = words[2:]
     able = next((k for k, word in enumerate(rest) if word.text in ("can", "could")), 0)
-    named = any(lexicon.is_object((w.text,)) and not lexicon.is_own_room((w.text,)) for w in rest)
+    said = [word for at, word in enumerate(rest) if at != able]  # a can is a thing too
+    named = any(lexicon.is_object((w.text,)) and not lexicon.is_own_room((w.text,)) for w in said)
     people = rest[0].text in PERSONS | RELATIVES | {"it", "they", "you"} or (
         1 < able <= 7 and rest[0].text in ("the", "our", "my", "a", "every", "nobody") and not named
     )
