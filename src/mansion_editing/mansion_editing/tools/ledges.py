@@ -182,15 +182,7 @@ def places_on_ledge(
     landmark: Point | None = None,
     admit: Admit | None = None,
 ) -> list[Place]:
-    """Return the free places on one ledge for an object turned so, the best first, at most 40.
-
-    Parameters
-    ----------
-    boxes : (n, 6) array
-        What is in the way, as `obstacles` returns it.
-    handicap : float
-        Added to the cost of each place.
-    """
+    """Return the free places on one ledge for an object turned so, the best first; `handicap` adds to their cost."""
     hw, hd = (size[0] / 2, size[1] / 2) if turn % 180.0 == 0.0 else (size[1] / 2, size[0] / 2)
     rx, ry = ledge.w / 2 - hw - 0.002, ledge.d / 2 - hd - 0.002
     if rx < 0 or ry < 0:

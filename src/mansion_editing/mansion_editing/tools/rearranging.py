@@ -52,7 +52,8 @@ def shifts_for(
 
 def _box_of(index: FloorIndex, receptacle: SceneObject, item: SceneObject) -> npt.NDArray[np.float64]:
     others = {other.id for other in index.objects if other.id != item.id}
-    return obstacles(index, receptacle, {receptacle.id, *others})[0]
+    box: npt.NDArray[np.float64] = obstacles(index, receptacle, {receptacle.id, *others})[0]
+    return box
 
 
 def _spots(ledge: Ledge, fixed: npt.NDArray[np.float64], size: Point3) -> list[tuple[float, float, float]]:

@@ -399,33 +399,40 @@ def ensure(statement: Ensure, state: SceneState, context: Context) -> Work:
     else:
         groups = yield from _groups(things, place, state, context, each=several)
     _refuse_other_number_lacking(statement, things, place, groups, state, context)
-    had, made, gone = 0, [], []
-    shared = is_shared_out(things, place, each=statement.each)
-    if shared:
-        there = {i.id for g in groups for t in g for i in at_target(state, things, place, t, context)}
-        had = len(there)
-        made = yield from _shared_out(things, max(0, number - had), place, groups, state, context)
-    for group in [] if shared else groups:
-        found_at = [(target, at_target(state, things, place, target, context)) for target in group]
-        whole = place.anchor is None
-        best = max(found_at, key=lambda pair: len(pair[1]), default=None)
-        found = list({i.id: i for _, items in found_at for i in items}.values())
-        if not whole and (best is None or kind in ("exactly", "at_most", "none") or len(found) < number):
-            found = best[1] if best else []
-        had += len(found)
-        if len(found) > number and kind in ("exactly", "at_most", "none"):
-            surplus = found[number:]
-            gone += yield from removed(surplus, state)
-        elif len(found) < number and least and best is not None:
-            order = [best[0], *(target for target in group if target is not best[0])]
-            anywhere = whole or (not found and means_any_in_each_room(place))
-            made += yield from place_at(things, number - len(found), place, order if anywhere else order[:1], state)
+    if is_shared_out(things, place, each=statement.each):
+        had = len({i.id for g in groups for t in g for i in at_target(state, things, place, t, context)})
+        made, gone = (yield from _shared_out(things, max(0, number - had), place, groups, state, context)), []
+    else:
+        had, made, gone = yield from _as_many_in_each(things, number, place, groups, state, context)
     items = live(state, made)
     rooms = tuple(dict.fromkeys([*(i.room for i in items), *(t.room for g in groups for t in g[:1])]))
     reply = f"{there_were(had, things.noun)} {place_in(state, place, context) or 'in the building'}"
     reply += _changed(had, made, gone) + _brought_to_carry(groups, before) + _passed_over(state, place, context)
     known = made or [i.id for g in groups for t in g for i in at_target(state, things, place, t, context)]
     return Done(reply, context.followed(known, rooms[:1], things.noun))
+
+
+def _as_many_in_each(
+    things: Things, number: int, place: Place, groups: Sequence[Sequence[Target]], state: SceneState, context: Context
+) -> Generator[Action, Outcome, tuple[int, list[str], list[str]]]:
+    """Bring what is missing in each group of places and take away the surplus; return how many were there, and both."""
+    kind = things.amount.kind
+    least, whole = kind not in ("at_most", "none"), place.anchor is None
+    had, made, gone = 0, [], []
+    for group in groups:
+        there = [(target, at_target(state, things, place, target, context)) for target in group]
+        best = max(there, key=lambda pair: len(pair[1]), default=None)
+        found = list({i.id: i for _, items in there for i in items}.values())
+        if not whole and (best is None or kind in ("exactly", "at_most", "none") or len(found) < number):
+            found = best[1] if best else []
+        had += len(found)
+        if len(found) > number and kind in ("exactly", "at_most", "none"):
+            gone += yield from removed(found[number:], state)
+        elif len(found) < number and least and best is not None:
+            order = [best[0], *(target for target in group if target is not best[0])]
+            anywhere = whole or (not found and means_any_in_each_room(place))
+            made += yield from place_at(things, number - len(found), place, order if anywhere else order[:1], state)
+    return had, made, gone
 
 
 def _refuse_other_number_lacking(

@@ -186,13 +186,13 @@ def _counted_out(
 ) -> list[SceneObject]:
     """Return as many of the objects that words fit as they say."""
     amount = things.amount
-    told = amount.of or (amount.number if things.definite and amount.kind in ("some", "all") else 0)
-    found = of_one_kind(found, told) or found
+    found = of_one_kind(found, _number_told(things)) or found
     count = len(found)
     if amount.of and amount.of != count:
-        are = "is" if count == 1 else "are"
         kind = counted(count, bare_words(things))
-        message = f"there {are} {kind}{at_words(things.place)}, not {amount.of}: {_ids(found)}"
+        message = (
+            f"there {'is' if count == 1 else 'are'} {kind}{at_words(things.place)}, not {amount.of}: {_ids(found)}"
+        )
         raise MansionError(ErrorCode.INFEASIBLE, message)
     if amount.kind == "all":
         if amount.number > 1 and amount.number != count:
@@ -222,6 +222,12 @@ def _counted_out(
             return asked
         raise ambiguous(thing_words(things), [title_of(state, item) for item in found], [i.id for i in found])
     return _any_of(state, found, number)
+
+
+def _number_told(things: Things) -> int:
+    """Return how many there are by the words themselves: ``the four tables``, ``two of the four``; 0 where untold."""
+    amount = things.amount
+    return amount.of or (amount.number if things.definite and amount.kind in ("some", "all") else 0)
 
 
 def _counted_here(

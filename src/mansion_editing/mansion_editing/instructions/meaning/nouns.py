@@ -141,8 +141,7 @@ def called(
     """
     pool = sorted(items, key=id_order)
     words = " ".join(stems(noun))
-    whole = [item for item in pool if item.id.lower() == noun.strip().lower()]
-    if whole:
+    if whole := [item for item in pool if item.id.lower() == noun.strip().lower()]:
         return whole
     tail = noun.strip().lower().replace(" ", "_")
     ended = [item for item in pool if re.search(r"_\d+$", tail) and item.id.lower().endswith(f"/{tail}")]
@@ -154,9 +153,7 @@ def called(
     ranks = _ranks(state, pool, noun)
     alike = [item for item in pool if ranks[item.id] >= 2 or (general is not None and general(item))]
     if words == "lamp":
-        # People call what hangs from the ceiling a light where other lamps stand in the room.
-        hanging = ("lamp",) if every else ()
-        alike = [item for item in alike if item.mount != "ceiling" or item.category.endswith(hanging)] or alike
+        alike = [item for item in alike if item.mount != "ceiling" or (every and _hangs_as_lamp(item))] or alike
     if not alike and words:
         vocabulary = vocabulary_of(state.catalogue)
         holder = words in HOLDERS and words.replace(" ", "_") in vocabulary.exact(stems(noun))  # no yogurt cups
@@ -172,6 +169,11 @@ def called(
     if alike or vocabulary_of(state.catalogue).nouns(noun):
         return alike
     return [item for item in pool if ranks[item.id] == 1]
+
+
+def _hangs_as_lamp(item: SceneObject) -> bool:
+    """Whether what hangs is a lamp by its kind; the rest people call a light where other lamps stand in the room."""
+    return item.category.endswith("lamp")
 
 
 def _by_another_name(state: SceneState, pool: Iterable[SceneObject], noun: str) -> list[SceneObject]:
