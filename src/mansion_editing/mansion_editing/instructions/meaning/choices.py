@@ -188,12 +188,7 @@ def _counted_out(
     amount = things.amount
     found = of_one_kind(found, _number_told(things)) or found
     count = len(found)
-    if amount.of and amount.of != count:
-        kind = counted(count, bare_words(things))
-        message = (
-            f"there {'is' if count == 1 else 'are'} {kind}{at_words(things.place)}, not {amount.of}: {_ids(found)}"
-        )
-        raise MansionError(ErrorCode.INFEASIBLE, message)
+    _refuse_other_whole(things, found)
     if amount.kind == "all":
         if amount.number > 1 and amount.number != count:
             raise too_few(things, found)
@@ -222,6 +217,22 @@ def _counted_out(
             return asked
         raise ambiguous(thing_words(things), [title_of(state, item) for item in found], [i.id for i in found])
     return _any_of(state, found, number)
+
+
+def _refuse_other_whole(things: Things, found: list[SceneObject]) -> None:
+    """Refuse ``two of the four`` where there are not four.
+
+    Raises
+    ------
+    MansionError
+    """
+    amount, count = things.amount, len(found)
+    if amount.of and amount.of != count:
+        kind = counted(count, bare_words(things))
+        message = (
+            f"there {'is' if count == 1 else 'are'} {kind}{at_words(things.place)}, not {amount.of}: {_ids(found)}"
+        )
+        raise MansionError(ErrorCode.INFEASIBLE, message)
 
 
 def _number_told(things: Things) -> int:
