@@ -401,7 +401,8 @@ def ensure(statement: Ensure, state: SceneState, context: Context) -> Work:
     _refuse_other_number_lacking(statement, things, place, groups, state, context)
     if is_shared_out(things, place, each=statement.each):
         had = len({i.id for g in groups for t in g for i in at_target(state, things, place, t, context)})
-        made, gone = (yield from _shared_out(things, max(0, number - had), place, groups, state, context)), []
+        made = yield from _shared_out(things, max(0, number - had), place, groups, state, context)
+        gone: list[str] = []
     else:
         had, made, gone = yield from _as_many_in_each(things, number, place, groups, state, context)
     items = live(state, made)
