@@ -4,6 +4,7 @@ import pytest
 
 from mansion_editing.editor import SceneEditor
 from mansion_editing.instructions.instruct import instruct
+from mansion_editing.instructions.sentences.progress import Progress
 from mansion_editing.instructions.sentences.reader import read_instruction
 from mansion_editing.instructions.statements import Add, Keep, Mention, Remove, SetState, Statement
 from mansion_editing.state import SceneState
@@ -74,6 +75,24 @@ def test_an_everyday_wording_is_read_as_the_plain_one(furnished_state: SceneStat
 def test_other_numbers_than_are_left_remove_nothing(furnished_state: SceneState, text: str) -> None:
     read = read_instruction(text, furnished_state)
     assert read.not_understood or not any(isinstance(s, Remove) for s in read.statements)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Put two office desks into the kitchen, each with its own chair.",
+        "Put a mug with its saucer on the dining table in the kitchen.",
+        "On Monday comes a visitor.",
+    ],
+)
+def test_new_things_and_visitors_are_not_taken_along(furnished_state: SceneState, text: str) -> None:
+    words = [word.text for word in Progress(text, furnished_state).words]
+    assert "with" in words or "comes" in words or "come" in words
+
+
+def test_what_goes_too_is_not_brought_along(furnished_state: SceneState) -> None:
+    read = read_instruction("Remove the sofa in the hall. Its cushion can go too.", furnished_state)
+    assert read.not_understood or all(isinstance(s, Remove) for s in read.statements)
 
 
 def test_things_that_are_praised_are_not_asked_for(furnished_state: SceneState) -> None:

@@ -30,7 +30,9 @@ _TAKING: Final = frozenset(
     "move take carry bring remove shift get relocate transfer push haul drag put leave go".split()
 )
 _OWN: Final = frozenset("its their".split())
-_ALONG: Final = (("with", "it"), ("with", "them"), ("along",), ("too",), ("as", "well"), ("along", "with", "it"))
+_ALONG: Final = (("with", "it"), ("with", "them"), ("along", "with", "it"), ("along", "with", "them"))
+_CERTAIN: Final = frozenset("the all both each every this that these those my our its their it them".split())
+"""Words before things that are there, which may have others of their own."""
 _GIVEN_AWAY: Final = (
     ("charity",), ("the", "tip"), ("the", "dump"), ("the", "skip"), ("the", "landfill"), ("the", "scrapyard"),
     ("the", "thrift", "shop"), ("the", "charity", "shop"), ("the", "flea", "market"), ("the", "recycling"),
@@ -126,14 +128,15 @@ def _for_each(words: list[Word]) -> list[Word]:
 def _taken_along(words: list[Word]) -> list[Word]:
     """Return ``move the desk and its chair`` for ``move the desk with its chair``, ``with all of its chairs``."""
     start = _start_of(words)
-    asks = any(word.text in _TAKING for word in words[start : start + 3]) or any(
-        word.text in _TAKING and text_at(words, k - 1) in ("should", "must", "can", "please", ",", "and")
-        for k, word in enumerate(words)
-    )
+    asks = text_at(words, start) in _CERTAIN and any(word.text in _TAKING for word in words)
+    for at in range(start, len(words)):
+        verb = words[at].text in _TAKING and at + 1 < len(words)
+        asks = asks or (verb and (words[at + 1].text in _CERTAIN or words[at + 1].kind == "number"))
     for at in range(start + 2, len(words) - 1 if asks else 0):
         own = at + 1
         own += _said(words, own, ("all", "of"), ("all",), ("both", "of"), ("both",))
-        if words[at].text != "with" or text_at(words, own) not in _OWN:
+        new = text_at(words, at - 1) in ("each", "one") or text_at(words, own + 1) == "own"  # "each with its own chair"
+        if words[at].text != "with" or text_at(words, own) not in _OWN or new:
             continue
         begin = at - (text_at(words, at - 1) == "together")
         begin -= text_at(words, begin - 1) == ","
@@ -257,6 +260,8 @@ def _brought_there(words: list[Word]) -> list[Word]:
         words, start, ("next", "to"), ("in", "front", "of")
     )
     counted = verb and (words[verb + 1].text in ("a", "an") or words[verb + 1].kind == "number")
+    belongs = verb and words[verb].text.startswith("belong")
+    begins = begins and (belongs or any(word.text in DETERMINERS | {"it"} for word in words[start:verb]))
     if not (begins and counted) or any((word.text,) in BY_WORDS for word in words[start:verb]):
         return words
     return [*words[:verb], *_new(("put",), words[verb]), *words[verb + 1 :]]
