@@ -5,6 +5,8 @@ from dataclasses import replace
 import msgspec
 import pytest
 
+from mansion_editing.editor import SceneEditor
+from mansion_editing.instructions.instruct import instruct
 from mansion_editing.instructions.meaning.brief import Asked
 from mansion_editing.instructions.meaning.choices import one_room_each, things_meant
 from mansion_editing.instructions.meaning.context import Ambiguous, Context
@@ -64,3 +66,8 @@ def test_the_room_is_the_one_that_the_brief_names(furnished_state: SceneState) -
     assert one_room_each(furnished_state, several, _asked(KITCHEN)) == [KITCHEN]
     with pytest.raises(Ambiguous):
         one_room_each(furnished_state, several, _asked(KITCHEN, OFFICE))
+
+
+def test_the_answer_says_which_of_several_was_taken(editor: SceneEditor) -> None:
+    report = instruct(editor, "Put a plant next to the chair.")
+    assert report.done and "at F1/hall/chair_" in report.message and "one of 3" in report.message

@@ -17,6 +17,7 @@ from mansion_editing.instructions.meaning.numbers import (
     is_one_of_each_room,
     is_shared_out,
     means_any_in_each_room,
+    means_one,
     means_several,
     new_number,
 )
@@ -82,7 +83,26 @@ def add(statement: Add, state: SceneState, context: Context) -> Work:
         for group in groups:
             made += yield from place_at(things, number, place, group, state)
     done = _added_reply(things, place, before, made, state, context)
-    return replace(done, reply=done.reply + _brought_to_carry(groups, known))
+    chosen = _chosen_of_several(things, place, groups, made, state, context)
+    return replace(done, reply=done.reply + chosen + _brought_to_carry(groups, known))
+
+
+def _chosen_of_several(
+    things: Things,
+    place: Place,
+    groups: Sequence[Sequence[Target]],
+    made: Sequence[str],
+    state: SceneState,
+    context: Context,
+) -> str:
+    """Return words for the one that was taken where words for one thing ("beside the chair") fit several alike."""
+    if place.anchor is None or not means_one(place.anchor) or max(map(len, groups), default=0) < 2:
+        return ""
+    for group in groups:
+        for target in group:
+            if target.anchor and any(i.id in made for i in at_target(state, things, place, target, context)):
+                return f", at {target.anchor.id}, one of {len(group)}"
+    return ""
 
 
 def _shared_out(
