@@ -58,6 +58,10 @@ def _bare(text: str, state: SceneState) -> list[Statement]:
         ),
         ("Put a mug on the office desk, a plate to its left.", "Put a mug on the office desk, a plate left of it."),
         ("Chairs: only two of them please.", "There should be exactly two chairs."),
+        (
+            "Take the chairs out of the hall and furnish it with a bench.",
+            "Remove the chairs from the hall and furnish the hall with a bench.",
+        ),
         ("chairs from 3 down to 2", "there should be exactly 2 chairs"),
     ],
 )

@@ -285,6 +285,21 @@ def _slid(words: list[Word]) -> list[Word]:
     return words
 
 
+def _taken_out_and_furnished(words: list[Word]) -> list[Word]:
+    """Return ``remove A from B and furnish B with C`` for ``take A out of B and furnish it with C``."""
+    start = _start_of(words)
+    out = next((k for k in range(start + 2, len(words) - 5) if _said(words, k, ("out", "of"))), 0)
+    joint = next((k for k in range(out + 3, len(words) - 3) if words[k].text == "and"), 0) if out else 0
+    room = words[out + 2 : joint]
+    plain = bool(room) and room[0].text in DETERMINERS and all(word.kind == "word" for word in room)
+    furnished = text_at(words, joint + 1) in ("furnish", "equip", "fill") and text_at(words, joint + 2) == "it"
+    if text_at(words, start) != "take" or not (joint and plain and furnished):
+        return words
+    taken = [*_new(("remove",), words[start]), *words[start + 1 : out], *_new(("from",), words[out])]
+    again = _over(words[joint + 2 : joint + 3], room)
+    return [*words[:start], *taken, *words[out + 2 : joint + 2], *again, *words[joint + 3 :]]
+
+
 def _instead_in(words: list[Word]) -> list[Word]:
     """Return ``it should stand in the hall by the window`` for ``... in the hall instead, by the window``."""
     for at in range(4, len(words) - 2):
@@ -441,6 +456,7 @@ _READINGS: Final[tuple[Callable[[list[Word]], list[Word]], ...]] = (
     _place_last,
     _brought_there,
     _laid,
+    _taken_out_and_furnished,
     _slid,
     _instead_in,
     _from_number_to_number,
