@@ -118,8 +118,9 @@ def _searched(vertices: Floats, faces: Ints, most: int) -> list[Convex]:
 
 def _hull(vertices: Floats, faces: Ints) -> Convex:
     low, high = vertices.min(axis=0), vertices.max(axis=0)
-    flat = float((high - low).min()) < _THINNEST
-    return bounding_box(low, np.maximum(high, low + _THINNEST)) if flat else Hull(vertices.astype(np.float64), faces.astype(np.int64))
+    if float((high - low).min()) < _THINNEST:
+        return bounding_box(low, np.maximum(high, low + _THINNEST))
+    return Hull(vertices.astype(np.float64), faces.astype(np.int64))
 
 
 def boxes_of_cells(corners: Floats) -> list[Convex]:

@@ -10,7 +10,7 @@ from typing import Final, Literal, TypeAlias
 import msgspec
 import numpy as np
 
-from mansion_assets.catalogue.asset import Asset, JointRecord, Surface
+from mansion_assets.catalogue.asset import Asset, JointRecord
 from mansion_assets.catalogue.catalogue import Catalogue
 from mansion_assets.catalogue.palette import COLOURS
 from mansion_assets.catalogue.records import AssetRecord
