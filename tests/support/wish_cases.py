@@ -42,6 +42,13 @@ def _pair(first: str, second: str) -> WishValue:
 CASES: list[tuple[str, Wish, WishStatus]] = [
     ("type", wish("building_type", WishValue(name="house", type="house")), "met"),
     ("other type", wish("building_type", WishValue(name="clinic", type="clinic")), "not_met"),
+    (
+        "small for its type",
+        wish("building_type", WishValue(name="house", type="house", area=190.0, limit="most")),
+        "met",
+    ),
+    ("not so small", wish("building_type", WishValue(name="house", type="house", area=120.0, limit="most")), "partly"),
+    ("not so large", wish("building_type", WishValue(name="house", type="house", area=300.0, limit="least")), "partly"),
     ("two floors", wish("floors", WishValue(count=2)), "met"),
     ("three floors", wish("floors", WishValue(count=3)), "not_met"),
     ("no basement", wish("basements", WishValue(count=0)), "met"),

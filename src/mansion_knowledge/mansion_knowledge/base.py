@@ -351,6 +351,7 @@ def _building(name: str, record: dict[str, Any]) -> BuildingType:
         stretcher=bool(record.get("stretcher", False)),
         like=str(record.get("like", "")),
         heads=tuple(str(head) for head in record.get("heads", ())),
+        small=float(record.get("small", 0.0)),
     )
 
 

@@ -200,6 +200,8 @@ class BuildingType:
         Needs a lift on any number of storeys above one.
     heads : tuple of str
         Nouns that end the names of unknown kinds that are most like it ("agency", "bureau").
+    small : float
+        Most gross square metres of a storey that are called small; 0 where a share of the usual ones are.
     """
 
     name: str
@@ -218,6 +220,7 @@ class BuildingType:
     stretcher: bool = False
     like: str = ""
     heads: tuple[str, ...] = ()
+    small: float = 0.0
 
 
 @dataclass(frozen=True)

@@ -226,6 +226,14 @@ CUPBOARDS = {"men": ("restroom", (0.0, 20.0, 1.2, 22.0)), "women": ("restroom", 
 
 BARE = library(rooms=HALL, doors=[], things={})
 
+HOME_FIXTURES = {"home_toilet": "toilet", "home_bath": "shower_cabin", "home_sink": "kitchen_sink_unit"}
+BARE_HOME = Floor({"room": ("studio_room", (0, 0, 6, 5))}, [("room", None, across(1, 0))])
+
+
+def furnished_home(thing: str) -> Floor:
+    return Floor(BARE_HOME.rooms, BARE_HOME.doors, things={"room": [thing]})
+
+
 CASES: list[tuple[str, str, tuple[Floor, ...], tuple[Floor, ...]]] = [
     ("water_closets_men", "library_building", (library(things={"women": ["toilet"]}),), (LIBRARY,)),
     ("water_closets_women", "library_building",
@@ -271,6 +279,7 @@ CASES: list[tuple[str, str, tuple[Floor, ...], tuple[Floor, ...]]] = [
     ("dwelling_kitchen", "apartment_building", (room("apartment", (0, 0, 5, 5), 3.0),),
      (Floor({"room": ("apartment", (0, 0, 5, 5))}, [("room", None, across(1, 0))],
             things={"room": ["kitchen_sink_unit"]}),)),
+    *((rule, "house", (BARE_HOME,), (furnished_home(thing),)) for rule, thing in HOME_FIXTURES.items()),
     ("shared_toilets", "hostel", (dormitory(1, 2),), (dormitory(2, 2),)),
     ("shared_showers", "hostel", (dormitory(2, 1),), (dormitory(2, 2),)),
     ("exit_separation", "school", (long_corridor(60, [1.0, 4.0], rooms=6),),

@@ -44,3 +44,19 @@ def test_what_takes_long_says_once_what_it_does(command: str, seconds: float, ho
 def test_every_command_that_is_told_of_exists() -> None:
     known = {" ".join(path) for path, _ in commands_below(typer.main.get_command(app))}
     assert set(WORK) <= known
+
+
+IMPORTS = """
+import sys, time
+from mansion_bringup.cli import slow_commands
+found = []
+sys.addaudithook(lambda event, arguments: found.append(arguments[0]) if event == "import" else None)
+slow_commands.ANNOUNCED_AFTER = 0.1
+slow_commands.announced("plan", lambda: time.sleep(0.5))()
+print(found)
+"""
+
+
+def test_nothing_is_imported_to_say_it_because_it_may_interrupt_an_import() -> None:
+    done = subprocess.run([sys.executable, "-c", IMPORTS], capture_output=True, text=True, timeout=60)
+    assert done.stdout == "[]\n" and done.stderr.startswith("reading the sentence")

@@ -48,7 +48,7 @@ def test_when_something_was_built_is_no_style(words: str) -> None:
 @pytest.mark.parametrize(
     ("brief", "building"),
     [
-        ("We want to evaluate a caring robot in a care home. It has three floors.", "hospice"),
+        ("We want to evaluate a caring robot in a care home. It has three floors.", "nursing_home"),
         ("Our robot must serve coffee to guests in an arabic villa, two floors, with four bedrooms.", "villa"),
         ("To test a courier in a hotel of four storeys with twenty guest rooms.", "hotel"),
     ],

@@ -100,7 +100,7 @@ def statements(brief: str) -> list[str]:
             ["building: veterinary clinic", "staff quarters, floor 2"],
         ),
         ("A house with a skylight in the studio.", ["building: house", "[skylight]"]),
-        ("An apartment where a robot can vacuum.", ["building: apartment", "[robot]", "[vacuum]"]),
+        ("An apartment where a robot can vacuum.", ["building: apartment"]),
         ("An office with 6 rows of 10 desks.", ["building: office", "60 desks, no others"]),
         (
             "A bakery. Upstairs two-bedroom flat with kitchen and bath.",
@@ -330,5 +330,5 @@ def test_reasons_and_purposes_ask_for_nothing(aside: str) -> None:
 
 
 def test_a_reason_that_asks_for_something_is_told_of_whole() -> None:
-    found = statements("A house of two floors because we want a lift, by the lake.")
-    assert found == ["building: house", "2 storeys", "lift", "[lake]"]
+    found = statements("A house of two floors because we want a lift, by the railway.")
+    assert found == ["building: house", "2 storeys", "lift", "[railway]"]

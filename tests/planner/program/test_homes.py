@@ -159,3 +159,16 @@ def test_the_widest_rooms_are_tried_at_the_end_of_the_hall() -> None:
     assert orders[0] == [block.host.kind.name for block in blocks]
     assert orders[1][-1] == "living_room"
     assert all(order[-1] != "bathroom" for order in orders)
+
+
+@pytest.mark.parametrize("area", [22, 25, 28, 31, 34, 37, 40, 48])
+@pytest.mark.parametrize("kind", ["studio flat", "tiny house", "one-bedroom flat"])
+def test_a_small_home_has_a_bathroom_and_a_place_to_cook(kind: str, area: int) -> None:
+    types = {room.room_type for room in plan(f"A {kind} of {area} m2 for a single person").floors[0].rooms}
+    assert "bathroom" in types
+    assert types & {"kitchen", "studio_room"}
+
+
+def test_who_lives_in_a_studio_gets_no_bedroom_beside_it() -> None:
+    types = [room.room_type for room in plan("A studio flat of 34 m2 for a single person").floors[0].rooms]
+    assert "bedroom" not in types

@@ -14,7 +14,15 @@ __all__ = ["BUILDING_JUDGES"]
 
 def _building_type(wish: Wish, state: JudgedBuilding) -> Verdict:
     kind = wish.value.type or wish.value.name
-    return met_if(state.program.kind == kind, f"planned as {spoken(state.program.kind)}")
+    if state.program.kind != kind:
+        return Verdict("not_met", f"planned as {spoken(state.program.kind)}")
+    area = sum(floor.gross_floor_area for floor in state.program.floors)
+    sized = wish.value.area is None or keeps_to(wish, area)
+    bound = f"{_BOUNDS[wish.value.limit]}{wish.value.area or 0.0:.0f} m2"
+    return met_if(sized, f"the building has {area:.0f} m2, {bound} would be so", partly=True)
+
+
+_BOUNDS = {"most": "at most ", "least": "at least ", "": ""}
 
 
 def _floors(wish: Wish, state: JudgedBuilding) -> Verdict:

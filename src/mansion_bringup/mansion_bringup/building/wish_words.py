@@ -96,6 +96,10 @@ def _object(wish: Wish) -> str:
     return _number_of(wish, wish.value.name) + (", no others" if wish.value.exact else "")
 
 
+def _building(wish: Wish) -> str:
+    return f"building: {_spaced(wish.value.name)}{_size(wish)}"
+
+
 def _absent(wish: Wish) -> str:
     return f"no {_spaced(wish.value.name)}"
 
@@ -139,7 +143,7 @@ def _occupants(wish: Wish) -> str:
 
 
 _WORDS: Final[Mapping[WishKind, Callable[[Wish], str]]] = {
-    "building_type": _named("building"),
+    "building_type": _building,
     "floors": _amount("storey"),
     "basements": _amount("basement"),
     "total_area": _area("in all"),

@@ -207,7 +207,10 @@ def _taken_for(wish: Wish, finished: _Finished) -> str:
 def _building_type(wish: Wish, finished: _Finished) -> str:
     program = finished.building.program
     kind = program.planned_like or program.building_type
-    return "" if kind == (wish.value.type or wish.value.name) else f"it is a {kind}"
+    if kind != (wish.value.type or wish.value.name):
+        return f"it is a {kind}"
+    area = sum(map(_gross, finished.scenes))
+    return f"it has {area:.0f} m2" if wish.value.limit and not _keeps(area, wish.value) else ""
 
 
 def _floors(wish: Wish, finished: _Finished) -> str:

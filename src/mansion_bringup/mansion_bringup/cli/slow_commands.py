@@ -55,8 +55,12 @@ def announced_when_slow(command: str) -> Iterator[None]:
     what, long = work
 
     def say(number: int, frame: object) -> None:
+        # Written as it is: a console imports modules when it prints, and a signal that comes in the midst of another
+        # import would break that one (CPython gh-91351).
         with suppress(RuntimeError):  # if it interrupts another line
-            err.print(f"{what}: {long}, longer on a busy machine", markup=False, highlight=False)
+            if not err.quiet:
+                err.file.write(f"{what}: {long}, longer on a busy machine\n")
+                err.file.flush()
 
     before = signal.signal(signal.SIGALRM, say)
     signal.setitimer(signal.ITIMER_REAL, ANNOUNCED_AFTER)

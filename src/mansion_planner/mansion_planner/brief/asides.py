@@ -1,5 +1,12 @@
-"""Find the words of a brief that only say why or what for something is wanted, and ask for nothing themselves."""
+"""Find the words of a brief that ask for nothing: why or what for something is wanted, who is there, what they do.
 
+What a statement was read from stays one; these are about the words that are left over. Which of them ask for nothing
+is a matter of form, not of the single word: the clause of a reason, a purpose, people and robots with what they do, and
+clauses in which no part of a building is named and nothing is wished for.
+"""
+
+from mansion_planner.brief.idle_clauses import WISHES, idle_clauses, says_how
+from mansion_planner.brief.persons import COLLECTIVES, ROBOTS, is_person
 from mansion_planner.brief.phrase import FUNCTION_WORDS
 from mansion_planner.brief.reading import Reading
 
@@ -8,31 +15,72 @@ __all__ = ["TRIALS", "aside_tokens"]
 TRIALS = frozenset(
     """
     trial test testing experiment research evaluation simulation training development study project benchmark
-    evaluating competition demo demonstration
+    evaluating competition demo demonstration dataset task learning manipulation game film movie novel campaign
     """.split()
 )
 """What a building is wanted for by those who try robots or programs in it."""
+_TRYING = frozenset("test evaluate train simulate learn practise benchmark demonstrate".split())
+"""What is done with the robots of a trial, after "to" or a form of "be"."""
 _REASONS = frozenset({"because", "since"})
 _LEADS = frozenset({"for", "as"})
-_WITHIN = frozenset("the our a an some new my this of with on about in and your their".split())
+_WITHIN = frozenset("the our a an some new my this of with on about in and your their to".split())
 """Words within a purpose: "for the research about serving robots"."""
 _LONGEST = 12
 """Tokens of a reason or a purpose, at most."""
 
 
 def aside_tokens(reading: Reading) -> set[int]:
-    """Return the tokens of reasons and purposes of which no statement is made.
+    """Return the tokens of which no statement is made, and that ask for nothing.
 
-    "On one floor because my knees are bad", "for our navigation benchmark". What a statement was read from stays one,
-    and where a reason holds one ("because we want a lift") its other words are told of as well.
+    "On one floor because my knees are bad", "for our navigation benchmark", "an office for the librarian". Where a
+    reason holds a statement ("because we want a lift") its other words are told of as well.
     """
-    found: set[int] = set()
+    found: set[int] = set(idle_clauses(reading))
     for index in range(len(reading.tokens)):
-        if reading.word(index) in _REASONS:
+        word = reading.word(index)
+        if word in _REASONS:
             found |= _reason(reading, index)
-        elif reading.word(index) in _LEADS:
+        elif word in _LEADS:
             found |= _purpose(reading, index)
+        elif word in _TRYING and _is_tried_there(reading, index):
+            found |= _trial(reading, index)
+        if word in ROBOTS or is_person(word):
+            found |= _someone(reading, index)
+        elif word in COLLECTIVES and _acts(reading, index):
+            found.add(index)
+        elif word in _SITES:
+            found |= _site(reading, index)
+        elif word in ("too", "being"):
+            found |= _excuse(reading, index)
     return found
+
+
+_SITES = frozenset(
+    """
+    town village city suburb countryside lake beach plot park neighbourhood neighborhood hill hillside mountain island
+    forest coast sea seaside river riverside meadow valley square row
+    """.split()
+)
+"""Nouns for where a building stands, of which no plan is made."""
+_AT = frozenset({"in", "at", "on", "of", "for", "by", "near"})
+_ATTRIBUTES = frozenset("the a an our my their this small little big large market quiet busy narrow old edge".split())
+
+
+def _site(reading: Reading, index: int) -> set[int]:
+    """Return the tokens that say where the building stands: "in a market town", "at the lake"."""
+    first = index
+    while reading.word(first - 1) in _ATTRIBUTES and first - 1 not in reading.taken:
+        first -= 1
+    asks = reading.word(index - 1) in ("our", "the", "a") and reading.word(index + 1) in ("need", "want", "require")
+    stands = asks or reading.word(first - 1) in _AT
+    return set(range(first - 1, index + 1)) if stands and index not in reading.taken else set()
+
+
+def _excuse(reading: Reading, index: int) -> set[int]:
+    """Return the tokens of a reason without a conjunction: "it is too noisy", "the archive, being heavy, is below"."""
+    said = reading.word(index) == "being" or reading.word(index - 1) in ("it", "that", "is")
+    ends = reading.breaks(index + 2) or reading.word(index + 2) in (",", ")")
+    return {index, index + 1} if said and ends and index + 1 not in reading.taken else set()
 
 
 def _reason(reading: Reading, index: int) -> set[int]:
@@ -48,8 +96,71 @@ def _reason(reading: Reading, index: int) -> set[int]:
 def _purpose(reading: Reading, index: int) -> set[int]:
     """Return the tokens of a purpose whose noun is that of a trial: "for the testing of a disinfecting robot"."""
     end = index + 1
-    while end - index <= _LONGEST and reading.kind(end) == "word" and end not in reading.taken:
+    while end - index <= _LONGEST and reading.kind(end) == "word":
+        if end in reading.taken and not is_person(reading.word(end)):
+            break
         if reading.word(end) in FUNCTION_WORDS - _WITHIN:
             break
         end += 1
     return set(range(index, end)) if not TRIALS.isdisjoint(reading.words(index + 1, end)) else set()
+
+
+def _is_tried_there(reading: Reading, index: int) -> bool:
+    return reading.word(index - 1) in ("to", "for", "is", "are", "be", "can", "will", "we", "i", "being")
+
+
+def _trial(reading: Reading, index: int) -> set[int]:
+    """Return the tokens of what is tried, up to what was read: "to evaluate the transport of meals by a robot"."""
+    end = index + 1
+    while end - index <= _LONGEST and reading.kind(end) == "word" and end not in reading.taken:
+        end += 1
+    return set(range(index, end))
+
+
+def _someone(reading: Reading, index: int) -> set[int]:
+    """Return the tokens of a person or a robot that nothing was read of, and of what they do before what was read.
+
+    A number says how many places are wanted, and is told of: "five partners".
+    """
+    if index in reading.taken:
+        return set()
+    first = index
+    while first > 0 and first - 1 not in reading.taken and _describes(reading, first - 1):
+        first -= 1
+    if reading.kind(first - 1) == "number" and first - 1 not in reading.taken:
+        return set()
+    return set(range(first, _end_of_doing(reading, index + 1)))
+
+
+def _describes(reading: Reading, index: int) -> bool:
+    """Whether a word right before a person or a robot goes with it: "delivery", "our two", "elderly"."""
+    return (
+        reading.kind(index) == "word"
+        and reading.word(index) not in FUNCTION_WORDS
+        and not reading.plural(index)
+        and index not in reading.mention_at
+    )
+
+
+def _acts(reading: Reading, index: int) -> bool:
+    """Whether people together are only named as those for whom a building is, and no number of them follows."""
+    return reading.word(index - 1) in ("our", "the", "a", "my", "for", "small", "young", "whole") and not (
+        reading.word(index + 1) == "of" and reading.kind(index + 2) == "number" and index + 2 not in reading.taken
+    )
+
+
+_MOST_DOING = 3
+"""Words of what somebody does before what was read: "will be evaluated in an office"."""
+
+
+def _end_of_doing(reading: Reading, start: int) -> int:
+    """Return where the verbs of a person or robot end, if what was read follows or the clause ends; else `start`."""
+    end, said = start, 0
+    while said <= _MOST_DOING and reading.kind(end) == "word" and end not in reading.taken:
+        word = reading.word(end)
+        if word in WISHES or (says_how(word) and not word.endswith("ed")):
+            return start
+        said += word not in FUNCTION_WORDS
+        end += 1
+    closed = reading.breaks(end) or reading.word(end) in (",", ")", ";")
+    return end if end in reading.taken or closed else start

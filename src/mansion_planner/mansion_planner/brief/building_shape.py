@@ -5,6 +5,7 @@ from typing import TypeAlias
 
 from mansion_planner.brief.facts import BriefFacts, CopyFact, FloorRef, Shape
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
+from mansion_planner.brief.sizes import is_size, size_of
 
 __all__ = ["give_rooms_to_copies", "read_copies", "read_massing", "read_shape", "read_sizes"]
 
@@ -324,8 +325,6 @@ def read_massing(reading: Reading) -> None:
             reading.facts.protruding.append(reading.span(i, i + 1))
 
 
-_SMALL = frozenset({"small", "compact", "tiny", "little", "modest", "mini"})
-_LARGE = frozenset({"large", "big", "spacious", "huge", "vast", "generous", "giant", "sprawling"})
 _NAMED = {"duplex": 2, "triplex": 3, "bungalow": 1}
 
 
@@ -349,9 +348,12 @@ def read_sizes(reading: Reading, first: int, last: int) -> None:
             reading.facts.size.append((f"{word[:-4]}_rise", span))
         elif word in ("skyscraper", "tower") and reading.word(index + 1) not in ("room", "block"):
             reading.facts.size.append(("high_rise", span))
-        elif word in _SMALL | _LARGE and first - 3 <= index < max(last, 4) and _beside(reading, index, first):
-            reading.facts.size.append(("small" if word in _SMALL else "large", span))
+        elif is_size(word) and first - 3 <= index < max(last, 4) and _says_of_all(reading, index, first, last):
+            reading.facts.size.append((size_of(word), span))
 
 
-def _beside(reading: Reading, index: int, first: int) -> bool:
-    return reading.sentence[index] == reading.sentence[first]
+def _says_of_all(reading: Reading, index: int, first: int, last: int) -> bool:
+    """Whether a word for a size, near the noun of the building, is about that: not in "house with small rooms"."""
+    if reading.sentence[index] != reading.sentence[first] or reading.word(index - 1) in ("not", "too", "never"):
+        return False
+    return index < last or not last or reading.word(index + 1) in (",", ":", ";", ".", ")", "\n", "")

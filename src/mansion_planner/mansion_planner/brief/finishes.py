@@ -109,7 +109,7 @@ def read_style(reading: Reading, *, named: bool) -> None:
         modifies = not named and reading.modifiers.issuperset(range(mention.first, mention.last))
         if not mention.style or not (modifies or reading.free(mention.first, mention.last)):
             continue
-        if modifies and (is_property(reading.word(mention.first)) or reading.word(mention.first) == "grand"):
+        if modifies and _is_of_a_room(reading, mention):
             continue  # "two bright bedrooms" and "a grand hall" say nothing of the building
         if reading.word(mention.last) in ("rectangle", "rectangular", "box", "outline"):
             continue
@@ -140,6 +140,22 @@ def read_style(reading: Reading, *, named: bool) -> None:
     reading.facts.styles.sort(
         key=lambda style: (is_property(style[1].words.lower()), reading.knowledge.styles[style[0]].like == "")
     )
+
+
+_CLAIMS = frozenset({"bright", "green", "sustainable"})
+"""Style words that before the building say more than how it looks."""
+
+
+def _is_of_a_room(reading: Reading, mention: Mention) -> bool:
+    """Whether a style's word before a noun is a property of what that names, rather than the style of the building."""
+    word, at = reading.word(mention.first), mention.last
+    while at in reading.modifiers and at not in reading.mention_at:
+        at += 1
+    following = reading.mention_at.get(at)
+    building = following is not None and following.building and not following.room
+    if building and word not in _CLAIMS:
+        return False
+    return is_property(word) or word == "grand"
 
 
 def _is_subject(reading: Reading, mention: Mention) -> bool:

@@ -215,6 +215,8 @@ def _sets(reading: Reading, phrases: list[Phrase], number: int) -> int:
     if phrase.counted and (rows := _rows_before(reading, phrase.first)):
         reading.take(phrase.first - 3, phrase.first)
         return rows
+    if phrase.plural and not phrase.counted and _stands_in_rows(reading, phrase.first):
+        reading.take(phrase.first - 2, phrase.first)
     before = phrases[number - 1] if number and phrase.counted else None
     if before is None or before.head != "object" or not before.counted or before.category == phrase.category:
         return 1
@@ -230,6 +232,11 @@ def _rows_before(reading: Reading, index: int) -> int:
     noun = reading.word(index - 1) == "of" and reading.word(index - 2) in _ROWS
     counted = noun and reading.kind(index - 3) == "number" and 1 < reading.value(index - 3) <= _MOST_ROWS
     return int(reading.value(index - 3)) if counted else 0
+
+
+def _stands_in_rows(reading: Reading, index: int) -> bool:
+    """Whether "rows of" stands before a token: several of a thing, whatever their number."""
+    return reading.word(index - 1) == "of" and reading.word(index - 2) == "row" and reading.plural(index - 2)
 
 
 _ROWS = frozenset({"row", "group", "cluster", "island", "bank", "block", "set"})
@@ -452,7 +459,7 @@ def _owner(reading: Reading, phrases: list[Phrase], rooms: list[int], number: in
     holder = next((n for n in reversed(rooms) if n < before), None)
     if holder is not None and _is_of_holder(reading, phrases, holder, before, number):
         before = holder
-    elif _is_own_entry(reading, phrases, before, number):
+    elif _is_own_entry(reading, phrases, before, number) or _is_beside_room(reading, phrases, before, number):
         return None, False
     else:
         before = _listed_with(reading, phrases, rooms, before, number)
@@ -487,6 +494,16 @@ def _is_own_entry(reading: Reading, phrases: list[Phrase], before: int, number: 
     pairs = itertools.pairwise(things[-12:-1])
     closed = any(reading.words(a.last, b.first)[:1] in (("and",), ("&",)) for a, b in pairs)
     return closed and reading.words(things[-2].last, phrases[number].first)[:1] == (",",)
+
+
+def _is_beside_room(reading: Reading, phrases: list[Phrase], before: int, number: int) -> bool:
+    """Whether furniture is named beside a room that it is not usual in: "long corridors and rows of desks"."""
+    room, first = phrases[before], phrases[before + 1]
+    if first.head != "object" or any(phrase.head != "object" for phrase in phrases[before + 1 : number + 1]):
+        return False
+    gap = [reading.word(at) for at in range(room.last, first.first) if at not in reading.taken]
+    joined = gap[:1] in (["and"], ["&"], ["plus"]) and set(gap[1:]) <= {"row", "of", "a", "an"}
+    return joined and not usually_in(phrases[number].category, room.room_type)
 
 
 def _some_of_them(reading: Reading, first: int, last: int) -> int:

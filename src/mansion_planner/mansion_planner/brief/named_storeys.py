@@ -137,7 +137,7 @@ class NamedStoreys:
         if word == "below":
             if reading.starts(index) and following in (":", "is", "are", "there", ",", "the", "we", "i", "you", "a"):
                 return True
-            return following in CLOSERS | {"with"} and self._is_storeyed_adverb(index)
+            return following in CLOSERS | {"with", "and"} and self._is_storeyed_adverb(index)
         return word in ("downstair", "downstairs")
 
     def _is_storeyed_adverb(self, index: int) -> bool:
@@ -267,6 +267,8 @@ class NamedStoreys:
             return [FloorRef("upper")], index + 1
         if self._is_upper_one(index):
             return [FloorRef("upper")], index + 2
+        if reading.words(index, index + 4) == ("all", "the", "way", "up") and reading.word(index + 4) in CLOSERS:
+            return [FloorRef("upper")], index + 4
         if word == "middle" and (following in FLOOR_WORDS or (following == "one" and self._names_storey(index + 1))):
             return [FloorRef("middle")], index + 2
         return ([FloorRef("middle")], index + 1) if self._is_middle(index) else None
@@ -304,6 +306,8 @@ class NamedStoreys:
         listed = reading.word(index - 1) == ","
         if following in CLOSERS | {"with"} and (self._is_storeyed_adverb(index) or listed):
             return True
+        if following == "and" and "below" in {token.text for token in reading.tokens}:
+            return True  # "with the bedrooms above and the kitchen below"
         return self._leads_list(index) or (following in CLOSERS | {"for"} and self._after_dwelling(index))
 
     def _is_upper_one(self, index: int) -> bool:

@@ -4,6 +4,7 @@ from collections.abc import Mapping
 
 from mansion_planner.brief.facts import OccupantFact
 from mansion_planner.brief.furnishings import people_served, seats_at_tables
+from mansion_planner.brief.persons import COLLECTIVES
 from mansion_planner.brief.phrase import Phrase
 from mansion_planner.brief.reading import Reading
 from mansion_planner.brief.storey_attachment import Attachment
@@ -40,19 +41,51 @@ def read_occupants(
         if phrase.counted and phrase.count and not (after_room or furnished or number in attached):
             reading.facts.occupants.append(OccupantFact(phrase.count, noun, reading.span(phrase.first, phrase.last)))
     for index in range(len(reading.tokens)):
-        if (
-            reading.kind(index) == "number"
-            and index not in reading.taken
-            and reading.word(index - 1) == "of"
-            and reading.word(index - 2) in ("family", "household", "group")
-        ):
-            reading.facts.occupants.append(
-                OccupantFact(int(min(reading.value(index), 1e6)), "family", reading.span(index - 2, index + 1))
-            )
-            reading.take(index - 2, index + 1)
-        elif reading.word(index) == "couple" and reading.word(index + 1) != "of" and not reading.facts.occupants:
-            reading.facts.occupants.append(OccupantFact(2, "family", reading.span(index, index + 1)))
-            reading.take(index, index + 1)
+        _read_group(reading, index)
+
+
+def _read_group(reading: Reading, index: int) -> None:
+    """State how many people come together, where that is said at a token: "a team of twenty", "we are five"."""
+    first = _group_counted(reading, index)
+    if _is_for_persons(reading, index):
+        count = int(min(reading.value(index), 1e6))
+        reading.facts.occupants.append(OccupantFact(count, "person", reading.span(index, index + 2)))
+        reading.take(index, index + 2)
+    elif first >= 0:
+        kin = reading.word(index - 2) in _KIN or reading.word(index - 1) in ("are", "be")
+        count = int(min(reading.value(index), 1e6))
+        span = reading.span(first, index + 1)
+        reading.facts.occupants.append(OccupantFact(count, "family" if kin else "person", span))
+        reading.take(first, index + 1)
+    elif reading.word(index) == "couple" and reading.word(index + 1) != "of" and not reading.facts.occupants:
+        reading.facts.occupants.append(OccupantFact(2, "family", reading.span(index, index + 1)))
+        reading.take(index, index + 1)
+
+
+def _is_for_persons(reading: Reading, index: int) -> bool:
+    """Whether a number says for how many people a building is: "a one-person studio flat"."""
+    joined = index + 1 < len(reading.tokens) and not reading.tokens[index + 1].spaced
+    if not (reading.kind(index) == "number" and joined and reading.word(index + 1) == "person"):
+        return False
+    at = reading.tokens[index + 1].start
+    return any(span.start <= at < span.end for _, span in reading.facts.building)
+
+
+def _group_counted(reading: Reading, index: int) -> int:
+    """Return the first token of the words for some people, whose number a token is; -1 where it is none of these."""
+    if reading.kind(index) != "number" or index in reading.taken:
+        return -1
+    if reading.word(index - 1) == "of" and reading.word(index - 2) in _KIN | COLLECTIVES:
+        return index - 2
+    after = reading.word(index + 1)
+    if reading.words(index - 2, index) == ("we", "are") and (after in _AFTER or reading.breaks(index + 1)):
+        return index - 2
+    return -1
+
+
+_KIN = frozenset({"family", "household", "group"})
+_AFTER = frozenset({"and", ",", "so", "people", "in"})
+"""Words after a number of people that is the whole of them: "we are five and need a flat"."""
 
 
 def tell_users(reading: Reading, phrases: list[Phrase]) -> None:

@@ -89,6 +89,7 @@ PEOPLE = frozenset(
     passenger traveller commuter donor drummer dancer musician nurse doctor consultant lawyer architect agent
     analyst programmer designer journalist trader operator researcher scientist professor lecturer cleaner waiter
     detainee prisoner technician judge juror priest cook chef baker brewer
+    flatmate housemate photographer
     midwife therapist pilot driver clerk trainee apprentice intern volunteer swimmer climber viewer spectator
     delegate dentist
     """.split()

@@ -77,7 +77,7 @@ def unheeded_words(reading: Reading, phrases: Sequence[Phrase], facts: BriefFact
     phrases : sequence of Phrase
         All noun phrases; those of people and of unread things are passed over.
     """
-    heeded = [span for _, span in (*facts.styles, *facts.shapes)]
+    heeded = [span for _, span in (*facts.styles, *facts.shapes, *facts.size)]
     heeded += [material.span for material in facts.materials]
     starts = {span.start for name, span in facts.building if span.words}
     found: list[Span] = []

@@ -12,13 +12,15 @@ from mansion_planner.brief.bounds import Limit
 from mansion_planner.brief.phrase import Phrase
 from mansion_planner.brief.reading import Reading
 
-__all__ = ["Size", "is_size", "size_bound", "sized"]
+__all__ = ["Size", "is_size", "size_bound", "size_of", "sized"]
 
 Size: TypeAlias = Literal["", "large", "small"]
 """How large a room is to be, compared with the usual ones of its kind."""
 
-_LARGE = frozenset("large big huge vast spacious generous roomy ample oversized enormous sizeable sizable".split())
-_SMALL = frozenset("small little tiny compact modest petite".split())
+_LARGE = frozenset(
+    "large big huge vast spacious generous roomy ample oversized enormous sizeable sizable giant sprawling".split()
+)
+_SMALL = frozenset("small little tiny compact modest petite mini".split())
 _LARGER, _SMALLER, _TIGHTER = 1.2, 0.85, 1.2
 """Shares of the usual area of its kind that bound large and small rooms, and of the least one: such are small."""
 _BE = frozenset({"be", "is", "are"})
@@ -75,12 +77,12 @@ def _is_room(reading: Reading, phrase: Phrase) -> bool:
 
 
 def _with_size(reading: Reading, phrase: Phrase) -> Phrase:
-    size: Size = next((_size_of(word) for word in reading.words(phrase.begin, phrase.noun_end) if is_size(word)), "")
+    size: Size = next((size_of(word) for word in reading.words(phrase.begin, phrase.noun_end) if is_size(word)), "")
     if size and not _NEGATIONS.isdisjoint(reading.words(max(phrase.begin - 3, 0), phrase.noun_end)):
         return phrase
     if not size:
         index = _after(reading, phrase.last)
-        size = _size_of(reading.word(index))
+        size = size_of(reading.word(index))
         if size:
             reading.take(index, index + 1)
     return replace(phrase, size=size) if size else phrase
@@ -96,5 +98,6 @@ def _after(reading: Reading, last: int) -> int:
     return index + (reading.word(index) in _DEGREES) if index > last else -1
 
 
-def _size_of(word: str) -> Size:
+def size_of(word: str) -> Size:
+    """Return the size that a word says; empty for none."""
     return "large" if word in _LARGE else "small" if word in _SMALL else ""

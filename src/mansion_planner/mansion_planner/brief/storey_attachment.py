@@ -272,6 +272,8 @@ class _Walk:
             return False
         phrase = self.phrases[left[-1]]
         gap = self.reading.words(phrase.last, place.first)
+        if self._is_of_measure(place, gap):
+            return False
         if "where" in self.reading.words(place.last, place.last + 2) and _PLACED.isdisjoint(gap):
             return False
         if (
@@ -302,6 +304,13 @@ class _Walk:
         if not measures:
             return False
         return not (gap and gap[-1] == "," and not self._closes(place))
+
+    def _is_of_measure(self, place: Place, gap: tuple[str, ...]) -> bool:
+        """Whether storeys belong to the area before them: "four bedrooms, 91 m2 on each of two storeys"."""
+        if not gap or gap[0] != "," or place.first < 1:
+            return False
+        end = self.reading.tokens[place.first - 1].end
+        return any(quantity.span.end == end for quantity in self.reading.facts.floor_area)
 
     def _capacity(self, index: int, most: int) -> int:
         """Return how many tokens "for 200 guests" and "seating 50" have that stand at a token, or 0."""

@@ -44,10 +44,27 @@ _YARDS = frozenset({"courtyard", "patio", "yard", "atrium", "cloister"})
 _REQUESTS = frozenset(
     """
     design generate imagine think thank suppose assume kindly hereby attach attached regards turn convert converting
-    furnish bought dream dreaming
+    furnish bought dream dreaming wanting requiring requirement help mean means call enter coming map
+    naturally course completely strictly oh whatever latter thereabouts utmost provided outgrown premises
     """.split()
 )
 """Words that ask for a building and say nothing of it."""
+
+_LABELS = frozenset(
+    """
+    accommodation schedule programme program character idiom core capacity interior requirement note summary project
+    client circulation vertical scope
+    """.split()
+)
+"""What the lists and headings of a written brief are called."""
+
+_PRAISE = frozenset(
+    """
+    fancy posh lovely gorgeous charming stunning spectacular magnificent superb impressive wonderful amazing pretty cute
+    perfect perfectly happy fantastic marvellous delightful inviting memorable fun
+    """.split()
+)
+"""Words of taste, which no building could be checked for."""
 
 _ASKING = {
     "plan": frozenset({"a", "an", "the", "our", "my", "me", "us", "this"}),
@@ -81,7 +98,7 @@ def _is_content(reading: Reading, index: int) -> bool:
             and token.text not in FUNCTION_WORDS
             and (token.text not in PLAIN or is_property(token.text) or is_size(token.text))
             and token.text not in FLOOR_WORDS
-            and token.text not in _REQUESTS | PREDICATES
+            and token.text not in _REQUESTS | _PRAISE | PREDICATES
             and not (token.text in _FORMS and _is_of_outline(reading, index))
             and len(token.text) > 1
         )
@@ -91,7 +108,13 @@ def _is_content(reading: Reading, index: int) -> bool:
 def _says_no_more(reading: Reading, index: int) -> bool:
     """Whether a token only goes with what was read beside it: "a bakery building", "a gross area of 90 m2"."""
     token = reading.tokens[index]
-    if token.text == "one" and reading.word(index + 1) == "another":
+    if token.text == "one" and (reading.word(index + 1) == "another" or reading.word(index - 1) in ("each", "every")):
+        return True
+    if token.text == "one" and reading.word(index - 1) in PLAIN and reading.word(index - 2) in ("a", "an", "the"):
+        return True  # "a studio flat, a modern one"
+    if token.text == "one" and index - 1 in reading.taken and reading.word(index - 2) in ("a", "an"):
+        return True
+    if token.text in _LABELS and ":" in reading.words(index + 1, index + 3):
         return True
     if reading.word(index + 1) in _ASKING.get(token.text, ()):
         return True

@@ -8,7 +8,7 @@ from mansion_msgs_py.program import TraceEntry
 from mansion_planner.brief.facts import RoomFact
 from mansion_planner.program.decisions import Decisions, note
 from mansion_planner.program.furniture_areas import furniture_area, furniture_areas, usual_number
-from mansion_planner.program.household import private_types
+from mansion_planner.program.household import STUDIO, private_types
 from mansion_planner.program.model import PlannedRoom, Storey
 from mansion_planner.program.planned_rooms import planned_room
 from mansion_planner.program.step_record import Record
@@ -75,7 +75,7 @@ def _people_rooms(decisions: Decisions, knowledge: KnowledgeBase) -> tuple[RoomF
         "kid",
         "child",
     ):
-        if any(knowledge.room(name).counts_as == "bedroom" for name in stated):
+        if decisions.building.hub == STUDIO or any(knowledge.room(name).counts_as == "bedroom" for name in stated):
             return None
         grown = people.count if people.noun not in ("kid", "child") else people.count + 2
         count = max(1, min(grown - 1, 8))

@@ -44,7 +44,15 @@ from mansion_planner.program.public_toilets import TOILETS, Served, served_by, w
 from mansion_planner.program.setbacks import set_back
 from mansion_planner.program.shared_washrooms import for_sleepers
 from mansion_planner.program.storey_forms import capacity, form_of, sketched
-from mansion_planner.program.storey_rooms import MOST_ROOMS, fill_storey, fit_areas, hub_area, listed_area, name_rooms
+from mansion_planner.program.storey_rooms import (
+    MOST_ROOMS,
+    fill_storey,
+    fit_areas,
+    hub_area,
+    listed_area,
+    name_rooms,
+    needed_area,
+)
 
 __all__ = [
     "Arrangement",
@@ -330,6 +338,15 @@ _MOST_STORE = 0.9
 """The same of a hall for cars, goods or machines, which takes all that the rooms of its list leave."""
 
 
+_LEAST_HOME_HUB = 0.4
+"""Of a home's storey, what its main room takes at least beside the other rooms."""
+
+
+def _most_home_hub(storey: Storey, allocation: Allocation, knowledge: KnowledgeBase, room: float) -> float:
+    """Return what the main room of a home may take of the area for rooms and leave the others their least."""
+    return max(room - needed_area(storey, allocation, knowledge), _LEAST_HOME_HUB * room)
+
+
 def _rooms(
     storey: Storey,
     massing: Massing,
@@ -349,7 +366,9 @@ def _rooms(
         room, share = capacity(massing, storey), 0.0
     stores = hall and storey.hub.zone == "service"
     if hall:
-        most = room if storey.use.family == "home" else (_MOST_STORE if stores else _MOST_HUB) * room
+        most = _most_home_hub(storey, allocation, knowledge, room)
+        if storey.use.family != "home":
+            most = (_MOST_STORE if stores else _MOST_HUB) * room
         usual = room - listed_area(storey, allocation, knowledge) if stores else 0.38 * room
         share = stated or min(max(storey.hub.usual, usual), most)
     most = most_fronts(form) if hall else MOST_ROOMS

@@ -24,6 +24,7 @@ from mansion_planner.brief.facts import BriefFacts, MaterialFact
 from mansion_planner.brief_checks import check_total_area
 from mansion_planner.program.allocation import allocate
 from mansion_planner.program.arrangement import Arrangement, best_arrangement, neighbours, unmet_neighbours
+from mansion_planner.program.called_sizes import called_size
 from mansion_planner.program.compact_outline import with_compact_outline
 from mansion_planner.program.decisions import Decisions, decide
 from mansion_planner.program.massing import MassingWish, choose_shape, storey_area, typical_room, vertical_method
@@ -72,7 +73,7 @@ def plan_program(
     decisions = with_compact_outline(decisions, area, stairs)
     shape, of_shape = choose_shape(decisions, area, stairs, generator)
     wish = MassingWish(
-        area, decisions.building, cores, exact=decisions.area_stated,
+        area, decisions.building, cores, exact=decisions.area_stated or bool(called_size(decisions.facts)),
         room=typical_room(bare, allocation, knowledge), shape=shape, hall=is_hall(decisions),
     )  # fmt: skip
     layout = best_arrangement(decisions, wish, bare, allocation, knowledge)

@@ -11,6 +11,7 @@ from mansion_msgs_py.program import Downgrade, RequestedObject, TraceEntry
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.wording import counted, with_article
 from mansion_planner.brief.facts import BriefFacts, FloorRef, Quantity, Span
+from mansion_planner.program.called_sizes import called_size, within_called
 from mansion_planner.program.footprint import check_footprint, is_rectangle
 from mansion_planner.program.program_size import ProgramSize, size_of_program
 from mansion_planner.program.shape_sizes import most_storeys
@@ -55,6 +56,8 @@ class Decisions:
         What the brief wants in a room, by storey and room id.
     given_up : BriefFacts
         Statements that exclude others and gave way to them.
+    floors_stated : bool
+        The request or the brief says how many storeys there are.
     """
 
     building: BuildingType
@@ -72,6 +75,12 @@ class Decisions:
     downgrades: list[Downgrade] = field(default_factory=list)
     furniture: dict[tuple[int, str], list[RequestedObject]] = field(default_factory=dict)
     given_up: BriefFacts = field(default_factory=BriefFacts)
+    floors_stated: bool = False
+
+    def as_called(self, area: float) -> float:
+        """Return the area of a storey, lessened or raised to what the brief calls the building: small or large."""
+        stated = self.floors if self.floors_stated else None
+        return within_called(area, self.facts, self.building, self.floors, stated)
 
 
 def decide(
@@ -101,7 +110,7 @@ def decide(
         note(trace, facts.styles[0][1], f"style {style}")
     decisions = Decisions(
         building, floors, basements, 0.0, False, "", style, facts, request.seed, trace=trace, downgrades=given_way,
-        given_up=_given_up(stated, facts),
+        given_up=_given_up(stated, facts), floors_stated=bool(request.floors or facts.floors),
     )  # fmt: skip
     if building.name == "bungalow" and floors > 1:
         reason = "a bungalow has one storey, and the number of storeys is stated"
@@ -261,7 +270,7 @@ def _usual_floors(
     if size is not None:
         return size.storeys, f'enough for "{size.words}"'
     reason = f"{with_article(building.name)} usually has {usual}"
-    if any(word == "small" for word, _ in facts.size):
+    if called_size(facts) == "small":
         return max(1, usual - 1) if usual > 2 else usual, reason
     if usual > 2 and generator.random() < 0.3:
         return usual + 1 if usual < most else usual, reason
@@ -381,20 +390,21 @@ def _infer_area(decisions: Decisions, size: ProgramSize | None, generator: np.ra
     facts, building = decisions.facts, decisions.building
     least, usual = building.floor_area
     area = usual * float(generator.uniform(0.92, 1.08))
-    words = {word for word, _ in facts.size}
-    if "small" in words:
+    called = called_size(facts)
+    if called == "small":
         area = max(least, 0.75 * area)
-    elif "large" in words:
-        area = min(1.25 * area, AREA_CAP)
+    cap = AREA_CAP
+    if called == "large":
+        area, cap = 1.25 * min(area, AREA_CAP), 1.25 * AREA_CAP
     if facts.occupants and building.seats is None and building.family != "home":
         people = sum(o.count for o in facts.occupants)
-        area = min(max(people * building.people / decisions.floors, least), AREA_CAP)
+        area = min(max(people * building.people / decisions.floors, least), cap)
         note(decisions.trace, facts.occupants[0].span, f"{building.people:g} m2 for each of {people} people")
     if size is not None:
         decisions.area = min(size.area, AREA_CAP)
         note(decisions.trace, None, f"about {decisions.area:.0f} m2 a storey, for the rooms that are counted")
         return
-    decisions.area = min(max(area, least), AREA_CAP)
+    decisions.area = min(max(decisions.as_called(area), least), cap)
     note(decisions.trace, None, f"about {decisions.area:.0f} m2 a storey, usual for {with_article(building.name)}")
 
 

@@ -6,7 +6,7 @@ from dataclasses import replace
 from mansion_knowledge import KnowledgeBase, RoomEntry, RoomType
 from mansion_planner.brief.facts import RoomFact
 
-__all__ = ["household_of", "is_whole", "main_room", "private_types", "use_of"]
+__all__ = ["STUDIO", "household_of", "is_whole", "main_room", "private_types", "use_of"]
 
 _SMALL, _LARGE = 48.0, 95.0
 """Square metres below which a dwelling has one bedroom by default, and from which on it has three."""
@@ -26,7 +26,10 @@ def _need(kind: RoomType) -> str:
     return ""
 
 
-_TO_LIVE_IN = frozenset({"living_room", "lounge", "common_room", "studio_room"})
+STUDIO = "studio_room"
+"""The room type in which people both live and sleep."""
+
+_TO_LIVE_IN = frozenset({"living_room", "lounge", "common_room", STUDIO})
 
 
 def use_of(kind: RoomType) -> str:

@@ -14,6 +14,7 @@ from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.program import Downgrade, TraceEntry
 from mansion_msgs_py.wording import with_article
 from mansion_planner.program.allocation import Allocation
+from mansion_planner.program.called_sizes import called_size
 from mansion_planner.program.decisions import AREA_CAP, Decisions, conflict, note
 from mansion_planner.program.exit_stairs import second_stair
 from mansion_planner.program.model import LIFT, CoreBox, CoreWish, Massing, Storey, Wing
@@ -84,6 +85,9 @@ _SQUEEZE = 1.3
 _TINY, _TINY_SQUEEZE = 60.0, 1.7
 """Storeys of up to so many square metres are for people who want small rooms; these may ask for so much more."""
 
+_LARGER = 1.25
+"""Of what its rooms usually take, what a storey of a home or hall that is called large has."""
+
 _HOPELESS = 1.5
 """From what share of the stated area on no building can hold the rooms asked for."""
 
@@ -124,9 +128,11 @@ def storey_area(
     usual = decisions.area
     if decisions.building.parti != "spine":
         typical = _typical(decisions, storeys, allocation, knowledge, fixed, share)
-        small = any(word == "small" for word, _ in decisions.facts.size)
-        usual = typical * 0.85 if small else min(typical, 1.5 * usual)
-    result = max(usual, asked, decisions.building.floor_area[0])
+        called = called_size(decisions.facts)
+        usual = typical * 0.85 if called == "small" else min(typical, 1.5 * usual)
+        usual = decisions.as_called(usual * _LARGER if called == "large" else usual)
+    least = decisions.building.floor_area[0]
+    result = max(usual, asked, decisions.as_called(least))
     if decisions.facts.shapes:
         result = max(result, least_area(decisions.facts.shapes[0][0], cores.stairs))
     trace: list[TraceEntry] = []

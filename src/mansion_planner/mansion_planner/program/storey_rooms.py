@@ -7,12 +7,21 @@ import msgspec
 
 from mansion_knowledge import KnowledgeBase, RoomEntry
 from mansion_planner.program.allocation import Allocation
-from mansion_planner.program.household import use_of
+from mansion_planner.program.household import STUDIO, use_of
 from mansion_planner.program.model import PlannedRoom, Storey
 from mansion_planner.program.planned_rooms import planned_room
 from mansion_planner.program.storeys import entries_of
 
-__all__ = ["MOST_ROOMS", "base_rooms", "fill_storey", "fit_areas", "hub_area", "listed_area", "name_rooms"]
+__all__ = [
+    "MOST_ROOMS",
+    "base_rooms",
+    "fill_storey",
+    "fit_areas",
+    "hub_area",
+    "listed_area",
+    "name_rooms",
+    "needed_area",
+]
 
 
 MOST_ROOMS = 34
@@ -46,6 +55,14 @@ def hub_area(storey: Storey, allocation: Allocation) -> float:
     stated = max((fact.area or 0.0 for fact in own), default=0.0)
     needed = max(allocation.furniture.get(name, 0.0) for name in ("", *(fact.name for fact in own)))
     return stated or (needed if needed > storey.hub.usual else 0.0)
+
+
+def needed_area(storey: Storey, allocation: Allocation, knowledge: KnowledgeBase) -> float:
+    """Return the least area of the rooms asked for and of those that no home does without, square metres."""
+    asked = sum(room.least for top in base_rooms(storey, allocation, knowledge) for room in top.each())
+    return asked + sum(
+        knowledge.room(entry.room_type).least for entry in _needed_entries(storey, allocation, knowledge)
+    )
 
 
 def fill_storey(
@@ -136,19 +153,20 @@ def _beside_others(room: PlannedRoom, budget: float) -> PlannedRoom:
 def _needed_entries(storey: Storey, allocation: Allocation, knowledge: KnowledgeBase) -> list[RoomEntry]:
     """Return the rooms of a home's list to live, cook and wash in that the brief leaves open on every storey.
 
-    Other rooms are made smaller for them: no home does without.
+    Other rooms are made smaller for them: no home does without. In a studio people cook where they live.
     """
     if storey.use.family != "home":
         return []
+    needs = [need for need in _NEEDS if not (need == "cooking" and storey.hub.name == STUDIO)]
     stated = [fact for facts in allocation.wanted.values() for fact in facts]
     served = {use_of(knowledge.room(part.room_type)) for fact in stated for part in (fact, *fact.suite)}
     needed: dict[str, RoomEntry] = {}
     for entry in entries_of(storey):
         kind = knowledge.room(entry.room_type)
         need = use_of(kind)
-        if need in _NEEDS and need not in served and allocation.adds(kind.name, storey.index):
+        if need in needs and need not in served and allocation.adds(kind.name, storey.index):
             needed.setdefault(need, entry)
-    found = [needed[need] for need in _NEEDS if need in needed]
+    found = [needed[need] for need in needs if need in needed]
     return [entry for entry in found if not entry.repeat and entry.count == 1]
 
 

@@ -12,6 +12,7 @@ from mansion_planner.brief.bounds import Limit
 from mansion_planner.brief.facts import AdjacencyFact, FloorRef, ObjectFact, RoomFact, Span
 from mansion_planner.brief.sizes import size_bound
 from mansion_planner.program.allocation import MANY
+from mansion_planner.program.called_sizes import called_bound
 from mansion_planner.program.decisions import Decisions
 from mansion_planner.program.furniture_areas import usual_number, usually_has
 from mansion_planner.program.household import is_whole
@@ -194,13 +195,18 @@ class _Ledger:
     def _building(self) -> None:
         """Add the kind of building, and how many storeys and square metres it is to have."""
         facts = self.facts
+        decided = self.decisions
+        stated = decided.floors if decided.floors_stated else None
+        area, limit = called_bound(facts, decided.building, stated)
         for name, span in facts.building[:1]:
             if span.words:
-                self.add("building_type", span, WishValue(name=facts.building_name or name, type=name))
+                value = WishValue(name=facts.building_name or name, type=name, area=area, limit=limit)
+                self.add("building_type", span, value)
         for span in facts.building_span[:1]:
-            kind = self.decisions.building.name
+            kind = decided.building.name
             reason = f"no such kind of building is known; planned like {kind.replace('_', ' ')}"
-            self.add("building_type", span, WishValue(name=facts.building_name, type=kind), reason=reason)
+            value = WishValue(name=facts.building_name, type=kind, area=area, limit=limit)
+            self.add("building_type", span, value, reason=reason)
         for quantity in facts.floors:
             self.add("floors", quantity.span, WishValue(count=int(quantity.value)))
         for quantity in facts.basements:
@@ -318,6 +324,7 @@ class _Ledger:
         stated = {room.name for room in self.facts.rooms} | {room.room_type for room in self.facts.rooms}
         lists = self.decisions.building.storeys.values()
         usual = any(entry.room_type == wanted.room_type for entries in lists for entry in entries)
-        if wanted.room in {*names, *titles} and wanted.room not in stated and not usual:
+        called = wanted.room in {*names, *titles} or any(name and wanted.room.endswith(f"_{name}") for name in names)
+        if called and wanted.room not in stated and not usual:
             return Scope(floors=floors, each=wanted.each)
         return Scope(floors=floors, room=wanted.room, room_type=wanted.room_type, each=wanted.each)

@@ -30,6 +30,7 @@ def sanitary_deviations(premises: Premises) -> Iterator[Deviation]:
     yield from _washbasins(premises)
     yield from _toilet_storey(premises)
     yield from _service_sink(premises)
+    yield from _home_fixtures(premises)
     yield from _wet_stack(premises)
 
 
@@ -141,6 +142,13 @@ def _service_sink(premises: Premises) -> Iterator[Deviation]:
     norm = premises.norm("service_sink")
     if norm is not None and _basins(premises, norm, None) < premises.limit(norm):
         yield premises.deviation(norm, "building", "no sink for cleaning", "one")
+
+
+def _home_fixtures(premises: Premises) -> Iterator[Deviation]:
+    for name in ("home_toilet", "home_bath", "home_sink"):
+        norm = premises.norm(name)
+        if norm is not None and not premises.pieces(norm, premises.rooms()):
+            yield premises.deviation(norm, "building", f"no {norm.unit}", "one")
 
 
 def _accessible_toilet_size(premises: Premises) -> Iterator[Deviation]:

@@ -1,0 +1,51 @@
+"""Read what is done on a storey as where the rooms for it are: "living downstairs, sleeping upstairs"."""
+
+from dataclasses import replace
+
+from mansion_language import Token
+
+__all__ = ["activities"]
+
+_ROOMS = {"sleeping": ("bedroom", True), "cooking": ("kitchen", False), "eating": ("dining", False),
+          "dining": ("dining", False), "bathing": ("bathroom", False), "living": ("living", False)}  # fmt: skip
+"""The room for what is done, and whether there are several."""
+_STOREYS = frozenset({"upstairs", "downstairs", "upstair", "downstair"})
+
+
+def activities(tokens: list[Token]) -> list[Token]:
+    """Read "sleeping upstairs" as "bedrooms upstairs", or as where the bedrooms are that stand elsewhere in the text.
+
+    What a colon leads to after it is all the building's.
+    """
+    result: list[Token] = []
+    moved: dict[int, Token] = {}
+    index = 0
+    while index < len(tokens):
+        room = _ROOMS.get(tokens[index].text) if _is_told_of_storey(tokens, index) else None
+        if room is None:
+            result.append(tokens[index])
+            index += 1
+            continue
+        named = next((at for at, token in enumerate(tokens) if token.text == room[0] and at != index), None)
+        if named is None:
+            result += [replace(tokens[index], text=room[0], plural=room[1]), tokens[index + 1]]
+        else:
+            moved[tokens[named].end] = tokens[index + 1]
+        index += 2
+        if index < len(tokens) and tokens[index].text == ":":
+            result.append(replace(tokens[index], text="."))
+            index += 1
+    return [part for token in result for part in _followed(token, moved)]
+
+
+def _followed(token: Token, moved: dict[int, Token]) -> list[Token]:
+    """Return a token, and after the noun of a room the storey that was said of what is done there."""
+    storey = moved.get(token.end)
+    return [token] if storey is None else [token, replace(storey, start=token.end, end=token.end)]
+
+
+def _is_told_of_storey(tokens: list[Token], index: int) -> bool:
+    """Whether a storey stands after a token, and a clause begins at it: nothing, a mark or "and" before it."""
+    if index + 1 >= len(tokens) or tokens[index + 1].text not in _STOREYS:
+        return False
+    return index == 0 or tokens[index - 1].kind == "mark" or tokens[index - 1].text in ("and", "with")
