@@ -140,7 +140,9 @@ def _spanner(b: Builder) -> None:
     for side in (-1, 1):
         inner, outer = sorted((side * w * 0.2, side * w / 2))
         b.box((inner, outer), (jaw, d / 2), (0, h), main, "jaws")
-    b.lathe([(0.2, 0), (0.2, h), (0.42, h), (0.42, 0), (0.2, 0)], main, (0, -d / 2 + w * 0.42), "ring", 16, (w, w))
+    r, middle = min(h / 2, w * 0.14), -d / 2 + w * 0.42
+    turns = [k * math.pi / 6 for k in range(13)]
+    b.path([(w * 0.28 * math.cos(a), middle + w * 0.28 * math.sin(a), h / 2) for a in turns], r, main, "ring")
 
 
 def _straight(b: Builder, style: str) -> None:

@@ -1,5 +1,6 @@
 """Books, shoes and other personal objects."""
 
+import itertools
 import math
 
 from mansion_assets.builder import Box, Builder
@@ -93,10 +94,17 @@ def ring(b: Builder) -> None:
 def watch(b: Builder) -> None:
     """A wristwatch that lies on its side, closed: a strap with its dial to the front."""
     w, d, h = b.w, b.d, b.h
-    case, strap = d * 0.22, 0.09
-    low, high = h * 0.18, h * 0.82
-    profile = [(0.5 - strap, low), (0.5 - strap, high), (0.5, high), (0.5, low), (0.5 - strap, low)]
-    b.lathe(profile, "leather_black", (0, -case / 2), "strap", 20, (w, d - case))
+    case, thick = d * 0.22, 0.85
+    rx, ry, middle = w / 2, (d - case) / 2, -case / 2
+    ends = [(math.cos(a), math.sin(a)) for a in (k * math.pi / 8 for k in range(17))]
+    for (c0, s0), (c1, s1) in itertools.pairwise(ends):
+        outline = [
+            (rx * c0, middle + ry * s0),
+            (rx * c1, middle + ry * s1),
+            (rx * c1 * thick, middle + ry * s1 * thick),
+            (rx * c0 * thick, middle + ry * s0 * thick),
+        ]
+        b.prism(outline, (h * 0.18, h * 0.82), "leather_black", "z", "strap")
     front, radius = d / 2, min(h / 2, w * 0.45)
     b.rod((0, front - case, h / 2), (0, front - case * 0.2, h / 2), radius, b.mat(), "case", 20, solid=True)
     b.rod((0, front - case * 0.3, h / 2), (0, front, h / 2), radius * 0.84, "plastic_white", "dial", 20)
