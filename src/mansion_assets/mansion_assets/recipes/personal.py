@@ -79,15 +79,28 @@ def keys(b: Builder) -> None:
         b.cyl(-w * 0.05, y, (0, h), d * 0.2, color, "keys", n=10)
 
 
-@recipe("ring")
-def ring(b: Builder) -> None:
-    """A tube in a ring with a disc on it: stethoscope."""
+@recipe("stethoscope")
+def stethoscope(b: Builder) -> None:
+    """A stethoscope laid down: two curved ear tubes that meet, and a tube in a bend to the chest piece in front."""
     w, d, h = b.w, b.d, b.h
-    r = h / 2
-    rx, ry = w / 2 - r, d / 2 - r
-    points = [(rx * math.cos(a), ry * math.sin(a), r) for a in [k * math.pi / 10 for k in range(21)]]
-    b.path(points, r * 0.7, b.mat(), "band")
-    b.cyl(0, d / 2 - r * 1.2, (0, h), r * 1.1, "metal_steel", "face", n=16)
+    tube, z, fork = min(h * 0.25, w * 0.03), h * 0.3, (0.0, -d * 0.05)
+    for side in (-1, 1):
+        bend = [(side * w * 0.3, -d * 0.2), (side * w * 0.42, -d * 0.34), (side * w * 0.28, -d * 0.46)]
+        ends = [(x, y, z) for x, y in (fork, *bend)]
+        b.path(ends, tube * 0.7, "metal_steel", "ear_tubes")
+        b.ball(ends[-1], (tube * 1.5, tube * 1.5, h * 0.3), b.mat(), "ear_tips", 8)
+    curve = [
+        fork,
+        (w * 0.02, d * 0.12),
+        (-w * 0.2, d * 0.22),
+        (-w * 0.44, d * 0.3),
+        (-w * 0.36, d * 0.42),
+        (0.0, d * 0.36),
+    ]
+    b.path([(x, y, z) for x, y in curve], tube, b.mat(), "tube")
+    b.cyl(w * 0.2, d * 0.36, (0, h * 0.7), w * 0.2, "metal_steel", "chest_piece", n=20)
+    b.cyl(w * 0.2, d * 0.36, (h * 0.7, h), w * 0.17, "plastic_white", "membrane", n=20)
+    b.rod((0.0, d * 0.36, z), (w * 0.1, d * 0.36, z), tube, "metal_steel", "stem")
 
 
 @recipe("watch")
