@@ -74,3 +74,17 @@ def test_an_area_off_a_room_is_no_count() -> None:
     facts = read("A club: main hall 150, store 20 off the hall, kitchen 12, office 10.")
     assert {room.name: (room.count, room.area) for room in facts.rooms}["store"] == (1, 20)
     assert [room.count for room in read("A club with meeting rooms 4 off and a gym.").rooms if room.count] == [4, 1]
+
+
+@pytest.mark.parametrize(
+    "brief",
+    [
+        "three bedrooms, a kitchen next to the living room, 9999999999 upstairs",
+        "Offices.\n1 to 9999999999: offices. 2: cafe",
+        "9999999999 bed 2 bath flat",
+        "flats of two bedrooms, 9999999999 on each floor",
+        "offices of 14 m2 each, 9999999999 of them",
+    ],
+)
+def test_no_number_counts_more_rooms_than_a_building_can_hold(brief: str) -> None:
+    assert all((room.count or 0) < 10_000 for room in read(brief).rooms)

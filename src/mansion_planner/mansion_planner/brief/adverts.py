@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from mansion_planner.brief.facts import BriefFacts, RoomFact
-from mansion_planner.brief.phrase import Phrase
+from mansion_planner.brief.phrase import Phrase, is_whole_count
 from mansion_planner.brief.reading import Place, Reading
 
 __all__ = ["among_adverts", "read_adverts", "read_bedrooms_of_building"]
@@ -67,6 +67,8 @@ def _follows_bedrooms(reading: Reading, index: int) -> bool:
 def _state(reading: Reading, room_type: str, first: int, *, inside: bool = False) -> None:
     last = first + 2
     span = reading.span(first, last)
+    if not is_whole_count(reading.value(first)):
+        return
     if (not inside and not reading.free(first, last)) or any(room.span == span for room in reading.facts.rooms):
         return
     reading.facts.rooms.append(RoomFact(room_type, room_type, span, int(reading.value(first)), label=room_type))

@@ -5,7 +5,7 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 
 from mansion_planner.brief.facts import Quantity, Span
-from mansion_planner.brief.phrase import Phrase, tells_some
+from mansion_planner.brief.phrase import Phrase, is_whole_count, tells_some
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
 from mansion_planner.brief.storey_attachment import Attachment
 from mansion_planner.brief.suites import SLEEPING, read_suites
@@ -24,7 +24,7 @@ __all__ = [
 def read_late_counts(reading: Reading, phrases: list[Phrase]) -> None:
     """Read counts away from their noun: "offices of 14 m2 each, six of them", "four bedrooms, no sorry, five"."""
     for index, token in enumerate(reading.tokens):
-        if token.kind != "number" or index in reading.taken or token.value < 1 or token.value != int(token.value):
+        if token.kind != "number" or index in reading.taken or not is_whole_count(token.value):
             continue
         following = _of_which(reading, phrases, index)
         if following is not None:
@@ -103,7 +103,7 @@ def read_counts_by_storey(
     shared: set[int] = set()
     parts: list[tuple[int, Phrase]] = []
     for index, token in enumerate(reading.tokens):
-        if token.kind != "number" or index in reading.taken or token.value != int(token.value):
+        if token.kind != "number" or index in reading.taken or not is_whole_count(token.value):
             continue
         if reading.word(index - 1) in _LEFT_OVER and index - 1 not in reading.taken:
             reading.take(index - 1 - (reading.word(index - 2) == "the"), index)

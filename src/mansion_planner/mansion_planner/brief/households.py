@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from mansion_planner.brief.facts import FloorRef, RoomFact
-from mansion_planner.brief.phrase import Phrase
+from mansion_planner.brief.phrase import Phrase, is_whole_count
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
 from mansion_planner.brief.unit_rooms import UnitRooms
 from mansion_planner.brief.units import ALL, GENERAL, LODGINGS, Households, find_units, put_phrase
@@ -198,7 +198,8 @@ class _Households:
             index = self.found.ends.get(phrase.first, phrase.last)
             if reading.word(index) in (",", ":", "-", "("):
                 index += 1
-            if reading.kind(index) == "number" and any(place.first == index + 1 for place in self.places):
+            counts = reading.kind(index) == "number" and is_whole_count(reading.value(index))
+            if counts and any(place.first == index + 1 for place in self.places):
                 self.phrases[number] = replace(phrase, count=int(reading.value(index)), counted=True)
                 self.found.ends[phrase.first] = index + 1
                 reading.take(index, index + 1)

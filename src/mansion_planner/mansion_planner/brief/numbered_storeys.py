@@ -16,6 +16,9 @@ from mansion_planner.brief.storey_numbering import (
 
 __all__ = ["NumberedStoreys"]
 
+_MOST_STOREYS = 1000
+"""A larger number is that of no storey."""
+
 
 class NumberedStoreys:
     """Reads numbers of storeys, by the way that the brief counts them.
@@ -97,7 +100,7 @@ class NumberedStoreys:
             return None
         value = reading.value(index)
         shift = int((self.zero_based or self.numbers_above) and kind == "number")
-        return int(value) + shift if value == int(value) and abs(value) <= 1000 else None
+        return int(value) + shift if value == int(value) and abs(value) <= _MOST_STOREYS else None
 
     def numbered(self, index: int) -> tuple[list[FloorRef], int] | None:
         """Read "floor 3", "floors 3 to 8", "levels 2 and 3", "floors 2, 3 and 5"."""
@@ -249,7 +252,7 @@ class NumberedStoreys:
         coded = self.coded and self._is_code(index)
         numbers, last = [int(reading.value(index))], index + 1
         while reading.word(last) in (",", "and", "&", "–", "to", "through"):
-            if reading.kind(last + 1) != "number":
+            if reading.kind(last + 1) != "number" or reading.value(last + 1) > _MOST_STOREYS:
                 return None
             if reading.word(last) in ("–", "to", "through"):
                 numbers += range(numbers[-1] + 1, int(reading.value(last + 1)) + 1)

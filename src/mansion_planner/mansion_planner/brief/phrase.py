@@ -19,6 +19,7 @@ __all__ = [
     "count_after",
     "count_before",
     "finished_phrase",
+    "is_whole_count",
     "name_of",
     "tells_some",
 ]
@@ -279,11 +280,19 @@ def _is_in_name(reading: Reading, index: int) -> bool:
     return not reading.tokens[index].spaced and reading.kind(index - 1) == "word"
 
 
+MOST_OF_A_KIND = 2000
+"""How many rooms or things of a kind a number can count; a larger one is something else."""
+
+
+def is_whole_count(value: float) -> bool:
+    """Whether so many rooms or things can be asked for."""
+    return value == int(value) and 1 <= value <= MOST_OF_A_KIND
+
+
 def _is_count(reading: Reading, index: int) -> bool:
     """Whether a number can say how many there are of something."""
     value = reading.value(index)
-    whole = value == int(value) and 1 <= value <= 2000
-    return whole and index not in reading.taken and not _is_in_name(reading, index)
+    return is_whole_count(value) and index not in reading.taken and not _is_in_name(reading, index)
 
 
 def _middle_of_range(reading: Reading, index: int) -> int | None:
@@ -322,14 +331,14 @@ def count_after(reading: Reading, end: int) -> tuple[int, int | None]:
     """Read "(4)", "x3", ": five of them", ", 18 no." after a head; return where it ends and the number."""
     word = reading.word(end)
     value = reading.value(end + 1) if reading.kind(end + 1) == "number" else 0.0
-    whole = value == int(value) and 1 <= value <= 2000
+    whole = is_whole_count(value)
     if word == "(" and whole and _closes_classified(reading, end + 2):
         return _closes_classified(reading, end + 2), int(value)
     if word == "(" and whole and reading.word(end + 2) in (")", "of", ":", ","):
         return end + (3 if reading.word(end + 2) == ")" else 2), int(value)
     if word == "(" and reading.word(end + 1) == "x" and reading.kind(end + 2) == "number":
         many = reading.value(end + 2)
-        if reading.word(end + 3) == ")" and many == int(many) and 1 <= many <= 2000:
+        if reading.word(end + 3) == ")" and is_whole_count(many):
             return end + 4, int(many)
     if word == "x" and whole and reading.kind(end + 2) != "unit" and reading.word(end + 2) not in ("x", "by"):
         return end + 2, int(value)
