@@ -1,6 +1,6 @@
-"""The grain of the sources: modules, their lengths, and how many only one other imports.
+"""The grain of the sources: modules, their lengths, how many only one other imports, and long functions.
 
-    python benchmarks/sources.py [--single]
+    python benchmarks/sources.py [--single] [--long]
 
 Counts the modules below src without tests, ``__init__.py`` and ``setup.py``.
 """
@@ -35,10 +35,27 @@ def imported(file: Path) -> Iterator[str]:
             yield from (f"{node.module}.{alias.name}" for alias in node.names)
 
 
+LONGEST = 45
+"""Lines of a function, without its docstring, that fit on a screen."""
+
+
+def long_functions(file: Path) -> Iterator[tuple[int, str]]:
+    """Yield lines and names of the functions of a module that do not fit on a screen."""
+    for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef):
+            first = node.body[0]
+            documented = ast.get_docstring(node) is not None and first.end_lineno is not None
+            lines = (node.end_lineno or node.lineno) - node.lineno + 1
+            lines -= (first.end_lineno or 0) - first.lineno + 1 if documented else 0
+            if lines > LONGEST:
+                yield lines, node.name
+
+
 def main() -> None:
     """Count and print."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("--single", action="store_true", help="list the modules that only one other imports")
+    parser.add_argument("--long", action="store_true", help=f"list the functions of over {LONGEST} lines")
     options = parser.parse_args()
     files = modules()
     importers: dict[str, set[str]] = defaultdict(set)
@@ -57,6 +74,11 @@ def main() -> None:
     print(f"{'all':20} {len(files):4} modules {sum(lengths.values()):7} lines, median {median:g}")
     print(f"over 600 lines       {sum(length > 600 for length in lengths.values()):4}")
     print(f"imported by one      {len(single):4}, {len(short)} of them under 60 lines")
+    long = sorted(((*found, name) for name, file in files.items() for found in long_functions(file)), reverse=True)
+    print(f"functions over {LONGEST} {len(long):4}")
+    if options.long:
+        for lines, function, name in long:
+            print(f"    {lines:4} {name}.{function}")
     if options.single:
         for name in single:
             print(f"    {lengths[name]:4} {name} <- {min(importers[name])}")

@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 
 from mansion_assets.catalogue import load_catalogue
-from mansion_export.asset_picture import contact_sheet
+from mansion_export.pictures.asset_picture import contact_sheet
 
 ON_A_SHEET = 64
 

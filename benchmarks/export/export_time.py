@@ -15,7 +15,7 @@ from mansion_export.glb import building_glb
 from mansion_export.html import view_page
 from mansion_export.mjcf import floor_mjcf
 from mansion_export.nav2 import map_pgm
-from mansion_export.overview import overview_png
+from mansion_export.pictures.overview import overview_png
 from mansion_export.plan import plan_png, plan_svg
 from mansion_export.sdf import world_sdf
 from mansion_export.thor import house, validate_house

@@ -27,6 +27,7 @@ setup(
         "mansion_assets",
         "mansion_geometry",
         "mansion_knowledge",
+        "mansion_language",
         "mansion_msgs_py",
         "mansion_scene",
         "msgspec>=0.19",

@@ -25,6 +25,7 @@ setup(
     zip_safe=False,
     install_requires=[
         "mansion_geometry",
+        "mansion_language",
         "mansion_msgs_py",
         "msgspec>=0.19",
         "numpy>=1.26",

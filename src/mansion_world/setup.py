@@ -23,6 +23,13 @@ setup(
         (f"share/{NAME}", ["package.xml"]),
     ],
     zip_safe=False,
-    install_requires=["mansion_assets", "mansion_geometry", "mansion_msgs_py", "msgspec>=0.19", "numpy>=1.26"],
+    install_requires=[
+        "mansion_assets",
+        "mansion_geometry",
+        "mansion_language",
+        "mansion_msgs_py",
+        "msgspec>=0.19",
+        "numpy>=1.26",
+    ],
     extras_require={"test": ["pytest"], "world": ["pyarrow>=16"]},
 )

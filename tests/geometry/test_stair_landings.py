@@ -5,21 +5,22 @@ from hypothesis import given
 from hypothesis import strategies as st
 from shapely.geometry import box
 
-from mansion_geometry.stair_landings import Side, landing_end, with_landings
+from mansion_geometry.stair_landings import landing_end, with_landings
 from mansion_msgs_py.program import AreaSummary, BuildingProgram, CorePlan, FloorProgram, VerticalConnectivity
+from mansion_msgs_py.shapes import CompassSide
 
 
-def core(door: Side | None, width: float = 3.0, depth: float = 6.0) -> CorePlan:
+def core(door: CompassSide | None, width: float = 3.0, depth: float = 6.0) -> CorePlan:
     return CorePlan(id="stair_1", type="stair", x=(4.0, 4.0 + width), y=(0.0, depth), door_side=door)
 
 
 @pytest.mark.parametrize("door", ["south", "north"])
-def test_a_door_at_a_short_side_has_the_landing_behind_it(door: Side) -> None:
+def test_a_door_at_a_short_side_has_the_landing_behind_it(door: CompassSide) -> None:
     assert landing_end(core(door), box(0, 0, 7, 9)) == door
 
 
 @pytest.mark.parametrize("door", ["west", "east", None])
-def test_otherwise_the_landing_lies_deeper_in_the_building(door: Side | None) -> None:
+def test_otherwise_the_landing_lies_deeper_in_the_building(door: CompassSide | None) -> None:
     assert landing_end(core(door), box(0, 0, 7, 9)) == "north"
     assert landing_end(core(door), box(0, -9, 7, 6)) == "south"
 

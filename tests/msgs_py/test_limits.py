@@ -50,6 +50,13 @@ def test_areas_are_those_of_buildings(field: str, area: float) -> None:
     assert error.info.path == f"$.{field}"
 
 
+@pytest.mark.parametrize("area", [1e-300, 0.0, 0.05])
+def test_no_room_is_smaller_than_walls_can_be_moved(area: float) -> None:
+    nodes = [{"id": "hall", "type": "main", "area": 40.0}, {"id": "den", "type": "Entities", "area": area}]
+    error = refused(FloorProblem, problem(nodes=nodes))
+    assert error.info.path == "$.nodes[1].area" and "0.1" in error.info.message
+
+
 @pytest.mark.parametrize("area", [float("inf"), float("nan"), 1e7])
 def test_an_area_from_a_command_line_is_a_number_within_the_limits(area: float) -> None:
     with pytest.raises(MansionError):

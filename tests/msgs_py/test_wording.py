@@ -74,3 +74,13 @@ def test_any_name_gets_an_answer_that_is_short(wanted: str, known: list[str]) ->
     said = choices(wanted, known, "names")
     assert "names" in said and len(said) < 800
     assert set(nearest(wanted, known)) <= set(known)
+
+
+@settings(deadline=None, max_examples=100)
+@given(
+    st.text("abcF12_/", max_size=12),
+    st.lists(st.text("abcF12_/", min_size=1, max_size=12), max_size=40, unique=True),
+    st.integers(1, 8),
+)
+def test_the_nearest_are_those_of_all_in_order(wanted: str, known: list[str], count: int) -> None:
+    assert nearest(wanted, known, count) == nearest(wanted, known, max(len(known), 1))[:count]

@@ -161,8 +161,17 @@ def _judged(call: Callable[[], Any]) -> tuple[Verdict, str, str]:
             return "refused", "OSError", ""
         return "fault", f"{type(error).__name__} in {_place(error)}", traceback.format_exc()
     except Exception as error:
+        if _was_ended(error):
+            raise _Hang from error
         return "fault", f"{type(error).__name__} in {_place(error)}", traceback.format_exc()
     return "answered", "", ""
+
+
+def _was_ended(error: BaseException | None) -> bool:
+    """Whether an error came of ending a call that took too long: compiled code makes another error of it."""
+    while error is not None and not isinstance(error, _Hang):
+        error = error.__cause__ or error.__context__
+    return error is not None
 
 
 def _place(error: BaseException) -> str:

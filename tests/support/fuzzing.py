@@ -376,7 +376,10 @@ def _files(fuzzer: Fuzzer, stock: Stock) -> list[_Target]:
 
     def taker(name: str) -> Callable[[bytes], Any]:
         def take(data: bytes) -> None:
-            (fuzzer.building / name).write_bytes(data)
+            file = fuzzer.building / name
+            if not file.parent.is_dir():  # a job before has built something else there
+                fuzzer.begin_anew()
+            file.write_bytes(data)
             for read in (_checked, _loaded, _edited):
                 with contextlib.suppress(MansionError):
                     read(fuzzer)

@@ -85,7 +85,7 @@ def test_rows_name_libraries_by_paths_from_their_file_and_defaults_fill_the_rest
         ("a.csv", "brief,name\na,../x\n", r"a\.csv:2: the name '\.\./x' names no folder"),
         ("a.csv", "brief,assets\na,./none\n", r"a\.csv:2: there is no library '.*none' at .*; libraries: "),
         ("a.csv", "brief,footprint\na,none.json\n", r"a\.csv:2: .*none\.json: No such file"),
-        ("a.jsonl", '{"brief": "a"}\n{"brief": \n', r"a\.jsonl:2: no JSON"),
+        ("a.jsonl", '{"brief": "a"}\n{"brief": \n', r"a\.jsonl:2: not JSON"),
         ("a.jsonl", '["a flat"]\n', r"a\.jsonl:1: expected an object such as .*, got list"),
         (
             "a.jsonl",

@@ -435,7 +435,7 @@ class Building(Closing):
         drawn = self.folder / "building.png"
         if drawn.is_file():
             return drawn.read_bytes()
-        from mansion_export.overview import overview_png
+        from mansion_export.pictures.overview import overview_png
 
         return overview_png(self._scenes)
 

@@ -113,6 +113,10 @@ class Builder:
         low = v.z - v.h / 2 + self.h / 2
         return Rect(v.x - v.w / 2, v.x + v.w / 2, v.y - v.d / 2, v.y + v.d / 2, low, low + v.h)
 
+    def whole_box(self) -> Box:
+        """Return a collision box of the whole asset."""
+        return Box((0.0, 0.0, self.h / 2), (self.w, self.d, self.h))
+
     def mat(self, role: str = "main", default: str = "wood_oak") -> str:
         """Return the material of a role of the recipe."""
         return self.asset.materials.get(role, default)

@@ -96,7 +96,7 @@ def rounded_bodies(x: Span, y: Span, z: Span, round_: float) -> list[Convex]:
 
 
 def bar_bodies(start: Vec3, end: Vec3, r: float, n: int) -> list[Convex]:
-    """Return the body of a round bar; a box stands for a thin one that is parallel to an axis."""
+    """Return the body of a round bar: a box where it is thin and parallel to an axis."""
     vertices, faces = bar(start, end, r, min(n, SIDES))
     along = sorted(abs(b - a) for a, b in zip(start, end))
     if along[1] < 1e-6 and along[2] > 4 * r:

@@ -3,7 +3,8 @@
 import hashlib
 import math
 from collections import OrderedDict
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from pathlib import Path
 from typing import TypeVar
 
@@ -18,7 +19,7 @@ from mansion_bringup.check.fault import Fault
 from mansion_bringup.check.integrity import check_identity
 from mansion_bringup.check.objects import carriers, check_objects
 from mansion_bringup.check.openings import check_openings
-from mansion_bringup.check.reach import check_reach
+from mansion_bringup.check.reach import Walk, check_reach, walkable
 from mansion_bringup.check.rooms import check_partition, check_walls
 from mansion_msgs_py.building import Building, BuildingReport
 from mansion_msgs_py.codec import decode, encode_bytes
@@ -114,16 +115,34 @@ _memory: OrderedDict[bytes, list[Fault]] = OrderedDict()
 """Faults of reach by what was checked: the building after an edit is the one before the next."""
 
 
+_walks: OrderedDict[bytes, Walk] = OrderedDict()
+"""Where a robot can be on a floor: an edit changes one floor, and the check asks about all."""
+
+
 def _reach_faults(scenes: Mapping[int, FloorScene]) -> list[Fault]:
-    digest = hashlib.sha256()
-    for floor in sorted(scenes):
-        digest.update(encode_bytes(msgspec.structs.replace(scenes[floor], revision=0)))
-    key = digest.digest()
-    if key not in _memory:
-        _memory[key] = list(check_reach([scenes[floor] for floor in sorted(scenes)]))
-        if len(_memory) > _MAX_REMEMBERED:
-            _memory.popitem(last=False)
-    return _memory[key]
+    digests = {floor: _digest(scenes[floor]) for floor in sorted(scenes)}
+    key = b"".join(digests.values())
+
+    def checked() -> list[Fault]:
+        walks = {f: _remembered(_walks, digest, partial(walkable, scenes[f])) for f, digest in digests.items()}
+        return list(check_reach([scenes[floor] for floor in digests], walks))
+
+    return _remembered(_memory, key, checked)
+
+
+def _digest(scene: FloorScene) -> bytes:
+    return hashlib.sha256(encode_bytes(msgspec.structs.replace(scene, revision=0))).digest()
+
+
+def _remembered(memory: OrderedDict[bytes, T], key: bytes, make: Callable[[], T]) -> T:
+    """Return what is remembered, or make it; the least recently used is forgotten."""
+    if key in memory:
+        memory.move_to_end(key)
+    else:
+        memory[key] = make()
+        if len(memory) > _MAX_REMEMBERED:
+            memory.popitem(last=False)
+    return memory[key]
 
 
 def _obstacles(scene: FloorScene) -> dict[str, object]:

@@ -33,8 +33,8 @@ def _pictures() -> None:
 
     from mansion_assets.texture_coordinates import fitted_coordinates
     from mansion_export.glb import write_glb
-    from mansion_export.model import Material, Node, Part, Surface, assemble
-    from mansion_export.renderer import View, flatten, render
+    from mansion_export.meshes.model import Material, Node, Part, Surface, assemble
+    from mansion_export.pictures.renderer import View, flatten, render
 
     corners = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [0, 1, 1]])
     parts: list[Part] = []

@@ -173,7 +173,7 @@ class SceneEditor:
         self.reload()
 
     def reload(self) -> None:
-        """Take the scenes from disk, dropping what waits to be saved."""
+        """Read the scenes from disk again, and drop unsaved changes."""
         scenes = list(self.store.scenes().values())
         self.state = SceneState(scenes, self.catalogue, self.retriever, self.store.documents.copy)
         self._what, self._marks, self._redo = [], [], []
@@ -399,7 +399,7 @@ class SceneEditor:
         return _landed(done.what, done)
 
     def redo(self) -> EditResult:
-        """Do again what was undone last."""
+        """Redo the edit that was undone last."""
         if self._redo:
             what, changes = self._redo.pop()
             self._marks.append(len(self.state.pending))

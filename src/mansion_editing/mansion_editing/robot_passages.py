@@ -8,15 +8,12 @@ import msgspec
 import shapely
 from shapely.geometry import LineString, Point, Polygon
 
-from mansion_geometry.object_footprints import footprint
+from mansion_geometry.object_footprints import WALKABLE_HEIGHT, footprint
 from mansion_geometry.robot_body import BODY_RADIUS, CLEARANCE, THIN
 from mansion_msgs_py.scene import Door, FloorScene, SceneObject, SceneRoom
 from mansion_scene.spawn import free_region
 
-__all__ = ["LOW", "Passages", "passages_of"]
-
-LOW = 0.03
-"""Height up to which a robot drives over objects, metres."""
+__all__ = ["Passages", "passages_of"]
 
 _DOORWAY = 0.40
 """How far before a door's middle line the robot's centre must have come, metres."""
@@ -118,9 +115,9 @@ def _passages_in(furnished: _Furnished) -> _InRoom | None:
 
 
 def _is_obstacle(item: SceneObject) -> bool:
-    low, high = item.position[2] - item.size[2] / 2, item.position[2] + item.size[2] / 2
+    low, high = item.bottom, item.top
     thin = item.mount == "wall" and item.size[1] <= THIN
-    return item.mount in ("floor", "wall") and low < CLEARANCE and high > LOW and not thin
+    return item.mount in ("floor", "wall") and low < CLEARANCE and high > WALKABLE_HEIGHT and not thin
 
 
 def _parts_at_door(door: Door, found: Sequence[Polygon], empty: Sequence[Polygon]) -> list[int]:

@@ -13,6 +13,7 @@ from pathlib import Path
 import msgspec
 
 from mansion_editing.document_copies import Documents, floor_of, is_scene
+from mansion_editing.edit_log import EditLog, append_line
 from mansion_editing.replaced_files import ReplacedFiles
 from mansion_editing.robot_sessions import refuse_in_session, refuse_robots
 from mansion_editing.room_parts import parts_of, program_with, records_of, topology_with
@@ -29,7 +30,7 @@ from mansion_msgs_py.scene import FloorScene
 from mansion_msgs_py.topology import FloorTopology
 from mansion_msgs_py.wording import counted
 
-__all__ = ["BuildingStore", "KeptFiles", "Records", "Validator", "append_line", "landed_by", "locked"]
+__all__ = ["BuildingStore", "KeptFiles", "Records", "Validator", "locked"]
 
 Scenes = Mapping[int, FloorScene]
 Validator = Callable[[Scenes, Scenes], Sequence[str]]
@@ -63,6 +64,8 @@ class BuildingStore:
     ----------
     documents : Documents
         Makes the changes that replace whole documents.
+    edit_log : EditLog
+        What landed.
 
     Raises
     ------
@@ -89,6 +92,7 @@ class BuildingStore:
         self._scenes: dict[int, tuple[tuple[int, int, int], FloorScene]] = {}
         self.lock_file = file_in(folder, "edits/lock")
         self._edits = self.lock_file.parent
+        self.edit_log = EditLog(self._edits / "log.jsonl")
         if allowed.allows(folder):
             self._tidy()
 
@@ -130,11 +134,7 @@ class BuildingStore:
 
     def log(self) -> list[Transaction]:
         """Return all transactions, oldest first."""
-        file = self._edits / "log.jsonl"
-        if not file.exists():
-            return []
-        lines = file.read_bytes().split(b"\n")[:-1]
-        return [decode(Transaction, line) for line in lines if line.strip()]
+        return self.edit_log.transactions()
 
     def land(
         self,
@@ -190,7 +190,7 @@ class BuildingStore:
             self._refuse_stale_records(rooms, before)
             self._refuse_faults(before, after)
             transaction = Transaction(
-                number=len(self.log()) + 1,
+                number=len(self.edit_log) + 1,
                 who=who,
                 what=what,
                 changes=carried,
@@ -206,7 +206,7 @@ class BuildingStore:
 
     def _carry_out(self, transaction: Transaction, needed: Mapping[str, bytes]) -> None:
         """Write a transaction; where anything fails, all is as it was before, and nothing of it lands later."""
-        pending, log = self._edits / "pending.json", self._edits / "log.jsonl"
+        pending, log = self._edits / "pending.json", self.edit_log.file
         length = log.stat().st_size if log.exists() else None
         files = ReplacedFiles(self.folder, self._edits / "former")
         try:
@@ -294,8 +294,8 @@ class BuildingStore:
         self._recount(files, scenes if transaction.documents else map(int, transaction.revisions))
         for name, data in (self._records(self.folder, self.scenes()) if self._records else {}).items():
             files.write(name, data)
-        if len(self.log()) < transaction.number:
-            append_line(self._edits / "log.jsonl", encode_bytes(transaction))
+        if len(self.edit_log) < transaction.number:
+            append_line(self.edit_log.file, encode_bytes(transaction))
         (self._edits / "pending.json").unlink()
         files.forget()
 
@@ -343,10 +343,10 @@ class BuildingStore:
         MansionError
             ``NOT_FOUND`` when there is none, ``CONFLICT`` when later edits rest on it.
         """
-        undoable, _ = _stacks(self.log(), who)
+        undoable = self.edit_log.landed_by(who)
         if not undoable:
             raise MansionError(ErrorCode.NOT_FOUND, f"there is no edit of {who!r} to undo")
-        last = undoable[-1]
+        last = self.edit_log.transaction(undoable[-1])
         return self.land(
             [inverse(change) for change in reversed(last.changes)],
             who,
@@ -364,10 +364,10 @@ class BuildingStore:
         MansionError
             ``NOT_FOUND`` when there is nothing, ``CONFLICT`` when the building changed there since.
         """
-        _, redoable = _stacks(self.log(), who)
+        redoable = self.edit_log.taken_back_by(who)
         if not redoable:
             raise MansionError(ErrorCode.NOT_FOUND, f"there is no undone edit of {who!r} to redo")
-        last = redoable[-1]
+        last = self.edit_log.transaction(redoable[-1])
         return self.land(
             last.changes,
             who,
@@ -464,45 +464,8 @@ def _root(transaction: Transaction) -> int:
     return transaction.redoes or transaction.number
 
 
-def _stacks(log: Iterable[Transaction], who: str) -> tuple[list[Transaction], list[Transaction]]:
-    """Return what `who` can undo and redo, the next one last."""
-    undoable: list[Transaction] = []
-    redoable: list[Transaction] = []
-    for transaction in log:
-        if transaction.who != who:
-            continue
-        if transaction.undoes is not None:
-            redoable.append(undoable.pop())
-        else:
-            undoable.append(transaction)
-            if transaction.redoes is not None:
-                redoable.pop()
-            else:
-                redoable.clear()
-    return undoable, redoable
-
-
 PATIENCE = 30.0
 """Seconds to wait for another editor; one holds the lock for a single transaction."""
-
-
-def landed_by(log: Iterable[Transaction], who: str) -> list[Transaction]:
-    """Return what a user has landed and not taken back, in its order."""
-    return _stacks(log, who)[0]
-
-
-def append_line(path: Path, line: bytes) -> None:
-    """Append one line, after dropping what an interrupted writer left of a former one."""
-    path.parent.mkdir(parents=True, exist_ok=True)
-    with path.open("ab+") as stream:
-        end = stream.seek(0, os.SEEK_END)
-        stream.seek(0)
-        whole = stream.read().rfind(b"\n") + 1 if end else 0
-        stream.truncate(whole)
-        stream.seek(0, os.SEEK_END)
-        stream.write(line + b"\n")
-        stream.flush()
-        os.fsync(stream.fileno())
 
 
 def locked(path: Path, patience: float = PATIENCE) -> AbstractContextManager[None]:

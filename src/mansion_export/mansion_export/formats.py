@@ -240,7 +240,7 @@ register(
     Format(
         "overview",
         "picture of the building",
-        building=Output("mansion_export.overview:overview_files", ("building.png",), ("picture",), ("site",)),
+        building=Output("mansion_export.pictures.overview:overview_files", ("building.png",), ("picture",), ("site",)),
         always=True,
     )
 )

@@ -9,12 +9,12 @@ import numpy.typing as npt
 
 from mansion_assets.catalogue import Catalogue
 from mansion_assets.materials import material_set
-from mansion_export.building_model import building_models, floor_model
 from mansion_export.gltf_buffer import Buffer, Textures
 from mansion_export.licences import licence_lines, licence_records
-from mansion_export.materials import linear
-from mansion_export.model import Material, Mesh, Model, Node, Surface
-from mansion_export.normals import corner_normals, textured_corners
+from mansion_export.meshes.building_model import building_models, floor_model
+from mansion_export.meshes.materials import linear
+from mansion_export.meshes.model import Material, Mesh, Model, Node, Surface
+from mansion_export.meshes.normals import corner_normals, textured_corners
 from mansion_export.presentation import building_title, floor_title, quarter_turns
 from mansion_msgs_py.building_folder import floor_directory
 from mansion_msgs_py.scene import FloorScene

@@ -11,8 +11,8 @@ import numpy as np
 import numpy.typing as npt
 
 from mansion_assets.materials import texture_set
-from mansion_export.materials import linear
-from mansion_export.model import Material
+from mansion_export.meshes.materials import linear
+from mansion_export.meshes.model import Material
 
 __all__ = ["Buffer", "Textures"]
 
@@ -108,7 +108,7 @@ class Textures:
         self._index: dict[bytes, int] = {}
 
     def dressed(self, material: Material, plain: Json) -> Json:
-        """Return a material's glTF form with its set of textures: colour, normals, occlusion, roughness and metal."""
+        """Return a glTF material with its textures: colour, normals, occlusion, roughness and metalness."""
         made = texture_set(material.texture)
         color = {"index": self._texture(f"{material.texture}_color", made.base)}
         surface = {"index": self._texture(f"{material.texture}_surface", made.surface)}

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from mansion_export.walls import WallBodies
+from mansion_export.meshes.walls import WallBodies
 from mansion_geometry.doorways import depth_of_doors, is_passable
 from mansion_geometry.floor_grid import (
     FREE,

@@ -5,11 +5,10 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from mansion_language.numbers import NUMBER_WORDS
 from mansion_msgs_py.scene import Door, FloorScene, SceneRoom
 
 __all__ = ["building_name", "building_title", "floor_name", "floor_title", "main_door", "quarter_turns", "room_title"]
-
-_COUNTS = ("no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten")
 
 
 def building_title(scenes: Sequence[FloorScene]) -> str:
@@ -52,7 +51,7 @@ def floor_title(scene: FloorScene) -> str:
 
 
 def _count(number: int) -> str:
-    return _COUNTS[number] if number < len(_COUNTS) else str(number)
+    return NUMBER_WORDS[number] if number < len(NUMBER_WORDS) else str(number)
 
 
 def room_title(room: SceneRoom) -> str:

@@ -8,14 +8,14 @@ import numpy as np
 
 from mansion_assets.catalogue import Catalogue
 from mansion_assets.convex import Hull
-from mansion_export.articulation import Assembly, Moving, assemblies, pose_at
-from mansion_export.building_model import building_models
-from mansion_export.collision import Colliders, Shape, ground_boxes, mass_properties_of, shape_scaled
 from mansion_export.licences import licence_records, xml_notice
-from mansion_export.model import Material, Mesh, Model, Node
+from mansion_export.meshes.building_model import building_models
+from mansion_export.meshes.model import Material, Mesh, Model, Node
+from mansion_export.meshes.solids import Box, box_scaled
+from mansion_export.meshes.walls import WallBodies
+from mansion_export.physics.articulation import Assembly, Moving, assemblies, pose_at
+from mansion_export.physics.collision import Colliders, Shape, ground_boxes, mass_properties_of, shape_scaled
 from mansion_export.simulator_files import SimulatorModel, mesh_file_name, number_list, write_stl
-from mansion_export.solids import Box, box_scaled
-from mansion_export.walls import WallBodies
 from mansion_msgs_py.scene import FloorScene
 from mansion_msgs_py.shapes import Size3
 

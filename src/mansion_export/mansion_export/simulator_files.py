@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from mansion_assets.convex import Hull
-from mansion_export.model import Surface
+from mansion_export.meshes.model import Surface
 
 __all__ = ["SimulatorModel", "mesh_file_name", "number_list", "write_stl"]
 
@@ -32,7 +32,7 @@ class SimulatorModel:
 
 
 def write_stl(surface: Surface | Hull) -> bytes:
-    """Write a surface as binary STL, z up, metres; triangles without area are left out."""
+    """Write a surface as binary STL, z up, metres; degenerate triangles are left out."""
     corners = surface.vertices[surface.faces]
     ax, ay, az = (corners[:, 1] - corners[:, 0]).T
     bx, by, bz = (corners[:, 2] - corners[:, 0]).T

@@ -11,13 +11,13 @@ import numpy as np
 from mansion_assets.catalogue import Catalogue
 from mansion_assets.convex import Hull
 from mansion_assets.mass_properties import FRICTION
-from mansion_export.articulation import Assembly, Moving, assemblies, pose_at
-from mansion_export.building_model import building_models
-from mansion_export.collision import Colliders, Shape, mass_properties_of, shape_scaled
 from mansion_export.licences import licence_lines, licence_records
-from mansion_export.materials import linear
-from mansion_export.model import Material, Mesh, Model, Node, Surface
-from mansion_export.solids import Box
+from mansion_export.meshes.building_model import building_models
+from mansion_export.meshes.materials import linear
+from mansion_export.meshes.model import Material, Mesh, Model, Node, Surface
+from mansion_export.meshes.solids import Box
+from mansion_export.physics.articulation import Assembly, Moving, assemblies, pose_at
+from mansion_export.physics.collision import Colliders, Shape, mass_properties_of, shape_scaled
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import FloorScene
 from mansion_msgs_py.shapes import Size3

@@ -50,7 +50,7 @@ def _announce_compilation() -> None:
     from numba.core import event
 
     class FirstCompilation(event.Listener):  # type: ignore[misc]
-        """Hears when machine code is made, which what is on the disk needs not."""
+        """Notes when numba compiles; code that is loaded from the disk is not compiled."""
 
         def on_start(self, event: Any) -> None:
             folder = Path(event.data["dispatcher"].stats.cache_path or "")

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from math import cos, hypot, radians, sin
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from mansion_geometry.robot_body import in_the_way
 from mansion_msgs_py.scene import SceneObject
@@ -11,7 +11,21 @@ from mansion_msgs_py.shapes import Point
 if TYPE_CHECKING:
     from shapely.geometry import Polygon
 
-__all__ = ["footprint", "footprint_at", "footprint_corners", "footprint_distance", "oblique_margin", "stops_robots"]
+__all__ = [
+    "WALKABLE_HEIGHT",
+    "footprint",
+    "footprint_at",
+    "footprint_corners",
+    "footprint_distance",
+    "oblique_margin",
+    "stops_robots",
+]
+
+WALKABLE_HEIGHT: Final = 0.03
+"""Height up to which what lies on the floor, a rug say, is walked over and takes no place from furniture, metres.
+
+It is below `robot_body.FLAT`, which a robot drives over, to be on the safe side.
+"""
 
 
 def footprint_corners(
@@ -61,11 +75,11 @@ def footprint_distance(point: Point, center: Sequence[float], size: Sequence[flo
 
 def stops_robots(item: SceneObject) -> bool:
     """Whether an object stands or hangs in a robot's way; what furniture carries does not count."""
-    bottom, top = item.position[2] - item.size[2] / 2, item.position[2] + item.size[2] / 2
+    bottom, top = item.bottom, item.top
     return item.mount not in ("surface", "inside") and in_the_way(bottom, top)
 
 
 def oblique_margin(item: SceneObject) -> float:
-    """Return what a way past an object must be wider, metres: the skills' grid of 0.05 m is coarser along a slant."""
+    """Return the extra width of a passage beside an object, metres: on a slant, a grid of 0.05 m is coarser."""
     turn = item.rotation % 90.0
     return 0.021 if min(turn, 90.0 - turn) > 0.5 else 0.0

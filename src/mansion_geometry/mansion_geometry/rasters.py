@@ -1,4 +1,4 @@
-"""Grids over shapes: which cells' centres a shape holds."""
+"""Rasters of shapes: the cells of a grid whose centres lie in a shape."""
 
 import numpy as np
 import shapely

@@ -21,7 +21,7 @@ LEAST_LENGTH: Final = 1e-3
 
 
 class UnsoundShape(NamedTuple):
-    """Whose shape it is, which of its shapes, and what is wrong with it."""
+    """A degenerate shape: the id of its owner, which of its shapes it is, and the reason."""
 
     owner: str
     part: str

@@ -1,20 +1,16 @@
 """The end of a stair core at which its floor landings lie."""
 
-from typing import Literal
-
 import msgspec
 import shapely
 from shapely.geometry import Polygon
 
 from mansion_msgs_py.program import BuildingProgram, CorePlan
-from mansion_msgs_py.shapes import Point
+from mansion_msgs_py.shapes import CompassSide, Point
 
-__all__ = ["Side", "landing_end", "with_landings"]
-
-Side = Literal["north", "south", "east", "west"]
+__all__ = ["landing_end", "with_landings"]
 
 
-def landing_end(core: CorePlan, outline: shapely.Geometry) -> Side:
+def landing_end(core: CorePlan, outline: shapely.Geometry) -> CompassSide:
     """Return the door's end if that is a short side of the core, else the end deeper in an outline.
 
     Examples
@@ -24,10 +20,10 @@ def landing_end(core: CorePlan, outline: shapely.Geometry) -> Side:
     'north'
     """
     (x0, x1), (y0, y1) = sorted(core.x), sorted(core.y)
-    ends: tuple[Side, Side] = ("south", "north") if y1 - y0 >= x1 - x0 else ("west", "east")
+    ends: tuple[CompassSide, CompassSide] = ("south", "north") if y1 - y0 >= x1 - x0 else ("west", "east")
     if core.door_side in ends:
         return core.door_side
-    middles: dict[Side, Point] = {
+    middles: dict[CompassSide, Point] = {
         "south": ((x0 + x1) / 2, y0),
         "north": ((x0 + x1) / 2, y1),
         "west": (x0, (y0 + y1) / 2),

@@ -9,7 +9,7 @@ from typing import Final
 
 import msgspec
 
-from mansion_knowledge.object_kinds import answers, seats_of_row, stand_ins
+from mansion_knowledge.object_kinds import answers, seats_of_row, substitutes
 from mansion_knowledge.room_names import kin_of
 from mansion_msgs_py.codec import prepared
 
@@ -107,7 +107,7 @@ def _tables() -> tuple[Mapping[str, tuple[Need, ...]], Mapping[str, tuple[Need, 
 
 
 def _thing(name: str, record: _ThingRecord) -> Thing:
-    categories = [category for head in record.of for category in (head, *stand_ins(head))]
+    categories = [category for head in record.of for category in (head, *substitutes(head))]
     return Thing(name, tuple(dict.fromkeys(categories)), record.place, record.most)
 
 

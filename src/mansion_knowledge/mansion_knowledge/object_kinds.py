@@ -19,7 +19,7 @@ __all__ = [
     "seats_of_row",
     "single_seat",
     "single_seat_categories",
-    "stand_ins",
+    "substitutes",
 ]
 
 SEAT_WIDTH: Final = 0.64
@@ -27,7 +27,7 @@ SEAT_WIDTH: Final = 0.64
 
 
 class _Kinds(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    stand_ins: dict[str, list[str]]
+    substitutes: dict[str, list[str]]
     added: dict[str, str]
     single_seats: dict[str, str]
     idle_without: dict[str, list[str]]
@@ -41,9 +41,9 @@ def _kinds() -> _Kinds:
     return msgspec.json.decode(text, type=prepared(_Kinds))
 
 
-def stand_ins(category: str) -> list[str]:
+def substitutes(category: str) -> list[str]:
     """Return the categories that answer for one besides itself, the most usual first."""
-    return _kinds().stand_ins.get(category, [])
+    return _kinds().substitutes.get(category, [])
 
 
 def answers(requested: str, category: str) -> bool:
@@ -54,7 +54,7 @@ def answers(requested: str, category: str) -> bool:
     >>> answers("chair", "office_chair"), answers("office_chair", "chair"), answers("bed", "bunk_bed")
     (True, False, False)
     """
-    return category == requested or category in stand_ins(requested)
+    return category == requested or category in substitutes(requested)
 
 
 def of_one_kind(one: str, other: str) -> bool:
@@ -65,7 +65,7 @@ def of_one_kind(one: str, other: str) -> bool:
     >>> of_one_kind("round_table", "cafe_table"), of_one_kind("round_table", "desk")
     (True, False)
     """
-    kinds = _kinds().stand_ins
+    kinds = _kinds().substitutes
     third = any(one in held and other in held for held in kinds.values())
     return third or answers(one, other) or answers(other, one)
 

@@ -2,7 +2,7 @@
 
 import re
 
-__all__ = ["CARDINALS", "ORDINALS", "SCALES", "SOFT_NUMBERS", "figure"]
+__all__ = ["CARDINALS", "NUMBER_WORDS", "ORDINALS", "SCALES", "SOFT_NUMBERS", "figure"]
 
 CARDINALS = {
     "one": 1, "two": 2, "three": 3, "four": 4, "five": 5, "six": 6, "seven": 7, "eight": 8,
@@ -12,6 +12,9 @@ CARDINALS = {
     "eighty": 80, "ninety": 90, "dozen": 12, "single": 1, "double": 2, "twin": 2, "triple": 3,
     "pair": 2, "couple": 2,
 }  # fmt: skip
+NUMBER_WORDS = ("no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten")
+"""How texts write the numbers from 0 on; larger ones are written in figures."""
+
 SCALES = {"hundred": 100, "thousand": 1000}
 SOFT_NUMBERS = frozenset({"single", "double", "twin", "triple", "pair", "couple", "dozen"})
 """Number words that may also be adjectives or nouns."""

@@ -60,7 +60,7 @@ def read_payload(kind: type[T], file: Path, expected: str = "") -> T:
 
 
 def write_atomic(path: Path, data: bytes, *, durable: bool = False, mode: int | None = None) -> None:
-    """Write a file through a temporary one beside it, so that a reader sees all or nothing.
+    """Write a file through a temporary one beside it, so that readers never see half of it.
 
     Parameters
     ----------

@@ -8,7 +8,7 @@ from typing import Annotated, Literal, TypeAlias
 import msgspec
 
 from mansion_msgs_py.limits import MAX_OBJECTS, MAX_ROOMS
-from mansion_msgs_py.shapes import Area, Identifier, Length, Point, Ring, Segment
+from mansion_msgs_py.shapes import Area, CompassSide, Identifier, Length, Point, Ring, Segment
 from mansion_msgs_py.topology import Edge, EdgeKind, NodeKind, SeedPlan
 
 __all__ = [
@@ -34,7 +34,7 @@ class ProblemCore(msgspec.Struct, frozen=True, kw_only=True):
     id: Identifier
     type: Literal["stair", "elevator"]
     polygon: Annotated[Ring, msgspec.Meta(min_length=3)]
-    door_side: Literal["north", "south", "east", "west"] | None = None
+    door_side: CompassSide | None = None
 
 
 class FixedRoom(msgspec.Struct, frozen=True, kw_only=True):

@@ -1,4 +1,4 @@
-"""Limits on the size of a building: a larger one is refused, with the limit named, before any work begins.
+"""Limits on the size of a building: what is beyond is refused, with the limit named, before any work begins.
 
 The greatest buildings that people plan lie well within. A storey at the limit is built in minutes, in less than 1 GB.
 """
@@ -17,6 +17,7 @@ __all__ = [
     "MAX_OBJECTS",
     "MAX_PAYLOAD",
     "MAX_ROOMS",
+    "MIN_AREA",
 ]
 
 MAX_PAYLOAD: Final = 64_000_000
@@ -27,6 +28,9 @@ MAX_COORDINATE: Final = 10_000.0
 
 MAX_HEIGHT: Final = 10_000.0
 """Metres above or below the ground."""
+
+MIN_AREA: Final = 0.1
+"""Square metres of a room: less is no cupboard, and no wall could be moved finely enough for it."""
 
 MAX_FLOOR_AREA: Final = 50_000.0
 """Square metres of a storey."""

@@ -1,11 +1,11 @@
 """The building program: the schema of Fig. 23, with the geometry that every floor shares."""
 
-from typing import Annotated, Literal
+from typing import Annotated, Final, Literal
 
 import msgspec
 
 from mansion_msgs_py.openings import GivenOpenings
-from mansion_msgs_py.shapes import Area, BuildingId, Elevation, Identifier, Length, Point, Ring, Segment
+from mansion_msgs_py.shapes import Area, BuildingId, CompassSide, Elevation, Identifier, Length, Point, Ring, Segment
 from mansion_msgs_py.wishes import Wish
 
 __all__ = [
@@ -14,11 +14,15 @@ __all__ = [
     "CorePlan",
     "Downgrade",
     "FloorProgram",
+    "GROUND_FLOOR",
     "RequestedObject",
     "RoomProgram",
     "TraceEntry",
     "VerticalConnectivity",
 ]
+
+GROUND_FLOOR: Final = 1
+"""Number of the ground floor; basements have 0 and less."""
 
 
 class CorePlan(msgspec.Struct, frozen=True, kw_only=True):
@@ -42,8 +46,8 @@ class CorePlan(msgspec.Struct, frozen=True, kw_only=True):
     type: Literal["stair", "elevator"]
     x: Point
     y: Point
-    door_side: Literal["north", "south", "east", "west"] | None = None
-    landing: Literal["north", "south", "east", "west"] | None = None
+    door_side: CompassSide | None = None
+    landing: CompassSide | None = None
 
 
 class VerticalConnectivity(msgspec.Struct, frozen=True, kw_only=True):

@@ -196,6 +196,16 @@ class SceneObject(msgspec.Struct, frozen=True, kw_only=True):
     color: str = ""
     states: dict[str, bool | float | str] = {}
 
+    @property
+    def bottom(self) -> float:
+        """Height of its lower side above the finished floor, metres."""
+        return self.position[2] - self.size[2] / 2
+
+    @property
+    def top(self) -> float:
+        """Height of its upper side above the finished floor, metres."""
+        return self.position[2] + self.size[2] / 2
+
 
 class Light(msgspec.Struct, frozen=True, kw_only=True):
     """A lamp or the sun; `color` is ``#rrggbb``."""

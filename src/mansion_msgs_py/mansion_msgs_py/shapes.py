@@ -4,15 +4,16 @@ Lengths are metres in plan coordinates: x to the right, y up (REP-103), z up. A 
 not repeat its first point.
 """
 
-from typing import Annotated, TypeAlias
+from typing import Annotated, Literal, TypeAlias
 
 import msgspec
 
-from mansion_msgs_py.limits import MAX_COORDINATE, MAX_CORNERS, MAX_FLOOR_AREA, MAX_HEIGHT
+from mansion_msgs_py.limits import MAX_COORDINATE, MAX_CORNERS, MAX_FLOOR_AREA, MAX_HEIGHT, MIN_AREA
 
 __all__ = [
     "Area",
     "BuildingId",
+    "CompassSide",
     "Coordinate",
     "Degrees",
     "Elevation",
@@ -42,11 +43,14 @@ Point3: TypeAlias = tuple[Coordinate, Coordinate, Elevation]
 Ring: TypeAlias = Annotated[list[Point], msgspec.Meta(max_length=MAX_CORNERS)]
 Segment: TypeAlias = tuple[Point, Point]
 
+CompassSide: TypeAlias = Literal["north", "south", "east", "west"]
+"""A side of an upright rectangle in plan; north is up."""
+
 Length: TypeAlias = Annotated[float, msgspec.Meta(gt=0.0, le=MAX_COORDINATE)]
 """A positive length in metres."""
 
-Area: TypeAlias = Annotated[float, msgspec.Meta(gt=0.0, le=MAX_FLOOR_AREA)]
-"""A positive area of a room or a storey in square metres."""
+Area: TypeAlias = Annotated[float, msgspec.Meta(ge=MIN_AREA, le=MAX_FLOOR_AREA)]
+"""An area of a room or a storey in square metres."""
 
 Size3: TypeAlias = tuple[Length, Length, Length]
 """Width along the front, depth and height, in metres."""

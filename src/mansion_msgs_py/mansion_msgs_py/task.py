@@ -161,7 +161,7 @@ class Task(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
 
 
 class ProgressScore(msgspec.Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
-    """How far a task is, retrieval and navigation apart (supplement, F.2).
+    """Progress of a task: retrieval and navigation, each for itself (supplement, F.2).
 
     Attributes
     ----------

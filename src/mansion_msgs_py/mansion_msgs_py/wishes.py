@@ -1,12 +1,18 @@
 """The ledger of a brief: every wish that was read in it, where it holds, and what became of it."""
 
-from typing import Literal, TypeAlias
+from typing import Final, Literal, TypeAlias
 
 import msgspec
 
 from mansion_msgs_py.shapes import Identifier
 
-__all__ = ["Scope", "Wish", "WishKind", "WishStatus", "WishValue"]
+__all__ = ["AREA_TOLERANCE", "MOST_WORDS", "Scope", "Wish", "WishKind", "WishStatus", "WishValue"]
+
+AREA_TOLERANCE: Final = 0.1
+"""Share by which an area may miss the one that is asked for and still meet it."""
+
+MOST_WORDS: Final = 12
+"""Most words of the phrase that a wish quotes."""
 
 WishKind: TypeAlias = Literal[
     "building_type",

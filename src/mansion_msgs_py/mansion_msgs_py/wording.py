@@ -1,5 +1,6 @@
 """Wording of messages: names that would be accepted, articles, counts and lists."""
 
+from bisect import insort
 from collections.abc import Iterable, Sequence
 from difflib import SequenceMatcher
 
@@ -19,6 +20,9 @@ _FAR = 0.3
 
 _NEIGHBOUR = 0.02
 """What being in the same folder adds to the likeness of a name."""
+
+_ROUNDING = 1e-9
+"""More than what adding and taking away loses."""
 
 _SURE = 0.8
 """From this likeness on a name in another folder counts in full."""
@@ -94,7 +98,7 @@ def nearest(wanted: str, known: Iterable[str], count: int = SHOWN) -> list[str]:
     >>> nearest("floor", ["session", "target_floor", "token"], 1)
     ['target_floor']
     """
-    likeness = _likenesses(wanted, known)
+    likeness = _likenesses(wanted, known, count)
     return sorted(likeness, key=lambda name: (-likeness[name], name))[:count]
 
 
@@ -124,7 +128,7 @@ def choices(wanted: object, known: Iterable[str], noun: str) -> str:
         return f"there are no {noun}"
     word = wanted[:_LONG] if isinstance(wanted, str) else ""
     near = nearest(word, names)
-    likeness = _likenesses(word, near[:1])[near[0]]
+    likeness = _likenesses(word, near[:1], 1)[near[0]]
     hint = f"did you mean {near[0]}? " if likeness >= _NEAR else ""
     if len(names) <= FEW:
         return f"{hint}{noun}: {', '.join(names)}"
@@ -137,23 +141,30 @@ def _plain(name: str) -> str:
     return "".join(mark for mark in name[:_LONG].casefold() if mark.isalnum() or mark == "/")
 
 
-def _likenesses(wanted: str, known: Iterable[str]) -> dict[str, float]:
-    """Return 0 to 1 for each name; folders that a path shares with what is wanted count little."""
+def _likenesses(wanted: str, known: Iterable[str], count: int) -> dict[str, float]:
+    """Return 0 to 1 for each name; folders that a path shares with what is wanted count little.
+
+    Only the `count` greatest are exact: of a name that is certainly less like, less than its likeness may be returned.
+    """
     word = _plain(wanted)
     folder, slash, last = word.rpartition("/")
     # A matcher indexes its second sequence once.
     whole = SequenceMatcher(None, "", word, autojunk=False)
     within = SequenceMatcher(None, "", last, autojunk=False)
-    likeness = {}
+    likeness: dict[str, float] = {}
+    greatest = [0.0] * count
     for name in known:
-        plain = _plain(name)
+        plain, least = _plain(name), greatest[0]
         if slash and plain.startswith(folder + slash):
-            likeness[name] = _likeness(within, last, plain[len(folder) + 1 :]) + _NEIGHBOUR
+            found = _likeness(within, last, plain[len(folder) + 1 :], least - _NEIGHBOUR - _ROUNDING) + _NEIGHBOUR
         else:
-            found = _likeness(whole, word, plain)
+            found = _likeness(whole, word, plain, least)
             if slash and found < _SURE and folder.startswith(_root(plain)):
                 found *= _ELSEWHERE
-            likeness[name] = found
+        likeness[name] = found
+        if found > least:
+            insort(greatest, found)
+            del greatest[0]
     return likeness
 
 
@@ -162,13 +173,17 @@ def _root(path: str) -> str:
     return "/".join(path.split("/")[:2]) + "/" if path.startswith("/") else "\0"
 
 
-def _likeness(matcher: SequenceMatcher[str], word: str, name: str) -> float:
+def _likeness(matcher: SequenceMatcher[str], word: str, name: str, least: float) -> float:
+    """Return how alike two names are, exactly where that is `least` or more."""
     if not word or not name:
         return 0.0
     best = 0.0
     for part in dict.fromkeys((name, name.rpartition("/")[2])):
         matcher.set_seq1(part)
-        if matcher.real_quick_ratio() > best and matcher.quick_ratio() > max(best, _FAR):
+        if matcher.real_quick_ratio() < least:
+            continue
+        bound = matcher.quick_ratio()
+        if bound >= least and bound > max(best, _FAR):
             best = max(best, matcher.ratio())
     short, long = sorted((word, name), key=len)
     within = 0.7 + 0.3 * len(short) / len(long) if len(short) > 2 and short in long else 0.0

@@ -3,10 +3,12 @@
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.limits import MAX_BUILDING_AREA, MAX_COORDINATE, MAX_FLOOR_AREA, MAX_ROOMS
 from mansion_msgs_py.program import BuildingProgram
+from mansion_msgs_py.wording import counted
 from mansion_planner.brief.facts import BriefFacts
 
 __all__ = [
     "check_length",
+    "check_number",
     "check_size",
     "check_there",
     "check_total_area",
@@ -14,6 +16,9 @@ __all__ = [
     "nothing_understood",
     "states_something",
 ]
+
+MOST_ASKED = 400
+"""Rooms of a storey that a description may ask for: to arrange them takes time that grows as the third power."""
 
 MOST_CHARACTERS = 20_000
 """Characters of a description that are read."""
@@ -48,6 +53,24 @@ def check_length(description: str) -> None:
             ErrorCode.INVALID_PAYLOAD,
             f"the description has {len(description)} characters; up to {MOST_CHARACTERS} are read",
             path="$.description",
+        )
+
+
+def check_number(name: str, number: int, storeys: int) -> None:
+    """Refuse more rooms of one kind than so many storeys are planned with, before they are shared out.
+
+    Raises
+    ------
+    MansionError
+        ``INFEASIBLE`` with the limit.
+    """
+    if number > MOST_ASKED * storeys:
+        raise MansionError(
+            ErrorCode.INFEASIBLE,
+            f"the description asks for {number:.4g} rooms of the kind {name}; at most {MOST_ASKED} on each of"
+            f" {counted(storeys, 'storey')} are planned",
+            path="$.description",
+            details={"room_type": name, "limit": MOST_ASKED * storeys},
         )
 
 

@@ -2,13 +2,14 @@
 
 import msgspec
 
+from mansion_geometry.wall_sizes import ACCESS_WALL
 from mansion_knowledge import KnowledgeBase
 from mansion_msgs_py.layout import FloorProblem, ProblemCore, ProblemNode, SeedRange
 from mansion_msgs_py.topology import Edge, FloorTopology, TopologyNode
 from mansion_planner.program.building import PlannedBuilding, materials_of
 from mansion_planner.program.model import Box, Storey, box_area
 
-__all__ = ["ACCESS_WALL", "fallback_problem", "floor_problem", "floor_topology"]
+__all__ = ["fallback_problem", "floor_problem", "floor_topology"]
 
 
 def floor_topology(planned: PlannedBuilding, storey: Storey, knowledge: KnowledgeBase) -> FloorTopology:
@@ -65,10 +66,6 @@ def floor_topology(planned: PlannedBuilding, storey: Storey, knowledge: Knowledg
 
 def _passage(storey: Storey) -> str:
     return "hallway" if storey.use.family == "home" else "corridor"
-
-
-ACCESS_WALL = 1.20
-"""Least shared wall of an access edge in a building, metres."""
 
 
 def floor_problem(planned: PlannedBuilding, storey: Storey, topology: FloorTopology, seed: int) -> FloorProblem:

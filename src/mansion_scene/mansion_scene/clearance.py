@@ -7,7 +7,7 @@ from shapely.geometry import LineString, Polygon
 from shapely.geometry.base import BaseGeometry
 
 from mansion_geometry.floor_regions import disc_positions, largest_first
-from mansion_geometry.object_footprints import footprint, oblique_margin
+from mansion_geometry.object_footprints import WALKABLE_HEIGHT, footprint, oblique_margin
 from mansion_geometry.robot_body import BODY_RADIUS, CLEARANCE, ROBOT_RADIUS, ROBOT_REACH
 from mansion_msgs_py.placement import PlacementOpening
 from mansion_msgs_py.scene import SceneObject
@@ -17,7 +17,6 @@ __all__ = ["clear_of_ways"]
 
 _DOORWAY = 0.8  # metres in front of a door that stay free
 _REACH = ROBOT_RADIUS + ROBOT_REACH  # from the robot's centre to what it approaches
-_FLAT = 0.03
 _ROUND = 16  # segments of a quarter of a circle: with few, the robot is narrower than it is
 
 
@@ -45,7 +44,7 @@ def clear_of_ways(
 
 
 def _in_the_way(item: SceneObject) -> bool:
-    low = item.position[2] - item.size[2] / 2
+    low = item.bottom
     return item.mount == "wall" and low < CLEARANCE
 
 
@@ -57,9 +56,7 @@ def _in_doorways(hung: Sequence[SceneObject], net: Polygon, doors: Sequence[Plac
     return {
         item.id
         for item in hung
-        if item.mount == "wall"
-        and item.position[2] - item.size[2] / 2 < DOOR_HEIGHT
-        and footprint(item).intersection(ways).area > 1e-4
+        if item.mount == "wall" and item.bottom < DOOR_HEIGHT and footprint(item).intersection(ways).area > 1e-4
     }
 
 
@@ -67,7 +64,7 @@ def _cutting_off(
     deep: Sequence[SceneObject], standing: Sequence[SceneObject], net: Polygon, doors: Sequence[PlacementOpening]
 ) -> set[str]:
     """Return the ids to remove so that every goal is reached that could be reached without any of the objects."""
-    upright = [item for item in standing if item.size[2] > _FLAT]
+    upright = [item for item in standing if item.size[2] > WALKABLE_HEIGHT]
     solid = [_body(item) for item in upright]
     goals = [*map(footprint, upright), *(LineString(door.segment) for door in doors)]
     free = net.difference(shapely.union_all(solid))

@@ -13,7 +13,7 @@ from mansion_assets.catalogue.requested_furniture import is_rug
 from mansion_geometry.object_footprints import footprint
 from mansion_geometry.randomness import item_generator
 from mansion_geometry.robot_body import BODY_RADIUS, ROBOT_RADIUS, ROBOT_REACH
-from mansion_knowledge.object_kinds import added_for, answers, single_seat, single_seat_categories, stand_ins
+from mansion_knowledge.object_kinds import added_for, answers, single_seat, single_seat_categories, substitutes
 from mansion_msgs_py.placement import MatrixStructure, PairedStructure, PlacedObject, PlacementObject, SingleStructure
 from mansion_msgs_py.program import RequestedObject
 from mansion_msgs_py.scene import Discard, SceneObject
@@ -177,7 +177,7 @@ def _assets_for(catalogue: Catalogue, requested: str, *, seed: int, room_id: str
         drawn = item_generator(seed, "asked", room_id, category).permutation(len(assets))
         return sorted((assets[int(i)] for i in drawn), key=lambda asset: asset.key not in catalogue.preferred)
     if assets and assets[0].mount == "surface":
-        assets += [a for a in catalogue.choose_from(stand_ins(requested)) if a.mount == "surface"]
+        assets += [a for a in catalogue.choose_from(substitutes(requested)) if a.mount == "surface"]
     return sorted(assets, key=lambda a: (a.size[0] * max(a.size[1], a.size[2]), a.key))
 
 
@@ -231,7 +231,7 @@ def named_as_asked(objects: Sequence[SceneObject], requested: Iterable[Requested
     No more are renamed than are asked for; a special request ("armchair") has its pieces before a general one.
     """
     out, taken = list(objects), set[int]()
-    for request in sorted(requested, key=lambda r: (len(stand_ins(r.category)), r.words)):
+    for request in sorted(requested, key=lambda r: (len(substitutes(r.category)), r.words)):
         answering = [n for n, o in enumerate(out) if n not in taken and answers(request.category, o.category)]
         answering.sort(key=lambda n: out[n].category not in (request.category, added_for(request.category)))
         for number in answering[: request.count]:

@@ -19,6 +19,7 @@ from mansion_msgs_py.placement import PlacedObject, PlacementOpening, PlacementR
 from mansion_msgs_py.program import RequestedObject
 from mansion_msgs_py.scene import Discard, Door, SceneObject, SceneRoom, Wall, Window
 from mansion_msgs_py.shapes import Segment
+from mansion_scene.bedrooms import slept_in_as
 from mansion_scene.clearance import clear_of_ways
 from mansion_scene.decor import decorate_room, scene_object
 from mansion_scene.decor.frames import Ids
@@ -156,6 +157,8 @@ class RoomFurnisher:
         kind = furnished_as(room.room_type, self._building_type, room.name)
         room = msgspec.structs.replace(room, room_type=kind)
         net = Polygon(room.net_polygon, room.net_holes)
+        slept_in = slept_in_as(room, self._structure.rooms, self._building_type)
+        room = msgspec.structs.replace(room, room_type=slept_in)
         items = None if self._chooser is None else self._chooser(room, net.area, _extent(net))
         objects, left = self._furnished(room, standing, items, asked)
         # What a model chooses is not overruled; the receipt tells what such a room lacks.

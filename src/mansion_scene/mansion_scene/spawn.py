@@ -23,7 +23,7 @@ _HEADROOM: Final = 1.8  # an object that starts above this height is no obstacle
 
 
 def _is_obstacle(item: SceneObject) -> bool:
-    bottom, top = item.position[2] - item.size[2] / 2, item.position[2] + item.size[2] / 2
+    bottom, top = item.bottom, item.top
     return item.mount in ("floor", "wall") and bottom < _HEADROOM and top > 0.05
 
 

@@ -7,14 +7,13 @@ import msgspec
 import shapely
 from shapely.geometry import Polygon
 
-from mansion_geometry.object_footprints import footprint
+from mansion_geometry.object_footprints import WALKABLE_HEIGHT, footprint
 from mansion_geometry.rings import polygon_parts
 from mansion_msgs_py.scene import SceneObject, SceneRoom
 from mansion_scene.structure.regions import ring_points
 
 __all__ = ["floor_around"]
 
-_FLAT: Final = 0.03
 _HEAD: Final = 2.2
 """Height above which what hangs leaves furniture its place, metres."""
 
@@ -37,5 +36,5 @@ def floor_around(room: SceneRoom, standing: Sequence[SceneObject]) -> SceneRoom:
 
 
 def _takes_floor(item: SceneObject) -> bool:
-    low = item.position[2] - item.size[2] / 2
-    return item.mount in ("floor", "wall") and item.size[2] > _FLAT and low < _HEAD
+    low = item.bottom
+    return item.mount in ("floor", "wall") and item.size[2] > WALKABLE_HEIGHT and low < _HEAD

@@ -68,7 +68,7 @@ _NOT_OF_THE_REQUEST: Final = (ErrorCode.CONFLICT, ErrorCode.UNAVAILABLE)
 
 
 class WorkerLost(Exception):
-    """A worker ended while an attempt was in work; others go on."""
+    """A worker ended during an attempt; the other workers go on."""
 
 
 class WorkersGone(Exception):

@@ -144,7 +144,7 @@ def _json_rows(text: str) -> Rows:
         try:
             row = json.loads(line)
         except (ValueError, RecursionError) as error:
-            yield number, f"no JSON: {error}"
+            yield number, f"not JSON: {error}"
         else:
             what = f'expected an object such as {{"brief": "a small flat", "seed": 4}}, got {type(row).__name__}'
             yield number, row if isinstance(row, dict) else what

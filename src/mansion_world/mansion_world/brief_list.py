@@ -3,7 +3,7 @@
 import csv
 import io
 import math
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from typing import Final
 
@@ -55,7 +55,11 @@ class BriefList:
         ['a-small-flat-0ebd0d5d', 'a-small-flat-0ebd0d5d-2']
         """
         taken = {entry.name for entry in named if entry.name}
-        return cls([_entry(index, entry, taken) for index, entry in enumerate(named)])
+        entries = []
+        for index, entry in enumerate(named):
+            entries.append(_entry(index, entry, taken))
+            taken.add(entries[-1].name)
+        return cls(entries)
 
     def __len__(self) -> int:
         return len(self.entries)
@@ -84,14 +88,13 @@ class BriefList:
         world.move_records({path: indices[path] for path in paths})
 
 
-def _entry(index: int, named: NamedRequest, taken: set[str]) -> WorldRequest:
+def _entry(index: int, named: NamedRequest, taken: Collection[str]) -> WorldRequest:
     request = identified(named.request)
     name, number = named.name, 1
     while not name:
         again = f"-{number}" if number > 1 else ""
         name = "" if f"{request.building_id}{again}" in taken else f"{request.building_id}{again}"
         number += 1
-    taken.add(name)
     return WorldRequest(
         index=index, attempt=0, kind=_KIND, sub_kind=_KIND, wording="", outline="", style="", request=request, name=name
     )

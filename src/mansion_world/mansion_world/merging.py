@@ -14,10 +14,10 @@ from msgspec.structs import replace
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import write_atomic
+from mansion_world.atomic_folder import atomic_folder
 from mansion_world.building_measures import folder_digest, split_of
 from mansion_world.near_duplicates import nearly_the_same
 from mansion_world.records import BuildingRow, Record, SetAside, WorldSource
-from mansion_world.whole_folder import whole_folder
 from mansion_world.world_folder import WorldFolder, building_path
 
 __all__ = ["Merged", "merge_worlds"]
@@ -71,7 +71,7 @@ def merge_worlds(
     """
     worlds = [WorldFolder(folder) for folder in folders]
     sources = [source for world in worlds for source in _sources(world)]
-    with whole_folder(output) as folder:
+    with atomic_folder(output) as folder:
         merge = _Merge(WorldFolder(folder), sources[0].seed, Merged())
         write_atomic(folder / "world.json", encode_bytes(replace(worlds[0].index(), sources=sources), indent=1))
         for world in worlds:

@@ -18,10 +18,10 @@ from mansion_msgs_py.building_folder import file_in
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import decode_from, write_atomic
+from mansion_world.atomic_folder import atomic_folder
 from mansion_world.building_measures import folder_digest, is_hashed
 from mansion_world.data_card import Shard, data_card
 from mansion_world.records import BuildingRow, Record, RoomRow, Split, TaskRow
-from mansion_world.whole_folder import whole_folder
 from mansion_world.world_folder import WorldFolder
 
 __all__ = ["Sample", "pack_world", "unpack_building"]
@@ -66,7 +66,7 @@ def pack_world(
         building that is not as it was written.
     """
     world.index()
-    with whole_folder(output) as folder:
+    with atomic_folder(output) as folder:
         shards = _write_shards(world, folder, shard_bytes, report)
         for file in sorted((world.path / "manifest").iterdir()):
             write_atomic(folder / "manifest" / file.name, file.read_bytes())

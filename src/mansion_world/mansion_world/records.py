@@ -1,4 +1,4 @@
-"""What a world keeps of its buildings: rows of the manifest, and what was set aside."""
+"""Records of a world: rows of its manifest, and the attempts that were rejected."""
 
 from typing import Literal, TypeAlias
 

@@ -37,7 +37,7 @@ _TERMS: Final = Terms(MOST_ATTEMPTS, MOST_FLOOR_AREA, distinct=True)
 
 
 class Requests(Protocol):
-    """The requests of a world by index and attempt: the same whenever and wherever they are asked for."""
+    """The requests of a world by index and attempt, the same in every process and at every call."""
 
     @property
     def seed(self) -> int:

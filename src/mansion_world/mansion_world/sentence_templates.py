@@ -6,12 +6,12 @@ from typing import Final
 
 import numpy as np
 
+from mansion_language.numbers import NUMBER_WORDS
 from mansion_world.mixture import load_sentences
 
 __all__ = ["fitting_wordings", "fill_wording", "values_in_words"]
 
 _PLACE: Final = re.compile(r"\{(?:(an?|An?):)?(\w+)\}")
-_NUMBERS: Final = ("one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten")
 _VOWEL_SOUND: Final = re.compile(r"(?i)[aeiou]|8|11|18|[lfmnrsx]-")
 
 
@@ -41,7 +41,7 @@ def values_in_words(
     >>> sorted(words)
     ['area', 'floors', 'outline', 'storeys', 'style']
     """
-    number = _NUMBERS[floors - 1] if generator.random() < 0.7 else str(floors)
+    number = NUMBER_WORDS[floors] if generator.random() < 0.7 else str(floors)
     floor = str(generator.choice(["floor", "floor", "storey"]))
     storey = str(generator.choice(["storey", "storey", "story", "floor"]))
     unit = str(generator.choice(["m2", "square metres", "square meters", "sqm"]))

@@ -5,11 +5,11 @@ from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
-from typing import Final
+from typing import Final, get_args
 
 from mansion_msgs_py.codec import decode
 from mansion_world.mixture import Mixture
-from mansion_world.records import SPLITS, Record, TaskRow, Trial, WorldIndex
+from mansion_world.records import SPLITS, Difficulty, Record, TaskRow, Trial, WorldIndex
 from mansion_world.trials import read_trials, tried_tasks
 from mansion_world.world_folder import WorldFolder
 
@@ -118,7 +118,7 @@ class WorldStatistics:
             "Floors": {str(floors): self.floors[floors] for floors in sorted(self.floors)},
             **areas,
             **held,
-            "Difficulty": {level: self.difficulties[level] for level in ("easy", "medium", "hard", "expert")},
+            "Difficulty": {level: self.difficulties[level] for level in get_args(Difficulty)},
             "Split": {split: self.splits[split] for split in SPLITS},
             "Tasks": {kind: self.task_kinds[kind] for kind in sorted(self.task_kinds)},
             "Floors of a task": {str(floors): self.task_floors[floors] for floors in sorted(self.task_floors)},

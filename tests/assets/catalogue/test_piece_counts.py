@@ -4,16 +4,16 @@ import pytest
 
 from mansion_assets.catalogue import load_catalogue
 from mansion_assets.catalogue.piece_counts import pieces
-from mansion_knowledge.object_kinds import added_for, answers, stand_ins
+from mansion_knowledge.object_kinds import added_for, answers, substitutes
 
 CATALOGUE = load_catalogue()
 
 
 def test_every_stand_in_and_addition_is_a_category_of_the_catalogue() -> None:
     for category in CATALOGUE.categories:
-        named = {*stand_ins(category), added_for(category)}
+        named = {*substitutes(category), added_for(category)}
         assert named <= set(CATALOGUE.categories)
-        assert category not in stand_ins(category)
+        assert category not in substitutes(category)
         assert answers(category, category) and answers(category, added_for(category))
 
 

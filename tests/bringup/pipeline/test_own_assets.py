@@ -108,8 +108,8 @@ def test_a_library_that_is_not_there_is_named_with_those_that_are(
 
 
 def test_a_stated_mass_and_the_drawer_of_a_urdf_reach_the_physics(tmp_path: Path, flat: Path) -> None:
-    from mansion_export.articulation import assemblies
-    from mansion_export.building_model import floor_model
+    from mansion_export.meshes.building_model import floor_model
+    from mansion_export.physics.articulation import assemblies
 
     cabinets = tmp_path / "cabinets"
     run("assets", "add", str(write_cabinet(tmp_path / "models")), "--library", str(cabinets))

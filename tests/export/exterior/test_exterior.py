@@ -8,10 +8,10 @@ from hypothesis import strategies as st
 from shapely.geometry import Point, Polygon, box
 from shapely.ops import unary_union
 
-from mansion_export.building_model import building_models
 from mansion_export.exterior.lettering import lettering
 from mansion_export.exterior.roofs import covering_rectangles
-from mansion_export.model import Model, Node
+from mansion_export.meshes.building_model import building_models
+from mansion_export.meshes.model import Model, Node
 from mansion_msgs_py.scene import FloorScene
 
 

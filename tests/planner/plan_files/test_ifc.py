@@ -231,7 +231,7 @@ def test_a_space_without_a_storey_and_a_file_without_spaces(tmp_path: Path) -> N
 def test_what_is_no_ifc_file_is_refused_in_one_line(tmp_path: Path, text: str) -> None:
     path = tmp_path / "plan.ifc"
     path.write_text(text, encoding="utf-8")
-    with pytest.raises(MansionError, match=r"plan\.ifc: no IFC file") as refusal:
+    with pytest.raises(MansionError, match=r"plan\.ifc is not an IFC file") as refusal:
         read_plan(path)
     assert "\n" not in refusal.value.info.message
 

@@ -31,7 +31,7 @@ def test_our_own_json(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ("[1, 2", "no JSON"),
+        ("[1, 2", "is not JSON"),
         ('{"rooms": []}', "expected a plan"),
         ('{"floors": [{"rooms": [{"name": "Room", "outline": []}]}]}', "outline"),
         ('{"type": "FeatureCollection", "features": 3}', "has features"),

@@ -30,6 +30,24 @@ def test_a_building_beyond_the_limit_is_refused() -> None:
         plan_building(BuildRequest(description="an office of 80 storeys", floor_area=15_000.0))
 
 
+@pytest.mark.parametrize(
+    "description",
+    [
+        "three bedrooms, a kitchen next to the living room, 9999999999 upstairs",
+        "a three-storey hotel with 88888888 bedrooms",
+        "an office with a meeting room, 77777777 of them",
+        "three bedrooms, a kitchen, 1900 upstairs",
+    ],
+)
+def test_more_rooms_than_storeys_can_have_take_no_memory(description: str) -> None:
+    try:
+        plan = plan_building(BuildRequest(description=description))
+    except MansionError as error:
+        assert error.code == ErrorCode.INFEASIBLE and "at most 400 on each of" in error.info.message
+    else:
+        assert sum(len(floor.rooms) for floor in plan.program.floors) < 100
+
+
 def test_the_solver_refuses_an_outline_beyond_the_limit() -> None:
     side = 1_500.0
     outline = [(0.0, 0.0), (side, 0.0), (side, side), (0.0, side)]

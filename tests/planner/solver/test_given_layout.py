@@ -41,7 +41,7 @@ def test_faults_are_refused_with_their_place() -> None:
     with pytest.raises(MansionError, match="names 'attic'"):
         solve_floor(problem(Edge(source="den", target="attic")))
     crossed = FixedRoom(id="den", polygon=[(5, 0), (9, 4), (9, 0), (5, 4)])
-    with pytest.raises(MansionError, match="den is no simple polygon") as refusal:
+    with pytest.raises(MansionError, match="den is not a simple polygon") as refusal:
         solve_floor(FloorProblem(boundary=BOUNDARY, nodes=NODES[:2], fixed_rooms=[HALL, crossed]))
     assert refusal.value.info.path == "$.fixed_rooms[1].polygon"
 

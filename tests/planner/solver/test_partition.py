@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from mansion_planner.solver import SolverOptions
-from mansion_planner.solver.annealing import anneal
+from mansion_planner.solver.annealing import Schedule, anneal
 from mansion_planner.solver.energy import total_energy
 from mansion_planner.solver.grid import Grid, major_lines, make_grid, spaced_lines
 from mansion_planner.solver.partition import State, make_state, paint
@@ -52,7 +52,8 @@ def test_annealing_returns_the_energy_of_the_partition_that_it_returns_and_lower
     goal, grid, state = striped()
     before = total_energy(goal, state)
     boxes = np.zeros((0, 5), np.int64)
-    labels, after = anneal(grid.cells, goal, state.labels, boxes, 3000, temperature, temperature / 50, 4, 0.05, 0.2, 7)
+    schedule = Schedule(3000, temperature, temperature / 50, reach=4, swap_share=0.05, rectangle_share=0.2)
+    labels, after = anneal(grid.cells, goal, state.labels, boxes, schedule, 7)
     again = make_state(grid.cells, goal, labels)
     assert total_energy(goal, again) == pytest.approx(after, abs=1e-9)
     assert after < before

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from mansion_assets.catalogue import load_catalogue
-from mansion_export.asset_surfaces import asset_surfaces
+from mansion_export.meshes.asset_surfaces import asset_surfaces
 from mansion_export.simulator_files import write_stl
 from mansion_msgs_py.scene import SceneObject
 from mansion_skills.vision.articulation import hinges_of, part_of, read_stl

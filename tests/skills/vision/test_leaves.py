@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from mansion_export.opening_meshes import leaf_parts
+from mansion_export.meshes.opening_meshes import leaf_parts
 from mansion_msgs_py.scene import Door
 from mansion_skills.vision.articulation import leaves_of
 from sample_building import scene

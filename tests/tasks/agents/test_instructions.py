@@ -120,3 +120,8 @@ def test_nouns_match_categories_by_word(noun: str, name: str, score: int) -> Non
 
 def test_singulars_keep_words_that_only_look_like_plurals() -> None:
     assert [singular(w) for w in ("glass", "bus", "boxes", "knives")] == ["glass", "bus", "box", "knife"]
+
+
+def test_a_word_for_a_colour_means_the_colour_that_materials_have() -> None:
+    read = read_instruction("Bring the navy mug to the cream sofa.", FLOORS, LABELS)
+    assert (read.target.color, read.destination.color) == ("blue", "beige")

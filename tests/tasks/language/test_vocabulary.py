@@ -2,7 +2,7 @@
 
 from mansion_msgs_py.scene import SceneRoom
 from mansion_tasks.language.matching import match_score, names_room
-from mansion_tasks.language.vocabulary import COLOUR_WORDS, COLOURS, OBJECTS, ROOMS
+from mansion_tasks.language.vocabulary import OBJECTS, ROOMS
 
 
 def test_a_word_stands_in_one_group_only() -> None:
@@ -15,11 +15,6 @@ def test_words_that_mean_the_same_match_each_other() -> None:
         name = group.same[0].replace(" ", "_")
         assert [match_score(word, name) for word in group.same] == [3] * len(group.same)
         assert all(match_score(word, name) > 0 for word in group.loose), name
-
-
-def test_instructions_may_use_every_colour_of_a_material() -> None:
-    assert set(COLOURS) < COLOUR_WORDS
-    assert len(COLOURS) == len(set(COLOURS))
 
 
 def test_a_room_goes_by_its_type_its_name_and_its_other_names() -> None:

@@ -41,7 +41,7 @@ class Description(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class Hypernym(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """A general notion.
+    """A general term.
 
     Attributes
     ----------

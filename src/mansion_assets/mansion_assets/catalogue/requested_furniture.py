@@ -11,7 +11,7 @@ from mansion_assets.catalogue.catalogue import Catalogue, RoomProgramCard
 from mansion_assets.catalogue.piece_counts import pair_of_seats, pieces
 from mansion_assets.catalogue.quantities import sits_around
 from mansion_assets.catalogue.records import Arrangement, Count, HangItem, Item, RugItem, Scatter, Slot
-from mansion_knowledge.object_kinds import added_for, answers, idle_without, of_one_kind, stand_ins
+from mansion_knowledge.object_kinds import added_for, answers, idle_without, of_one_kind, substitutes
 from mansion_msgs_py.placement import Relation
 from mansion_msgs_py.program import RequestedObject
 
@@ -184,7 +184,7 @@ class _Program:
 
     def ask(self, category: str, count: int) -> None:
         """Make the room have `count` pieces of a category."""
-        for names in ([category], stand_ins(category)):
+        for names in ([category], substitutes(category)):
             item = self._usual_item(names)
             if item is not None:
                 self._raise(item, category, count)

@@ -96,7 +96,7 @@ def hexagons(canvas: Canvas, columns: int, rows: int) -> Pieces:
 
 
 def cells(canvas: Canvas, salt: str, size: float) -> Pieces:
-    """Return irregular cells of about `size` metres around points that are strewn one to each square of a grid.
+    """Return irregular cells of about `size` metres around random points, one in each square of a grid.
 
     `along` is the distance to the nearest point, `across` to the second nearest (Worley, S. 1996, A cellular texture
     basis function); `edge` is half their difference.

@@ -29,7 +29,7 @@ STEEP = 0.9995
 Pixels = npt.NDArray[np.uint8]
 
 QUALITY = 85
-"""Of the JPEGs."""
+"""Quality of the JPEG files."""
 
 
 class TextureSet(msgspec.Struct, frozen=True):

@@ -2,7 +2,7 @@
 
 import math
 
-from mansion_assets.builder import Box, Builder
+from mansion_assets.builder import Builder
 from mansion_assets.registry import recipe
 
 __all__: list[str] = []
@@ -52,12 +52,8 @@ def banana(b: Builder) -> None:
         (w * 0.46, d * 0.3, h * 0.5),
     ]
     b.path(points, h * 0.4, b.mat(), "fruit")
-    b.boxes.append(_flat(b))
+    b.boxes.append(b.whole_box())
     b.rod(points[-1], (w / 2, d / 2, h * 0.5), h * 0.15, "food_brown", "tip")
-
-
-def _flat(b: Builder) -> Box:
-    return Box((0.0, 0.0, b.h / 2), (b.w, b.d, b.h))
 
 
 @recipe("utensil")

@@ -1,8 +1,9 @@
 """Pallets, racks, crates and glass cases."""
 
+from itertools import product
 from typing import Any
 
-from mansion_assets.builder import Box, Builder
+from mansion_assets.builder import Builder
 from mansion_assets.catalogue.receptacles import Receptacle, volume
 from mansion_assets.registry import receptacles, recipe
 from mansion_msgs_py.shapes import Size3
@@ -56,55 +57,49 @@ def pallet_rack(b: Builder) -> None:
 def pallet(b: Builder) -> None:
     """A pallet of cartons, or a stack of empty pallets."""
     w, d, h = b.w, b.d, b.h
-    count = max(2, round(h / 0.15)) if b.p.get("style") == "stack" else 1
-    high = h / count if count > 1 else 0.145
-    for k in range(count):
-        z = k * high
-        for sy in (-1, 0, 1):
-            b.box(
-                (-w / 2, w / 2),
-                (sy * (d / 2 - 0.06) - 0.06, sy * (d / 2 - 0.06) + 0.06),
-                (z, z + high - 0.05),
-                "wood_birch",
-                "blocks",
-                solid=False,
-            )
-        for j in range(5):
-            y = -d / 2 + j * (d - 0.12) / 4
-            b.box(
-                (-w / 2, w / 2),
-                (y, y + 0.12),
-                (z + high - 0.05, z + high - 0.01 * (count > 1)),
-                "wood_birch",
-                "boards",
-                solid=False,
-            )
-    if count > 1:
-        b.boxes.append(_whole(b))
+    if b.p.get("style") == "stack":
+        count = max(2, round(h / 0.15))
+        for k in range(count):
+            _empty_pallet(b, k * (h / count), h / count, gap=0.01)
+        b.boxes.append(b.whole_box())
         b.box((-w / 2, w / 2), (-d / 2, d / 2), (h - 0.02, h), "wood_birch", "boards", solid=False)
         return
+    high = 0.145
+    _empty_pallet(b, 0.0, high, gap=0.0)
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, high), "wood_birch", "deck", solid=False)
-    rows = max(1, round((h - high) / 0.3))
-    step = (h - high) / rows
-    for k in range(rows):
-        for i in range(3):
-            for j in range(2):
-                x0, y0 = -w / 2 + 0.01 + i * (w - 0.02) / 3, -d / 2 + 0.01 + j * (d - 0.02) / 2
-                color = "paper_brown" if (i + j + k) % 3 else "paper_beige"
-                z = high + k * step
-                b.box(
-                    (x0, x0 + (w - 0.02) / 3 - 0.006),
-                    (y0, y0 + (d - 0.02) / 2 - 0.006),
-                    (z, z + step - (0.006 if k < rows - 1 else 0)),
-                    color,
-                    "cartons",
-                    solid=False,
-                )
-    b.boxes.append(_whole(b))
+    _cartons(b, high)
+    b.boxes.append(b.whole_box())
 
 
-def _whole(b: Builder) -> Box:
-    return Box((0.0, 0.0, b.h / 2), (b.w, b.d, b.h))
+def _empty_pallet(b: Builder, z: float, high: float, *, gap: float) -> None:
+    """Add blocks and boards from height `z` on, with a `gap` below the next pallet."""
+    w, d = b.w, b.d
+    for sy in (-1, 0, 1):
+        middle = sy * (d / 2 - 0.06)
+        span = (middle - 0.06, middle + 0.06)
+        b.box((-w / 2, w / 2), span, (z, z + high - 0.05), "wood_birch", "blocks", solid=False)
+    for j in range(5):
+        y = -d / 2 + j * (d - 0.12) / 4
+        height = (z + high - 0.05, z + high - gap)
+        b.box((-w / 2, w / 2), (y, y + 0.12), height, "wood_birch", "boards", solid=False)
+
+
+def _cartons(b: Builder, low: float) -> None:
+    """Add rows of cartons from height `low` to the top, with joints between them."""
+    w, d = b.w, b.d
+    rows = max(1, round((b.h - low) / 0.3))
+    step = (b.h - low) / rows
+    for k, i, j in product(range(rows), range(3), range(2)):
+        x0, y0 = -w / 2 + 0.01 + i * (w - 0.02) / 3, -d / 2 + 0.01 + j * (d - 0.02) / 2
+        z = low + k * step
+        b.box(
+            (x0, x0 + (w - 0.02) / 3 - 0.006),
+            (y0, y0 + (d - 0.02) / 2 - 0.006),
+            (z, z + step - (0.006 if k < rows - 1 else 0)),
+            "paper_brown" if (i + j + k) % 3 else "paper_beige",
+            "cartons",
+            solid=False,
+        )
 
 
 @recipe("crate")

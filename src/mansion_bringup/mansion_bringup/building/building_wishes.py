@@ -5,9 +5,9 @@ from collections.abc import Mapping
 from typing import Final
 
 from mansion_bringup.building.judged_building import JudgedBuilding
-from mansion_bringup.building.verdicts import AREA_TOLERANCE, Judge, Verdict, keeps_to, listed, met_if, spoken
+from mansion_bringup.building.verdicts import Judge, Verdict, keeps_to, listed, met_if, spoken
 from mansion_msgs_py.shapes import Ring
-from mansion_msgs_py.wishes import Wish
+from mansion_msgs_py.wishes import AREA_TOLERANCE, Wish
 
 __all__ = ["BUILDING_JUDGES"]
 

@@ -6,8 +6,8 @@ from dataclasses import replace
 from typing import Final
 
 from mansion_bringup.building.judged_building import JudgedBuilding, JudgedRoom
-from mansion_bringup.building.verdicts import AREA_TOLERANCE, Judge, Verdict, keeps_to, listed, met_if, spoken
-from mansion_msgs_py.wishes import Wish
+from mansion_bringup.building.verdicts import Judge, Verdict, keeps_to, listed, met_if, spoken
+from mansion_msgs_py.wishes import AREA_TOLERANCE, Wish
 
 __all__ = ["ROOM_JUDGES"]
 
@@ -31,7 +31,7 @@ def _room(wish: Wish, state: JudgedBuilding) -> Verdict:
     wanted = _wanted(wish, state)
     if wish.scope.each and floors:
         counts = Counter(room.floor for room in rooms)
-        short = [floor for floor in floors if counts[floor] != (value.count or max(counts[floor], 1))]
+        short = [floor for floor in floors if counts[floor] != (wanted or max(counts[floor], 1))]
         if short:
             return Verdict("partly", f"storey {listed(short)} has {listed([counts[f] for f in short])}", ids)
     elif wanted is None and len(rooms) < 2:

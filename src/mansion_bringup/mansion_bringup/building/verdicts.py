@@ -7,10 +7,7 @@ from typing import TypeAlias
 from mansion_bringup.building.judged_building import JudgedBuilding
 from mansion_msgs_py.wishes import Wish, WishStatus
 
-__all__ = ["AREA_TOLERANCE", "Judge", "Verdict", "keeps_to", "listed", "met_if", "spoken"]
-
-AREA_TOLERANCE = 0.1
-"""Share by which an area may miss the one that is asked for and still meet it."""
+__all__ = ["Judge", "Verdict", "keeps_to", "listed", "met_if", "spoken"]
 
 
 @dataclass(frozen=True)

@@ -7,7 +7,8 @@ from shapely import LineString, Polygon, STRtree, prepare
 
 from mansion_bringup.check.fault import Fault
 from mansion_bringup.check.shapes import net_area, vertical
-from mansion_geometry.object_footprints import footprint
+from mansion_geometry.object_footprints import WALKABLE_HEIGHT, footprint
+from mansion_geometry.wall_sizes import DOOR_HEAD, DOORWAY_DEPTH
 from mansion_msgs_py.scene import FloorScene, SceneObject, SceneRoom
 
 __all__ = ["carriers", "check_objects"]
@@ -17,12 +18,6 @@ Placed: TypeAlias = tuple[SceneObject, Polygon]
 
 AREA_SLACK = 1e-3
 """Square metres by which footprints may overlap or overhang from rounding."""
-
-WALKABLE_HEIGHT = 0.03
-"""An object lower than this (a rug) is walked over."""
-
-DOOR_DEPTH = 0.6
-"""Depth of the area before a door that must stay clear, metres."""
 
 HEIGHT_SLACK = 0.03
 
@@ -120,13 +115,13 @@ def _before_doors(scene: FloorScene, placed: Sequence[Placed]) -> Iterator[Fault
     standing = [
         (item, shape)
         for item, shape in placed
-        if item.mount in ("floor", "wall") and vertical(item)[0] < 1.9 and item.size[2] > WALKABLE_HEIGHT
+        if item.mount in ("floor", "wall") and item.bottom < DOOR_HEAD and item.size[2] > WALKABLE_HEIGHT
     ]
     if not standing:
         return
     tree = STRtree([shape for _, shape in standing])
     for door in scene.doors:
-        area = LineString(door.segment).buffer(DOOR_DEPTH, cap_style="flat")
+        area = LineString(door.segment).buffer(DOORWAY_DEPTH, cap_style="flat")
         for index in sorted(tree.query(area)):
             item, shape = standing[index]
             near = item.room in door.rooms

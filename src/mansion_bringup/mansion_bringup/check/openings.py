@@ -10,15 +10,10 @@ from shapely.geometry.base import BaseGeometry
 
 from mansion_bringup.check.fault import Fault
 from mansion_bringup.check.shapes import along, room_area, segment_length
+from mansion_geometry.wall_sizes import CLEAR_WIDTH, MIN_CLEAR_WIDTH
 from mansion_msgs_py.scene import Door, FloorScene, Wall, Window
 
 __all__ = ["check_openings"]
-
-CLEAR_WIDTH = 0.9
-"""Least clear width of a door, metres."""
-
-GIVEN_WIDTH = 0.7
-"""Least clear width of a door that the user's own plan has narrower, which the scene records; metres."""
 
 GARAGE_WIDTH = 2.4
 """Least clear width of a door for vehicles, metres."""
@@ -64,7 +59,7 @@ def _door(
     first, second = door.rooms[0], door.rooms[1] or "outside"
     pairs = ((first, second), (second, first))
     narrow = any(f"door of {CLEAR_WIDTH} m between {one} and {other}" in given for one, other in pairs)
-    least = GARAGE_WIDTH if door.kind == "garage" else GIVEN_WIDTH if narrow else CLEAR_WIDTH
+    least = GARAGE_WIDTH if door.kind == "garage" else MIN_CLEAR_WIDTH if narrow else CLEAR_WIDTH
     if length < least - ROUNDING:
         yield Fault("DOOR_NARROW", door.id, f"{length:.2f} m clear; at least {least} m are needed")
     if door.kind == "garage" and None not in door.rooms:

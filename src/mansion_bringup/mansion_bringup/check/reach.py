@@ -1,6 +1,6 @@
 """Checks that a robot can get everywhere: the walkable region eroded by its radius, as exact polygons, not a grid."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import networkx as nx
@@ -11,24 +11,21 @@ from mansion_bringup.check.fault import Fault
 from mansion_bringup.check.shapes import net_area, vertical
 from mansion_geometry.doorways import PASSAGE_DEPTH, is_walkway
 from mansion_geometry.floor_regions import disc_positions_among, strip
-from mansion_geometry.object_footprints import footprint, oblique_margin
+from mansion_geometry.object_footprints import WALKABLE_HEIGHT, footprint, oblique_margin
 from mansion_geometry.robot_body import BODY_RADIUS, CLEARANCE, ROBOT_RADIUS, ROBOT_REACH
 from mansion_msgs_py.scene import FloorScene, SceneObject
 
-__all__ = ["check_reach"]
+__all__ = ["Walk", "check_reach", "walkable"]
 
 SLACK = 0.03
 """Metres by which what is near may lie off, for the grid of 0.05 m on which furniture is placed."""
-
-WALKABLE_HEIGHT = 0.03
-"""Height up to which an object counts as floor, metres: below `FLAT`, to be on the safe side."""
 
 ENTRANCE_REACH = 0.8
 """How near to a core's entrance pose the robot must get, metres."""
 
 
 @dataclass(frozen=True)
-class _Walk:
+class Walk:
     """The pieces of a floor that the robot's centre can move in."""
 
     pieces: list[Polygon]
@@ -40,10 +37,17 @@ class _Walk:
         return set(found.tolist())
 
 
-def check_reach(scenes: Sequence[FloorScene]) -> Iterator[Fault]:
-    """Yield what cannot be reached from the building's entrance."""
+def check_reach(scenes: Sequence[FloorScene], walks: Mapping[int, Walk] | None = None) -> Iterator[Fault]:
+    """Yield what cannot be reached from the building's entrance.
+
+    Parameters
+    ----------
+    scenes : sequence of FloorScene
+    walks : mapping of int to Walk, optional
+        What `walkable` returned for each floor, where that is known.
+    """
     graph: nx.Graph[tuple[int, int] | str] = nx.Graph()
-    walks = {scene.floor: _walkable(scene) for scene in scenes}
+    walks = walks or {scene.floor: walkable(scene) for scene in scenes}
     starts: list[tuple[int, int]] = []
     for scene in scenes:
         walk = walks[scene.floor]
@@ -63,14 +67,15 @@ def check_reach(scenes: Sequence[FloorScene]) -> Iterator[Fault]:
         yield from _floor(scene, walks[scene.floor], pieces)
 
 
-def _walkable(scene: FloorScene) -> _Walk:
+def walkable(scene: FloorScene) -> Walk:
+    """Return where the robot's centre can be on a floor."""
     rooms = [net_area(room) for room in scene.rooms if room.kind not in ("stair", "elevator")]
     cores = [core.id for core in scene.cores]
     inner = [door for door in scene.doors if door.is_open or door.kind != "entrance"]
     passages = [strip(door.segment, PASSAGE_DEPTH) for door in inner if is_walkway(door, cores)]
     obstacles = [_body(item) for item in scene.objects if _obstructs(item)]
     pieces = disc_positions_among([*rooms, *passages], obstacles, BODY_RADIUS, quad_segs=16)
-    return _Walk(pieces, STRtree(pieces))
+    return Walk(pieces, STRtree(pieces))
 
 
 def _body(item: SceneObject) -> Polygon:
@@ -84,7 +89,7 @@ def _obstructs(item: SceneObject) -> bool:
     return item.mount in ("floor", "wall") and low < CLEARANCE and high > WALKABLE_HEIGHT
 
 
-def _floor(scene: FloorScene, walk: _Walk, reached: set[int]) -> Iterator[Fault]:
+def _floor(scene: FloorScene, walk: Walk, reached: set[int]) -> Iterator[Fault]:
     if not reached:
         yield Fault("FLOOR_UNREACHABLE", f"floor {scene.floor}", "no stair or lift leads to it")
         return
@@ -102,7 +107,7 @@ def _floor(scene: FloorScene, walk: _Walk, reached: set[int]) -> Iterator[Fault]
     yield from _spawn(scene, walk, reached)
 
 
-def _spawn(scene: FloorScene, walk: _Walk, reached: set[int]) -> Iterator[Fault]:
+def _spawn(scene: FloorScene, walk: Walk, reached: set[int]) -> Iterator[Fault]:
     where = f"floor {scene.floor}"
     if scene.spawn is None:
         yield Fault("SPAWN", where, "has no spawn pose")

@@ -8,12 +8,11 @@ from mansion_bringup.check.fault import Fault
 from mansion_msgs_py.building import Building
 from mansion_msgs_py.layout import FloorLayout
 from mansion_msgs_py.scene import FloorScene
+from mansion_msgs_py.wishes import AREA_TOLERANCE
 from mansion_msgs_py.wording import counted
 
 __all__ = ["check_request"]
 
-AREA_TOLERANCE = 0.10
-"""Share by which a floor's or the building's area may differ from an asked one."""
 
 FOOTPRINT_TOLERANCE = 1e-3
 

@@ -41,7 +41,7 @@ def free_region(outline: Ring, holes: Sequence[Ring], cores: Sequence[Ring]) -> 
 
 def vertical(item: SceneObject) -> tuple[float, float]:
     """Lower and upper height of the object above the finished floor."""
-    return item.position[2] - item.size[2] / 2, item.position[2] + item.size[2] / 2
+    return item.bottom, item.top
 
 
 def segment_length(segment: Segment) -> float:

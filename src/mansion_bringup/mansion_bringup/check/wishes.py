@@ -21,15 +21,10 @@ from mansion_knowledge.object_kinds import answers, seats_of_row
 from mansion_msgs_py.building import Building
 from mansion_msgs_py.layout import FloorLayout
 from mansion_msgs_py.scene import FloorScene, SceneRoom
-from mansion_msgs_py.wishes import Wish, WishValue
+from mansion_msgs_py.wishes import AREA_TOLERANCE, MOST_WORDS, Wish, WishValue
 
 __all__ = ["check_wishes"]
 
-MOST_WORDS = 12
-"""Words that the text of a wish has at most."""
-
-AREA_TOLERANCE = 0.10
-"""Share by which the area of a storey or of the building may differ from the one asked for."""
 
 ROOM_TOLERANCE = 0.15
 """Share by which the area of a room may differ from the one asked for."""
@@ -303,7 +298,8 @@ def _room(wish: Wish, finished: _Finished) -> str:
     ]
     if wish.scope.each and floors:
         there = Counter(floor for floor, _ in rooms)
-        if any(there[floor] == 0 or value.count not in (None, there[floor]) for floor in floors):
+        each = None if None in alike else sum(count or 0 for count in alike)
+        if any(there[floor] == 0 or each not in (None, there[floor]) for floor in floors):
             return f"the storeys have {[there[floor] for floor in floors]} of them"
     else:
         numbers = [count for count in alike if count is not None]

@@ -134,7 +134,7 @@ def sheet(
 
       mansion assets sheet -o lamps.png reading lamp
     """
-    from mansion_export.asset_picture import contact_sheet
+    from mansion_export.pictures.asset_picture import contact_sheet
 
     check_output_file(output)
     if not (words or library or category):
@@ -225,7 +225,7 @@ def add(
     from mansion_assets.library.adding import add_models, models_below
     from mansion_assets.library.folders import library_folder
     from mansion_assets.library.preparing import AddOptions
-    from mansion_export.asset_picture import source_thumbnail
+    from mansion_export.pictures.asset_picture import source_thumbnail
 
     folder = library_folder(library)
     for path in paths:

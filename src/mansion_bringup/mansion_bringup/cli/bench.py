@@ -114,7 +114,7 @@ def gallery(
 
       mansion bench gallery rooms.json ours=a.json other=c.json -o gallery --answers answers.json
     """
-    from mansion_export.gallery import Answer, GalleryKey, gallery_files, tally
+    from mansion_export.pictures.gallery import Answer, GalleryKey, gallery_files, tally
     from mansion_scene.placement.files import load_rooms
 
     if answers:

@@ -42,7 +42,7 @@ LAST_DOMAIN: Final = 232
 
 
 def check_domain() -> None:
-    """Refuse a ``ROS_DOMAIN_ID`` that is none, with ``INVALID_PAYLOAD``."""
+    """Raise ``INVALID_PAYLOAD`` where ``ROS_DOMAIN_ID`` is not a domain."""
     text = os.environ.get("ROS_DOMAIN_ID", "")
     if text and not (text.isascii() and text.isdecimal() and int(text) <= LAST_DOMAIN):
         raise MansionError(

@@ -8,9 +8,9 @@ from typing import Any, Final
 import msgspec
 
 from mansion_bringup.rerun_files.rrd_file import RrdFile
-from mansion_export.building_model import floor_model
 from mansion_export.glb import write_glb
-from mansion_export.materials import hex_color
+from mansion_export.meshes.building_model import floor_model
+from mansion_export.meshes.materials import hex_color
 from mansion_geometry.robot_body import CLEARANCE
 from mansion_msgs_py.scene import Door, FloorScene
 from mansion_msgs_py.world import ObjectState, Pose2D

@@ -23,7 +23,6 @@ from mansion_editing.instructions.statements import (
     Things,
 )
 from mansion_editing.state import SceneState
-from mansion_editing.storage import landed_by
 from mansion_msgs_py.editing.changes import Transaction
 from mansion_msgs_py.errors import ErrorCode, MansionError
 
@@ -41,11 +40,11 @@ def brief_of(editor: SceneEditor) -> str:
 
 def context_of(editor: SceneEditor) -> Context:
     """Return what the user's last edit was about, which "it" and "there" may mean; empty before the first."""
-    landed = landed_by(editor.store.log(), editor.who)
+    landed = editor.store.edit_log.landed_by(editor.who)
     asked = editor.answered
     if asked is not None and asked.edits == len(landed):
         return Context(asked.things, asked.rooms, asked.noun)
-    last = landed[-1] if landed else None
+    last = _last(editor)
     if last is None:
         return Context()
     state = editor.state
@@ -59,13 +58,14 @@ def context_of(editor: SceneEditor) -> Context:
 
 def remember(editor: SceneEditor, context: Context) -> None:
     """Keep what a question was about, which the next instruction may refer to; an edit is told by the log."""
-    edits = len(landed_by(editor.store.log(), editor.who))
+    edits = len(editor.store.edit_log.landed_by(editor.who))
     editor.answered = Answered(edits, context.things, context.rooms, context.noun)
 
 
 def _last(editor: SceneEditor) -> Transaction | None:
-    landed = landed_by(editor.store.log(), editor.who)
-    return landed[-1] if landed else None
+    log = editor.store.edit_log
+    landed = log.landed_by(editor.who)
+    return log.transaction(landed[-1]) if landed else None
 
 
 def is_taken_back(statement: Statement, editor: SceneEditor) -> bool:
@@ -141,9 +141,10 @@ def _with_things(statement: Statement, things: Things) -> Statement:
 
 
 def _earlier(editor: SceneEditor) -> list[Statement]:
-    landed = landed_by(editor.store.log(), editor.who)
-    for transaction in reversed(landed[-MOST_STEPS_BACK:]):
-        read = read_instruction(transaction.what, editor.state, brief_of(editor))
+    log = editor.store.edit_log
+    landed = log.landed_by(editor.who)
+    for number in reversed(landed[-MOST_STEPS_BACK:]):
+        read = read_instruction(log.transaction(number).what, editor.state, brief_of(editor))
         asked: list[Statement] = [s for s in read.statements if not isinstance(s, Mention)]
         if asked and not read.not_understood and not any(isinstance(s, History) for s in asked):
             return asked

@@ -1,7 +1,6 @@
 """``scene_editor``: the one writer of scenes; the editing tools and the editing agent as services."""
 
 import re
-import threading
 from collections.abc import Callable, Sequence
 from datetime import UTC, datetime
 from importlib import import_module
@@ -15,6 +14,7 @@ from rclpy.parameter import Parameter
 
 from mansion_assets.library.building_assets import catalogue_for
 from mansion_assets.retrieval.configured import configured_retriever
+from mansion_editing.derived_files import DerivedFiles
 from mansion_editing.editor import TOOLS, OpenEditors, SceneEditor
 from mansion_editing.instructions.instruct import instruct
 from mansion_editing.physics.engine import engine_named
@@ -53,10 +53,9 @@ class SceneEditorNode(MansionNode):
         self._allowed = declare_allowed_folders(self, str(self.get_parameter("building").value))
         self._editors = OpenEditors()
         self._scenes = JsonPublisher(self, topic("floor_scene"))
-        self._hooks = _load_hooks(str(self.get_parameter("hooks").value))
-        self._behind: dict[str, BuildingStore] = {}
-        self._wake = threading.Event()
-        threading.Thread(target=self._derive, name="derive", daemon=True).start()
+        hooks = str(self.get_parameter("hooks").value)
+        self._hooks = _load_hooks(hooks)
+        self._derived = DerivedFiles(hooks, self._allowed, self._tell_written, self._tell_behind)
         group = MutuallyExclusiveCallbackGroup()
         add_json_service(self, service("scene/open"), self.open, callback_group=group)
         add_json_service(self, service("scene/instruct"), self.instruct, callback_group=group)
@@ -129,29 +128,26 @@ class SceneEditorNode(MansionNode):
         return str(self.get_parameter("physics").value)
 
     def _landed(self, editor: SceneEditor, floors: Sequence[int]) -> None:
-        for floor in floors or editor.store.log()[-1].revisions:
+        log = editor.store.edit_log
+        for floor in floors or log.transaction(len(log)).revisions:
             self._scenes.publish(editor.state.scenes[int(floor)])
         self._finish(editor.store)
 
     def _finish(self, store: BuildingStore) -> None:
         """Have the files that are made from scenes written, after the reply."""
         if hasattr(self._hooks, "kept_files"):
-            self._behind[str(store.folder.resolve())] = store
-            self._wake.set()
+            self._derived.update(store.folder)
 
-    def _derive(self) -> None:
-        while True:
-            self._wake.wait()
-            self._wake.clear()
-            for folder in list(self._behind):
-                store = self._behind.pop(folder)
-                try:
-                    floors = store.refresh(self._hooks.kept_files)
-                except (MansionError, OSError) as error:
-                    self.get_logger().error(f"{folder}: derived files are behind: {error}")
-                else:
-                    if floors:
-                        self.get_logger().info(f"{folder}: wrote the files of floors {floors}")
+    def _tell_written(self, folder: Path, floors: Sequence[int]) -> None:
+        self.get_logger().info(f"{folder}: wrote the files of floors {floors}")
+
+    def _tell_behind(self, folder: Path, error: Exception) -> None:
+        self.get_logger().error(f"{folder}: derived files are behind: {error}")
+
+    def destroy_node(self) -> None:
+        """End the process that writes files, then the node."""
+        self._derived.close()
+        super().destroy_node()
 
 
 def _time() -> str:

@@ -1,4 +1,4 @@
-"""A room that grows or shrinks against its neighbours."""
+"""Changes of a room's area, which its neighbours give or take."""
 
 import itertools
 from collections.abc import Iterator, Mapping

@@ -23,10 +23,11 @@ from mansion_editing.structure.storey_documents import (
 )
 from mansion_geometry.shared_walls import edge_array, longest_wall, shared_walls
 from mansion_geometry.stair_landings import with_landings
+from mansion_geometry.wall_sizes import ACCESS_WALL
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.program import BuildingProgram, CorePlan
 from mansion_msgs_py.scene import FloorScene, SceneRoom
-from mansion_msgs_py.shapes import Point
+from mansion_msgs_py.shapes import CompassSide, Point
 from mansion_msgs_py.topology import FloorTopology, TopologyNode
 from mansion_msgs_py.wording import listed
 from mansion_scene.structure.access import Passage, pair_key
@@ -34,7 +35,6 @@ from mansion_scene.structure.access import Passage, pair_key
 __all__ = ["CoreKind", "JudgeAll", "add_core"]
 
 CoreKind = Literal["stair", "elevator"]
-Side = Literal["north", "south", "east", "west"]
 
 JudgeAll = Callable[[Mapping[int, FloorScene]], Sequence[str]]
 """Returns the faults that a building would have with these storeys, and has not now."""
@@ -45,9 +45,13 @@ _SIZES: Final[Mapping[str, tuple[tuple[float, float], ...]]] = {
 }
 """Length along the wall with the door, and depth behind it, metres: the sizes that the planner gives cores."""
 
-_SIDES: Final[Mapping[tuple[int, int], Side]] = {(0, 1): "north", (0, -1): "south", (1, 0): "east", (-1, 0): "west"}
+_SIDES: Final[Mapping[tuple[int, int], CompassSide]] = {
+    (0, 1): "north",
+    (0, -1): "south",
+    (1, 0): "east",
+    (-1, 0): "west",
+}
 _STEP = 0.5
-_DOOR_WALL = 1.2
 _MOST_PLACES = 8
 
 
@@ -153,7 +157,7 @@ def _walls(storey: Storey, room_id: str) -> Iterator[tuple[Polygon, tuple[Point,
                 yield shape, (wall.start, wall.end)
 
 
-def _boxes(wall: tuple[Point, Point], along: float, depth: float) -> Iterator[tuple[Polygon, Side]]:
+def _boxes(wall: tuple[Point, Point], along: float, depth: float) -> Iterator[tuple[Polygon, CompassSide]]:
     """Yield boxes behind an axis-parallel wall, from end to end, each with the side of its door."""
     (ax, ay), (bx, by) = wall
     length = math.dist(*wall)
@@ -170,7 +174,7 @@ def _boxes(wall: tuple[Point, Point], along: float, depth: float) -> Iterator[tu
         yield box(*corners), side
 
 
-def _room_at(storey: Storey, shape: Polygon, side: Side) -> tuple[SceneRoom, SceneRoom] | None:
+def _room_at(storey: Storey, shape: Polygon, side: CompassSide) -> tuple[SceneRoom, SceneRoom] | None:
     """Return the room of a storey that can give a box, and the passage at the box's door side."""
     shapes = region_shapes(storey, storey.layout)
     giver = next((r for r in storey.scene.rooms if shapes[node_of(r)].buffer(1e-6).covers(shape)), None)
@@ -186,13 +190,13 @@ def _room_at(storey: Storey, shape: Polygon, side: Side) -> tuple[SceneRoom, Sce
     return None
 
 
-def _opens(shape: Polygon, side: Side, passage: Polygon) -> bool:
+def _opens(shape: Polygon, side: CompassSide, passage: Polygon) -> bool:
     """Whether a box has wall enough for its door in common with a passage, on one side."""
     x0, y0, x1, y1 = shape.bounds
     edges = {"north": box(x0, y1 - 0.1, x1, y1), "south": box(x0, y0, x1, y0 + 0.1)}
     edges |= {"east": box(x1 - 0.1, y0, x1, y1), "west": box(x0, y0, x0 + 0.1, y1)}
     longest = longest_wall(shared_walls(edge_array(edges[side]), edge_array(passage), 1e-3))
-    return longest is not None and longest.length >= _DOOR_WALL
+    return longest is not None and longest.length >= ACCESS_WALL
 
 
 def _built(storeys: Sequence[Storey], place: _Place, workshop: Workshop, judge: JudgeAll) -> list[Reshaped]:

@@ -5,7 +5,7 @@ put where the room is free, furniture at walls first, or is left out.
 """
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 import msgspec
@@ -13,11 +13,11 @@ from shapely import LineString
 
 from mansion_assets.catalogue import Catalogue
 from mansion_editing.state import SceneState
-from mansion_editing.structure.standing_checks import LOW, RoomSpace, collides, shifted, turned_about
+from mansion_editing.structure.standing_checks import RoomSpace, collides, shifted, turned_about
 from mansion_editing.structure.wall_moves import MovedWall
 from mansion_editing.tools.destinations import InRoom
 from mansion_editing.tools.floor_places import free_floor_places
-from mansion_geometry.object_footprints import footprint
+from mansion_geometry.object_footprints import WALKABLE_HEIGHT, footprint
 from mansion_msgs_py.scene import FloorScene, SceneObject
 from mansion_msgs_py.shapes import Point
 
@@ -79,7 +79,7 @@ def settle(
     roots = [item for item in objects if item.parent is None]
     now = {item.id: item for item in roots}
     for move in moves:
-        _carry_along(space, now, move)
+        now |= _carried_along(space, now, move)
     unsettled = [item for item in now.values() if not space.holds(item)]
     standing = [item for item in now.values() if item not in unsettled]
     result = Settled(went_along=[item.id for item in standing if item.position != _before(roots, item.id).position])
@@ -99,10 +99,11 @@ def _before(items: Iterable[SceneObject], name: str) -> SceneObject:
     return next(item for item in items if item.id == name)
 
 
-def _carry_along(space: RoomSpace, now: dict[str, SceneObject], move: MovedWall) -> None:
-    """Shift what leaned on a wall, with what stands close to it, where all of it then stands rightly."""
+def _carried_along(space: RoomSpace, before: Mapping[str, SceneObject], move: MovedWall) -> dict[str, SceneObject]:
+    """Return the objects shifted that leaned on a wall, with those close to them, where all of them fit."""
     line = LineString(move.segment)
-    leaning = [item for item in now.values() if _leans(item, line)]
+    now = dict(before)
+    leaning = [item for item in before.values() if _leans(item, line)]
     for first in leaning:
         if first.mount == "wall":
             groups = [[first]]
@@ -115,10 +116,15 @@ def _carry_along(space: RoomSpace, now: dict[str, SceneObject], move: MovedWall)
             if all(space.holds(item) and not collides(item, footprint(item), others) for item in carried):
                 now.update({item.id: item for item in carried})
                 break
+    return now
 
 
 def _leans(item: SceneObject, line: LineString) -> bool:
-    return item.mount in ("floor", "wall") and item.size[2] > LOW and footprint(item).distance(line) <= _LEANING
+    return (
+        item.mount in ("floor", "wall")
+        and item.size[2] > WALKABLE_HEIGHT
+        and footprint(item).distance(line) <= _LEANING
+    )
 
 
 def _cluster(first: SceneObject, items: Sequence[SceneObject]) -> list[SceneObject]:
@@ -178,7 +184,7 @@ class _Room:
     def _poses(self, item: SceneObject) -> Iterator[SceneObject]:
         if item.mount == "wall":
             yield from self._on_walls(item)
-        elif item.mount == "floor" and item.size[2] > LOW:
+        elif item.mount == "floor" and item.size[2] > WALKABLE_HEIGHT:
             scene = msgspec.structs.replace(self.scene, objects=self.standing)
             state = SceneState([scene], self.catalogue)
             for x, y, rotation in free_floor_places(state, item, InRoom(scene.floor, self.space.room)):

@@ -8,7 +8,8 @@ import msgspec
 from shapely import Polygon
 
 from mansion_editing.structure.storey_documents import Storey
-from mansion_geometry.object_footprints import footprint
+from mansion_geometry.object_footprints import WALKABLE_HEIGHT, footprint
+from mansion_geometry.wall_sizes import DOOR_HEAD
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.program import Downgrade
 from mansion_msgs_py.scene import Door, FloorScene, SceneObject, SceneRoom, Wall, Window
@@ -22,7 +23,6 @@ __all__ = ["Rebuilt", "passages_of_scene", "rebuild"]
 
 _ROUNDING = 2e-3
 _SAME_FLOOR = 1e-3  # square metres by which equal interiors differ from rounding
-_DOOR_HEAD = 1.9  # metres; what hangs higher is in no door's way
 
 
 @dataclass(frozen=True)
@@ -106,7 +106,7 @@ def _request(storey: Storey) -> FurnishRequest:
 def _furniture(objects: Iterable[SceneObject]) -> dict[str, list[Polygon]]:
     standing: dict[str, list[Polygon]] = {}
     for item in objects:
-        if item.mount in ("floor", "wall") and item.size[2] > 0.03 and item.position[2] - item.size[2] / 2 < _DOOR_HEAD:
+        if item.mount in ("floor", "wall") and item.size[2] > WALKABLE_HEIGHT and item.bottom < DOOR_HEAD:
             standing.setdefault(item.room, []).append(footprint(item))
     return standing
 

@@ -8,6 +8,7 @@ from shapely import LineString, Polygon
 from shapely.geometry.polygon import orient
 
 from mansion_geometry.rings import polygon_parts
+from mansion_geometry.wall_sizes import INTERIOR_THICKNESS
 from mansion_knowledge import default_knowledge, is_class
 from mansion_msgs_py.layout import LayoutRoom
 from mansion_msgs_py.scene import SceneRoom
@@ -36,7 +37,7 @@ _WIDE_ENOUGH = 2.4
 _LOST_TO_NOOKS = 0.02
 """Share of a room's area by which nooks narrower than its least width may grow."""
 
-_STRADDLE = 0.06
+_STRADDLE = INTERIOR_THICKNESS / 2
 """Half a wall: how far a structural wall may reach into a room, metres."""
 
 _ROUNDING = 4e-3

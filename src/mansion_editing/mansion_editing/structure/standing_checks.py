@@ -9,23 +9,17 @@ import shapely
 from shapely import LineString, Polygon
 from shapely.prepared import prep
 
-from mansion_geometry.object_footprints import footprint
+from mansion_geometry.object_footprints import WALKABLE_HEIGHT, footprint
+from mansion_geometry.wall_sizes import DOOR_HEAD, DOORWAY_DEPTH
 from mansion_msgs_py.scene import Door, SceneObject, SceneRoom, Window
 from mansion_msgs_py.shapes import Point
 from mansion_scene.decor.frames import room_polygon, wall_edges
 
 __all__ = ["RoomSpace", "collides", "shifted", "turned_about"]
 
-LOW = 0.03
-"""Height up to which an object is walked over, metres."""
-
-DOOR_DEPTH = 0.6
-"""Depth of the floor before a door that stays clear, metres."""
-
 NEW_DOOR_DEPTH = 0.75
 """Depth of the floor that is made clear before a new door, metres."""
 
-_HEAD = 1.9
 _SLACK = 1e-3
 _AT_WALL = 0.06
 _AT_WINDOW = 0.3
@@ -52,7 +46,7 @@ class RoomSpace:
         self.net = room_polygon(room.net_polygon, room.net_holes)
         self._inner = prep(self.net.buffer(2e-3))
         self._ways = [
-            LineString(door.segment).buffer(NEW_DOOR_DEPTH if door.id in new_doors else DOOR_DEPTH, cap_style="flat")
+            LineString(door.segment).buffer(NEW_DOOR_DEPTH if door.id in new_doors else DOORWAY_DEPTH, cap_style="flat")
             for door in doors
             if room.id in door.rooms
         ]
@@ -73,10 +67,10 @@ class RoomSpace:
         shape = footprint(item)
         if not self._inner.covers(shape):
             return False
-        low, high = item.position[2] - item.size[2] / 2, item.position[2] + item.size[2] / 2
+        low, high = item.bottom, item.top
         if high > self.room.ceiling_height + 0.03:
             return False
-        blocks = item.mount in ("floor", "wall") and low < _HEAD and item.size[2] > LOW
+        blocks = item.mount in ("floor", "wall") and low < DOOR_HEAD and item.size[2] > WALKABLE_HEIGHT
         if blocks and any(way.intersection(shape).area > _SLACK for way in self._ways):
             return False
         if item.mount != "wall":
@@ -97,13 +91,13 @@ class RoomSpace:
 
 def collides(item: SceneObject, shape: Polygon, others: Iterable[tuple[SceneObject, Polygon]]) -> bool:
     """Whether an object meets one of others."""
-    if item.size[2] <= LOW:
+    if item.size[2] <= WALKABLE_HEIGHT:
         return False
-    low, high = item.position[2] - item.size[2] / 2, item.position[2] + item.size[2] / 2
+    low, high = item.bottom, item.top
     for other, area in others:
-        if other.size[2] <= LOW or other.id == item.id:
+        if other.size[2] <= WALKABLE_HEIGHT or other.id == item.id:
             continue
-        below, above = other.position[2] - other.size[2] / 2, other.position[2] + other.size[2] / 2
+        below, above = other.bottom, other.top
         if (
             min(high, above) - max(low, below) > 5e-3
             and shape.intersects(area)

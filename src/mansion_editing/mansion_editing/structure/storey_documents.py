@@ -12,6 +12,7 @@ from mansion_assets.catalogue import Catalogue
 from mansion_editing.structure.room_shapes import layout_room, polygon_of
 from mansion_editing.tools.furnishing import Furnisher
 from mansion_geometry.shared_walls import edge_array, longest_wall, shared_walls, total_length
+from mansion_geometry.wall_sizes import ACCESS_WALL, ADJACENT_WALL
 from mansion_msgs_py.building import Building, FloorEntry
 from mansion_msgs_py.building_folder import BuildingFolder
 from mansion_msgs_py.errors import ErrorCode, MansionError
@@ -177,12 +178,6 @@ def _independent(floors: Sequence[FloorProgram], changed: int) -> list[FloorProg
     ]
 
 
-_ACCESS_WALL = 1.2
-"""Shortest wall of an access edge, metres."""
-
-_ADJACENT_WALL = 0.3
-"""Shortest wall of two neighbours, metres."""
-
 _GAP = 1e-3
 
 
@@ -273,7 +268,7 @@ def _realised(edge: Edge, shapes: Mapping[str, NDArray[np.float64]]) -> Realised
         source=edge.source,
         target=edge.target,
         kind=edge.kind,
-        satisfied=length >= (_ACCESS_WALL if access else _ADJACENT_WALL) - _GAP,
+        satisfied=length >= (ACCESS_WALL if access else ADJACENT_WALL) - _GAP,
         wall=None if longest is None else (longest.start, longest.end),
         length=length,
     )

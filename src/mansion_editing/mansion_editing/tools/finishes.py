@@ -1,4 +1,4 @@
-"""SetFinish: what the walls, the floor or the ceiling of a room are made of."""
+"""SetFinish: the materials of a room's walls, floor and ceiling."""
 
 import re
 from collections.abc import Collection

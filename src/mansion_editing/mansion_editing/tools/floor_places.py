@@ -11,22 +11,19 @@ from shapely.prepared import prep
 from mansion_editing.state import SceneState
 from mansion_editing.tools.destinations import InRoom
 from mansion_editing.tools.placing_wishes import hangs, refusal
-from mansion_geometry.object_footprints import footprint, footprint_at
+from mansion_geometry.object_footprints import WALKABLE_HEIGHT, footprint, footprint_at
 from mansion_msgs_py.scene import FloorScene, SceneObject, SceneRoom
 from mansion_msgs_py.shapes import Point
 from mansion_msgs_py.wording import with_article
 from mansion_scene.decor.frames import room_polygon, wall_edges
 
-__all__ = ["LOW", "FloorSpace", "Pose", "floor_poses", "free_floor_places", "stand_on_floor"]
+__all__ = ["FloorSpace", "Pose", "floor_poses", "free_floor_places", "stand_on_floor"]
 
 DOOR_DEPTH = 0.75
 """Depth of the area before a door that stays clear, metres."""
 
 FRONT = 0.65
 """Free depth before the front of furniture, for a robot to stand in, metres."""
-
-LOW = 0.03
-"""Height up to which things lie below furniture and are walked over, metres."""
 
 STEP = 0.25
 APART = 0.6
@@ -75,7 +72,7 @@ def free_floor_places(state: SceneState, thing: SceneObject, where: InRoom) -> I
     Those next to what the wish names come first.
     """
     near = where.wish.near
-    space = FloorSpace(state.scenes[where.floor], where.room, thing, flat=thing.size[2] <= LOW)
+    space = FloorSpace(state.scenes[where.floor], where.room, thing, flat=thing.size[2] <= WALKABLE_HEIGHT)
     poses = list(floor_poses(where.room, thing))
     if near is not None:
         poses.sort(key=lambda pose: round(math.dist(pose[:2], near.position[:2]), 6))
@@ -111,8 +108,8 @@ class FloorSpace:
             and item.id not in skip
             and item.room == room.id
             and (item.parent is None or item.mount == "floor")
-            and (item.size[2] > LOW) is not flat
-            and item.position[2] - item.size[2] / 2 < thing.size[2] + 0.02
+            and (item.size[2] > WALKABLE_HEIGHT) is not flat
+            and item.bottom < thing.size[2] + 0.02
         ]
         own = [] if flat else [door for door in scene.doors if room.id in door.rooms]
         self._names = [item.id for item in others]

@@ -12,15 +12,15 @@ from shapely.geometry.base import BaseGeometry
 from mansion_assets.meshes import collision_boxes
 from mansion_editing.state import SceneState
 from mansion_editing.tools.destinations import Accept, InRoom
-from mansion_editing.tools.floor_places import LOW, FloorSpace, Pose, floor_poses
+from mansion_editing.tools.floor_places import FloorSpace, Pose, floor_poses
 from mansion_editing.tools.placing_wishes import hindered, refusal
 from mansion_editing.tools.relations import PlacingWish, convex_corners, extents, fulfils, greatest_gap, middle_of
-from mansion_geometry.object_footprints import footprint
+from mansion_geometry.object_footprints import WALKABLE_HEIGHT, footprint
 from mansion_msgs_py.scene import FloorScene, SceneObject, SceneRoom
 from mansion_msgs_py.wording import with_article
 from mansion_scene.decor.frames import to_floor, to_local, wall_edges
 
-__all__ = ["stand_as_wished"]
+__all__ = ["place_as_wished"]
 
 GAPS: Final = (0.02, 0.1, 0.25, 0.45, 0.7, 1.0, 1.4)
 """Distances from a landmark that are tried, metres."""
@@ -48,7 +48,7 @@ class _Candidate(NamedTuple):
     pose: Pose
 
 
-def stand_as_wished(state: SceneState, thing: SceneObject, where: InRoom) -> SceneObject:
+def place_as_wished(state: SceneState, thing: SceneObject, where: InRoom) -> SceneObject:
     """Return an object standing on the floor of a room where a wish holds; the state is not changed.
 
     Raises
@@ -60,7 +60,7 @@ def stand_as_wished(state: SceneState, thing: SceneObject, where: InRoom) -> Sce
     scene = state.scenes[where.floor]
     if wish.side == "above":
         raise refusal(f"{with_article(thing.name)} stands on the floor; only what hangs can be above something")
-    flat = thing.size[2] <= LOW
+    flat = thing.size[2] <= WALKABLE_HEIGHT
     space = FloorSpace(scene, room, thing, where.companions, flat=flat)
     below = _below(state, wish) if wish.side == "under" and not flat else None
     marks = [mark.id for mark in (wish.near, wish.other, wish.facing) if mark is not None]
@@ -289,7 +289,7 @@ class _Below:
     def hindrances(self, placed: SceneObject) -> list[str]:
         """Return the landmark where its own body is in the way."""
         u0, u1, v0, v1 = extents(self.landmark, placed)
-        top = placed.position[2] + placed.size[2] / 2 + BELOW_GAP - self.landmark.position[2]
+        top = placed.top + BELOW_GAP - self.landmark.position[2]
         for box in self._boxes:
             (x, y, z), (w, d, h) = box.center, box.size
             apart = (u0 - x - w / 2, x - w / 2 - u1, v0 - y - d / 2, y - d / 2 - v1, z - h / 2 - top)
@@ -316,6 +316,6 @@ def _poses_below(thing: SceneObject, near: SceneObject) -> Iterator[_Candidate]:
         for i in range(-counts[0], counts[0] + 1):
             for j in range(-counts[1], counts[1] + 1):
                 u, v = BELOW_STEP * i, BELOW_STEP * j
-                aside = math.hypot(u, v) if thing.size[2] <= LOW else abs(u) + reach[1] - v
+                aside = math.hypot(u, v) if thing.size[2] <= WALKABLE_HEIGHT else abs(u) + reach[1] - v
                 x, y = to_floor(near, (u, v))
                 yield _Candidate(round(aside + quarter / 900.0, 6), (x, y, near.rotation + quarter))

@@ -11,7 +11,7 @@ from mansion_editing.state import SceneState
 from mansion_editing.tools.destinations import InRoom
 from mansion_editing.tools.placing_wishes import hangs, hindered, refusal
 from mansion_editing.tools.relations import PlacingWish, fulfils, middle_of
-from mansion_geometry.object_footprints import footprint_at, footprint_distance
+from mansion_geometry.object_footprints import WALKABLE_HEIGHT, footprint_at, footprint_distance
 from mansion_msgs_py.scene import FloorScene, SceneObject, SceneRoom
 from mansion_msgs_py.wording import with_article
 from mansion_scene.decor.ceiling_objects import HEADROOM, CeilingSpace
@@ -26,7 +26,6 @@ STEP = 0.1
 LATTICE = 0.5
 """Distance between places that are tried on a ceiling, metres."""
 
-LOW = 0.03
 MOST_REFUSED = 8
 APART = 0.3
 """Distance between places that are judged, metres."""
@@ -91,7 +90,7 @@ def _on_walls(
         wall = WallSpace(edge, edges)
         wall.block_openings(scene.doors, scene.windows)
         for item in others:
-            if item.size[2] > LOW:
+            if item.size[2] > WALKABLE_HEIGHT:
                 wall.block_object(item)
         low, high = w / 2 + 0.02, edge.length - w / 2 - 0.02
         stops = _stops(low, high, None if wish.near is None else edge.coordinates(wish.near.position[:2])[0])
@@ -110,7 +109,7 @@ def _on_walls(
 
 
 def _span(item: SceneObject) -> tuple[float, float]:
-    return item.position[2] - item.size[2] / 2, item.position[2] + item.size[2] / 2
+    return item.bottom, item.top
 
 
 def _heights(thing: SceneObject, asset: Asset, room: SceneRoom, wish: PlacingWish) -> list[float]:
@@ -163,7 +162,7 @@ def _over_furniture(placed: SceneObject, others: Sequence[SceneObject]) -> bool:
     """Whether nobody walks below: the middle is over something that stands there."""
     return any(
         item.mount == "floor"
-        and item.size[2] > LOW
+        and item.size[2] > WALKABLE_HEIGHT
         and footprint_distance(placed.position[:2], item.position, item.size, item.rotation) == 0.0
         for item in others
     )

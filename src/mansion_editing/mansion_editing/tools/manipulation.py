@@ -1,22 +1,22 @@
 """RemoveObject, MoveObject and SetState: change the objects that a scene has."""
 
 import math
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 from dataclasses import replace
 
 import msgspec
-from shapely import STRtree
+from shapely import Polygon, STRtree
 
 from mansion_editing.physics.engine import PhysicsEngine
 from mansion_editing.state import SceneState
 from mansion_editing.tools.destinations import Accept, AtReceptacle, InRoom
-from mansion_editing.tools.floor_places import LOW, free_floor_places
+from mansion_editing.tools.floor_places import free_floor_places
 from mansion_editing.tools.perception import contents, object_named, on_top
 from mansion_editing.tools.placement import put_in_room
 from mansion_editing.tools.placing_wishes import refusal, wish_of
 from mansion_editing.tools.relations import NO_WISH, PlacingWish, looks_at
 from mansion_editing.tools.resting import settle_on
-from mansion_geometry.object_footprints import footprint, footprint_at
+from mansion_geometry.object_footprints import WALKABLE_HEIGHT, footprint, footprint_at
 from mansion_msgs_py.editing.objects import MoveObjectArgs, RemoveObjectArgs, SetStateArgs
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import FloorScene, SceneObject
@@ -27,6 +27,9 @@ __all__ = ["at_point", "move_object", "relocate", "remove_object", "scene_with",
 
 OVERLAP = 1e-3
 """Square metres by which footprints may overlap through rounding."""
+
+_NEAR = 10.0
+"""Distance between middles, metres, beyond which no two objects touch."""
 
 
 def remove_object(state: SceneState, args: RemoveObjectArgs) -> list[str]:
@@ -288,31 +291,40 @@ def at_point(
     area = room_polygon(room.net_polygon, room.net_holes)
     if shape.difference(area.buffer(2e-3)).area > OVERLAP:
         raise refusal(f"{item.id} would extend beyond {room.id} at ({x:g}, {y:g})")
-    own = {member.id for member in state.subtree(floor, item)} | set(skip)
-    parent = item.parent
-    if parent is not None:
-        _, carrier = state.get(parent)
-        u, v = to_local(carrier, (x, y))
-        beyond = abs(u) > carrier.size[0] / 2 or abs(v) > carrier.size[1] / 2
-        if beyond and item.mount != "floor":
-            raise refusal(f"({x:g}, {y:g}) is outside {carrier.id}, which carries {item.id}; give a receptacle_id")
-        parent = None if beyond else parent
-    low, high = item.position[2] - item.size[2] / 2, item.position[2] + item.size[2] / 2
-    others = [
-        other
-        for other in state.index(floor).objects
-        if other.id not in own
-        and other.id != parent
-        and other.size[2] > LOW
-        and min(high, other.position[2] + other.size[2] / 2) - max(low, other.position[2] - other.size[2] / 2) > 5e-3
-        and math.dist(other.position[:2], (x, y)) < 10.0
-    ]
-    shapes = [footprint(other) for other in others]
-    for number in sorted(STRtree(shapes).query(shape).tolist()):
-        if shapes[number].intersection(shape).area > OVERLAP and item.size[2] > LOW:
-            raise refusal(f"{item.id} would overlap {others[number].id} at ({x:g}, {y:g})")
+    parent = _carrier_at(state, item, x, y)
+    own = {member.id for member in state.subtree(floor, item)} | {*skip, parent}
+    if item.size[2] > WALKABLE_HEIGHT:
+        near = [other for other in state.index(floor).objects if math.dist(other.position[:2], (x, y)) < _NEAR]
+        _refuse_overlap(item, shape, [other for other in near if other.id not in own])
     position = (round(x, 4), round(y, 4), item.position[2])
     return msgspec.structs.replace(item, room=room.id, position=position, rotation=round(turn, 4), parent=parent)
+
+
+def _carrier_at(state: SceneState, item: SceneObject, x: float, y: float) -> str | None:
+    """Return what carries an object, or ``None`` where it would stand beside that on the floor."""
+    if item.parent is None:
+        return None
+    _, carrier = state.get(item.parent)
+    u, v = to_local(carrier, (x, y))
+    if abs(u) <= carrier.size[0] / 2 and abs(v) <= carrier.size[1] / 2:
+        return item.parent
+    if item.mount != "floor":
+        raise refusal(f"({x:g}, {y:g}) is outside {carrier.id}, which carries {item.id}; give a receptacle_id")
+    return None
+
+
+def _refuse_overlap(item: SceneObject, shape: Polygon, others: Sequence[SceneObject]) -> None:
+    """Raise where an object would overlap one of others with its new footprint."""
+    standing = [
+        other
+        for other in others
+        if other.size[2] > WALKABLE_HEIGHT and min(item.top, other.top) - max(item.bottom, other.bottom) > 5e-3
+    ]
+    shapes = [footprint(other) for other in standing]
+    for number in sorted(STRtree(shapes).query(shape).tolist()):
+        if shapes[number].intersection(shape).area > OVERLAP:
+            where = shape.centroid
+            raise refusal(f"{item.id} would overlap {standing[number].id} at ({where.x:g}, {where.y:g})")
 
 
 def _with(before: SceneObject, after: SceneObject, member: SceneObject) -> SceneObject:

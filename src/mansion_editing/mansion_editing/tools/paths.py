@@ -6,9 +6,9 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 import numpy.typing as npt
 
-from mansion_editing.robot_passages import LOW
 from mansion_editing.state import SceneState
 from mansion_editing.tools.perception import place_named
+from mansion_geometry.object_footprints import WALKABLE_HEIGHT
 from mansion_geometry.robot_body import CLEARANCE, ROBOT_RADIUS
 from mansion_msgs_py.editing.questions import CheckPathArgs, PathReport, PathStep
 from mansion_msgs_py.errors import ErrorCode, MansionError
@@ -147,7 +147,7 @@ def blocked_doors(state: SceneState, floor: int) -> list[str]:
         return []
     standing = np.array([item.mount in ("floor", "wall") for item in index.objects])
     low, high = boxes[:, 2] - boxes[:, 5] / 2, boxes[:, 2] + boxes[:, 5] / 2
-    obstacles = boxes[standing & (low < CLEARANCE) & (high > LOW)]
+    obstacles = boxes[standing & (low < CLEARANCE) & (high > WALKABLE_HEIGHT)]
     return [door.id for door in state.scenes[floor].doors if _is_blocked(door, obstacles)]
 
 

@@ -11,6 +11,7 @@ from mansion_assets.catalogue import Asset
 from mansion_assets.catalogue.vocabulary import stems, vocabulary_of
 from mansion_editing.state import FloorIndex, SceneState
 from mansion_knowledge import interchangeable_names
+from mansion_language.core_words import CORE_WORDS
 from mansion_language.numbers import CARDINALS, ORDINALS, SOFT_NUMBERS
 from mansion_msgs_py.editing.questions import (
     AssetHits,
@@ -211,7 +212,7 @@ def on_top(index: FloorIndex, receptacle: SceneObject, asset: Asset | None) -> l
         item = index.objects[int(number)]
         if item.mount == "ceiling" or (item.mount == "wall" and item.parent is None):
             continue
-        foot = item.position[2] - item.size[2] / 2
+        foot = item.bottom
         if item.mount == "floor" and foot < LOW and receptacle.size[2] > REST:
             continue
         if _rests(item, receptacle, asset) and not _nested(index, item, receptacle):
@@ -228,8 +229,8 @@ def contents(index: FloorIndex, receptacle: SceneObject, asset: Asset | None) ->
     of its shelves is, as the card has it, and lies on it too. Furniture that stands below a table top on the floor is
     inside only where one of the container's inner boxes holds it.
     """
-    low = receptacle.position[2] - receptacle.size[2] / 2
-    high = receptacle.position[2] + receptacle.size[2] / 2
+    low = receptacle.bottom
+    high = receptacle.top
     found = []
     for number in within_plan(index, receptacle):
         item = index.objects[int(number)]
@@ -245,8 +246,8 @@ def contents(index: FloorIndex, receptacle: SceneObject, asset: Asset | None) ->
 
 
 def _rests(item: SceneObject, receptacle: SceneObject, asset: Asset | None, *, shelves: bool = True) -> bool:
-    foot = item.position[2] - item.size[2] / 2
-    top = receptacle.position[2] + receptacle.size[2] / 2
+    foot = item.bottom
+    top = receptacle.top
     if item.position[2] > top and abs(foot - top) <= REST:
         return True
     if asset is None:
@@ -280,9 +281,9 @@ def _nested(index: FloorIndex, item: SceneObject, receptacle: SceneObject) -> bo
     carrier = index.objects[number]
     x, y = to_local(carrier, item.position)
     over = abs(x) <= carrier.size[0] / 2 + EDGE and abs(y) <= carrier.size[1] / 2 + EDGE
-    low, high = item.position[2] - item.size[2] / 2, item.position[2] + item.size[2] / 2
-    base = carrier.position[2] - carrier.size[2] / 2
-    roof = carrier.position[2] + carrier.size[2] / 2
+    low, high = item.bottom, item.top
+    base = carrier.bottom
+    roof = carrier.top
     return over and low <= roof + REST and high >= base
 
 
@@ -539,12 +540,11 @@ def place_named(state: SceneState, reference: str, path: str) -> tuple[int, str]
 
 def _core(state: SceneState, reference: str) -> tuple[int, str] | None:
     floor, rest = find_floor(state, reference)
-    names = {"elevator": "elevator", "lift": "elevator", "stairs": "stair", "stair": "stair"}
     wanted = rest.strip().lower().removeprefix("the ")
     cores: list[tuple[int, SceneCore]] = [
         (number, core) for number in state.floors if floor in (None, number) for core in state.scenes[number].cores
     ]
     for number, core in cores:
-        if core.id == wanted or core.type == names.get(wanted):
+        if core.id == wanted or core.type == CORE_WORDS.get(wanted):
             return number, core.id
     return None

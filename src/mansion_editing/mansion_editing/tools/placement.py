@@ -5,7 +5,7 @@ from mansion_editing.physics.engine import PhysicsEngine
 from mansion_editing.state import SceneState
 from mansion_editing.tools.destinations import Accept, AtReceptacle, InRoom
 from mansion_editing.tools.floor_places import stand_on_floor
-from mansion_editing.tools.floor_wishes import stand_as_wished
+from mansion_editing.tools.floor_wishes import place_as_wished
 from mansion_editing.tools.hanging import hang
 from mansion_editing.tools.painting import recoloured
 from mansion_editing.tools.perception import object_named
@@ -58,7 +58,7 @@ def put_in_room(state: SceneState, thing: SceneObject, where: InRoom) -> SceneOb
     if thing.mount in ("wall", "ceiling"):
         return hang(state, thing, where)
     if where.wish.binding:
-        return stand_as_wished(state, thing, where)
+        return place_as_wished(state, thing, where)
     return stand_on_floor(state, thing, where)
 
 

@@ -177,7 +177,7 @@ def _same_level(item: SceneObject, near: SceneObject) -> bool:
     """Whether a small thing is on the surface of its landmark; what stands or hangs is judged from above."""
     if item.mount not in ("surface", "inside"):
         return True
-    feet = [thing.position[2] - thing.size[2] / 2 for thing in (item, near)]
+    feet = [thing.bottom for thing in (item, near)]
     return item.parent == near.parent and abs(feet[0] - feet[1]) < LEVEL
 
 
@@ -261,19 +261,19 @@ def _in_strip(item: SceneObject, near: SceneObject, other: SceneObject) -> bool:
 
 def _under(item: SceneObject, near: SceneObject) -> bool:
     """Whether an object stands below another; a rug need only lie below half of it."""
-    foot = item.position[2] - item.size[2] / 2
+    foot = item.bottom
     if item.mount != "floor" or foot > LEVEL:
         return False
     shape, over = footprint(item), footprint(near)
-    if item.size[2] <= near.position[2] - near.size[2] / 2 + LEVEL:
+    if item.size[2] <= near.bottom + LEVEL:
         return bool(shape.intersection(over).area >= 0.5 * min(shape.area, over.area))
-    below_top = item.position[2] + item.size[2] / 2 <= near.position[2] + near.size[2] / 2
+    below_top = item.top <= near.top
     return below_top and bool(over.buffer(TOUCH).covers(shape))
 
 
 def _above(item: SceneObject, near: SceneObject) -> bool:
-    foot = item.position[2] - item.size[2] / 2
-    if item.mount not in ("wall", "ceiling") or foot < near.position[2] + near.size[2] / 2 - TOUCH:
+    foot = item.bottom
+    if item.mount not in ("wall", "ceiling") or foot < near.top - TOUCH:
         return False
     across, along = to_local(near, item.position)
     over = abs(across) <= near.size[0] / 2

@@ -164,7 +164,7 @@ def _problem(
     for item in state.index(floor).objects:
         if item.id in moving or item.id == receptacle.id or item.parent != receptacle.id:
             continue
-        foot = item.position[2] - item.size[2] / 2
+        foot = item.bottom
         reach = half_diagonal(item.size) + half_diagonal(thing.size) + NEAR
         if abs(foot - level) < 0.02 and math.dist((x, y), item.position[:2]) < reach:
             near[item.id] = PosedBox(item.position, item.size, item.rotation)

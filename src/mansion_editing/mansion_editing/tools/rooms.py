@@ -47,7 +47,7 @@ def room_named(state: SceneState, reference: str) -> tuple[int, SceneRoom]:
 def change_room(
     state: SceneState, floor: int, room_id: str, records: RoomRecords, change: Callable[[RoomParts], RoomParts]
 ) -> bool:
-    """Change the description of a room; tell whether anything differs."""
+    """Change the description of a room; return whether anything changed."""
     before = parts_of(state.scenes[floor], room_id, *records(floor, room_id))
     assert before is not None
     after = change(before)

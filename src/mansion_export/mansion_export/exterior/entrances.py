@@ -6,9 +6,9 @@ from typing import Final
 import shapely
 from shapely.geometry import Polygon
 
-from mansion_export.materials import named
-from mansion_export.model import Material, Node, Part
-from mansion_export.solids import polygon_surface
+from mansion_export.meshes.materials import named
+from mansion_export.meshes.model import Material, Node, Part
+from mansion_export.meshes.solids import polygon_surface
 from mansion_geometry.randomness import item_generator
 from mansion_knowledge import default_knowledge
 from mansion_msgs_py.scene import Door, FloorScene

@@ -11,7 +11,7 @@ from shapely.geometry.base import BaseGeometry
 __all__ = ["lettering"]
 
 BREADTH: Final = 0.15
-"""Of a stroke, as a share of the height."""
+"""Width of a stroke, as a share of the height."""
 
 ASPECT: Final = 0.62
 """Width of the grid on which letters are drawn over its height."""

@@ -10,8 +10,8 @@ from shapely.geometry import box
 from shapely.geometry.base import BaseGeometry
 
 from mansion_assets.catalogue import load_catalogue
-from mansion_export.asset_surfaces import asset_surfaces
-from mansion_export.model import Node, Part
+from mansion_export.meshes.asset_surfaces import asset_surfaces
+from mansion_export.meshes.model import Node, Part
 from mansion_geometry.randomness import item_generator
 from mansion_msgs_py.shapes import Point
 

@@ -10,9 +10,9 @@ import shapely
 from shapely.geometry import Polygon
 from shapely.geometry.base import BaseGeometry
 
-from mansion_export.materials import named
-from mansion_export.model import Surface
-from mansion_export.solids import Box, boxes_surface
+from mansion_export.meshes.materials import named
+from mansion_export.meshes.model import Surface
+from mansion_export.meshes.solids import Box, boxes_surface
 from mansion_geometry.compiled import Floats, Ints
 from mansion_geometry.randomness import item_generator
 from mansion_msgs_py.shapes import Point

@@ -10,9 +10,9 @@ from shapely.geometry.base import BaseGeometry
 from mansion_export.exterior.entrances import outer_doors, outward
 from mansion_export.exterior.parking import BAY, bays, parked_cars
 from mansion_export.exterior.plants import along_walls, shrubs, tree, tree_places
-from mansion_export.materials import named
-from mansion_export.model import Material, Node, Part, Surface
-from mansion_export.solids import Box, boxes_surface, polygon_surface
+from mansion_export.meshes.materials import named
+from mansion_export.meshes.model import Material, Node, Part, Surface
+from mansion_export.meshes.solids import Box, boxes_surface, polygon_surface
 from mansion_knowledge import default_knowledge
 from mansion_msgs_py.scene import FloorScene
 

@@ -5,9 +5,9 @@ from typing import Final
 from shapely.geometry import Polygon, box
 from shapely.geometry.base import BaseGeometry
 
-from mansion_export.materials import named
-from mansion_export.model import Surface
-from mansion_export.solids import Box, boxes_surface
+from mansion_export.meshes.materials import named
+from mansion_export.meshes.model import Surface
+from mansion_export.meshes.solids import Box, boxes_surface
 from mansion_geometry.randomness import item_generator
 from mansion_knowledge import default_knowledge
 from mansion_msgs_py.scene import FloorScene

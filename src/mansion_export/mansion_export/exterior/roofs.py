@@ -13,9 +13,9 @@ from shapely.geometry.base import BaseGeometry
 
 from mansion_assets.texture_coordinates import slope_coordinates
 from mansion_export.exterior.roof_plant import roof_plant
-from mansion_export.materials import named, surface_material
-from mansion_export.model import Material, Node, Part, Surface
-from mansion_export.solids import polygon_surface
+from mansion_export.meshes.materials import named, surface_material
+from mansion_export.meshes.model import Material, Node, Part, Surface
+from mansion_export.meshes.solids import polygon_surface
 from mansion_geometry.randomness import item_generator
 from mansion_knowledge import default_knowledge, is_class
 from mansion_msgs_py.scene import FloorScene

@@ -11,10 +11,10 @@ from shapely.geometry import LineString, Polygon, box
 
 from mansion_export.exterior.entrances import ABOVE, THICKNESS, accent, outward
 from mansion_export.exterior.lettering import lettering
-from mansion_export.materials import named
-from mansion_export.model import Material, Node, Part, Surface
+from mansion_export.meshes.materials import named
+from mansion_export.meshes.model import Material, Node, Part, Surface
+from mansion_export.meshes.solids import polygon_surface
 from mansion_export.presentation import building_name, main_door
-from mansion_export.solids import polygon_surface
 from mansion_knowledge import default_knowledge
 from mansion_msgs_py.scene import Door, FloorScene
 from mansion_msgs_py.shapes import Point
@@ -22,10 +22,10 @@ from mansion_msgs_py.shapes import Point
 __all__ = ["sign_parts"]
 
 HEIGHT: Final = 0.62
-"""Of letters where there is room for them, metres."""
+"""Height of the letters where there is room for them, metres."""
 
 BORDER: Final = 0.16
-"""Of the board around the letters, metres."""
+"""Margin of the board around the letters, metres."""
 
 BOARD: Final = 0.05
 RAISED: Final = 0.06

@@ -7,14 +7,14 @@ from shapely import union_all
 from shapely.geometry import LineString, Polygon
 
 from mansion_assets.catalogue import Catalogue
-from mansion_export.building_model import slab_polygon
 from mansion_export.exterior import roof_parts
 from mansion_export.ifc.document import Document, Entity
 from mansion_export.ifc.frames import FLOOR, Frame
 from mansion_export.ifc.furnishing import Furnishing
 from mansion_export.ifc.transport import add_cores
 from mansion_export.ifc.walls import add_walls
-from mansion_export.materials import named
+from mansion_export.meshes.building_model import slab_polygon
+from mansion_export.meshes.materials import named
 from mansion_export.presentation import building_title, floor_name, room_title
 from mansion_geometry.rings import polygon_parts
 from mansion_knowledge import is_class

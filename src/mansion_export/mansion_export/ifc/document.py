@@ -9,7 +9,7 @@ from shapely.geometry import Polygon
 from shapely.geometry.polygon import orient
 
 from mansion_export.ifc.frames import Frame
-from mansion_export.model import Material, Node, Surface
+from mansion_export.meshes.model import Material, Node, Surface
 from mansion_geometry.compiled import Floats
 from mansion_msgs_py import __version__
 from mansion_msgs_py.errors import ErrorCode, MansionError

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from mansion_export.model import Node
+from mansion_export.meshes.model import Node
 from mansion_geometry.compiled import Floats
 from mansion_msgs_py.shapes import Point
 

@@ -6,10 +6,10 @@ from typing import Final
 import numpy as np
 
 from mansion_assets.catalogue import Catalogue
-from mansion_export.building_model import object_parts
 from mansion_export.ifc.document import Document, Entity
 from mansion_export.ifc.frames import Frame
-from mansion_export.model import Node, Surface
+from mansion_export.meshes.building_model import object_parts
+from mansion_export.meshes.model import Node, Surface
 from mansion_msgs_py.scene import FloorScene, SceneObject
 
 __all__ = ["Furnishing"]

@@ -5,9 +5,9 @@ from typing import Final
 
 from shapely.geometry import Polygon
 
-from mansion_export.core_meshes import core_parts
 from mansion_export.ifc.document import Document, Entity
 from mansion_export.ifc.frames import FLOOR
+from mansion_export.meshes.core_meshes import core_parts
 from mansion_msgs_py.scene import FloorScene, SceneCore, StairDetails
 
 __all__ = ["add_cores"]

@@ -8,10 +8,10 @@ from shapely.geometry import Polygon, box
 
 from mansion_export.ifc.document import Document, Entity
 from mansion_export.ifc.frames import FLOOR, Frame
-from mansion_export.materials import surface_material
-from mansion_export.model import Part
-from mansion_export.opening_meshes import door_parts, window_parts
-from mansion_export.walls import Opening, WallBodies
+from mansion_export.meshes.materials import surface_material
+from mansion_export.meshes.model import Part
+from mansion_export.meshes.opening_meshes import door_parts, window_parts
+from mansion_export.meshes.walls import Opening, WallBodies
 from mansion_geometry.doorways import LEAFLESS
 from mansion_msgs_py.scene import Door, DoorKind, FloorScene, Wall, Window
 

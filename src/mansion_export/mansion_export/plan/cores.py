@@ -3,7 +3,7 @@
 import numpy as np
 import numpy.typing as npt
 
-from mansion_export.door_sides import Shaft, shaft_of
+from mansion_export.meshes.door_sides import Shaft, shaft_of
 from mansion_export.plan.palette import INK
 from mansion_export.plan.shapes import Area, Canvas, Frame, Label, Line, Shape, rectangle
 from mansion_msgs_py.scene import Box3, FloorScene, SceneCore, StairDetails

@@ -19,7 +19,7 @@ SMALL = 0.12
 def draw_furniture(scene: FloorScene) -> list[Canvas]:
     """Draw what stands on floors and hangs on walls; rugs first, then what can be seen on top of furniture."""
     order = {"floor": 1, "wall": 2, "surface": 3}
-    tops = {item.id: item.position[2] + item.size[2] / 2 for item in scene.objects}
+    tops = {item.id: item.top for item in scene.objects}
     drawn = [
         item
         for item in scene.objects
@@ -33,7 +33,7 @@ def _is_hidden(item: SceneObject, tops: Mapping[str, float]) -> bool:
     """Tell whether an object is tiny, or stands on a lower shelf."""
     if max(item.size[:2]) < SMALL:
         return True
-    bottom = item.position[2] - item.size[2] / 2
+    bottom = item.bottom
     return item.parent is not None and bottom < tops.get(item.parent, bottom) - 0.3
 
 

@@ -4,10 +4,10 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from mansion_export.door_sides import swing_side
+from mansion_export.meshes.door_sides import swing_side
+from mansion_export.meshes.walls import WallBodies
 from mansion_export.plan.palette import INK
 from mansion_export.plan.shapes import Area, Canvas, Frame, Line, Shape, arc, rectangle
-from mansion_export.walls import WallBodies
 from mansion_msgs_py.scene import Door, FloorScene, Wall, Window
 from mansion_msgs_py.shapes import Point, Segment
 

@@ -1,4 +1,4 @@
-"""Where the centre of a fleet's robot may be on a floor whose doors it can have opened."""
+"""The region of a floor where the centre of a fleet's robot may be, given that it can have doors opened."""
 
 from dataclasses import dataclass
 
@@ -6,8 +6,8 @@ import shapely
 from shapely.geometry import Polygon, box
 from shapely.geometry.base import BaseGeometry
 
-from mansion_export.door_sides import shaft_of
-from mansion_export.walls import WallBodies
+from mansion_export.meshes.door_sides import shaft_of
+from mansion_export.meshes.walls import WallBodies
 from mansion_geometry.doorways import depth_of_doors
 from mansion_geometry.floor_regions import disc_positions, largest_first, open_floor, strip
 from mansion_geometry.object_footprints import footprint, footprint_at, stops_robots

@@ -5,9 +5,9 @@ import math
 from collections.abc import Sequence
 from typing import TypeAlias, cast
 
+from mansion_export.meshes.walls import span
 from mansion_export.rmf.free_floor import cabin_frame
 from mansion_export.rmf.graph import OPERATED, Lane, LevelGraph, Waypoint, building_graph
-from mansion_export.walls import span
 from mansion_geometry.robot_body import ROBOT_RADIUS
 from mansion_msgs_py.scene import Door, FloorScene, SceneCore, StairDetails
 from mansion_msgs_py.shapes import Point, Ring

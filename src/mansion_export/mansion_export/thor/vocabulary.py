@@ -2,7 +2,7 @@
 
 from typing import Any, Final, NamedTuple, TypeAlias
 
-from mansion_export.materials import hex_color
+from mansion_export.meshes.materials import hex_color
 from mansion_knowledge import kin_of, words_by
 from mansion_scene.structure.materials import library, match_material
 

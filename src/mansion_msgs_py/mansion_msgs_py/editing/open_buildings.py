@@ -12,7 +12,7 @@ Text = Annotated[str, msgspec.Meta(max_length=400)]
 
 
 class ToolArgs(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """Which open building a call is for: the one opened last under the empty name when absent."""
+    """Which open building a call is for; when absent, the one that was opened last without a name."""
 
     editor: Text = ""
 

@@ -47,7 +47,7 @@ def aside_tokens(reading: Reading) -> set[int]:
         if word in ROBOTS or is_person(word):
             found |= _someone(reading, index)
         elif word in COLLECTIVES and _acts(reading, index):
-            found.add(index)
+            found |= {at for at in range(index - 2, index + 1) if at == index or _describes(reading, at)}
         elif word in _SITES:
             found |= _site(reading, index)
         elif word in ("too", "being"):
@@ -72,7 +72,9 @@ def _site(reading: Reading, index: int) -> set[int]:
     while reading.word(first - 1) in _ATTRIBUTES and first - 1 not in reading.taken:
         first -= 1
     asks = reading.word(index - 1) in ("our", "the", "a") and reading.word(index + 1) in ("need", "want", "require")
-    stands = asks or reading.word(first - 1) in _AT
+    stands = asks or reading.word(first - 1) in _AT | (
+        {"buy", "bought", "own"} if reading.word(index) == "plot" else frozenset()
+    )
     return set(range(first - 1, index + 1)) if stands and index not in reading.taken else set()
 
 
@@ -144,7 +146,10 @@ def _describes(reading: Reading, index: int) -> bool:
 
 def _acts(reading: Reading, index: int) -> bool:
     """Whether people together are only named as those for whom a building is, and no number of them follows."""
-    return reading.word(index - 1) in ("our", "the", "a", "my", "for", "small", "young", "whole") and not (
+    lead = index - 1
+    while index - lead < 3 and lead not in reading.taken and _describes(reading, lead):
+        lead -= 1
+    return reading.word(lead) in ("our", "the", "a", "my", "for", "small", "young", "whole") and not (
         reading.word(index + 1) == "of" and reading.kind(index + 2) == "number" and index + 2 not in reading.taken
     )
 

@@ -39,6 +39,9 @@ def _numbers_after(reading: Reading, phrase: Phrase) -> tuple[int, ...]:
         or (phrase.plural and not phrase.counted)
     ):
         return ()
+    if phrase.count == 1 and reading.word(phrase.last) == "(" and reading.word(phrase.last + 2) == ")":
+        bracketed = phrase.last + 1
+        return (bracketed,) if reading.kind(bracketed) == "number" and bracketed not in reading.taken else ()
     index = phrase.last + (reading.word(phrase.last) in (":", "=", "-"))
     if phrase.counted and phrase.count == 2 and reading.word(index) == "(":
         return _pair_in_brackets(reading, index + 1)

@@ -154,6 +154,8 @@ def _is_told_as_part(candidate: _Candidate) -> bool:
     reading, phrase = candidate.reading, candidate.phrase
     if reading.word(phrase.last) in MADE_INTO and reading.word(phrase.last + 1) in ("into", "to"):
         return True  # "an old mill turned into a home"
+    if reading.words(phrase.last, phrase.last + 2) in (("ask", "for"), ("asks", "for"), ("request", "a")):
+        return True  # "the ministry asks for a police station"
     if reading.word(phrase.last) == "into" and _conversion_before(reading, phrase.first):
         return True  # "converting a church into a climbing centre"
     if any(_are_told_apart(phrase, other) for other in candidate.phrases):
@@ -373,7 +375,7 @@ def _names_part(reading: Reading, first: int, last: int, like: str) -> bool:
 _PARTS = frozenset(
     """
     half third quarter part list everything everywhere room entrance lift elevator stair staircase wall floor roof
-    door window requirement wish programme program schedule note dr mr mrs ms prof
+    door window requirement wish programme program schedule note dr mr mrs ms prof brief description
     """.split()
 )
 

@@ -87,8 +87,11 @@ def _bedroomed(tokens: list[Token], index: int) -> _Form | None:
         return None
     if _word(tokens, index + 2) in ("type", "layout", "plan"):  # "1LDK type" is no noun of a flat
         return _Form((tokens[index], replace(tokens[index + 1], text="bedroom", spaced=True)), index + 3)
-    alone = _word(tokens, index - 1) in _ENDS | _HOMES and _word(tokens, index + 2) in _ENDS
+    after = _word(tokens, index + 2) in _ENDS | {"of", "with", "on", "in", "and"}
+    alone = _word(tokens, index - 1) in _ENDS | _HOMES | {"with", "has", "have"} and after
     bedrooms = replace(tokens[index + 1], text="bedroom", plural=alone, spaced=alone)
+    if alone and _word(tokens, index + 2) == "of":  # "a home with 4BHK of 120 m2" is that large in all
+        return _Form((tokens[index], bedrooms, Token("mark", ",", bedrooms.end, bedrooms.end)), index + 2)
     return _Form((tokens[index], bedrooms), index + 2)
 
 

@@ -1,5 +1,6 @@
 """Read counts that stand away from the rooms they count: "six of them", "four on the third", "each group has"."""
 
+import itertools
 import re
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
@@ -14,6 +15,7 @@ from mansion_planner.brief.units import Households
 __all__ = [
     "read_counts_by_group",
     "read_counts_by_person",
+    "read_counts_by_room",
     "read_counts_by_storey",
     "read_halves",
     "read_late_counts",
@@ -46,6 +48,18 @@ def read_late_counts(reading: Reading, phrases: list[Phrase]) -> None:
         if several and phrases[before[-1]].counted == corrects:
             phrases[before[-1]] = replace(phrases[before[-1]], count=int(token.value), counted=True)
             reading.take(index, index + (3 if of_them else 1))
+
+
+def read_counts_by_room(reading: Reading, phrases: list[Phrase]) -> None:
+    """Read "three screens and a projection room for each screen" as three projection rooms."""
+    for number, (phrase, of_each) in enumerate(itertools.pairwise(list(phrases))):
+        lead = reading.words(phrase.last, of_each.begin)
+        single = phrase.head == "room" and phrase.count == 1 and not phrase.plural and phrase.determiner != "the"
+        if not single or of_each.head != "room" or lead not in (("for", "each"), ("for", "every"), ("per",)):
+            continue
+        counted = [p for p in phrases[:number] if p.name == of_each.name and p.counted and (p.count or 0) > 1]
+        if len(counted) == 1:
+            phrases[number] = replace(phrase, count=counted[0].count, counted=True)
 
 
 def _count_apiece(reading: Reading, phrases: list[Phrase], index: int) -> bool:
@@ -296,16 +310,19 @@ def read_counts_by_group(reading: Reading, phrases: list[Phrase], households: Ho
         for number, phrase in enumerate(phrases):
             if (
                 phrase.head == "room"
+                and subject != "room"
                 and phrase.first > index
                 and reading.sentence[phrase.first] == reading.sentence[index]
                 and phrase.count == 1
                 and phrase.determiner not in ("the",)
                 and phrase.first not in households.read
+                and _SHARED.isdisjoint(reading.words(phrase.first, phrase.noun_end))
             ):
                 phrases[number] = replace(phrase, count=counts[subject], counted=True)
         reading.take(index, index + 2)
 
 
+_SHARED = frozenset({"shared", "common", "communal"})
 _HAVING = frozenset({"with", "has", "have", "want", "need", "get", "having"})
 """What "each" can go on with: "two doctors, each with a consulting room"."""
 

@@ -65,6 +65,7 @@ _AFTER = (
     ("=", "no"),
     ("=", "none"),
     ("not", "included"),
+    *[(verb, "not", "part", "of", what) for verb in ("is", "are") for what in ("it", "this", "that", "the")],
     ("not", "foreseen"),
     ("can", "be", "omitted"),
     ("we", "do", "not", "have"),
@@ -164,6 +165,9 @@ def negated_phrases(reading: Reading, phrases: list[Phrase]) -> dict[int, tuple[
     return found
 
 
+_WORDS_BETWEEN = frozenset({"also", "too", "upstairs", "upstair", "downstairs", "downstair"})
+
+
 def _refusing_words(reading: Reading, last: int) -> tuple[str, ...]:
     """Return the words right after a phrase that say that it is not wanted: "is not needed", ", no"; or nothing."""
     after = next((p for p in _AFTER if reading.words(last, last + len(p)) == p), None)
@@ -179,7 +183,7 @@ def _refusing_words(reading: Reading, last: int) -> tuple[str, ...]:
         return ("not", "need") if closes else ()  # "cafe don't need"
     if (word, following) == ("need", "not"):
         return ("need", "not") if reading.breaks(last + 2) else ()
-    if word in ("also", "too"):  # "a lift also is not needed"
+    if word in _WORDS_BETWEEN:  # "a lift also is not needed", "an office upstairs is not wanted"
         said = next((p for p in _AFTER if reading.words(last + 1, last + 1 + len(p)) == p), ())
         return (word, *said) if said else ()
     return ()

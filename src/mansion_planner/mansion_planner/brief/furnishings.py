@@ -11,8 +11,9 @@ from mansion_planner.brief.phrase import FUNCTION_WORDS, PEOPLE, Phrase
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
 from mansion_planner.brief.relation_rooms import Relation
 from mansion_planner.brief.storey_attachment import Attachment
+from mansion_planner.brief.table_seats import end_of_seats, seats_at_tables
 
-__all__ = ["people_served", "read_furnishings", "seats_at_tables"]
+__all__ = ["people_served", "read_furnishings"]
 
 _INTO = frozenset(
     """
@@ -53,7 +54,9 @@ def read_furnishings(
             found.append(_furniture(reading, phrases, number, placed, attached, excluded=number in negated))
         seats = seats_at_tables(reading, phrases, number)
         if seats and number not in negated:
-            span = reading.span(phrase.last, phrases[number + 1].last)
+            last = end_of_seats(reading, phrases, number)
+            span = reading.span(phrase.last, last)
+            reading.take(phrase.last, last)
             seated = replace(found[-1], words=span.words, category="chair", span=span, count=seats, exact=False)
             found.append(replace(seated, noun="seats"))
     return found
@@ -155,36 +158,6 @@ def _residents_rooms(reading: Reading, phrases: list[Phrase], number: int, same:
 
 _SENTENCES_BACK = 2
 """Sentences between rooms and what is said of those who live in them, at most."""
-
-
-_TABLES = frozenset({"dining_table", "cafe_table", "cafeteria_table", "restaurant_table", "conference_table"})
-_SEATS = frozenset({"chair", "dining_chair", "stool", "bar_stool", "bench", "armchair"})
-_AT_A_TABLE = 20
-"""People who sit at one table at most."""
-
-
-def seats_at_tables(reading: Reading, phrases: list[Phrase], number: int) -> int:
-    """Return how many people sit at some tables: 80 at "20 tables for 4 persons each"; 0 where the brief does not say.
-
-    More than a table seats are those of all tables, where nothing says "each".
-    """
-    table = phrases[number]
-    people = phrases[number + 1] if number + 1 < len(phrases) else None
-    if table.category not in _TABLES or people is None or people.head != "people" or not people.counted:
-        return 0
-    sentence = reading.sentence[table.first]
-    if any(phrase.category in _SEATS and reading.sentence[phrase.first] == sentence for phrase in phrases):
-        return 0  # "a table for twelve people and 12 chairs"
-    if not table.counted and table.plural:
-        return 0
-    if reading.words(table.last, people.first) not in (("for",), ("of",), ("each", "for"), (",", "each", "for")):
-        return 0
-    around = {reading.word(people.last), reading.word(table.last), reading.word(table.last + 1)}
-    each = not around.isdisjoint({"each", "apiece"})
-    many = people.count or 0
-    if not each and many > _AT_A_TABLE:
-        return many
-    return many * ((table.count or 1) if table.counted else 1)
 
 
 def _rooms_having(reading: Reading, room: Phrase | None, phrase: Phrase) -> int:
@@ -338,7 +311,7 @@ _NO_MORE = frozenset({"least", "minimum", "min", "more", "less", "fewer"})
 """Words of a count that is a lower bound."""
 
 _VEHICLES = frozenset({"van", "truck", "car", "garage_car", "bus", "motorcycle", "ambulance"})
-_CARRIES = frozenset({"for", "that", "which", "carry", "carries", "carrying", "take", "takes", "taking", "to", "fit"})
+_CARRIES = frozenset(", one of them which is for that carry carries carrying take takes taking to fit".split())
 _ROOMY = frozenset("big large wide deep high long strong enough is be hold to".split())
 _POINTS = frozenset({"the", "these", "those", "our", "my", "their", "his", "her", "your"})
 
@@ -362,7 +335,10 @@ def _passes_by(reading: Reading, phrases: list[Phrase], number: int) -> bool:
     if "enough" in gap and set(gap) <= _CARRIES | _ROOMY:  # no lift is made larger: these words stay unread
         reading.taken.difference_update(range(phrase.first, phrase.last))
         return True
-    return bool(gap) and set(gap) <= _CARRIES
+    carried = bool(gap) and set(gap) <= _CARRIES
+    if carried and "one" in gap:
+        reading.take(before.last, phrase.first)
+    return carried
 
 
 def _replaced(reading: Reading, phrases: list[Phrase], negated: dict[int, tuple[int, int]], number: int) -> bool:

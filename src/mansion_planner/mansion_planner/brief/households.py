@@ -10,6 +10,7 @@ import itertools
 from collections.abc import Sequence
 from dataclasses import replace
 
+from mansion_language.numbers import NUMBER_WORDS
 from mansion_planner.brief.facts import FloorRef, RoomFact
 from mansion_planner.brief.phrase import Phrase, is_whole_count
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
@@ -219,9 +220,6 @@ def _alike(first: Phrase, second: Phrase) -> bool:
     return first.name == second.name or first.name.rpartition("_")[2] in GENERAL
 
 
-_NUMBERS = ("no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten")
-
-
 def told_apart(facts: Sequence[RoomFact]) -> list[RoomFact]:
     """Return room facts; units of one name and the same storeys that hold different rooms get names of their own."""
     told = list(facts)
@@ -247,5 +245,5 @@ def _holding(fact: RoomFact) -> list[tuple[str, int | None]]:
 def _by_size(fact: RoomFact) -> RoomFact:
     """Return a unit named by how many sleep there: no name with "bedroom", which is another room's."""
     beds = sum(room.count or 1 for room in fact.suite if room.room_type.endswith("bedroom"))
-    number = _NUMBERS[beds] if beds < len(_NUMBERS) else "many"
+    number = NUMBER_WORDS[beds] if beds < len(NUMBER_WORDS) else "many"
     return replace(fact, name=f"{number}_bed_{fact.name}", label=f"{number}-bed {fact.label}")

@@ -32,6 +32,8 @@ _WHERE = frozenset(
     """.split()
 )
 """Words that place something, and parts of a building that are neither rooms nor furniture."""
+_OPENING = 2
+"""Sentences at the head of a brief that may tell which kind of building is meant."""
 _OF_A_BUILDING = frozenset({"it", "this", "that", "these", "those", "house", "building", "everything", "all"})
 
 
@@ -68,10 +70,12 @@ def _is_idle(reading: Reading, first: int, last: int) -> bool:
         return False
     if not (WISHES | _WHERE | FLOOR_WORDS).isdisjoint(words) or any(map(says_how, words)):
         return False
-    if words[0] in _OWNERS and not (reading.facts.building or reading.facts.building_span):
+    told = reading.facts.building or reading.facts.building_span
+    opens = reading.sentence[first] < _OPENING
+    owner = words[0] in _OWNERS and not any(map(is_person, words[1:3]))
+    if opens and (owner or not (told or words[0] in ("i", "we"))):
         return False  # "our pavilion burnt down" may be all that says which kind of building is meant
-    writer = not {"i", "we"}.isdisjoint(words[:2])
-    named = any(m.room or (m.building and not writer) for m in reading.mentions if first <= m.first < last)
+    named = any(m.room or m.building for m in reading.mentions if first <= m.first < last)
     if named or any(furniture_of((word,))[0] for word in words):
         return False
     return _tells(words)

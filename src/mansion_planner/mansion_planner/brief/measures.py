@@ -136,12 +136,13 @@ def _settle_storeys(reading: Reading, single: list[Quantity]) -> None:
     if not single:
         return
     alike = max(q.value for q in single) <= 1.15 * min(q.value for q in single)
+    start, end = single[0].span.start, single[-1].span.end
+    whole = Span(reading.text[start:end], start, end)
     if alike and not facts.floor_area:
-        facts.floor_area.append(single[0])
+        same = len({q.value for q in single}) == 1
+        facts.floor_area.append(single[0] if same else Quantity(sum(q.value for q in single) / len(single), whole))
     elif not (alike or facts.area):
         # Storeys have one area each: the sum is kept, and that it is shared out otherwise stays with the wish.
-        start, end = single[0].span.start, single[-1].span.end
-        whole = Span(reading.text[start:end], start, end)
         facts.area.append(Quantity(sum(q.value for q in single), whole))
         facts.unheeded += [q.span for q in single]
     else:

@@ -142,6 +142,7 @@ def mutual_relation(
     elif not (
         set(reading.words(phrases[pair[0]].last, phrases[pair[1]].first)) & {"and", "with", "or", "plus", "&"}
         or _of_the_two(reading, phrases[pair[1]].last, index)
+        or (phrases[pair[0]].room_type == phrases[pair[1]].room_type and phrases[pair[1]].last >= index - 1)
     ):
         return None
     negated = is_negated(reading, phrases, rooms, index)

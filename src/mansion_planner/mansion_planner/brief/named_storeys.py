@@ -64,6 +64,7 @@ class NamedStoreys:
             return None
         if word in ("underground", "subterranean") and following not in FLOOR_WORDS:
             predicate = reading.word(index - 1) in COPULAS | {"lie", "go", "all"} and following in CLOSERS
+            predicate = predicate or (following in (":", "=") and reading.starts(index))
             return ([FloorRef("basement")], last) if predicate else None
         return [FloorRef("basement")], last
 
@@ -133,6 +134,8 @@ class NamedStoreys:
             return following in (":", ",") and lead == "the"
         if word == "down":
             stays = self.has_floors and following in CLOSERS and lead in _STAYS
+            room = any(mention.room and mention.last == index for mention in reading.mentions)
+            stays = stays or (room and following in CLOSERS and "upstairs" in {token.text for token in reading.tokens})
             return stays or (following == ":" and reading.starts(index))
         if word == "below":
             if reading.starts(index) and following in (":", "is", "are", "there", ",", "the", "we", "i", "you", "a"):
@@ -157,13 +160,14 @@ class NamedStoreys:
         reading = self.reading
         word, following = reading.word(index), reading.word(index + 1)
         single = word in TOPS and not reading.plural(index + 1)
-        if following in FLOOR_WORDS and (single or word in ("rooftop", "roof")):
+        if following in FLOOR_WORDS and (single or word in ("rooftop", "roof", "attic", "loft", "mansard", "garret")):
             return [FloorRef("top")], index + 2
         if self._is_roof(index) or self._is_top(index):
             return [FloorRef("top")], index + 1
         if self._is_on_top_of_it(index):
             return [FloorRef("top")], index + 3
-        attic = word in ("attic", "loft") and (following == ":" or self._is_place(index))
+        ours = word == "loft" and reading.word(index - 1) in ("our", "my")  # a flat
+        attic = word in ("attic", "loft") and (following == ":" or self._is_place(index)) and not ours
         highest = word in ("uppermost", "topmost", "highest") and self._names_storey(index)
         if attic or highest or self._is_at_the_top(index):
             return [FloorRef("top")], index + 1

@@ -3,11 +3,12 @@
 from collections.abc import Mapping
 
 from mansion_planner.brief.facts import OccupantFact
-from mansion_planner.brief.furnishings import people_served, seats_at_tables
+from mansion_planner.brief.furnishings import people_served
 from mansion_planner.brief.persons import COLLECTIVES
 from mansion_planner.brief.phrase import Phrase
 from mansion_planner.brief.reading import Reading
 from mansion_planner.brief.storey_attachment import Attachment
+from mansion_planner.brief.table_seats import seats_at_tables
 
 __all__ = ["read_occupants", "tell_users"]
 
@@ -78,6 +79,8 @@ def _group_counted(reading: Reading, index: int) -> int:
     if reading.word(index - 1) == "of" and reading.word(index - 2) in _KIN | COLLECTIVES:
         return index - 2
     after = reading.word(index + 1)
+    if reading.word(index - 1) in ("sleep", "sleeping") and reading.kind(index + 1) not in ("unit", "number"):
+        return index - 1 if not reading.plural(index + 1) else -1
     ends = after in _AFTER or reading.breaks(index + 1)
     if ends and (reading.words(index - 2, index) == ("we", "are") or _follows_building(reading, index)):
         return index - 2 if reading.word(index - 1) == "are" else index - 1

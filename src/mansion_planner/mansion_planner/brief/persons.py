@@ -14,7 +14,8 @@ PERSONS = PEOPLE | frozenset(
     surgeon vet paramedic carer caregiver ambassador manager boss secretary receptionist assistant employer specialist
     trustee insurer investor founder freelancer
     entrepreneur professional expert everyone everybody nobody anyone someone personnel
-    mechanic carpenter electrician plumber farmer fisherman hunter shopkeeper trader seller buyer shopper reader
+    head chief mechanic carpenter electrician plumber farmer fisherman hunter shopkeeper trader seller buyer shopper
+    reader
     listener walker hiker skier cyclist runner athlete player fan lover enthusiast
     """.split()
 )
@@ -22,7 +23,7 @@ PERSONS = PEOPLE | frozenset(
 
 COLLECTIVES = frozenset(
     """
-    team group company firm crew staff troupe ensemble choir orchestra club society association committee charity
+    team group company firm crew staff troupe ensemble choir orchestra society association committee charity
     cooperative collective startup practice community commune congregation
     """.split()
 )

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from typing import Literal, TypeAlias
 
 from mansion_language import Token
+from mansion_language.units import AREA
 from mansion_planner.brief.lexicon import Mention
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
 
@@ -56,7 +57,7 @@ FUNCTION_WORDS = frozenset(
     upstair downstair throughout everywhere anywhere elsewhere neither
     exclusively solely purely
     either incl avoid omit exclude hate dislike detest leaving fleeing escaping standing ditto idem likewise half
-    itself themselves
+    itself themselves ought
     """.split()
 )
 """Words that no noun phrase of a room goes across."""
@@ -334,6 +335,8 @@ def count_after(reading: Reading, end: int) -> tuple[int, int | None]:
     whole = is_whole_count(value)
     if word == "(" and whole and _closes_classified(reading, end + 2):
         return _closes_classified(reading, end + 2), int(value)
+    if word == "(" and whole and _brackets_are_areas(reading, end):
+        return end, None
     if word == "(" and whole and reading.word(end + 2) in (")", "of", ":", ","):
         return end + (3 if reading.word(end + 2) == ")" else 2), int(value)
     if word == "(" and reading.word(end + 1) == "x" and reading.kind(end + 2) == "number":
@@ -370,6 +373,27 @@ def count_after(reading: Reading, end: int) -> tuple[int, int | None]:
     if word in (",", ":") and whole and reading.word(end + 2) in ("no", "nos", "number", "off", "pcs", "piece"):
         return end + 3 + (reading.word(end + 3) == "."), int(value)
     return end, None
+
+
+_LEAST_AREA = 6
+"""Square metres from which on a number in brackets behind one room may be its area."""
+
+
+def _brackets_are_areas(reading: Reading, end: int) -> bool:
+    """Whether numbers in brackets are areas: "450 m2: wood workshop (90), laboratory (60)", but not "offices (10)".
+
+    Each of those behind a noun in the singular is large enough for one, and the brief tells areas.
+    """
+    if reading.plural(end - 1) or reading.word(end + 2) != ")":
+        return False
+    values = [
+        reading.value(at + 1)
+        for at in range(1, len(reading.tokens) - 2)
+        if reading.word(at) == "(" and reading.word(at + 2) == ")" and reading.kind(at + 1) == "number"
+        if not reading.plural(at - 1)
+    ]
+    measured = any(token.kind == "unit" and token.text in AREA for token in reading.tokens)
+    return measured and len(values) > 1 and min(values) >= _LEAST_AREA
 
 
 def _closes_classified(reading: Reading, index: int) -> int:

@@ -24,6 +24,7 @@ from mansion_planner.brief.desk_areas import read_desk_areas
 from mansion_planner.brief.distant_counts import (
     read_counts_by_group,
     read_counts_by_person,
+    read_counts_by_room,
     read_counts_by_storey,
     read_halves,
     read_late_counts,
@@ -41,6 +42,7 @@ from mansion_planner.brief.measures import find_measures, give_measures
 from mansion_planner.brief.named_rooms import desks_as_places, rooms_by_name
 from mansion_planner.brief.noun_phrases import noun_phrases
 from mansion_planner.brief.occupants import read_occupants, tell_users
+from mansion_planner.brief.one_sized import with_one_sized
 from mansion_planner.brief.phrase import BARE_BUILDINGS, Phrase
 from mansion_planner.brief.qualifiers import unheeded_words
 from mansion_planner.brief.reading import Place, Reading, start_reading
@@ -151,7 +153,7 @@ class _Reader:
         phrases = [phrase for number, phrase in enumerate(phrases) if number not in stacked]
         self.building = self._name_building(phrases)
         as_studio_flat(reading, phrases)
-        phrases = with_shared_sizes(reading, measures, phrases)
+        phrases = with_one_sized(reading, measures, with_shared_sizes(reading, measures, phrases))
         own = [room_for_building(reading, phrase) for phrase in give_measures(reading, measures, phrases)]
         self.phrases = by_what_else_is_named([told_by_its_words(reading, phrase) for phrase in own])
         one_of_several = told_by_size(reading, with_bare_areas(reading, self.phrases))
@@ -161,6 +163,7 @@ class _Reader:
         """Find what belongs together: late counts, what each flat holds, what only holds or furnishes another room."""
         reading = self.reading
         read_late_counts(reading, self.phrases)
+        read_counts_by_room(reading, self.phrases)
         self.phrases, self.households = read_households(reading, self.phrases, self.places, self.building)
         self._find_building()
         leave_out_containers(reading, self.phrases, self.places)

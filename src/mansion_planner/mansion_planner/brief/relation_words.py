@@ -1,6 +1,6 @@
 """Words that say that rooms are side by side or apart, each as the words of its pattern."""
 
-__all__ = ["APART_AT", "BESIDE_AT", "LEADS", "MUTUAL_AT", "NEGATIONS", "PRONOUNS"]
+__all__ = ["APART_AT", "BESIDE_AT", "LEADS", "MUTUALLY_APART_AT", "MUTUAL_AT", "NEGATIONS", "PRONOUNS"]
 
 _TO = ("to", "onto", "into", "on", "off", "from", "with", "up")
 _BESIDE = [
@@ -169,7 +169,10 @@ def _by_first(patterns: list[tuple[str, ...]]) -> dict[str, list[tuple[str, ...]
     return found
 
 
+_MUTUALLY_APART = [(*words, *other) for words in _APART for other in (("each", "other"), ("one", "another"))]
+
 BESIDE_AT, APART_AT, MUTUAL_AT = _by_first(_BESIDE), _by_first(_APART), _by_first(_MUTUAL)
+MUTUALLY_APART_AT = _by_first(_MUTUALLY_APART)
 
 
 LEADS = frozenset(

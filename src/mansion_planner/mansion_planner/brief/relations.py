@@ -28,7 +28,15 @@ from mansion_planner.brief.relation_rooms import (
     with_adverbs,
     with_alternatives,
 )
-from mansion_planner.brief.relation_words import APART_AT, BESIDE_AT, LEADS, MUTUAL_AT, NEGATIONS, PRONOUNS
+from mansion_planner.brief.relation_words import (
+    APART_AT,
+    BESIDE_AT,
+    LEADS,
+    MUTUAL_AT,
+    MUTUALLY_APART_AT,
+    NEGATIONS,
+    PRONOUNS,
+)
 
 __all__ = ["read_relations"]
 
@@ -137,6 +145,10 @@ def _in_a_row(reading: Reading, phrases: list[Phrase], rooms: list[int], index: 
 
 def _said_of_both(reading: Reading, phrases: list[Phrase], rooms: list[int], index: int) -> tuple[Relation, int] | None:
     """Read a relation of the rooms before it alone: "side by side", "live room, control room adjacent"."""
+    apart = _longest_at(reading, index, MUTUALLY_APART_AT)
+    if apart:
+        told = mutual_relation(reading, phrases, rooms, index, index + len(apart))
+        return None if told is None else (replace(told, apart=not told.apart), index + len(apart))
     mutual = _longest_at(reading, index, MUTUAL_AT)
     longer = index + len(_longest_at(reading, index, BESIDE_AT))
     last = index + len(mutual)

@@ -11,7 +11,9 @@ __all__ = ["is_building", "joined_alike", "room_of", "said_of_each"]
 
 _HOLDS_ALL = frozenset({"in", "within", "on", "across"})
 """Words that put all that a sentence lists into one area: "a kitchen, a bedroom and a bathroom in 87 m2"."""
-_SURFACE = frozenset({"surface", "occupy", "occupies"})
+_STOREYS = frozenset({"upstairs", "upstair", "downstairs", "downstair"})
+"""Storeys between a room and the area in brackets behind it."""
+_SURFACE = frozenset({"surface", "occupy", "occupies", "take", "takes", "cover", "covers"})
 """Words between a room and its area: "the hall has a surface of 95 m2"."""
 
 
@@ -99,6 +101,7 @@ def _end_of_what_is_measured(reading: Reading, measure: Measure, phrases: list[P
         and not (reading.word(before) in FLOOR_WORDS and reading.kind(before - 1) == "number")
         and (
             reading.word(before) in FILLERS | _SURFACE
+            or (reading.word(before) in _STOREYS and reading.word(before + 1) == "(")
             or (reading.word(before) == "," and not comma)
             or (reading.word(before) == "." and not reading.breaks(before))
         )

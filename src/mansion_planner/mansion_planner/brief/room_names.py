@@ -73,16 +73,24 @@ def _with_both_modifiers(reading: Reading, chunks: list[tuple[int, int]], phrase
 
 def designated_nouns(reading: Reading) -> frozenset[str]:
     """Return the nouns that a brief tells apart by numbers or letters: "Bedroom 1 ... Bedroom 2", "Studio A"."""
-    found: dict[str, set[str]] = {}
+    found: dict[tuple[str, str], set[str]] = {}
     for index in range(1, len(reading.tokens)):
         length = _designator(reading, index)
         noun = reading.tokens[index - 1]
         if length and noun.kind == "word" and noun.text not in FUNCTION_WORDS and noun.text not in FLOOR_WORDS:
-            found.setdefault(noun.text, set()).add("".join(reading.words(index, index + length)))
+            key = noun.text, _kind_of_room(reading, index - 1)
+            found.setdefault(key, set()).add("".join(reading.words(index, index + length)))
             if _next_designator(reading, index + length) or _lettered(reading, index, length):
-                found[noun.text].add("more")
-    found |= _named_apart(reading)
-    return frozenset(noun for noun, names in found.items() if len(names) > 1)
+                found[key].add("more")
+    apart = [noun for noun, names in _named_apart(reading).items() if len(names) > 1]
+    return frozenset([*apart, *(noun for (noun, _), names in found.items() if len(names) > 1)])
+
+
+def _kind_of_room(reading: Reading, index: int) -> str:
+    """Return which kind of room "room" at a token names: rooms of several kinds are not told apart by numbers."""
+    before = reading.word(index - 1)
+    named = reading.word(index) == "room" and reading.kind(index - 1) == "word"
+    return before if named and before not in FUNCTION_WORDS else ""
 
 
 def _named_apart(reading: Reading) -> dict[str, set[str]]:

@@ -25,6 +25,9 @@ def room_for_building(reading: Reading, phrase: Phrase) -> Phrase:
     named = _NAMED.get((phrase.name, kind)) or _NAMED.get((phrase.name, like))
     if named is not None and not itself:
         return replace(phrase, head="room", building="", room_type=named, known=True)
+    lodging = _PLAIN.get(kind) or _PLAIN.get(like)
+    if lodging and phrase.room_type == "hotel_room" and phrase.name.partition("_")[0] in _BEDS:
+        return replace(phrase, room_type=lodging, known=True)  # "twelve double rooms" of a dormitory
     own = None if itself else _by_family(reading, phrase, family)
     if own is not None:
         return own
@@ -38,9 +41,10 @@ def room_for_building(reading: Reading, phrase: Phrase) -> Phrase:
         return replace(phrase, room_type="assembly_hall")
     if phrase.head != "room" or phrase.name not in ("room", "guest_room") or not phrase.counted:
         return phrase
-    room = _PLAIN.get(kind) or _PLAIN.get(like)
-    if room is not None:
-        return replace(phrase, room_type=room, known=True)
+    if lodging is not None:
+        return replace(phrase, room_type=lodging, known=True)
+    if not _BEDS.isdisjoint(reading.words(phrase.first, phrase.noun_end)) and (not family or family in _DWELT_IN):
+        return replace(phrase, room_type="bedroom", known=True)  # "six single rooms"
     if phrase.name != "room" or reading.word(phrase.last) == "with":
         return phrase  # "one open room with 20 desks"
     reading.taken.difference_update(range(phrase.first, phrase.last))
@@ -89,6 +93,9 @@ _NAMED = {
     ("studio", "media_house"): "recording_studio",
 }
 """Rooms that the same words name another kind of in other buildings, by their name and the kind of building."""
+
+_BEDS = frozenset({"single", "double", "twin"})
+"""For how many a room is that people sleep in."""
 
 _PLAIN = {
     "hotel": "hotel_room",

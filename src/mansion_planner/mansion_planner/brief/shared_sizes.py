@@ -71,7 +71,8 @@ def _shares(reading: Reading, measures: list[Measure], phrase: Phrase) -> tuple[
         if reading.word(index) in _LEADS and reading.sentence[index] == sentence
     ]
     for start in starts:
-        entries, end = _entries(reading, measures, start + 1)
+        parts = reading.word(start + 1) == "of" and reading.word(start + 2) in ("which", "them", "these")
+        entries, end = _entries(reading, measures, start + 1 + 2 * parts)
         if (len(entries) > 1 and sum(many for many, _ in entries) in (0, count)) or _fills(entries, count):
             return _settled(reading, entries, count, start, end)
     return ()

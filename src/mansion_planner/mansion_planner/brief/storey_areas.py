@@ -106,6 +106,10 @@ def _of_both(reading: Reading, measure: Measure) -> bool:
     return reading.word(index) in FLOOR_WORDS | {"cellar", "basement"}
 
 
+_AMOUNTING = frozenset({"come", "amount", "to"})
+"""Verbs between a storey and its area: "each level should come to roughly 60 m2"."""
+
+
 def _for_each_storey(reading: Reading, measure: Measure) -> bool:
     """Whether an area is said of each storey: "each floor 560 m2", "one floor is 330 m2", "gross 350 m2 per storey"."""
     after = words_after(reading, measure, 3)
@@ -117,7 +121,7 @@ def _for_each_storey(reading: Reading, measure: Measure) -> bool:
     ):
         return True
     index = measure.first - 1
-    while index > 0 and reading.word(index) in FILLERS - {"floor", "each", "every", "with"}:
+    while index > 0 and reading.word(index) in (FILLERS | _AMOUNTING) - {"floor", "each", "every", "with"}:
         index -= 1
     if reading.word(index) not in FLOOR_WORDS or reading.plural(index):
         return False

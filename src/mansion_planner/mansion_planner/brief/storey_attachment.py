@@ -359,6 +359,8 @@ class _Walk:
                 continue
             if not all(word in _JOINTS for word in between) or not joined or (opened and "," in between):
                 break
+            if not place.led and "," in between:
+                return chosen[:1]  # "a reception, a waiting room and a staff room upstairs"
             if not self._suits(number, place):
                 break
             chosen.append(number)

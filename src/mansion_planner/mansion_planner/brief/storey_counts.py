@@ -7,6 +7,7 @@ from mansion_planner.brief.facts import FloorRef, Quantity
 from mansion_planner.brief.furniture_words import furniture_of
 from mansion_planner.brief.phrase import PLAIN
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
+from mansion_planner.brief.storeys_below import storeys_below
 
 __all__ = [
     "ANAPHORS",
@@ -42,6 +43,10 @@ HOLDING = frozenset({"with", "holding", "containing", "housing", "for"})
 
 _WISHES = frozenset({"want", "need", "make", "build", "dig", "have", "require"})
 _BELOW = frozenset({"underground", "basement", "subterranean", "below"})
+_WITH_BASEMENT = (
+    *((joint, number) for joint in ("and", "plus", ",") for number in ("a", "one")),
+    ("with", "cellar"), ("with", "basement"),
+)  # fmt: skip
 CLOSERS = frozenset({"", ".", ",", ";", ":", "\n", ")", "!", "?", "=", "-"})
 
 
@@ -314,10 +319,13 @@ class StoreyCounts:
 
     def _basement_among_them(self, count: _Count) -> int:
         """Read "4 levels if you count the basement"; return where it ends, or 0, as all that read on from a count."""
-        last = self._included_basement(count.last) if count.value > 1 else 0
+        below, last = storeys_below(self.reading, count.last)
+        if not last and count.value > 1:
+            below, last = 1, self._included_basement(count.last)
+        last = last if 0 < below < count.value else 0
         if last:
-            self._state(count.value - 1, count.first, last)
-            self._state(1, count.last, last, below=True)
+            self._state(count.value - below, count.first, last)
+            self._state(below, count.last + (self.reading.word(count.last) == ","), last, below=True)
         return last
 
     def _above_ground(self, count: _Count) -> int:
@@ -494,7 +502,7 @@ class StoreyCounts:
             reading.word(index) not in ("over", "above", "on", "with")
             or reading.word(index + 2) not in ("basement", "cellar")
         ) and not (
-            reading.words(index, index + 2) in (("and", "a"), ("plus", "a"), ("with", "cellar"), ("with", "basement"))
+            reading.words(index, index + 2) in _WITH_BASEMENT
             and (reading.word(index + 2) in ("basement", "cellar") or reading.word(index + 1) in ("basement", "cellar"))
         ):
             if (

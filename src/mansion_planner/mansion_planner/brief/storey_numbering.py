@@ -21,6 +21,7 @@ def counts_from_ground(reading: Reading) -> bool:
         (word, floor) in pairs for word in ("ground", "street", "entrance") for floor in ("floor", "level", "storey")
     )
     ground = ground or any(token.text == ABOVE_GROUND for token in reading.tokens)
+    ground = ground or (not _BELOW_STAIRS.isdisjoint(words) and _BASEMENTS.isdisjoint(words))
     if ground and _counts_ground_apart(reading):
         return True
     named = [*_named_by_ordinals(reading), *_elliptic_ordinals(reading)]
@@ -28,6 +29,11 @@ def counts_from_ground(reading: Reading) -> bool:
         return False
     stated = _stated_numbers(reading)
     return not (stated and max(stated) == max(named))
+
+
+_BELOW_STAIRS = frozenset({"downstair", "downstairs"})
+_BASEMENTS = frozenset({"basement", "cellar", "underground", "upstair", "upstairs"})
+"""Words beside which "downstairs" may lie below the first floor, or the first floor be it."""
 
 
 def _tells_first_above_ground(reading: Reading) -> bool:

@@ -1,5 +1,6 @@
 """Read storeys that the order of a brief tells: "one down", "the floor above", "then", "the rest", a list upwards."""
 
+from collections.abc import Iterator
 from dataclasses import replace
 
 from mansion_planner.brief.facts import FloorRef
@@ -30,6 +31,7 @@ class StoreySequence:
     def __init__(self, reading: Reading) -> None:
         self.reading = reading
         self.direction = 0
+        self.numbered: FloorRef | None = None
 
     def read(self, index: int, base: FloorRef | None) -> tuple[list[FloorRef], int] | None:
         """Read a storey that is told from `base`, the storey named before it.
@@ -43,6 +45,8 @@ class StoreySequence:
             self._steps(index, base)
             or self._beyond(index, base)
             or self._then(index, base)
+            or self._goes_on(index, base)
+            or self._next_ordinal(index, base)
             or self._relative(index, base)
         )
 
@@ -57,7 +61,10 @@ class StoreySequence:
         last += storeyed
         last += reading.word(last) == "further"
         word = reading.word(last)
-        if word not in (_UP | _DOWN) - {"under", "beneath"} or reading.word(last + 1) in ("the", "ground", "grade"):
+        told_from = reading.word(last + 1) in ("ground", "grade") or (
+            reading.word(last + 1) == "the" and word not in ("up", "down", "higher", "lower")
+        )
+        if word not in (_UP | _DOWN) - {"under", "beneath"} or told_from:
             return None
         opens = reading.starts(index) or reading.word(index - 1) in _OPENERS
         if not (storeyed or (opens and base is not None)):
@@ -83,11 +90,59 @@ class StoreySequence:
     def _then(self, index: int, base: FloorRef | None) -> tuple[list[FloorRef], int] | None:
         """Read "then" and "next" at the start of a sentence of a brief that goes up or down."""
         reading = self.reading
-        if self.direction == 0 or base is None or not reading.starts(index):
+        rises = reading.word(index) == "then" and self._rises_to_top(index)
+        if base is None or not ((self.direction and reading.starts(index)) or (rises and base.kind == "number")):
             return None
+        self.direction = self.direction or 1
         if reading.word(index) not in ("then", "next") or reading.word(index + 1) in FLOOR_WORDS | {"to", "door"}:
             return None
         return [_moved(base, self.direction)], index + 1
+
+    def _goes_on(self, index: int, base: FloorRef | None) -> tuple[list[FloorRef], int] | None:
+        """Read the numbers in "Storeys 1-2 a lobby, 3-11 four rooms each, 12 a bar", each above the one before."""
+        reading = self.reading
+        base = base if base is not None and base.kind in ("number", "range") else self.numbered
+        if base is None or reading.kind(index) != "number" or reading.word(index - 1) not in (",", ";"):
+            return None
+        floors = int(reading.facts.floors[0].value) if reading.facts.floors else 0
+        first, last = int(reading.value(index)), index + 1
+        if first != base.last + 1 or first > floors or not self._is_headed_by_numbers(index):
+            return None
+        if reading.word(last) in ("-", "–", "to") and reading.kind(last + 1) == "number":
+            top = int(reading.value(last + 1))
+            self.numbered = FloorRef("range", first, top)
+            return ([self.numbered], last + 2) if first < top <= floors else None
+        return ([FloorRef("number", first, first)], last) if first == floors else None
+
+    def _next_ordinal(self, index: int, base: FloorRef | None) -> tuple[list[FloorRef], int] | None:
+        """Read "third is the library" after "the second has two offices", in a brief of three storeys or more."""
+        reading = self.reading
+        floors = int(reading.facts.floors[0].value) if reading.facts.floors else 0
+        opens = reading.kind(index) == "ordinal" and reading.starts(index) and index not in reading.taken
+        if base is None or base.kind != "number" or not opens or reading.word(index + 1) in FLOOR_WORDS:
+            return None
+        value = int(reading.value(index))
+        follows = value == base.last + 1 and value <= floors
+        return ([FloorRef("number", value, value)], index + 1) if follows else None
+
+    def _is_headed_by_numbers(self, index: int) -> bool:
+        """Whether the sentence opens with storeys in numbers: "Storeys 1-2 ..."."""
+        reading = self.reading
+        first = index
+        while first > 0 and not reading.starts(first):
+            first -= 1
+        return reading.word(first) in FLOOR_WORDS and reading.kind(first + 1) == "number"
+
+    def _rises_to_top(self, index: int) -> bool:
+        """Whether a list goes up to what is on top: "below a shop, then two flats, and a studio on top"."""
+        reading = self.reading
+        if reading.word(index - 1) not in (",", ";", "and") or self.direction < 0:
+            return False
+        end = index
+        while end < len(reading.tokens) and reading.sentence[end] == reading.sentence[index]:
+            end += 1
+        words = reading.words(index, end)
+        return any(pair == ("on", "top") and after not in ("of",) for pair, after in _pairs(words))
 
     def _relative(self, index: int, previous: FloorRef | None) -> tuple[list[FloorRef], int] | None:
         """Read "one flight up", "next storey up", "the floor above", "the one below", "two below the top"."""
@@ -105,8 +160,8 @@ class StoreySequence:
             return [replace(previous) if previous is not None else base], index + 2
         if word in ("up", "down") and reading.word(index + 1) == "there" and previous is not None:
             return [replace(previous)], index + 2
-        if reading.words(index, index + 3) == ("one", "flight", "up"):
-            return [FloorRef("number", 2, 2)], index + 3
+        if up := self._flights(index):
+            return [FloorRef("number", 1 + up, 1 + up)], index + 3
         if (
             word in ("next",)
             and reading.word(index + 1) in FLOOR_WORDS
@@ -116,6 +171,14 @@ class StoreySequence:
                 reading.word(index + 2) in ("up", "above")
             )
         return self._beside(index, base, previous)
+
+    def _flights(self, index: int) -> int:
+        """Return how many flights of stairs "two flights up" or "up one flight" at a token tells of, or 0."""
+        reading = self.reading
+        at = index + (reading.word(index) == "up")
+        other = index + 2 if at == index else index
+        told = reading.kind(at) == "number" and reading.word(at + 1) == "flight" and reading.word(other) == "up"
+        return int(reading.value(at)) if told and 0 < reading.value(at) < 20 else 0
 
     def _is_same_again(self, index: int) -> bool:
         """Whether "same floor" is that of what was told before: "Also a toilet, at same floor"."""
@@ -209,6 +272,12 @@ def _moved(base: FloorRef | None, steps: int) -> FloorRef:
         return FloorRef("number", steps, steps) if steps > 0 else FloorRef("basement")
     number = (base.last if steps > 0 else base.first) + steps
     return FloorRef("number", number, number) if number >= 1 else FloorRef("basement")
+
+
+def _pairs(words: tuple[str, ...]) -> Iterator[tuple[tuple[str, str], str]]:
+    """Yield every two words that stand side by side, and the one after them."""
+    for first, second, after in zip(words, words[1:], (*words[2:], "")):
+        yield (first, second), after
 
 
 def other_storeys(refs: tuple[FloorRef, ...], storeys: int) -> tuple[FloorRef, ...]:

@@ -139,11 +139,15 @@ class _Pair:
     def is_closed(self) -> bool:
         """Whether "each" closes what stands before: "meeting rooms with a screen each, a nap room with a sofa"."""
         ends = self.words[-2:] == ("each", ",") or self.words[-3:-1] == ("each", ",")
+        if self.phrase.determiner in ("both", "all") and self.phrase.room_type == "ensuite_bathroom":
+            return False  # "nine rooms each, all en suite"
+        if self._is_bracketed():
+            return False
         return ends and {"with", "has", "have", "get"}.isdisjoint(self.words[-1:])
 
     def list_goes_on(self, between: Sequence[Phrase]) -> bool:
         """Whether a comma after furniture only leads on to the next room: "a bedroom with bunk beds, one bathroom"."""
-        if "," not in self.gap or not any(phrase.head == "object" for phrase in between):
+        if "," not in self.gap or not any(phrase.head == "object" for phrase in between) or self._is_bracketed():
             return False
         every = self.named.determiner in ("each", "every")
         if every and self.reading.word(self.named.last) in ("get", "has", "need"):
@@ -197,11 +201,25 @@ class _Pair:
     def belongs(self) -> bool:
         """Whether the owner has the room, or each of the owners one."""
         shared = not _SHARED.isdisjoint(self.reading.words(self.phrase.first, self.phrase.noun_end))
-        if self._shares_each_with_others() or (shared and "and" in self.gap):
+        if self._shares_each_with_others() or (shared and self._is_only_beside()):
             return False  # "every room with a desk, and one common lounge"
+        after = self.reading.words(self.phrase.last, self.phrase.last + 2)
+        if after[:1] in (("in",), ("between",)) and not {"between", "them"}.isdisjoint(after):
+            return False  # "two laboratories with a preparation room in between"
         both = self.phrase.determiner in ("both", "all", "each") and self.phrase.room_type == "ensuite_bathroom"
         postposed = not self.words and self.phrase.room_type == "ensuite_bathroom"  # "three bedrooms en suite"
+        private = self.phrase.room_type in PRIVATE and self.owner.room_type in SLEEPING
+        if private and self._is_bracketed() and self.is_several():
+            return True  # "ten patient rooms (two beds each, ensuite bathroom)"
         return self._is_shared_out() or both or postposed or self._is_own() or self._is_private() or self._are_ensuite()
+
+    def _is_only_beside(self) -> bool:
+        """Whether a room that is shared is named after others which share it: "four bedrooms with a shared bath"."""
+        return "and" in self.gap or _outside_brackets(self.words) <= {"with", "a", "the", "one", "("}
+
+    def _is_bracketed(self) -> bool:
+        """Whether the room stands in a bracket behind the owner: "ten rooms (two beds each, own bathroom)"."""
+        return "(" in self.words and ")" not in self.words
 
     def _are_ensuite(self) -> bool:
         """Whether rooms to sleep in have as many rooms that are called en suite: "bedrooms with en-suite bathrooms"."""
@@ -243,7 +261,9 @@ class _Pair:
     def _is_private(self) -> bool:
         """Whether a room to sleep in has a room that is private as a rule: "a bedroom with a bathroom"."""
         private = self.phrase.room_type in PRIVATE and self.owner.room_type in SLEEPING
-        return private and not {"with", "having"}.isdisjoint(self.gap) and not self.is_several()
+        bare = self.words == ("with",) and not (self.phrase.determiner or self.phrase.counted or self.phrase.plural)
+        # "fourteen patient rooms with shower" have one each
+        return private and not {"with", "having"}.isdisjoint(self.gap) and (bare or not self.is_several())
 
 
 def _twins(pair: _Pair, phrases: Sequence[Phrase], before: Sequence[int]) -> list[int]:

@@ -79,7 +79,9 @@ def gross_areas(tokens: list[Token]) -> list[Token]:
     return result
 
 
-_KINDS_OF_AREA = frozenset("construction constructed built building covered plinth carpet usable".split())
+_KINDS_OF_AREA = frozenset(
+    "general overall construction constructed built building covered plinth carpet usable".split()
+)
 """What the area of a building is called by, as in "construction area": no room's."""
 _TO_MEASURE = frozenset(": = is of about around approx approximately should be must has have with".split())
 
@@ -215,12 +217,15 @@ def abbreviated_storeys(text: str, tokens: list[Token]) -> list[Token]:
     tokens : list of Token
     """
     result: list[Token] = []
-    shortened = False
+    shortened, headed = False, -1
     for index, token in enumerate(tokens):
+        if index == headed and token.text not in (":", "="):
+            result.append(Token("mark", ":", token.start, token.start))
         if token.text == "." and shortened and not _ends_sentence(text, tokens, index):
             shortened = False
             continue
         full = _in_full(tokens, index)
+        headed = index + 3 if full is not None and _heads_storey(tokens, index) else headed
         shortened = full is not None
         result.append(full or token)
     return result
@@ -244,8 +249,18 @@ def _in_full(tokens: list[Token], index: int) -> Token | None:
     if before is not None and before.kind == "number" and token.spaced and dotted:
         return replace(noun, plural=True) if set(following[1:]) <= _AFTER_STOREYS else None
     opens = before is None or before.text in (".", ";", "\n", "-", "*")
+    if opens and _heads_storey(tokens, index):
+        return noun
     last = _after_numbers(tokens, index + 1 + dotted) if opens else 0
     return replace(noun, plural=last > index + 2 + dotted) if last else None
+
+
+def _heads_storey(tokens: list[Token], index: int) -> bool:
+    """Whether a short form opens a line about a storey: "Fl. 1 reception, two studios"."""
+    before = tokens[index - 1].text if index else "."
+    after = [token.text if token.kind != "number" else "0" for token in tokens[index + 1 : index + 4]]
+    opens = before in (".", ";", "\n", "-", "*") and tokens[index].text in _SHORT_STOREYS.keys() - {"st"}
+    return opens and after[:2] == [".", "0"] and after[2:] not in (["-"], ["–"], ["to"], ["and"], [","])
 
 
 def _after_numbers(tokens: list[Token], index: int) -> int:

@@ -45,7 +45,8 @@ _REQUESTS = frozenset(
     """
     design generate imagine think thank suppose assume kindly hereby attach attached regards turn convert converting
     furnish bought dream dreaming wanting requiring requirement help mean means call enter coming map
-    naturally course completely strictly oh whatever latter thereabouts utmost provided outgrown premises
+    wished wishing renovate refurbish redesign naturally course completely strictly oh whatever latter thereabouts
+    utmost provided outgrown premises
     """.split()
 )
 """Words that ask for a building and say nothing of it."""
@@ -61,7 +62,7 @@ _LABELS = frozenset(
 _PRAISE = frozenset(
     """
     fancy posh lovely gorgeous charming stunning spectacular magnificent superb impressive wonderful amazing pretty cute
-    perfect perfectly happy fantastic marvellous delightful inviting memorable fun
+    cheap affordable inexpensive lively perfect perfectly happy fantastic marvellous delightful inviting memorable fun
     """.split()
 )
 """Words of taste, which no building could be checked for."""

@@ -7,11 +7,10 @@ import shapely
 from shapely.geometry import Polygon, box
 
 from mansion_geometry.dog_legs import dog_leg, landing_depth
-from mansion_geometry.stair_landings import Side
 from mansion_geometry.wall_sizes import CLEAR_WIDTH, INTERIOR_THICKNESS, MIN_CLEAR_WIDTH
 from mansion_knowledge import KnowledgeBase
 from mansion_msgs_py.program import CorePlan
-from mansion_msgs_py.shapes import Segment
+from mansion_msgs_py.shapes import CompassSide, Segment
 from mansion_planner.given_plan.faults import Findings
 from mansion_planner.given_plan.storey_walls import StoreyWall
 from mansion_planner.given_plan.storeys import PlanStorey, StoreyRoom
@@ -191,12 +190,12 @@ def landing_of(core: CorePlan, doors: Sequence[CoreDoor]) -> CorePlan:
     """
     if core.type != "stair" or not doors:
         return core
-    ends: tuple[Side, Side] = ("south", "north") if _along_y(core) else ("west", "east")
+    ends: tuple[CompassSide, CompassSide] = ("south", "north") if _along_y(core) else ("west", "east")
     axis = 1 if _along_y(core) else 0
     low, high = core.y if axis else core.x
     middles = [(d.segment[0][axis] + d.segment[1][axis]) / 2 for d in doors if d.segment is not None]
 
-    def rank(end: Side) -> tuple[float, float]:
+    def rank(end: CompassSide) -> tuple[float, float]:
         fitting = min(max((b - a for _, a, b in _on_landing(core, end, d.walls)), default=0.0) for d in doors)
         edge = low if end in ("south", "west") else high
         return round(min(fitting, CLEAR_WIDTH), 3), -sum(abs(middle - edge) for middle in middles)
@@ -209,12 +208,12 @@ def _along_y(core: CorePlan) -> bool:
     return core.y[1] - core.y[0] >= core.x[1] - core.x[0]
 
 
-def _on_landing(core: CorePlan, end: Side, walls: Sequence[StoreyWall]) -> list[tuple[StoreyWall, float, float]]:
+def _on_landing(core: CorePlan, end: CompassSide, walls: Sequence[StoreyWall]) -> list[tuple[StoreyWall, float, float]]:
     """Return the pieces of walls through which a door opens on to the floor landing at an end of a stair."""
     length, _ = _inside(core)
     depth = landing_depth(length) + INTERIOR_THICKNESS / 2
     (x0, x1), (y0, y1) = core.x, core.y
-    zones: dict[Side, tuple[float, float, float, float]] = {
+    zones: dict[CompassSide, tuple[float, float, float, float]] = {
         "south": (x0, y0, x1, y0 + depth),
         "north": (x0, y1 - depth, x1, y1),
         "west": (x0, y0, x0 + depth, y1),

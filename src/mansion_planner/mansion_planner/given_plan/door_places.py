@@ -6,10 +6,11 @@ from dataclasses import dataclass
 
 import shapely
 
-from mansion_geometry.wall_sizes import CLEAR_WIDTH, INTERIOR_THICKNESS, MIN_CLEAR_WIDTH
+from mansion_geometry.wall_sizes import CLEAR_WIDTH, INTERIOR_THICKNESS, MIN_CLEAR_WIDTH, SHORTEST_WINDOW
 from mansion_knowledge import is_class
-from mansion_msgs_py.building_plan import PlanDoor
+from mansion_msgs_py.building_plan import PlanDoor, PlanWindow
 from mansion_msgs_py.openings import GivenDoor, GivenWindow
+from mansion_msgs_py.program import GROUND_FLOOR
 from mansion_msgs_py.shapes import Point, Segment
 from mansion_msgs_py.wording import choices
 from mansion_planner.given_plan.faults import Findings
@@ -22,12 +23,10 @@ __all__ = ["OUTSIDE", "doors_between", "placed_doors", "placed_windows"]
 OUTSIDE = "outside"
 """What a door of a plan calls the outside."""
 
-_GROUND = 1
 _NEAR = THICKEST_WALL
 """Metres from a wall at which a door may be drawn."""
 
 _WINDOW = 1.2
-_SHORTEST_WINDOW = 0.2
 _GARAGE = 2.4
 _ROUNDING = 1e-3
 
@@ -125,7 +124,7 @@ def _failed(sides: Sequence[str | None]) -> list[GivenDoor]:
 
 
 def _leads_nowhere(storey: PlanStorey, wall: StoreyWall) -> bool:
-    return wall.right is None and storey.index != _GROUND
+    return wall.right is None and storey.index != GROUND_FLOOR
 
 
 def _given(storey: PlanStorey, door: PlanDoor, place: _Place) -> GivenDoor:
@@ -159,7 +158,7 @@ def _unplaced(
     first, second = sides if sides[0] is not None else (sides[1], sides[0])
     assert first is not None
     between = f"door between {_called(storey, first)} and {_called(storey, second)}"
-    if second is None and storey.index != _GROUND:
+    if second is None and storey.index != GROUND_FLOOR:
         findings.note(storey.index, between, "none", "the floor is not at the ground")
         return
     shared = [wall for wall in walls if wall.rooms == {first, second}]
@@ -237,57 +236,63 @@ def placed_windows(
     storey: PlanStorey, walls: Sequence[StoreyWall], doors: Sequence[GivenDoor], findings: Findings
 ) -> list[GivenWindow]:
     """Return the windows of a drawn storey on its outer walls, clear of the doors there."""
-    outer = [wall for wall in walls if wall.right is None]
     outdoor = {room.id for room in storey.rooms if is_class(room.type.name, "outdoor")}
     leading_out = [door.segment for door in doors if door.segment is not None and door.rooms[1] is None]
     given = []
     for window in storey.windows:
-        if window.segment is not None:
-            middle: Point | None = _middle(PlanDoor(segment=window.segment))
-        else:
-            middle = window.at
+        middle = window.at if window.segment is None else _middle(PlanDoor(segment=window.segment))
         if middle is None:
             findings.fault(storey.index, "window", "does not say where it is")
             continue
-        segment = window.segment
-        wall = min(
-            (wall for wall in walls if segment is None or _runs_along(wall, segment)),
-            key=lambda each: (round(each.distance(middle), 3), each.right is not None),
-            default=None,
-        )
-        near = [
-            wall for wall in outer if wall.distance(middle) <= _NEAR and (not segment or _runs_along(wall, segment))
-        ]
-        if wall is not None and wall.right is not None and {wall.left, wall.right} & outdoor and not near:
-            rooms = f"{_called(storey, wall.left)} and {_called(storey, wall.right)}"
-            findings.note(storey.index, f"window between {rooms}", "none", "windows are built in outer walls alone")
+        wall = _outer_wall(storey, walls, window.segment, middle, outdoor, findings)
+        if wall is None:
             continue
-        if not near and storey.beside_lost(middle):
-            continue
-        if not near:
-            far = f": the nearest is {min(each.distance(middle) for each in outer):.2f} m away" if outer else ""
-            findings.fault(storey.index, "window", f"is on no outer wall{far}", middle)
-            continue
-        wall = min(near, key=lambda each: (round(each.distance(middle), 3), -each.room))
-        if wall.left in outdoor:
-            findings.note(
-                storey.index,
-                f"window of {_called(storey, wall.left)}",
-                "none",
-                "a parapet stands around what is outdoors",
-            )
-            continue
-        width = abs(wall.along(segment[1]) - wall.along(segment[0])) if segment else (window.width or _WINDOW)
-        low, high = max(wall.along(middle) - width / 2, wall.low), min(wall.along(middle) + width / 2, wall.high)
-        for door in leading_out:
-            low, high = _clear_of(wall, door, low, high)
-        if high - low < _SHORTEST_WINDOW:
-            findings.fault(
-                storey.index, f"window of {_called(storey, wall.left)}", "has no place beside what is there", middle
-            )
+        low, high = _window_span(wall, window, middle, leading_out)
+        if high - low < SHORTEST_WINDOW:
+            place = f"window of {_called(storey, wall.left)}"
+            findings.fault(storey.index, place, "has no place beside what is there", middle)
             continue
         given.append(GivenWindow(segment=wall.at(low, high), sill=window.sill, height=window.height))
     return _apart(given)
+
+
+def _outer_wall(
+    storey: PlanStorey,
+    walls: Sequence[StoreyWall],
+    segment: Segment | None,
+    middle: Point,
+    outdoor: set[str],
+    findings: Findings,
+) -> StoreyWall | None:
+    """Return the outer wall that a window is drawn on, or record why there is none for it."""
+    along = [wall for wall in walls if segment is None or _runs_along(wall, segment)]
+    near = [wall for wall in along if wall.right is None and wall.distance(middle) <= _NEAR]
+    if near:
+        wall = min(near, key=lambda each: (round(each.distance(middle), 3), -each.room))
+        if wall.left not in outdoor:
+            return wall
+        place = f"window of {_called(storey, wall.left)}"
+        findings.note(storey.index, place, "none", "a parapet stands around what is outdoors")
+        return None
+    inner = min(along, key=lambda each: (round(each.distance(middle), 3), each.right is not None), default=None)
+    if inner is not None and inner.right is not None and {inner.left, inner.right} & outdoor:
+        rooms = f"{_called(storey, inner.left)} and {_called(storey, inner.right)}"
+        findings.note(storey.index, f"window between {rooms}", "none", "windows are built in outer walls alone")
+    elif not storey.beside_lost(middle):
+        outer = [wall.distance(middle) for wall in walls if wall.right is None]
+        far = f": the nearest is {min(outer):.2f} m away" if outer else ""
+        findings.fault(storey.index, "window", f"is on no outer wall{far}", middle)
+    return None
+
+
+def _window_span(wall: StoreyWall, window: PlanWindow, middle: Point, doors: Sequence[Segment]) -> tuple[float, float]:
+    """Return the piece of a wall, as distances from its start, that a window takes beside the doors there."""
+    segment = window.segment
+    width = abs(wall.along(segment[1]) - wall.along(segment[0])) if segment else (window.width or _WINDOW)
+    low, high = max(wall.along(middle) - width / 2, wall.low), min(wall.along(middle) + width / 2, wall.high)
+    for door in doors:
+        low, high = _clear_of(wall, door, low, high)
+    return low, high
 
 
 def _clear_of(wall: StoreyWall, door: Segment, low: float, high: float) -> tuple[float, float]:

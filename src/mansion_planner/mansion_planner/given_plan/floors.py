@@ -15,10 +15,10 @@ from mansion_msgs_py.shapes import Segment
 from mansion_planner.given_plan.cores import CoreDoor, landing_door
 from mansion_planner.given_plan.door_places import doors_between, placed_doors, placed_windows, wall_room
 from mansion_planner.given_plan.faults import Findings
+from mansion_planner.given_plan.reachability import complete_doors, entrance_of, main_room, report_unreached
 from mansion_planner.given_plan.room_gaps import outline_of
 from mansion_planner.given_plan.storey_walls import StoreyWall, storey_walls
 from mansion_planner.given_plan.storeys import PlanStorey, StoreyRoom
-from mansion_planner.given_plan.ways import complete_doors, entrance_of, main_room, tell_unreached
 
 __all__ = ["GivenFloor", "core_doors", "given_floor", "with_stair_doors"]
 
@@ -49,7 +49,7 @@ def given_floor(storey: PlanStorey, plan: BuildingPlan, findings: Findings) -> G
     doors, failed = placed_doors(storey, walls, findings)
     if adding and not failed:
         doors = complete_doors(storey, doors, wall_room(walls), findings)
-    tell_unreached(storey, [*doors, *failed], findings)
+    report_unreached(storey, [*doors, *failed], findings)
     windows = placed_windows(storey, walls, doors, findings)
     chosen = "windows" in plan.complete and not storey.windows
     if chosen:
@@ -85,7 +85,7 @@ def _floor_to_draw(storey: PlanStorey, findings: Findings) -> GivenFloor:
     if entrance_of(doors) is None and storey.index == 1:
         doors.append(GivenDoor(rooms=(main_room(storey, doors).id, None)))
     if storey.outline is not None:
-        tell_unreached(storey, doors, findings)
+        report_unreached(storey, doors, findings)
     outline = storey.outline or shapely.box(0.0, 0.0, 1.0, 1.0)
     entered = entrance_of(doors)
     main = storey.room(entered) if entered is not None else main_room(storey, doors)

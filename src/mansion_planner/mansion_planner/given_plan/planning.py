@@ -68,7 +68,9 @@ def _refuse_beside_a_plan(request: BuildRequest) -> None:
     for name in stated:
         if getattr(request, name) is not None:
             raise MansionError(
-                ErrorCode.CONTRADICTION, f"a plan says itself what {name} would; state one of them", path=f"$.{name}"
+                ErrorCode.CONTRADICTION,
+                f"the plan already gives what {name} would; leave one of them out",
+                path=f"$.{name}",
             )
     if request.planner == "llm":
         raise MansionError(

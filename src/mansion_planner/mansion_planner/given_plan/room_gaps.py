@@ -29,19 +29,19 @@ def joined_rooms(storey: PlanStorey, findings: Findings) -> PlanStorey:
     Gaps up to the thickness of a wall are closed on centre lines.
     """
     shapes = [room.shape for room in storey.rooms if room.shape is not None]
-    _tell_overlaps(storey, shapes, findings)
+    _report_overlaps(storey, shapes, findings)
     joined = on_centre_lines(shapes)
     moved = [room.name for room, a, b in zip(storey.rooms, shapes, joined) if a.symmetric_difference(b).area > _MOVED]
     if moved:
         got = f"{counted(len(moved), 'room')} moved on to wall centre lines"
         findings.note(storey.index, "rooms drawn between wall faces", got, "rooms share the middle of their walls here")
     storey = storey.with_shapes(joined)
-    _tell_parts(storey, findings)
-    _tell_narrow(storey, findings)
+    _report_parts(storey, findings)
+    _report_narrow(storey, findings)
     return storey
 
 
-def _tell_overlaps(storey: PlanStorey, shapes: Sequence[Polygon], findings: Findings) -> None:
+def _report_overlaps(storey: PlanStorey, shapes: Sequence[Polygon], findings: Findings) -> None:
     first, second = shapely.STRtree(list(shapes)).query(list(shapes), predicate="intersects")
     for i, j in sorted(zip(first.tolist(), second.tolist())):
         if i >= j:
@@ -60,7 +60,7 @@ def outline_of(storey: PlanStorey) -> Polygon:
     return orient(max(polygon_parts(union), key=lambda part: part.area))
 
 
-def _tell_parts(storey: PlanStorey, findings: Findings) -> None:
+def _report_parts(storey: PlanStorey, findings: Findings) -> None:
     """Tell of rooms that touch no other, or only at a corner."""
     main = outline_of(storey)
     inside = [room for room in storey.rooms if room.shape is not None and room.shape.intersection(main).area > 0.01]
@@ -77,7 +77,7 @@ def _tell_parts(storey: PlanStorey, findings: Findings) -> None:
         findings.fault(storey.index, room.name, message, (place.x, place.y))
 
 
-def _tell_narrow(storey: PlanStorey, findings: Findings) -> None:
+def _report_narrow(storey: PlanStorey, findings: Findings) -> None:
     least = PASSAGE_WIDTH + INTERIOR_THICKNESS
     for room in storey.rooms:
         if not room.core and room.shape is not None and room.shape.buffer(-least / 2 + 2e-3).is_empty:

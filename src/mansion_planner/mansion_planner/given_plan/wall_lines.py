@@ -108,7 +108,7 @@ def on_centre_lines(shapes: Sequence[Polygon]) -> list[Polygon]:
     walls = _number_lines(edges)
     facing = _facing(edges, shapes)
     if all(abs(gap) <= _TOUCH for gap, _, _ in facing):
-        return _without_gaps(list(shapes))
+        return _without_gaps(shapes)
     owner = list(range(len(walls)))
     for _, one, other in sorted(facing):
         first, second = _root(owner, edges[one].line), _root(owner, edges[other].line)
@@ -234,8 +234,9 @@ def _corners(ring: Sequence[_Edge], targets: Sequence[float]) -> list[Point]:
     return corners
 
 
-def _without_gaps(shapes: list[Polygon]) -> list[Polygon]:
+def _without_gaps(rooms: Sequence[Polygon]) -> list[Polygon]:
     """Return rooms without slight overlaps, and with what lies between them given to the one that has most of it."""
+    shapes = list(rooms)
     tree = shapely.STRtree(shapes)
     first, second = tree.query(shapes, predicate="intersects")
     for i, j in zip(first.tolist(), second.tolist()):

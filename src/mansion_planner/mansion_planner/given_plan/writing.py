@@ -8,6 +8,7 @@ from shapely.geometry import Polygon
 
 from mansion_geometry.rings import ring_of
 from mansion_geometry.stair_landings import with_landings
+from mansion_geometry.wall_sizes import ACCESS_WALL
 from mansion_knowledge import KnowledgeBase
 from mansion_msgs_py.layout import FixedRoom, FloorProblem, ProblemCore, ProblemNode
 from mansion_msgs_py.program import (
@@ -23,7 +24,7 @@ from mansion_msgs_py.program import (
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.shapes import Ring
 from mansion_msgs_py.topology import Edge, FloorTopology, NodeKind, TopologyNode
-from mansion_msgs_py.wishes import Scope, Wish, WishValue
+from mansion_msgs_py.wishes import MOST_WORDS, Scope, Wish, WishValue
 from mansion_msgs_py.wording import counted, with_article
 from mansion_planner.brief.facts import BriefFacts
 from mansion_planner.given_plan.door_places import LEAST_WALL
@@ -34,11 +35,9 @@ from mansion_planner.given_plan.storeys import StoreyRoom
 from mansion_planner.program.building import materials_of, with_elevations
 from mansion_planner.program.decisions import Decisions
 from mansion_planner.program.wish_ledger import requested_objects, wishes_of
-from mansion_planner.topology import ACCESS_WALL
 
 __all__ = ["problem_of", "program_of", "topology_of"]
 
-_MOST_WORDS = 12
 _CENT = 0.01
 """Square metres by which rounded areas may differ from their sum, for each room."""
 
@@ -197,7 +196,7 @@ def _wishes(floors: Sequence[GivenFloor], decisions: Decisions, knowledge: Knowl
             reason = "" if known else f"no such room is known; furnished like {with_article(kind.replace('_', ' '))}"
             found.append(
                 Wish(
-                    id="wish", text=" ".join(name.split()[:_MOST_WORDS]), span=(0, 0), kind="room", reason=reason,
+                    id="wish", text=" ".join(name.split()[:MOST_WORDS]), span=(0, 0), kind="room", reason=reason,
                     value=WishValue(name=name.lower().replace(" ", "_"), type=kind, count=count),
                     scope=Scope(floors=[floor.storey.index]),
                 )

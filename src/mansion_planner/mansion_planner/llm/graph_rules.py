@@ -86,7 +86,7 @@ def graph_faults(topology: FloorTopology, knowledge: KnowledgeBase) -> list[str]
     for edge in topology.edges:
         for end in (edge.source, edge.target):
             if end not in nodes:
-                faults.append(f"an edge names {end}, which is no node")
+                faults.append(f"an edge names {end}, which is not a node")
         if edge.source == edge.target:
             faults.append(f"{edge.source} has an edge to itself")
     if faults:

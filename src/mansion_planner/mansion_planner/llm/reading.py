@@ -11,14 +11,14 @@ from typing import get_args
 import msgspec
 
 from mansion_llm import Fault, Prompt, quoted_data
-from mansion_msgs_py.wishes import Wish
+from mansion_msgs_py.wishes import MOST_WORDS, Wish
 from mansion_planner.brief import BriefFacts, read_brief
 from mansion_planner.brief.facts import Shape, Span
 from mansion_planner.brief_checks import check_understood, nothing_understood, states_something
 from mansion_planner.llm.answers import ReadingAnswer
 from mansion_planner.llm.context import ARCHITECT, CLOSING, Context
 from mansion_planner.llm.joined_facts import joined_facts, without_rules
-from mansion_planner.llm.statement_facts import MOST_WORDS, StatementFacts, facts_of_statements
+from mansion_planner.llm.statement_facts import StatementFacts, facts_of_statements
 from mansion_planner.program.building import PlannedBuilding
 
 __all__ = ["JointReading", "read_with_model", "signed"]
@@ -105,7 +105,7 @@ def read_with_model(context: Context, refusal: Callable[[BriefFacts], str] = lam
     facts = _joined(context, model, answer.value.language)
     if not states_something(facts):
         raise nothing_understood(facts, text)
-    _tell_source(context, model, len(answer.value.statements), answer.reason)
+    _name_source(context, model, len(answer.value.statements), answer.reason)
     return JointReading(facts, (*model.spans, *model.facts.unread))
 
 
@@ -130,7 +130,7 @@ def _signed(wish: Wish, by_model: tuple[Span, ...]) -> Wish:
     return msgspec.structs.replace(wish, read_by="model" if model else "rules")
 
 
-def _tell_source(context: Context, model: StatementFacts, count: int, reason: str) -> None:
+def _name_source(context: Context, model: StatementFacts, count: int, reason: str) -> None:
     """Record how many statements are the model's."""
     if model.faults:
         good = max(count - len({fault.piece for fault in model.faults}), 0)

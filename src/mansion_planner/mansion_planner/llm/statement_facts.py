@@ -10,6 +10,7 @@ from mansion_knowledge import KnowledgeBase
 from mansion_language import singular, tokenize
 from mansion_llm import Fault
 from mansion_llm.quotes import find_quote
+from mansion_msgs_py.wishes import MOST_WORDS
 from mansion_planner.brief.facts import (
     AdjacencyFact,
     BriefFacts,
@@ -31,10 +32,8 @@ from mansion_planner.brief.similarity import room_of_building, similar_room_type
 from mansion_planner.llm.answers import ReadingAnswer, StatementAnswer
 from mansion_planner.llm.cleaning import clean_text, is_core_name
 
-__all__ = ["ASIDE", "MOST_WORDS", "StatementFacts", "facts_of_statements"]
+__all__ = ["ASIDE", "StatementFacts", "facts_of_statements"]
 
-MOST_WORDS = 12
-"""Words of a quote at most: those of a wish."""
 
 ASIDE = "aside"
 """Kind of a statement that asks for nothing: a greeting, a reason."""

@@ -113,7 +113,7 @@ def _opened(file: Path) -> tuple[Any, Any]:
         return library, recover.readfile(str(file))[0]
     except (OSError, UnicodeError, ValueError, library.DXFError) as error:
         reason = (str(error).strip() or type(error).__name__).splitlines()[0]
-        raise MansionError(ErrorCode.INVALID_PAYLOAD, f"{file}: no DXF file: {reason}") from None
+        raise MansionError(ErrorCode.INVALID_PAYLOAD, f"{file} is not a DXF file: {reason}") from None
 
 
 def _roles(entities: Sequence[Any], layers: Mapping[str, str], file: Path) -> dict[str, str]:

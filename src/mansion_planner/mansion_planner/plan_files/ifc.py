@@ -75,8 +75,8 @@ def plan_from_ifc(file: Path, storey: str = "") -> BuildingPlan:
     Raises
     ------
     MansionError
-        ``NOT_FOUND``; ``UNAVAILABLE`` where ifcopenshell is not installed; ``INVALID_PAYLOAD`` for what is no IFC file,
-        or one without spaces.
+        ``NOT_FOUND``; ``UNAVAILABLE`` where ifcopenshell is not installed; ``INVALID_PAYLOAD`` for what is not an IFC
+        file, or one without spaces.
     """
     model = _opened(file)
     scale = float(importlib.import_module("ifcopenshell.util.unit").calculate_unit_scale(model))
@@ -117,7 +117,7 @@ def _opened(file: Path) -> Any:
     except (OSError, RuntimeError, ValueError, AttributeError, library.Error) as error:
         reason = str(error).strip().splitlines()
         raise MansionError(
-            ErrorCode.INVALID_PAYLOAD, f"{file}: no IFC file: {reason[0] if reason else type(error).__name__}"
+            ErrorCode.INVALID_PAYLOAD, f"{file} is not an IFC file: {reason[0] if reason else type(error).__name__}"
         ) from None
     return model
 

@@ -78,7 +78,7 @@ def _from_json(file: Path, wanted: str) -> BuildingPlan:
     try:
         value = json.loads(data)
     except (ValueError, RecursionError) as error:
-        raise MansionError(ErrorCode.INVALID_PAYLOAD, f"{file}: no JSON: {error}; expected {_EXPECTED}") from None
+        raise MansionError(ErrorCode.INVALID_PAYLOAD, f"{file} is not JSON: {error}; expected {_EXPECTED}") from None
     try:
         return _plan_of(_chosen(value, wanted, file))
     except MansionError as error:

@@ -1,11 +1,13 @@
 """Share the rooms that the brief asks for out over the storeys, and tell which a storey may add to them."""
 
+from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from mansion_knowledge import KnowledgeBase, RoomEntry, RoomType
 from mansion_msgs_py.program import TraceEntry
 from mansion_planner.brief.facts import RoomFact
+from mansion_planner.brief_checks import check_number
 from mansion_planner.program.decisions import Decisions, note
 from mansion_planner.program.furniture_areas import furniture_area, furniture_areas, usual_number
 from mansion_planner.program.household import STUDIO, private_types
@@ -151,9 +153,11 @@ def allocate(decisions: Decisions, knowledge: KnowledgeBase, storeys: Sequence[S
         furniture[fact.name] = max(area, furniture.get(fact.name, 0.0))
     asked = [*facts, *(fact for fact, _ in for_furniture if fact not in decisions.facts.rooms)]
     for fact in sorted(asked, key=lambda fact: _is_free_bathroom(fact, decisions)):  # once bedrooms have their storeys
+        check_number(fact.name, _number_of(fact), len(storeys))
         floors, where = _floors_for(fact, knowledge, decisions, storeys, wanted)
-        for floor in floors:
-            wanted[floor].append(fact)
+        for floor, number in Counter(floors).items():
+            check_number(fact.name, number, 1)
+            wanted[floor] += [fact] * number
         note(trace, fact.span, f"{fact.name} x{_number_of(fact)}{where}")
     allocation = Allocation(
         wanted=wanted,

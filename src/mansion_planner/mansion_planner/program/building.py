@@ -19,6 +19,7 @@ from mansion_msgs_py.program import (
     VerticalConnectivity,
 )
 from mansion_msgs_py.request import BuildRequest
+from mansion_msgs_py.wishes import AREA_TOLERANCE
 from mansion_msgs_py.wording import with_article
 from mansion_planner.brief.facts import BriefFacts, MaterialFact
 from mansion_planner.brief_checks import check_total_area
@@ -120,10 +121,6 @@ def _program(
         downgrades=decisions.downgrades,
         wishes=wishes_of(decisions, knowledge),
     )
-
-
-AREA_TOLERANCE = 0.1
-"""Share by which a building may differ from the area that its request states beside the brief."""
 
 
 def _refuse_other_area(request: BuildRequest, layout: Arrangement) -> None:

@@ -11,6 +11,7 @@ from typing import Final, Literal
 import msgspec
 
 from mansion_knowledge import BuildingType, RoomType
+from mansion_msgs_py.shapes import CompassSide
 
 __all__ = [
     "joined_pairs",
@@ -22,7 +23,6 @@ __all__ = [
     "Massing",
     "Placement",
     "PlannedRoom",
-    "Side",
     "Sketch",
     "Storey",
     "Wing",
@@ -41,7 +41,6 @@ __all__ = [
     "touching",
 ]
 
-Side = Literal["north", "south", "east", "west"]
 
 Box = tuple[float, float, float, float]
 """Axis-aligned ``(x0, y0, x1, y1)`` in metres."""
@@ -140,7 +139,7 @@ PUBLIC_STAIR: Final = (3, 6)
 """Width and length of a core with two flights of 1.4 m, which many people use at once and leave by, metres."""
 
 LIFT: Final = 2
-"""Side of a lift's shaft, metres."""
+"""CompassSide of a lift's shaft, metres."""
 
 
 @dataclass(frozen=True)
@@ -169,7 +168,7 @@ class CoreBox:
     id: str
     type: Literal["stair", "elevator"]
     box: Box
-    side: Side | None = None
+    side: CompassSide | None = None
 
 
 @dataclass(frozen=True)

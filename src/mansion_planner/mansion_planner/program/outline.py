@@ -7,7 +7,8 @@ import shapely
 from shapely.geometry import Polygon
 from shapely.ops import unary_union
 
-from mansion_planner.program.model import Box, Massing, Side, Sketch, Storey
+from mansion_msgs_py.shapes import CompassSide
+from mansion_planner.program.model import Box, Massing, Sketch, Storey
 
 __all__ = ["Envelope", "Frame", "bearing_walls", "envelope_of", "ring_of"]
 
@@ -44,12 +45,12 @@ class Frame:
         bx, by = self.point((box[2], box[3]))
         return (min(ax, bx), min(ay, by), max(ax, bx), max(ay, by))
 
-    def side(self, side: Side | None) -> Side | None:
+    def side(self, side: CompassSide | None) -> CompassSide | None:
         """Return a side of the massing frame in plan coordinates."""
         if side is None:
             return None
-        flipped: dict[Side, Side] = {"east": "west", "west": "east", "north": "south", "south": "north"}
-        turned: dict[Side, Side] = {"north": "east", "east": "north", "south": "west", "west": "south"}
+        flipped: dict[CompassSide, CompassSide] = {"east": "west", "west": "east", "north": "south", "south": "north"}
+        turned: dict[CompassSide, CompassSide] = {"north": "east", "east": "north", "south": "west", "west": "south"}
         across = side in ("east", "west")
         if (self.mirror_x and across) or (self.mirror_y and not across):
             side = flipped[side]

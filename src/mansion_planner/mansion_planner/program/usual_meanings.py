@@ -1,9 +1,10 @@
 """What a plain word means in a kind of building: "the kitchen" of a restaurant is a commercial one."""
 
-from dataclasses import replace
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
 
 from mansion_knowledge import BuildingType
-from mansion_planner.brief.facts import AdjacencyFact, BriefFacts, RoomFact
+from mansion_planner.brief.facts import AdjacencyFact, BriefFacts, ObjectFact, RoomFact
 
 __all__ = ["as_meant_in"]
 
@@ -34,6 +35,64 @@ def as_meant_in(building: BuildingType, facts: BriefFacts) -> BriefFacts:
     >>> [(room.name, room.room_type) for room in as_meant_in(restaurant, facts).rooms]
     [('kitchen', 'commercial_kitchen')]
     """
+    meanings = _meanings_in(building, facts)
+    if meanings is None:
+        return facts
+    kind = meanings.kind
+    return replace(
+        facts,
+        rooms=[meanings.room(room) for room in facts.rooms],
+        excluded=[(kind(name), span) for name, span in facts.excluded],
+        excluded_on=[(kind(name), floor, span) for name, floor, span in facts.excluded_on],
+        adjacent=[meanings.relation(fact) for fact in facts.adjacent],
+        apart=[meanings.relation(fact) for fact in facts.apart],
+        objects=[meanings.furniture(fact) for fact in facts.objects],
+        heights=[replace(fact, room_type=kind(fact.room_type)) for fact in facts.heights],
+        materials=[replace(fact, room_type=kind(fact.room_type)) for fact in facts.materials],
+    )
+
+
+@dataclass(frozen=True)
+class _Meanings:
+    """What plain names of rooms mean in a building.
+
+    Attributes
+    ----------
+    kinds : mapping of str to str
+        The kind of room that each plain name means.
+    hub : str
+        The building's hub where the brief names one room of its kind, without an area: that room is the hub. Otherwise
+        empty.
+    """
+
+    kinds: Mapping[str, str]
+    hub: str
+
+    def kind(self, name: str) -> str:
+        return self.kinds.get(name, name)
+
+    def name(self, own: str) -> str:
+        return self.hub if self.hub and self.kind(own) == self.hub else own
+
+    def room(self, room: RoomFact) -> RoomFact:
+        if room.name not in self.kinds:
+            return room
+        label = room.label or room.name.replace("_", " ")
+        return replace(room, room_type=self.kind(room.name), name=self.name(room.name), label=label)
+
+    def relation(self, fact: AdjacencyFact) -> AdjacencyFact:
+        first = self.kind(fact.first) if fact.first_name in ("", fact.first) else fact.first
+        second = self.kind(fact.second) if fact.second_name in ("", fact.second) else fact.second
+        return replace(fact, first=first, second=second)
+
+    def furniture(self, fact: ObjectFact) -> ObjectFact:
+        if fact.room not in ("", fact.room_type):
+            return fact
+        return replace(fact, room_type=self.kind(fact.room_type), room=self.name(fact.room))
+
+
+def _meanings_in(building: BuildingType, facts: BriefFacts) -> _Meanings | None:
+    """Return what plain names mean in a building, or ``None`` where all mean what they say."""
     own = {entry.room_type for entries in building.storeys.values() for entry in entries} | {building.hub}
     stated = {room.room_type for room in facts.rooms}
     kinds = {plain: next((kind for kind in found if kind in own), "") for plain, found in _MEANT.items()}
@@ -41,37 +100,7 @@ def as_meant_in(building: BuildingType, facts: BriefFacts) -> BriefFacts:
     at_home = {room.floors for room in facts.rooms if room.room_type in _PRIVATE}
     shared = building.family != "home" and any(room.name in meant and room.floors in at_home for room in facts.rooms)
     if not meant or shared:
-        return facts
-
-    def kind(name: str) -> str:
-        return meant.get(name, name)
-
-    entered = [room for room in facts.rooms if kind(room.name) == building.hub]
+        return None
+    entered = [room for room in facts.rooms if meant.get(room.name, room.name) == building.hub]
     is_hub = [room.count for room in entered] == [1] and not entered[0].area
-
-    def name(own: str) -> str:
-        return building.hub if is_hub and kind(own) == building.hub else own
-
-    def as_meant(room: RoomFact) -> RoomFact:
-        label = room.label or room.name.replace("_", " ")
-        return replace(room, room_type=kind(room.name), name=name(room.name), label=label)
-
-    def beside(fact: AdjacencyFact) -> AdjacencyFact:
-        first = kind(fact.first) if fact.first_name in ("", fact.first) else fact.first
-        second = kind(fact.second) if fact.second_name in ("", fact.second) else fact.second
-        return replace(fact, first=first, second=second)
-
-    return replace(
-        facts,
-        rooms=[as_meant(room) if room.name in meant else room for room in facts.rooms],
-        excluded=[(kind(name), span) for name, span in facts.excluded],
-        excluded_on=[(kind(name), floor, span) for name, floor, span in facts.excluded_on],
-        adjacent=[beside(fact) for fact in facts.adjacent],
-        apart=[beside(fact) for fact in facts.apart],
-        objects=[
-            replace(o, room_type=kind(o.room_type), room=name(o.room)) if o.room in ("", o.room_type) else o
-            for o in facts.objects
-        ],
-        heights=[replace(fact, room_type=kind(fact.room_type)) for fact in facts.heights],
-        materials=[replace(fact, room_type=kind(fact.room_type)) for fact in facts.materials],
-    )
+    return _Meanings(meant, building.hub if is_hub else "")

@@ -22,7 +22,23 @@ from mansion_planner.solver.problem import FloorModel, Goal, mostly_seeded
 from mansion_planner.solver.starts import fit_rectangles
 from mansion_planner.solver.walls import border_sums, scan_walls
 
-__all__ = ["Annealing", "anneal"]
+__all__ = ["Annealing", "Schedule", "anneal"]
+
+
+class Schedule(NamedTuple):
+    """How long a run goes on, how warm it is, and what it proposes.
+
+    ``proposals`` candidates are looked at, while the temperature falls geometrically from ``start_temperature`` to
+    ``end_temperature`` (0 for descent). ``swap_share`` and ``rectangle_share`` are the shares of room swaps and of
+    rectangles among the proposals; all others shift a wall, by up to ``reach`` grid lines.
+    """
+
+    proposals: int
+    start_temperature: float
+    end_temperature: float
+    reach: int
+    swap_share: float
+    rectangle_share: float
 
 
 class _Scratch(NamedTuple):
@@ -109,25 +125,17 @@ def _copy_statistics(
 
 @kernel
 def _propose(
-    cells: Cells,
-    goal: Goal,
-    state: State,
-    boxes: Ints,
-    scratch: _Scratch,
-    rng: Ints,
-    reach: int,
-    swap_share: float,
-    rectangle_share: float,
+    cells: Cells, goal: Goal, state: State, boxes: Ints, scratch: _Scratch, rng: Ints, schedule: Schedule
 ) -> int:
     """Paint one random move; return the number of records (0: nothing to do)."""
     geometry, near, free, labels = cells.geometry, cells.near, cells.free, state.labels
     stats, contact, straddle = state.stats, state.contact, state.straddle
     changes, box = scratch.changes, scratch.box
     u = uniform(rng)
-    if u < swap_share:
+    if u < schedule.swap_share:
         return swap_rooms(geometry, near, labels, stats, contact, straddle, changes, rng, goal.rooms)
-    if u >= swap_share + rectangle_share:
-        return shift_wall(geometry, near, free, labels, stats, contact, straddle, changes, rng, reach)
+    if u >= schedule.swap_share + schedule.rectangle_share:
+        return shift_wall(geometry, near, free, labels, stats, contact, straddle, changes, rng, schedule.reach)
     if boxes.shape[0] > 0:
         box[:] = boxes[draw(rng) % boxes.shape[0]]
     elif not random_rectangle(cells.xs, cells.ys, free, goal.rooms, goal.links, goal.need, labels, contact, rng, box):
@@ -188,6 +196,14 @@ def _undo(labels: Ints, changes: Ints, made: int) -> None:
 
 
 @kernel
+def _cooling(schedule: Schedule) -> float:
+    """Return the factor by which the temperature falls with each proposal."""
+    if schedule.start_temperature <= 0.0:
+        return 1.0
+    return float((schedule.end_temperature / schedule.start_temperature) ** (1.0 / max(1, schedule.proposals)))
+
+
+@kernel
 def _metropolis(
     cells: Cells,
     goal: Goal,
@@ -197,17 +213,15 @@ def _metropolis(
     rng: Ints,
     costs: Floats,
     energy: float,
-    proposals: int,
-    start_temperature: float,
-    end_temperature: float,
-    reach: int,
-    swap_share: float,
-    rectangle_share: float,
+    schedule: Schedule,
 ) -> Ints:
     """Propose moves and keep or undo each; return the labels of the partition with the lowest energy met.
 
     `energy` and `costs` (see `room_costs`) are those of `state`. The statistics of a rejected move are restored from a
     copy rather than painted back, which would cost as much as the move and let rounding errors grow.
+
+    The loop is written out, as `shift_wall` and `paint` are: with helper kernels for their parts a search takes a tenth
+    longer.
     """
     labels, stats, contact, straddle = state.labels, state.stats, state.contact, state.straddle
     changes, touched = scratch.changes, scratch.touched
@@ -215,11 +229,10 @@ def _metropolis(
     kept_stats, kept_contact, kept_costs = stats.copy(), contact.copy(), costs.copy()
     kept_straddle = straddle[0]
     best, best_labels = energy, labels.copy()
-    ratio = (end_temperature / start_temperature) ** (1.0 / max(1, proposals)) if start_temperature > 0.0 else 1.0
-    temperature = start_temperature
-    for _ in range(proposals):
-        temperature *= ratio
-        made = _propose(cells, goal, state, boxes, scratch, rng, reach, swap_share, rectangle_share)
+    temperature, cooling = schedule.start_temperature, _cooling(schedule)
+    for _ in range(schedule.proposals):
+        temperature *= cooling
+        made = _propose(cells, goal, state, boxes, scratch, rng, schedule)
         if made == 0:
             continue
         count = _changed_labels(labels, changes, made, scratch.marks, touched)
@@ -248,19 +261,7 @@ def _metropolis(
 
 
 @kernel
-def anneal(
-    cells: Cells,
-    goal: Goal,
-    labels: Ints,
-    boxes: Ints,
-    proposals: int,
-    start_temperature: float,
-    end_temperature: float,
-    reach: int,
-    swap_share: float,
-    rectangle_share: float,
-    seed: int,
-) -> tuple[Ints, float]:
+def anneal(cells: Cells, goal: Goal, labels: Ints, boxes: Ints, schedule: Schedule, seed: int) -> tuple[Ints, float]:
     """Lower the energy of a partition by simulated annealing.
 
     Parameters
@@ -269,14 +270,6 @@ def anneal(
         The partition to start from.
     boxes : (k, 5) int array
         Rectangles to try: room, first row, last row + 1, first column, last column + 1. None: random ones.
-    proposals : int
-        Candidates to look at.
-    start_temperature, end_temperature : float
-        First and last temperature (geometric schedule); 0 for descent.
-    reach : int
-        Most grid lines that a wall is shifted by.
-    swap_share, rectangle_share : float
-        Shares of room swaps and of rectangles among the proposals.
     seed : int
         Decides every random draw.
 
@@ -293,22 +286,8 @@ def anneal(
         draw(rng)
     state = make_state(cells, goal, labels)
     scratch = _make_scratch(cells, goal.side.size)
-    best = _metropolis(
-        cells,
-        goal,
-        state,
-        boxes,
-        scratch,
-        rng,
-        room_costs(goal, state),
-        total_energy(goal, state),
-        proposals,
-        start_temperature,
-        end_temperature,
-        reach,
-        swap_share,
-        rectangle_share,
-    )
+    costs, energy = room_costs(goal, state), total_energy(goal, state)
+    best = _metropolis(cells, goal, state, boxes, scratch, rng, costs, energy, schedule)
     return best, total_energy(goal, make_state(cells, goal, best))
 
 
@@ -431,15 +410,6 @@ class Annealing:
         goal: Goal | None = None,
     ) -> Partition:
         """Anneal `labels` from the first to the second of `temperatures`, with `shares` of swaps and rectangles."""
-        found, energy = anneal(
-            grid.cells,
-            goal or self.goal,
-            labels,
-            boxes,
-            self.budget.take(wanted),
-            *temperatures,
-            REACH,
-            *shares,
-            int(self.rng.integers(2**62)),
-        )
+        schedule = Schedule(self.budget.take(wanted), *temperatures, REACH, *shares)
+        found, energy = anneal(grid.cells, goal or self.goal, labels, boxes, schedule, int(self.rng.integers(2**62)))
         return Partition(grid, found, energy)

@@ -5,12 +5,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from mansion_geometry.compiled import Floats, Ints
+from mansion_geometry.compiled import Bools, Floats, Ints
 from mansion_geometry.rings import polygon_parts, rotated
 from mansion_msgs_py.layout import CutRoundRecord, LayoutRoom
 from mansion_msgs_py.topology import SeedPlan
 from mansion_planner.solver.candidates import grow_batch
-from mansion_planner.solver.grid import CX, CY, Grid
+from mansion_planner.solver.grid import AREA, CX, CY, Grid
 from mansion_planner.solver.options import Budget, SolverOptions
 from mansion_planner.solver.partition import Partition
 from mansion_planner.solver.polygons import layout_room, shape_of_cells
@@ -279,6 +279,28 @@ class RoundsResult:
     energy: float
 
 
+@dataclass(frozen=True)
+class _RoundGoal:
+    """What the candidates of one round grow from and towards.
+
+    Attributes
+    ----------
+    cells : (n, 2) array
+        Centres of the parent's cells.
+    seeds, radii, targets : (children, 2), (children,), (children,) arrays
+        Planned seeds, the discs around them that the first batch is drawn from (metres), and areas (m2).
+    links, need : (e, 3), (e,) arrays
+        Edges that the round can make or break, and their wall lengths.
+    """
+
+    cells: Floats
+    seeds: Floats
+    radii: Floats
+    targets: Floats
+    links: Ints
+    need: Floats
+
+
 class _Rounds:
     """The layout of one floor while its rounds are cut."""
 
@@ -312,34 +334,53 @@ class _Rounds:
     def cut(self, cut: CutRound, areas: dict[str, float], share: int) -> None:
         """Split one parent (Algorithm 3), looking at no more than `share` candidates."""
         inside = self.labels == self.index[cut.parent]
-        cells = self.grid.cells.geometry[inside][:, [CX, CY]]
-        targets = np.array([areas[name] for name in cut.children])
-        region = float(self.grid.cells.geometry[inside][:, 0].sum())
-        if not len(cells):
-            self._skip(cut)
+        if not inside.any():
+            self._record(cut, "failed", 0)
             return
+        after = (self.placed | set(cut.children)) - ({cut.parent} if cut.vanishes else set())
+        goal = self._round_goal(cut, areas, inside, after)
+        used = self.budget.used
+        method = self._search(cut, goal, share)
+        self.placed = after
+        self.seeds.update((n, (float(s[0]), float(s[1]))) for n, s in zip(cut.children, goal.seeds))
+        self._record(cut, method, self.budget.used - used)
+
+    def _record(self, cut: CutRound, method: str, candidates: int) -> None:
+        self.records.append(
+            CutRoundRecord(parent=cut.parent, children=list(cut.children), method=method, candidates=candidates)
+        )
+
+    def _round_goal(self, cut: CutRound, areas: dict[str, float], inside: Bools, after: set[str]) -> _RoundGoal:
+        """Return seeds and areas of the children in the cells `inside` their parent, and the edges `after` the cut."""
+        geometry = self.grid.cells.geometry[inside]
+        cells, region = geometry[:, [CX, CY]], float(geometry[:, AREA].sum())
+        targets = np.array([areas[name] for name in cut.children])
         wanted = float(targets.sum()) if cut.vanishes else areas[cut.parent]
         targets = targets * region / wanted
         seeds = self._seed_plan(cut, cells, targets / region)
         targets = planned_targets(cut, targets, region, self.shares)
-        after = (self.placed | set(cut.children)) - ({cut.parent} if cut.vanishes else set())
-        links, need = self._links(cut, after)
         radii = base_radii(targets / region, self.options) * self.spacing
-        used = self.budget.used
-        best = self.labels.copy()
+        return _RoundGoal(cells, seeds, radii, targets, *self._links(cut, after))
+
+    def _search(self, cut: CutRound, goal: _RoundGoal, share: int) -> str:
+        """Set the labels to the best of the candidates, drawn in batches; return the name of what led to them.
+
+        The first batches lie around the planned seeds, in discs that widen with each; the later ones lie anywhere.
+        """
+        last = self.budget.used + share
+        best, scratch = self.labels.copy(), self.labels.copy()
         fewest, energy, method = -1, 0.0, "seeds"
-        scratch = self.labels.copy()
         for j in range(2 * self.options.retries):
             fallback = j >= self.options.retries
-            size = self.budget.take(min(self.options.batch, share - self.budget.used + used))
+            size = self.budget.take(min(self.options.batch, last - self.budget.used))
             if size == 0:
                 break
             if fallback:
-                batch = monte_carlo_batch(cells, targets, size, self.rng)
+                batch = monte_carlo_batch(goal.cells, goal.targets, size, self.rng)
             else:
                 gamma = self.options.radius_growth**j
-                batch = sample_batch(seeds, gamma * radii, size, self.spacing, self.rng)
-            unmet, found = self._grow(cut, links, need, batch, targets, scratch)
+                batch = sample_batch(goal.seeds, gamma * goal.radii, size, self.spacing, self.rng)
+            unmet, found = self._grow(cut, goal, batch, scratch)
             if unmet >= 0 and (fewest < 0 or unmet < fewest or (unmet == fewest and found < energy)):
                 fewest, energy = unmet, found
                 best[:, :] = scratch
@@ -348,23 +389,11 @@ class _Rounds:
                 break
         self.labels = best
         self.energy += energy
-        self.placed = after
-        self.seeds.update((n, (float(s[0]), float(s[1]))) for n, s in zip(cut.children, seeds))
-        if fewest != 0:
-            method = f"{method}, {fewest} links open" if fewest > 0 else "failed"
-        self.records.append(
-            CutRoundRecord(
-                parent=cut.parent, children=list(cut.children), method=method, candidates=self.budget.used - used
-            )
-        )
+        if fewest == 0:
+            return method
+        return f"{method}, {fewest} links open" if fewest > 0 else "failed"
 
-    def _skip(self, cut: CutRound) -> None:
-        """Record a round whose parent has no cell left to split."""
-        self.records.append(CutRoundRecord(parent=cut.parent, children=list(cut.children), method="failed"))
-
-    def _grow(
-        self, cut: CutRound, links: Ints, need: Floats, batch: Floats, targets: Floats, out: Ints
-    ) -> tuple[int, float]:
+    def _grow(self, cut: CutRound, goal: _RoundGoal, batch: Floats, out: Ints) -> tuple[int, float]:
         w = self.options.energy
         cells = self.grid.cells
         return grow_batch(
@@ -375,11 +404,11 @@ class _Rounds:
             self.index[cut.parent],
             np.array([self.index[name] for name in cut.children], np.int64),
             self.goal.rooms,
-            links,
-            need,
+            goal.links,
+            goal.need,
             self.side,
             np.ascontiguousarray(batch),
-            targets,
+            goal.targets,
             np.array([w.ratio, w.seed, w.corner, w.wall]),
             cut.vanishes,
             out,

@@ -7,6 +7,8 @@ from mansion_planner.solver.partition import CORNERS, MX, MY, PERIMETER, SIZE, S
 from mansion_planner.solver.problem import (
     ACCESS,
     CORNER_WEIGHT,
+    DETOUR,
+    FACADE,
     SEED_WEIGHT,
     SEED_X,
     SEED_Y,
@@ -22,10 +24,6 @@ __all__ = ["W_THIN", "edge_energy", "room_cost", "room_costs", "room_energy", "t
 
 (W_AREA, W_SEED, W_CORNER, W_COMPACT, W_ACCESS, W_ADJACENT, W_THIN, W_APART, W_STRADDLE, W_WALL, W_NARROW) = range(11)
 """Indices into `Goal.weights`, in the order of the fields of `SearchWeights`."""
-
-DETOUR = 1.12
-"""Compactness (perimeter / 4 sqrt(area)) up to which a room's proportions cost nothing: a rectangle of 1 : 2.6."""
-
 
 NARROW = 1e-3
 """Area, m2, of narrow places from which on a room has any."""
@@ -45,10 +43,10 @@ def room_cost(rooms: Floats, w: Floats, stats: Floats, contact: Floats, outside:
         dy = stats[r, MY] / a - rooms[r, SEED_Y]
         energy += w[W_SEED] * weight * np.sqrt((dx * dx + dy * dy) / t)
     shape = stats[r, PERIMETER] / (4.0 * np.sqrt(a))
-    energy += w[W_COMPACT] * rooms[r, SHAPE_WEIGHT] * max(0.0, shape - DETOUR)
+    energy += w[W_COMPACT] * rooms[r, SHAPE_WEIGHT] * max(0.0, shape - rooms[r, DETOUR])
     weight = rooms[r, WALL_WEIGHT]
     if weight > 0.0:
-        energy += w[W_WALL] * weight * max(0.0, 1.0 - contact[r, outside] / (0.6 * np.sqrt(t)))
+        energy += w[W_WALL] * weight * max(0.0, 1.0 - contact[r, outside] / (rooms[r, FACADE] * np.sqrt(t)))
     return float(energy)
 
 

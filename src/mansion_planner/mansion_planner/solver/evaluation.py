@@ -3,6 +3,7 @@
 Both plans are put on 64 x 64 squares aligned to the floor's bounding box, and rooms of the same id are compared.
 """
 
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 import msgspec
@@ -10,6 +11,7 @@ import numpy as np
 import shapely
 from shapely.geometry.base import BaseGeometry
 
+from mansion_geometry.floor_grid import GridFrame
 from mansion_geometry.rasters import cells_in, raster_over
 from mansion_geometry.rings import as_polygon, polygon_parts
 from mansion_geometry.shared_walls import edge_array, longest_wall, shared_walls, total_length
@@ -96,6 +98,21 @@ def _edge_counts(problem: FloorProblem, rooms: dict[str, BaseGeometry], touch: f
     return counts
 
 
+def _shared_cells(
+    names: Iterable[str], rooms: Mapping[str, BaseGeometry], truth: Mapping[str, BaseGeometry], frame: GridFrame
+) -> tuple[int, int, list[float]]:
+    """Return the cells that rooms share with their true shapes, those of either, and the quotient for each room."""
+    both, either, shares = 0, 0, []
+    for name in names:
+        given = cells_in(rooms.get(name, shapely.Polygon()), frame)
+        true = cells_in(truth.get(name, shapely.Polygon()), frame)
+        inner, outer = int((given & true).sum()), int((given | true).sum())
+        both, either = both + inner, either + outer
+        if outer:
+            shares.append(inner / outer)
+    return both, either, shares
+
+
 def score_plan(problem: TrueProblem, layout: FloorLayout, *, cells: int = 64, touch: float = 0.3) -> PlanScore:
     """Score one layout.
 
@@ -118,15 +135,7 @@ def score_plan(problem: TrueProblem, layout: FloorLayout, *, cells: int = 64, to
         if node.id not in cores and (node.type != "area" or node.id in truth)
     }
     rooms = {k: s for k, s in _shapes(layout.rooms).items() if k in want and not s.is_empty}
-    frame = raster_over(outline, cells)
-    both, either, shares = 0, 0, []
-    for name in want:
-        given = cells_in(rooms.get(name, shapely.Polygon()), frame)
-        true = cells_in(truth.get(name, shapely.Polygon()), frame)
-        inner, outer = int((given & true).sum()), int((given | true).sum())
-        both, either = both + inner, either + outer
-        if outer:
-            shares.append(inner / outer)
+    both, either, shares = _shared_cells(want, rooms, truth, raster_over(outline, cells))
     errors = [
         abs(rooms[name].area - area) / area if name in rooms else 1.0 for name, area in want.items() if area > 0.0
     ]

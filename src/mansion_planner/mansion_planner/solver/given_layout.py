@@ -29,7 +29,7 @@ def given_layout(problem: FloorProblem) -> FloorLayout:
     Raises
     ------
     MansionError
-        ``INFEASIBLE`` for an edge that names nothing, or a room that is no simple polygon.
+        ``INFEASIBLE`` for an edge that names nothing, or a room that is not a simple polygon.
     """
     shapes = {core.id: Polygon(core.polygon) for core in problem.cores}
     for index, room in enumerate(problem.fixed_rooms):
@@ -37,7 +37,7 @@ def given_layout(problem: FloorProblem) -> FloorLayout:
         if not shapes[room.id].is_valid:
             raise MansionError(
                 ErrorCode.INFEASIBLE,
-                f"{room.id} is no simple polygon ({shapely.is_valid_reason(shapes[room.id])})",
+                f"{room.id} is not a simple polygon ({shapely.is_valid_reason(shapes[room.id])})",
                 path=f"$.fixed_rooms[{index}].polygon",
             )
     edges = [_realised(problem, index, shapes) for index in range(len(problem.edges))]
@@ -69,7 +69,7 @@ def _realised(problem: FloorProblem, index: int, shapes: dict[str, Polygon]) -> 
         if end not in shapes:
             raise MansionError(
                 ErrorCode.INFEASIBLE,
-                f"the edge names {end!r}, which is no core or fixed room",
+                f"the edge names {end!r}, which is not a core or fixed room",
                 path=f"$.edges[{index}]",
             )
     walls = shared_walls(edge_array(shapes[edge.source]), edge_array(shapes[edge.target]), _GAP)

@@ -2,6 +2,8 @@
 
 from dataclasses import dataclass, field
 
+from mansion_geometry.wall_sizes import ADJACENT_WALL
+
 __all__ = ["Budget", "EnergyWeights", "SearchWeights", "SolverOptions"]
 
 
@@ -101,7 +103,7 @@ class SolverOptions:
     unseeded_spacing: float = 0.6
     cells: float = 900.0
     min_width: float = 1.2
-    adjacent_wall: float = 0.3
+    adjacent_wall: float = ADJACENT_WALL
     seeded: SearchWeights = field(default_factory=lambda: SearchWeights(thin=0.7, narrow=0.1))
     unseeded: SearchWeights = field(
         default_factory=lambda: SearchWeights(area=3.2, corner=0.32, compact=0.7, thin=3.0, wall=0.1, narrow=0.5)

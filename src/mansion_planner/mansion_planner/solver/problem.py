@@ -11,7 +11,7 @@ import shapely
 from numpy.typing import NDArray
 from shapely.geometry import LineString, MultiPolygon, Polygon
 
-from mansion_geometry.compiled import Floats, Ints
+from mansion_geometry.compiled import Bools, Floats, Ints
 from mansion_geometry.rings import as_polygon, dominant_angle, polygon_parts, rotated
 from mansion_geometry.shared_walls import SharedWall, edge_array, shared_walls
 from mansion_msgs_py.errors import ErrorCode, MansionError
@@ -20,10 +20,13 @@ from mansion_msgs_py.limits import MAX_FLOOR_AREA
 from mansion_msgs_py.topology import SeedPlan
 from mansion_planner.solver.options import SolverOptions
 from mansion_planner.solver.room_graph import Link, breadth_first_parents, resolve_zones
+from mansion_planner.solver.room_shapes import ANY, shape_of
 
 __all__ = [
     "ACCESS",
     "CORNER_WEIGHT",
+    "DETOUR",
+    "FACADE",
     "FloorModel",
     "Goal",
     "MIN_WIDTH",
@@ -263,10 +266,29 @@ def _free_parts(outline: Polygon, taken: Sequence[Polygon | MultiPolygon]) -> tu
     return kept, [part for part in parts if part not in kept]
 
 
-def _told_lost(part: Polygon, angle: float) -> str:
+def _lost_part_message(part: Polygon, angle: float) -> str:
     """Say where a part that no room can have lies."""
     ((x, y),) = rotated(shapely.get_coordinates(part.representative_point()).tolist(), -angle)
     return f"{part.area:.2f} m2 at ({x:.2f}, {y:.2f}) are cut off and narrower than a room, and stay without one"
+
+
+def _outline(problem: FloorProblem) -> tuple[Polygon, float]:
+    """Return the outline, turned so that most of its walls are upright, and the angle that it was turned by."""
+    outline = _shape(problem.boundary, "$.boundary")
+    if outline.area > MAX_FLOOR_AREA:
+        raise _refuse(
+            f"the outline holds {outline.area:.4g} m2; at most {MAX_FLOOR_AREA:.0f} m2 are laid out", "$.boundary"
+        )
+    angle = -dominant_angle([problem.boundary])
+    return (outline if angle == 0.0 else _shape(problem.boundary, "$.boundary", angle)), angle
+
+
+def _refuse_repeated_ids(problem: FloorProblem) -> None:
+    """Raise where two nodes have the same id."""
+    ids = [node.id for node in problem.nodes]
+    if len(set(ids)) != len(ids):
+        twice = sorted({i for i in ids if ids.count(i) > 1})
+        raise _refuse("node ids must differ", "$.nodes", repeated=twice)
 
 
 def make_model(problem: FloorProblem, options: SolverOptions) -> FloorModel:
@@ -277,30 +299,20 @@ def make_model(problem: FloorProblem, options: SolverOptions) -> FloorModel:
     MansionError
         ``INFEASIBLE`` with the place and the reason when no layout can exist.
     """
-    outline = _shape(problem.boundary, "$.boundary")
-    if outline.area > MAX_FLOOR_AREA:
-        raise _refuse(
-            f"the outline holds {outline.area:.4g} m2; at most {MAX_FLOOR_AREA:.0f} m2 are laid out", "$.boundary"
-        )
-    angle = -dominant_angle([problem.boundary])
-    if angle != 0.0:
-        outline = _shape(problem.boundary, "$.boundary", angle)
+    outline, angle = _outline(problem)
     obstacles = _obstacles(problem, angle)
     holes = [_shape(hole, f"$.holes[{k}]", angle) for k, hole in enumerate(problem.holes)]
     parts, lost = _free_parts(outline, [*holes, *(obstacle.polygon for obstacle in obstacles)])
     region = parts[0] if len(parts) == 1 else MultiPolygon(parts)
 
     known = {o.id for o in obstacles}
-    ids = [node.id for node in problem.nodes]
-    if len(set(ids)) != len(ids):
-        twice = sorted({i for i in ids if ids.count(i) > 1})
-        raise _refuse("node ids must differ", "$.nodes", repeated=twice)
+    _refuse_repeated_ids(problem)
     rooms, zones, links, graph, messages = resolve_zones(problem, known)
     if not rooms:
         raise _refuse("there is no room to lay out: every node is a core or a fixed room", "$.nodes")
     rooms = _with_planned_areas(problem, rooms, zones, graph, known, float(region.area))
     targets, scale = _targets(rooms, float(region.area))
-    messages += [_told_lost(part, angle) for part in lost]
+    messages += [_lost_part_message(part, angle) for part in lost]
     if abs(scale - 1.0) > 0.01:
         messages.append(f"node areas were scaled by {scale:.3f} to fill the free region")
     seeds = _seeds(problem, rooms, angle)
@@ -391,7 +403,7 @@ def relaxed_links(model: FloorModel) -> list[RelaxedLink]:
     return relaxed
 
 
-TARGET, SEED_X, SEED_Y, SEED_WEIGHT, MIN_WIDTH, SHAPE_WEIGHT, CORNER_WEIGHT, WALL_WEIGHT = range(8)
+(TARGET, SEED_X, SEED_Y, SEED_WEIGHT, MIN_WIDTH, SHAPE_WEIGHT, CORNER_WEIGHT, WALL_WEIGHT, DETOUR, FACADE) = range(10)
 """Last index of `Goal.rooms`."""
 
 ACCESS, ADJACENT = range(2)
@@ -401,9 +413,10 @@ ACCESS, ADJACENT = range(2)
 class Goal(NamedTuple):
     """The goal of the search as arrays.
 
-    ``rooms[r]`` holds target area, seed, weights and minimum width; ``links`` are rows of two labels and a kind (0
-    access, 1 adjacent) and the wall length they ``need``; ``side`` gives, for each label, the side on which a core
-    may be entered (0 any, 1 north, 2 east, 3 south, 4 west); ``apart`` lists pairs that should not touch.
+    ``rooms[r]`` holds target area, seed, weights, minimum width and the shape that is wanted (`RoomShape`); ``links``
+    are rows of two labels and a kind (0 access, 1 adjacent) and the wall length they ``need``; ``side`` gives, for each
+    label, the side on which a core may be entered (0 any, 1 north, 2 east, 3 south, 4 west); ``apart`` lists pairs that
+    should not touch.
     """
 
     rooms: Floats
@@ -443,9 +456,7 @@ def make_goal(model: FloorModel, options: SolverOptions, relaxed: Iterable[Link]
             np.nan_to_num(model.seeds[:, 1]),
             np.where(known, np.where(hub, 0.5, 1.0), 0.0),
             model.min_widths,
-            np.where(hub, 0.2, 1.0),
-            np.where(hub, 0.5 if mostly_seeded(model) else 1.0, 1.0),
-            np.where(known | hub, 0.0, 1.0),
+            *_shape_columns(model, known, hub),
         ],
         axis=1,
     )
@@ -457,6 +468,23 @@ def make_goal(model: FloorModel, options: SolverOptions, relaxed: Iterable[Link]
         side=side,
         apart=apart,
         weights=np.array(astuple(weights), dtype=float),
+    )
+
+
+def _shape_columns(model: FloorModel, known: Bools, hub: Bools) -> tuple[Floats, ...]:
+    """Return the columns of `Goal.rooms` from `SHAPE_WEIGHT` on.
+
+    Where most rooms have a seed, and for those that have one, the seeds say enough of where a room lies and how large
+    it is. The hub takes what the others leave.
+    """
+    seeded = mostly_seeded(model)
+    shapes = [ANY if seeded or fixed else shape_of(room.room_type) for room, fixed in zip(model.rooms, known | hub)]
+    return (
+        np.where(hub, 0.2, [shape.compact for shape in shapes]),
+        np.where(hub, 0.5 if seeded else 1.0, [shape.corner for shape in shapes]),
+        np.where(known | hub, 0.0, [shape.wall for shape in shapes]),
+        np.array([shape.detour for shape in shapes]),
+        np.array([shape.facade for shape in shapes]),
     )
 
 

@@ -49,7 +49,7 @@ def room_graph(problem: FloorProblem) -> "nx.Graph[str]":
                 if end not in known:
                     raise MansionError(
                         ErrorCode.INFEASIBLE,
-                        f"the edge names {end!r}, which is no node, core or fixed room",
+                        f"the edge names {end!r}, which is not a node, core or fixed room",
                         path=f"$.edges[{k}]",
                     )
                 graph.add_node(end)
@@ -93,6 +93,17 @@ def _living_parent(zone: str, parent: dict[str, str], zones: set[str], hub: str)
     return name
 
 
+def _refuse_unknown_cores(problem: FloorProblem, obstacles: set[str]) -> None:
+    """Raise where a ``stair`` or ``elevator`` node has the id of no core."""
+    for k, node in enumerate(problem.nodes):
+        if node.type in ("stair", "elevator") and node.id not in obstacles:
+            raise MansionError(
+                ErrorCode.INFEASIBLE,
+                f"{node.id!r} is {with_article(node.type)} but no core has that id",
+                path=f"$.nodes[{k}]",
+            )
+
+
 def resolve_zones(
     problem: FloorProblem, obstacles: set[str]
 ) -> tuple[list[ProblemNode], list[str], list[Link], "nx.Graph[str]", list[str]]:
@@ -103,13 +114,7 @@ def resolve_zones(
     MansionError
         ``INFEASIBLE`` when a ``stair`` or ``elevator`` node or an edge names nothing that exists.
     """
-    for k, node in enumerate(problem.nodes):
-        if node.type in ("stair", "elevator") and node.id not in obstacles:
-            raise MansionError(
-                ErrorCode.INFEASIBLE,
-                f"{node.id!r} is {with_article(node.type)} but no core has that id",
-                path=f"$.nodes[{k}]",
-            )
+    _refuse_unknown_cores(problem, obstacles)
     graph = room_graph(problem)
     nodes = [node for node in problem.nodes if node.id not in obstacles]
     hub = select_hub(nodes, graph, obstacles)

@@ -303,53 +303,76 @@ def flood(labels: Ints, cells: Cells, goal: Goal, seeds: Floats) -> Ints | None:
 
 
 @kernel
+def _take_stock(labels: Ints, cells: Cells, areas: Floats) -> int:
+    """Add the cells of each room to `areas`; return how many free cells no room has claimed."""
+    rows, columns = labels.shape
+    unclaimed = 0
+    for j in range(1, rows - 1):
+        for i in range(1, columns - 1):
+            if labels[j, i] == UNCLAIMED:
+                unclaimed += 1
+            elif labels[j, i] < areas.size:
+                areas[labels[j, i]] += cells.geometry[j, i, AREA]
+    return unclaimed
+
+
+@kernel
+def _most_lacking(areas: Floats, targets: Floats, closed: Bools) -> int:
+    """Return the room that has the smallest part of its target, of those that are not `closed`, or -1."""
+    r = -1
+    for k in range(areas.size):
+        if not closed[k] and (r < 0 or areas[k] / targets[k] < areas[r] / targets[r]):
+            r = k
+    return r
+
+
+@kernel
+def _nearest_at_edge(labels: Ints, cells: Cells, r: int, sx: float, sy: float) -> int:
+    """Return the unclaimed cell at the edge of room `r` that is nearest its seed (sx, sy), as an index, or -1."""
+    rows, columns = labels.shape
+    best, nearest = -1, 1e18
+    for j in range(1, rows - 1):
+        for i in range(1, columns - 1):
+            if labels[j, i] != UNCLAIMED:
+                continue
+            touch = 0
+            touch += labels[j, i + 1] == r and cells.geometry[j, i, VB] > LEAST_BORDER
+            touch += labels[j, i - 1] == r and cells.geometry[j, i - 1, VB] > LEAST_BORDER
+            touch += labels[j + 1, i] == r and cells.geometry[j, i, HB] > LEAST_BORDER
+            touch += labels[j - 1, i] == r and cells.geometry[j - 1, i, HB] > LEAST_BORDER
+            if touch == 0:
+                continue
+            dx, dy = abs(cells.geometry[j, i, CX] - sx), abs(cells.geometry[j, i, CY] - sy)
+            # A measure of distance between the maximum norm and the Euclidean one grows rooms that are nearly squares;
+            # a cell with the room on several sides counts as nearer, so that notches fill first.
+            d = max(dx, dy) + 0.3 * min(dx, dy) - 0.5 * touch
+            if d < nearest:
+                best, nearest = j * columns + i, d
+    return best
+
+
+@kernel
 def _flood(labels: Ints, cells: Cells, goal: Goal, seeds: Floats) -> bool:
     """Fill `labels` in place; tell whether every room has a cell and every free cell a room."""
-    rows, columns = labels.shape
-    n = goal.rooms.shape[0]
-    area = np.zeros(n)
+    columns, n = labels.shape[1], goal.rooms.shape[0]
     for r in range(n):
         if not _keep_largest_component(labels, cells, r) and not _claim_nearest(
             labels, cells, r, seeds[r, 0], seeds[r, 1]
         ):
             return False
-    empty = 0
-    for j in range(1, rows - 1):
-        for i in range(1, columns - 1):
-            if labels[j, i] == UNCLAIMED:
-                empty += 1
-            elif labels[j, i] < n:
-                area[labels[j, i]] += cells.geometry[j, i, AREA]
-    closed = np.zeros(n, np.bool_)
-    while empty > 0:
-        r = -1
-        for k in range(n):
-            if not closed[k] and (r < 0 or area[k] / goal.rooms[k, TARGET] < area[r] / goal.rooms[r, TARGET]):
-                r = k
+    areas, closed = np.zeros(n), np.zeros(n, np.bool_)
+    unclaimed = _take_stock(labels, cells, areas)
+    while unclaimed > 0:
+        r = _most_lacking(areas, goal.rooms[:, TARGET], closed)
         if r < 0:
             return False
-        best, nearest = -1, 1e18
-        for j in range(1, rows - 1):
-            for i in range(1, columns - 1):
-                if labels[j, i] != UNCLAIMED:
-                    continue
-                touch = 0
-                touch += labels[j, i + 1] == r and cells.geometry[j, i, VB] > 1e-6
-                touch += labels[j, i - 1] == r and cells.geometry[j, i - 1, VB] > 1e-6
-                touch += labels[j + 1, i] == r and cells.geometry[j, i, HB] > 1e-6
-                touch += labels[j - 1, i] == r and cells.geometry[j - 1, i, HB] > 1e-6
-                if touch == 0:
-                    continue
-                dx, dy = (abs(cells.geometry[j, i, CX] - seeds[r, 0]), abs(cells.geometry[j, i, CY] - seeds[r, 1]))
-                d = max(dx, dy) + 0.3 * min(dx, dy) - 0.5 * touch
-                if d < nearest:
-                    best, nearest = j * columns + i, d
+        best = _nearest_at_edge(labels, cells, r, seeds[r, 0], seeds[r, 1])
         if best < 0:
             closed[r] = True
             continue
         labels[best // columns, best % columns] = r
-        area[r] += cells.geometry[best // columns, best % columns, AREA]
-        empty -= 1
+        areas[r] += cells.geometry[best // columns, best % columns, AREA]
+        unclaimed -= 1
     return True
 
 

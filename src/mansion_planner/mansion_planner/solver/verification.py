@@ -11,6 +11,7 @@ from shapely.geometry.base import BaseGeometry
 
 from mansion_geometry.rings import corner_points, polygon_parts
 from mansion_geometry.shared_walls import SharedWall, edge_array, longest_wall, shared_walls, total_length
+from mansion_geometry.wall_sizes import INTERIOR_THICKNESS
 from mansion_msgs_py.layout import RealisedEdge
 from mansion_planner.solver.options import SolverOptions
 from mansion_planner.solver.partition import Partition
@@ -29,7 +30,7 @@ LOBE = 0.04
 WIDTH_SLACK = 4e-3
 """Tolerance of half a width, metres, for rounded coordinates."""
 
-STRADDLE = 0.06
+STRADDLE = INTERIOR_THICKNESS / 2
 """Metres by which a structural wall may reach into a room (half an interior wall)."""
 
 

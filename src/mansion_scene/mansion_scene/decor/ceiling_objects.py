@@ -69,9 +69,7 @@ class CeilingSpace:
         self.taken: list[tuple[str, tuple[float, float, float, float]]] = [
             (o.id, footprint(o).bounds) for o in placed if o.mount == "ceiling"
         ]
-        self.tall = [
-            (o.id, footprint(o), o.position[2] + o.size[2] / 2) for o in placed if o.position[2] + o.size[2] / 2 > 1.4
-        ]
+        self.tall = [(o.id, footprint(o), o.top) for o in placed if o.top > 1.4]
 
     def reserve(self, size: Size3, center: Point, rotation: float) -> bool:
         """Reserve a position if it is free, and tell whether it was."""

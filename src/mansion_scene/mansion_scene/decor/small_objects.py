@@ -242,10 +242,10 @@ class _Filler:
                 continue
             x, y = to_local(self.obj, other.position)
             spot = spot_of(other.size, x, y, other.rotation - self.obj.rotation)
-            foot = other.position[2] - other.size[2] / 2
+            foot = other.bottom
             for shelf in self.shelves:
                 level = self.obj.position[2] + shelf.z
-                if not shelf.inside and other.position[2] + other.size[2] / 2 > level:
+                if not shelf.inside and other.top > level:
                     shelf.note_overhead(spot, foot - level)
 
     @property

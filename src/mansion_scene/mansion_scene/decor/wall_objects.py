@@ -125,8 +125,8 @@ class WallSpace:
         """Note an object where it is close to this wall."""
         a, b, distance = self.edge.interval(footprint_corners(obj.position, obj.size, obj.rotation))
         if distance < 1.0 and b > 0.0 and a < self.edge.length:
-            high = obj.position[2] + obj.size[2] / 2 + _ABOVE
-            low = obj.position[2] - obj.size[2] / 2
+            high = obj.top + _ABOVE
+            low = obj.bottom
             self.blocks.append(_Block(a, b, low, high, max(distance, 0.0), obj.id))
 
     def hang(self, asset: Asset, along: float, center: float) -> None:
@@ -228,7 +228,7 @@ def hanging_height(asset: Asset, ceiling: float, wanted: float | None = None) ->
 def height_above(asset: Asset, ceiling: float, obj: SceneObject, wanted: float | None = None) -> float | None:
     """Return the height of the centre at which an asset hangs above an object; None where the ceiling is too low."""
     h = asset.size[2]
-    top = obj.position[2] + obj.size[2] / 2
+    top = obj.top
     clearance = float(asset.parameters.get("above", _ABOVE + 0.01))
     low = max(top + clearance, (wanted or _usual_height(asset)) - h / 2)
     center = low + h / 2

@@ -10,7 +10,7 @@ from mansion_geometry.compiled import Floats, kernel
 from mansion_scene.placement.floor import Floor
 from mansion_scene.placement.room_model import Wall, wall_array
 
-__all__ = ["floor_poses", "flush_poses", "ring_poses", "ring_rows", "wall_poses", "wall_rows"]
+__all__ = ["floor_poses", "flush_poses", "opposite_poses", "ring_poses", "ring_rows", "wall_poses", "wall_rows"]
 
 
 _SERIES = 41
@@ -186,6 +186,19 @@ def wall_poses(
     obstacles = np.concatenate([floor.boxes, floor.zones[:, :6]])
     phase = rng.random(len(rows))
     return np.asarray(wall_rows(rows, np.array(extent), half_depth, obstacles, floor.gap, backs, phase))
+
+
+def opposite_poses(floor: Floor, half_depth: float, targets: Floats) -> Floats:
+    """Return poses with the back to a wall, straight ahead of a target and facing it, shape (n, 4)."""
+    rows = []
+    for target in targets:
+        front = np.array([-target[3], target[2]])
+        for wall in floor.room.walls:
+            at = float((target[:2] - wall.start) @ wall.along)
+            if wall.inward @ front < -0.99 and 0.0 < at < wall.length:
+                centre = wall.start + at * wall.along + (half_depth + floor.options.wall_gap) * wall.inward
+                rows.append((*centre, *wall.along))
+    return np.array(rows).reshape(-1, 4)
 
 
 def floor_poses(floor: Floor, rng: np.random.Generator, *, limit: int = 1200) -> Floats:

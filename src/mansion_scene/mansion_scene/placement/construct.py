@@ -2,12 +2,14 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import product
 
 import numpy as np
 
 from mansion_scene.placement.floor import Floor
 from mansion_scene.placement.groups import Group, Spec
 from mansion_scene.placement.patterns import place_lattice, place_matrix, place_rows
+from mansion_scene.placement.runs import run_members, run_pieces, runs
 from mansion_scene.placement.search import find_placement
 from mansion_scene.placement.units import Size3, Unit, UnitStyle, build_unit
 
@@ -20,6 +22,9 @@ ENOUGH = 0.7
 """Share of the tables that are placed at least with room to pass behind their seats, before all are pushed together."""
 
 _TIGHT = frozenset({"paired", "around", "in_front_of", "side_of"})
+
+_NOWHERE_ELSE = frozenset({"at_head", "sat_at"})
+"""Relations of what is in the way anywhere else."""
 
 _AT_HOST = frozenset({"paired", "around", "in_front_of"})
 """Links of what is of no use without its host."""
@@ -62,6 +67,7 @@ class Construction:
     def place_group(self, group: Group) -> None:
         """Place a group: all copies of its anchor, then the members that were not placed with them."""
         anchor = group.anchor
+        self._place_run(anchor)
         if anchor.rows:
             self._place_matrix(anchor)
         else:
@@ -69,8 +75,22 @@ class Construction:
         for member in group.members:
             self.place_copies(member)
 
+    def _place_run(self, anchor: Spec) -> None:
+        """Place a kitchen's worktops and appliances side by side: as many worktops as fit, the widest first."""
+        left = [spec for spec in run_pieces(anchor, self.floor.specs) if self.missing(spec) > 0]
+        if not left:
+            return
+        walls = sorted((wall.length for wall in self.floor.room.walls), reverse=True)
+        mirrored = bool(self.rng.integers(2))
+        for members, clear in product(run_members(left), (True, False)):
+            for unit in runs(anchor, self.missing(anchor), members, walls, mirrored=mirrored):
+                if find_placement(self.floor, anchor, unit, self.rng, clear_hob=clear):
+                    return
+
     def place_copies(self, spec: Spec, *, strict: bool = True) -> None:
         """Place the missing copies of an object, each with its share of members."""
+        if not strict and not spec.first and any(kind in _NOWHERE_ELSE for kind, _ in spec.relations):
+            return
         count = self.due(spec)
         if count >= 2 and spec.host < 0 and strict and self._place_pattern(spec, count):
             return
@@ -114,23 +134,27 @@ class Construction:
 
     def _place_one(self, spec: Spec, left: int, *, strict: bool) -> bool:
         shares = self._shares(spec, left)
+        alone: list[Unit] = []
         for size in (spec.size, *spec.smaller):
-            units = self._units(spec, size, shares)
+            *units, bare = self._units(spec, size, shares)
             for fewer in self._fewer(spec, shares):
-                units[-1:-1] = self._units(spec, size, fewer)[:1]
-            for unit in units:
-                if find_placement(self.floor, spec, unit, self.rng, strict=strict):
-                    return True
-        return False
+                units += self._units(spec, size, fewer)[:2]
+            alone.append(bare)
+            if any(find_placement(self.floor, spec, unit, self.rng, strict=strict) for unit in units):
+                return True
+        return any(find_placement(self.floor, spec, unit, self.rng, strict=strict) for unit in alone)
 
     def _fewer(self, spec: Spec, shares: dict[int, int]) -> list[dict[int, int]]:
-        """Return shares with one and two pairs of seats fewer around the copy, where it has more than four."""
-        around = [
-            child.index
-            for child in self.children.get(spec.index, ())
-            if child.link == "around" and shares.get(child.index, 0) > 4
+        """Return shares with fewer seats around the copy, a pair each time, and with one table beside its head."""
+        children = self.children.get(spec.index, ())
+        around = {c.index: shares.get(c.index, 0) for c in children if c.link == "around" and c.role.seat}
+        fewer = [
+            {**shares, **{index: max(2, number - cut) for index, number in around.items()}}
+            for cut in (2, 4, 6)
+            if any(number - cut >= 2 for number in around.values())
         ]
-        return [{**shares, **{index: max(4, shares[index] - cut) for index in around}} for cut in (2, 4) if around]
+        heads = [c.index for c in children if c.role.bedside and spec.role.bed and shares.get(c.index, 0) > 1]
+        return [*fewer, {**shares, **dict.fromkeys(heads, 1)}] if heads else fewer
 
     def _units(self, spec: Spec, size: Size3, shares: dict[int, int]) -> list[Unit]:
         """Return the distinct units of a copy and its share of members, the most complete first."""

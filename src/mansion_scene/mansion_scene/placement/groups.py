@@ -1,5 +1,6 @@
 """Objects normalised into groups: an anchor and members in its frame (supplement G, input of Algorithm 4)."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal, TypeAlias
 
@@ -7,7 +8,10 @@ from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.placement import MatrixStructure, PairedStructure, PlacementObject, PlacementRoom, RelationKind
 from mansion_scene.placement.roles import Role, role_of
 
-__all__ = ["Group", "Link", "Spec", "make_groups"]
+__all__ = ["Group", "Link", "Manner", "Spec", "make_groups"]
+
+Manner: TypeAlias = Literal[RelationKind, "at_head", "opposite", "in_run", "sat_at", "towards"]
+"""A relation as the two objects mean it: beside a bed is at its head, a seat around a table faces it."""
 
 Link: TypeAlias = Literal["paired", "around", "in_front_of", "side_of", "near", "center_aligned"]
 
@@ -29,7 +33,7 @@ class Spec:
         Index of the object whose frame it is placed in, -1 for an anchor.
     link : Link or None
         The relation that binds it to its host.
-    relations : tuple of (kind, index)
+    relations : tuple of (manner, index)
         All relations to other objects, "paired" not among them.
     first : bool
         Whether it is placed before what is not.
@@ -45,7 +49,7 @@ class Spec:
     cols: int
     host: int
     link: Link | None
-    relations: tuple[tuple[RelationKind, int], ...]
+    relations: tuple[tuple[Manner, int], ...]
     role: Role
     first: bool = False
 
@@ -56,8 +60,8 @@ class Spec:
 
     @property
     def front_needed(self) -> bool:
-        """Whether its front must be approachable (not for small round objects, seats and beds)."""
-        if self.role.seat or self.role.bed or self.role.symmetric:
+        """Whether its front must be approachable (not for small round objects, seats, beds and worktops in corners)."""
+        if self.role.seat or self.role.bed or self.role.symmetric or self.role.fitment == "worktop":
             return False
         return self.where == "edge" or self.rows > 0
 
@@ -80,7 +84,14 @@ class Group:
     def _kind(self) -> int:
         if self.anchor.rows:
             return 0 if self.anchor.where == "edge" else 2
+        if self._dining_table:
+            return 1  # it and its chairs need a place of their own before cupboards take it
         return {"edge": 1, "middle": 3}.get(self.anchor.where, 4)
+
+    @property
+    def _dining_table(self) -> bool:
+        alone = self.anchor.role.table and self.anchor.quantity == 1
+        return alone and any(member.link == "around" and member.role.seat for member in self.members)
 
     @property
     def area(self) -> float:
@@ -98,7 +109,8 @@ def make_groups(room: PlacementRoom) -> tuple[list[Spec], list[Group]]:
     """
     index = _index(room.objects)
     hosts = _hosts(room.objects, index)
-    specs = [_spec(i, obj, index, hosts) for i, obj in enumerate(room.objects)]
+    roles = [role_of(obj.name, obj.category) for obj in room.objects]
+    specs = [_spec(i, obj, index, hosts, roles) for i, obj in enumerate(room.objects)]
     members: dict[int, list[Spec]] = {spec.index: [] for spec in specs if spec.host < 0}
     # Hosts are joined before what they host; `_hosts` leaves no cycle, so every round joins some.
     pending = [spec for spec in specs if spec.host >= 0]
@@ -176,7 +188,26 @@ def _hosts(objects: list[PlacementObject], index: dict[str, int]) -> dict[int, t
     return hosts
 
 
-def _spec(i: int, obj: PlacementObject, index: dict[str, int], hosts: dict[int, tuple[int, Link]]) -> Spec:
+def _manner(kind: RelationKind, own: Role, target: Role) -> Manner:
+    """Return how a relation is meant between objects of two roles."""
+    if own.bedside and target.bed and kind == "side_of":
+        return "at_head"
+    if own.screen and target.sofa and kind == "center_aligned":
+        return "opposite"
+    if own.fitment and target.fitment and kind in ("side_of", "near"):
+        return "in_run"
+    if own.seat and kind in ("around", "near"):
+        return "sat_at" if kind == "around" else "towards"
+    return kind
+
+
+def _spec(
+    i: int,
+    obj: PlacementObject,
+    index: dict[str, int],
+    hosts: dict[int, tuple[int, Link]],
+    roles: Sequence[Role],
+) -> Spec:
     rows = cols = 0
     quantity = obj.quantity
     if isinstance(obj.structure, MatrixStructure):
@@ -200,7 +231,7 @@ def _spec(i: int, obj: PlacementObject, index: dict[str, int], hosts: dict[int, 
         cols=cols,
         host=host,
         link=link,
-        relations=tuple((r.kind, index[r.target]) for r in obj.relative),
-        role=role_of(obj.name, obj.category),
+        relations=tuple((_manner(r.kind, roles[i], roles[index[r.target]]), index[r.target]) for r in obj.relative),
+        role=roles[i],
         first=obj.first,
     )

@@ -7,13 +7,33 @@ import numpy as np
 from mansion_geometry.boxes import gap_matrix
 from mansion_geometry.compiled import Bools, Floats
 from mansion_scene.placement.floor import Floor, Placed
-from mansion_scene.placement.groups import Spec
+from mansion_scene.placement.groups import Manner, Spec
 
-__all__ = ["FIRST", "LIMITS", "Rating", "rate", "relation_count", "relation_holds"]
+__all__ = ["FIRST", "LIMITS", "Rating", "rate", "related_boxes", "relation_count", "relation_holds"]
 
 
-LIMITS = {"near": 1.0, "far": 1.5, "in_front_of": 1.5, "around": 0.5, "side_of": 1.0}
+LIMITS = {
+    "near": 1.0,
+    "far": 1.5,
+    "in_front_of": 1.5,
+    "around": 0.5,
+    "side_of": 1.0,
+    "at_head": 0.25,
+    "opposite": 6.0,
+    "in_run": 0.06,
+    "sat_at": 0.2,
+    "towards": 1.0,
+}
 """Largest gap between footprints (``far``: the least), metres."""
+
+_SAT_AT, _TOWARDS = 0.97, 0.5
+"""Least cosine between where a seat at a table looks, or one near something, and the way to it."""
+
+_HEAD = 0.2
+"""How far a bedside table's back is from the line of the bed's at most, metres."""
+
+_ASIDE, _VIEW = 0.3, 1.2
+"""How far a screen is from the middle of the view at most, and ahead at least, metres."""
 
 FIRST = 27.0
 """What a copy counts for beyond others where it comes first."""
@@ -23,13 +43,13 @@ _INSET = 0.005
 """Margin kept from each limit, so that rounding never crosses it, metres."""
 
 
-def relation_holds(kind: str, poses: Floats, hw: float, hd: float, targets: Floats) -> Bools:
+def relation_holds(kind: Manner, poses: Floats, hw: float, hd: float, targets: Floats) -> Bools:
     """Tell at which poses a box has a relation to a target's copies.
 
     Parameters
     ----------
-    kind : str
-        A relation kind; "far" must hold to every copy, the others to one.
+    kind : Manner
+        "far" must hold to every copy, the others to one.
     poses : (n, 4) array
     hw, hd : float
         Half width and half depth of the box.
@@ -56,7 +76,38 @@ def relation_holds(kind: str, poses: Floats, hw: float, hd: float, targets: Floa
             held &= (ahead > half_depth) & (aside <= np.maximum(half_width, 0.3) - _INSET)
         elif kind == "side_of":
             held &= (aside > half_width) & (np.abs(ahead) <= half_depth - _INSET)
+        elif kind == "at_head":
+            held &= (aside > half_width) & (np.abs(ahead + half_depth - hd) <= _HEAD) & (_turned(poses, targets) > 0.9)
+        elif kind == "opposite":
+            held &= (ahead > half_depth + _VIEW) & (aside <= _ASIDE) & (_turned(poses, targets) < -0.9)
+        elif kind in ("sat_at", "towards"):
+            held &= _looking(poses, targets) >= (_SAT_AT if kind == "sat_at" else _TOWARDS)
     return np.asarray(held.any(axis=1))
+
+
+def _turned(poses: Floats, targets: Floats) -> Floats:
+    """Return the cosine of the angle between each pose and each target, shape (n, m)."""
+    return np.asarray(poses[:, None, 2] * targets[:, 2] + poses[:, None, 3] * targets[:, 3])
+
+
+def _looking(poses: Floats, targets: Floats) -> Floats:
+    """Return the cosine between a pose's front and the way to the nearest point of each target, shape (n, m)."""
+    q = poses[:, None, :2] - targets[None, :, :2]
+    right = q[..., 0] * targets[:, 2] + q[..., 1] * targets[:, 3]
+    ahead = -q[..., 0] * targets[:, 3] + q[..., 1] * targets[:, 2]
+    dx = np.clip(right, -targets[:, 4], targets[:, 4]) - right
+    dy = np.clip(ahead, -targets[:, 5], targets[:, 5]) - ahead
+    wx, wy = dx * targets[:, 2] - dy * targets[:, 3], dx * targets[:, 3] + dy * targets[:, 2]
+    length = np.maximum(np.hypot(wx, wy), 1e-9)
+    return np.asarray((-poses[:, None, 3] * wx + poses[:, None, 2] * wy) / length)
+
+
+def related_boxes(floor: Floor, spec: Spec, kind: Manner, target: int) -> Floats:
+    """Return the boxes to which an object may have a relation: of its target, or of all in the run of a kitchen."""
+    if kind != "in_run":
+        return floor.boxes_of(target)
+    run = [other.index for other in floor.specs if other.role.fitment and other.index != spec.index]
+    return np.concatenate([floor.boxes_of(index) for index in run])
 
 
 @dataclass(frozen=True)
@@ -98,7 +149,7 @@ def rate(floor: Floor) -> Rating:
         if not relation_count(spec):
             continue
         paired = _paired(floor, spec)
-        targets = [(kind, floor.boxes_of(target)) for kind, target in spec.relations]
+        targets = [(kind, related_boxes(floor, spec, kind, target)) for kind, target in spec.relations]
         for copy in floor.copies(spec.index):
             box = np.array(copy.box)
             pose = box[None, :4]

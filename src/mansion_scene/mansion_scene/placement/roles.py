@@ -1,10 +1,13 @@
 """Roles of objects in placement (seat, bed, table, board ...), read from the words of their category."""
 
 import re
+from typing import Literal, TypeAlias
 
 from mansion_knowledge import kin_of, words_by
 
-__all__ = ["Role", "is_public_room", "role_of"]
+__all__ = ["Fitment", "Role", "is_public_room", "role_of"]
+
+Fitment: TypeAlias = Literal["worktop", "sink", "dishwasher", "hob", "fridge"]
 
 _WORDS = re.compile(r"[a-z]+")
 
@@ -24,9 +27,20 @@ _CENTRED = _set(
     " blackboard whiteboard reception"
 )
 _SYMMETRIC = _set("plant lamp bin basket vase can pot tree stand rack umbrella pouf ottoman pillar column")
-_SCREENS = _set("tv television")
+_SCREENS = _set("tv television media")
 _MACHINES = _set("bike elliptical rowing rower treadmill weight press")
 _TABLES = _set("table desk island workbench counter")
+_BEDSIDE = frozenset({"nightstand", "bedside_table", "side_table"})
+_FITMENTS: dict[str, Fitment] = {
+    "counter_top": "worktop",
+    "kitchen_counter": "worktop",
+    "kitchen_sink_unit": "sink",
+    "dishwasher": "dishwasher",
+    "stove": "hob",
+    "fridge": "fridge",
+}
+"""What stands in the run of a kitchen, by category."""
+
 _ENTRANCE = _set("host hostess reception umbrella coat shoe doormat checkout cashier ticket turnstile")
 
 
@@ -44,11 +58,20 @@ class Role:
         One watches it from a sofa.
     exercise : bool
         One moves on it, and needs room on both sides.
+    bedside : bool
+        It stands at the head of a bed.
+    fitment : Fitment or None
+        Its part in the run of a kitchen.
     """
 
-    __slots__ = ("bed", "centred", "entrance", "exercise", "focal", "screen", "seat", "sofa", "symmetric", "table")
+    __slots__ = (
+        *("bed", "bedside", "centred", "entrance", "exercise", "fitment", "focal"),
+        *("screen", "seat", "sofa", "symmetric", "table"),
+    )
 
-    def __init__(self, words: frozenset[str]) -> None:
+    def __init__(self, words: frozenset[str], category: str = "") -> None:
+        self.bedside = category in _BEDSIDE
+        self.fitment = _FITMENTS.get(category)
         self.seat = bool(words & _SEATS)
         self.sofa = bool(words & _SOFAS)
         self.bed = bool(words & _BEDS)
@@ -57,7 +80,7 @@ class Role:
         self.table = bool(words & _TABLES) and not self.seat
         self.entrance = bool(words & _ENTRANCE) and not self.seat
         self.focal = bool(words & _FOCAL) and not self.seat
-        self.centred = bool(words & _CENTRED) and not self.seat
+        self.centred = bool(words & _CENTRED) and not self.seat and self.fitment is None
         self.symmetric = bool(words & _SYMMETRIC) and not self.table
 
 
@@ -65,7 +88,7 @@ def role_of(name: str, category: str) -> Role:
     """Return the role that the words of an object's name and category imply."""
     text = f"{name} {category}".lower().replace("_", " ")
     words = _WORDS.findall(text)
-    return Role(frozenset(words) | {word.removesuffix("s") for word in words})
+    return Role(frozenset(words) | {word.removesuffix("s") for word in words}, category.lower().replace(" ", "_"))
 
 
 def is_public_room(room_type: str) -> bool:

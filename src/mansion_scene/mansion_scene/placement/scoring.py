@@ -3,16 +3,22 @@
 import numpy as np
 
 from mansion_geometry.boxes import gap_matrix
-from mansion_geometry.compiled import Floats
+from mansion_geometry.compiled import Bools, Floats
 from mansion_geometry.fitting import front_clearance
 from mansion_scene.placement.floor import Floor
 from mansion_scene.placement.groups import Spec
 from mansion_scene.placement.units import Unit
 
-__all__ = ["pose_scores"]
+__all__ = ["hob_before_window", "pose_scores", "screen_of", "view"]
 
 
 _FAR = 1.5
+
+_NEAREST, _USUAL = 2.0, 4.5
+"""Least distance from the middle of a sofa to the wall with the screen, and the usual at most, metres."""
+
+_FOR_TWO, _ENTRY = 1.3, 0.5
+"""Width of a bed from which two sleep in it, and of the floor on either side where they get in, metres."""
 
 
 def pose_scores(
@@ -36,6 +42,7 @@ def pose_scores(
     aisle = room.aisle
     clear = front_clearance(centres, (x1 - x0) / 2, (y1 - y0) / 2, room.edges, floor.boxes, _FAR)
     # Sofas and desks dominate a room: more weight for chance there gives variety between seeds.
+    screen = screen_of(floor, spec)
     score = rng.uniform(0.0, 0.5 if spec.role.sofa or spec.role.table else 0.25, len(poses))
     front = np.minimum(clear[:, 0], aisle) / aisle
     beside = np.minimum(clear[:, 2], clear[:, 3])
@@ -43,6 +50,8 @@ def pose_scores(
         score += 1.2 * front
         if spec.role.screen:
             score += _opposite_sofa(floor, poses)
+        if spec.role.fitment:
+            score -= 1.5 * hob_before_window(floor, unit, poses)
         if spec.role.centred or spec.role.bed:
             score += 0.8 * np.minimum(beside, 0.9) / 0.9
             score -= 0.15 * np.abs(clear[:, 2] - clear[:, 3])
@@ -61,6 +70,9 @@ def pose_scores(
             score += 2.0 * around - 0.25 * narrow - 0.1 * uneven
         else:
             score += 0.5 * front + 0.5 * (1.0 - clear.min(axis=1) / _FAR) - 0.1 * narrow
+    if screen is not None:
+        score += view(floor, screen, poses)
+    score -= _beside_beds(floor, centres, (x1 - x0) / 2, (y1 - y0) / 2)
     score += _away_from_doors(floor, poses, spec)
     score += _spread_out(floor, spec, centres)
     score += _aligned(floor, spec, poses)
@@ -86,6 +98,64 @@ def _opposite_sofa(floor: Floor, poses: Floats) -> Floats:
             aside = np.abs((poses[:, :2] - np.array(copy.box[:2])) @ u)
             return np.asarray(-(poses[:, 2:] @ u) - 0.3 * np.minimum(aside, 3.0))
     return np.zeros(len(poses))
+
+
+def screen_of(floor: Floor, spec: Spec) -> Spec | None:
+    """Return the screen that is to stand opposite of a sofa, and does not yet."""
+    if not spec.role.sofa:
+        return None
+    screens = [other for other in floor.specs if ("opposite", spec.index) in other.relations]
+    return next((screen for screen in screens if not floor.count(screen.index)), None)
+
+
+def view(floor: Floor, screen: Spec, poses: Floats) -> Floats:
+    """Return a score for sofas that a screen fits opposite of, against the nearest wall ahead, at a usual distance."""
+    front = np.column_stack([-poses[:, 3], poses[:, 2]])
+    nearest, found = np.full(len(poses), np.inf), np.zeros((len(poses), 4))
+    half_depth = screen.size[1] / 2 + floor.options.wall_gap
+    for wall in floor.room.walls:
+        q = poses[:, :2] - wall.start
+        at, ahead = q @ wall.along, q @ wall.inward
+        seen = (front @ wall.inward < -0.99) & (at > 0.0) & (at < wall.length) & (ahead > 0.0) & (ahead < nearest)
+        centres = wall.start + at[:, None] * wall.along + half_depth * wall.inward
+        found[seen] = np.column_stack([centres, np.tile(wall.along, (len(poses), 1))])[seen]
+        nearest[seen] = ahead[seen]
+    part = np.array([[0.0, 0.0, 1.0, 0.0, screen.size[0] / 2, screen.size[1] / 2, screen.size[2], 0.0]])
+    usual = np.clip((nearest - _NEAREST) / 0.6, 0.0, 1.0) - np.maximum(np.minimum(nearest, 9.0) - _USUAL, 0.0) / 4.0
+    possible = np.isfinite(nearest)
+    possible[possible] = floor.fits(found[possible], part)
+    return np.asarray(np.where(possible, 1.5 * usual, 0.0))
+
+
+def hob_before_window(floor: Floor, unit: Unit, poses: Floats) -> Bools:
+    """Tell at which poses the hob of a unit stands before a window."""
+    hobs = [i for i, index in enumerate(unit.specs) if floor.specs[index].role.fitment == "hob"]
+    windows = floor.room.window_zones
+    if not hobs or not len(windows):
+        return np.zeros(len(poses), dtype=np.bool_)
+    x, y, ux, uy, half_width, half_depth = unit.parts[hobs[0]][:6]
+    placed = poses.copy()
+    placed[:, 0] += x * poses[:, 2] - y * poses[:, 3]
+    placed[:, 1] += x * poses[:, 3] + y * poses[:, 2]
+    placed[:, 2], placed[:, 3] = (
+        ux * poses[:, 2] - uy * poses[:, 3],
+        ux * poses[:, 3] + uy * poses[:, 2],
+    )
+    return np.asarray((gap_matrix(placed, half_width, half_depth, windows[:, :6]) <= 0.0).any(axis=1))
+
+
+def _beside_beds(floor: Floor, centres: Floats, half_width: float, half_depth: float) -> Floats:
+    """Return a penalty for what stands where one gets into a bed for two, on either side below its head."""
+    strips = [
+        (x + sign * (hw + _ENTRY / 2) * ux - 0.3 * uy, y + sign * (hw + _ENTRY / 2) * uy + 0.3 * ux, ux, uy)
+        for x, y, ux, uy, hw, _ in (copy.box for copy in floor.placed if floor.specs[copy.spec].role.bed)
+        if 2 * hw >= _FOR_TWO
+        for sign in (-1.0, 1.0)
+    ]
+    if not strips:
+        return np.zeros(len(centres))
+    boxes = np.column_stack([np.array(strips), np.full((len(strips), 2), (_ENTRY / 2, 0.6))])
+    return np.asarray(1.0 * (gap_matrix(centres, half_width, half_depth, boxes) <= 0.0).any(axis=1))
 
 
 def _same_wall(floor: Floor, spec: Spec, poses: Floats) -> Floats:

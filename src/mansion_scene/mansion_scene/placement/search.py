@@ -1,15 +1,17 @@
 """FINDFEASIBLEPLACEMENT of Algorithm 4: candidate poses, hard filters, a score, then incremental reachability."""
 
+from collections.abc import Iterator
+
 import numpy as np
 import numpy.typing as npt
 
 from mansion_geometry.boxes import compose, gap_matrix
 from mansion_geometry.compiled import Floats
-from mansion_scene.placement.candidates import floor_poses, ring_poses, wall_poses
+from mansion_scene.placement.candidates import floor_poses, opposite_poses, ring_poses, wall_poses
 from mansion_scene.placement.floor import Floor, Placed
 from mansion_scene.placement.groups import Spec
-from mansion_scene.placement.relations import LIMITS, relation_holds
-from mansion_scene.placement.scoring import pose_scores
+from mansion_scene.placement.relations import LIMITS, related_boxes, relation_holds
+from mansion_scene.placement.scoring import hob_before_window, pose_scores, screen_of, view
 from mansion_scene.placement.units import Unit
 
 __all__ = ["examine", "find_placement", "relation_mask"]
@@ -19,8 +21,12 @@ _RELATED, _SCORED = 900, 200
 """Feasible poses whose relations are tested, and of these how many are scored; more are thinned out at random."""
 
 
+_VIEW = 0.5
+"""Least score of a view that a sofa is free in the room for."""
+
+
 def find_placement(
-    floor: Floor, spec: Spec, unit: Unit, rng: np.random.Generator, *, strict: bool = True
+    floor: Floor, spec: Spec, unit: Unit, rng: np.random.Generator, *, strict: bool = True, clear_hob: bool = False
 ) -> list[Placed] | None:
     """Place a unit at its best feasible pose.
 
@@ -29,15 +35,19 @@ def find_placement(
     strict : bool
         Whether all of the anchor's relations must hold; else as many as can. An edge object keeps to a wall
         either way.
+    clear_hob : bool
+        Whether a hob must not stand before a window.
 
     Returns
     -------
     The new copies, or None where no examined pose is feasible.
     """
-    for poses, at_wall in _candidates(floor, spec, unit, rng):
+    for unit, poses, at_wall in _ways(floor, spec, unit, rng):
         if not len(poses):
             continue
         poses = _thinned(poses[floor.fits(poses, unit.array())], _RELATED, rng)
+        if clear_hob:
+            poses = poses[~hob_before_window(floor, unit, poses)]
         held, asked = relation_mask(floor, spec, unit, poses)
         if strict:
             poses, held = poses[held == asked], held[held == asked]
@@ -114,7 +124,7 @@ def relation_mask(floor: Floor, spec: Spec, unit: Unit, poses: Floats) -> tuple[
     held = np.zeros(len(poses), dtype=np.int64)
     asked = 0
     for kind, target in spec.relations:
-        boxes = floor.boxes_of(target)
+        boxes = related_boxes(floor, spec, kind, target)
         if len(boxes):
             asked += 1
             held += relation_holds(kind, poses, hw, hd, boxes)
@@ -122,7 +132,7 @@ def relation_mask(floor: Floor, spec: Spec, unit: Unit, poses: Floats) -> tuple[
         boxes = _free_hosts(floor, spec)
         if len(boxes):
             asked += 1
-            held += relation_holds("around", poses, hw, hd, boxes)
+            held += relation_holds("sat_at" if spec.role.seat else "around", poses, hw, hd, boxes)
     for other in floor.specs:
         if ("far", spec.index) in other.relations:
             boxes = floor.boxes_of(other.index)
@@ -143,11 +153,27 @@ def _free_hosts(floor: Floor, spec: Spec) -> Floats:
     return np.array([h.box for h in hosts if load[h.key] == least]).reshape(-1, 6)
 
 
+def _ways(floor: Floor, spec: Spec, unit: Unit, rng: np.random.Generator) -> Iterator[tuple[Unit, Floats, bool]]:
+    """Yield the candidates of a unit; those of a sofa with a view of its screen first, at a wall or free in the room."""
+    ways = [(unit, poses, at_wall) for poses, at_wall in _candidates(floor, spec, unit, rng)]
+    screen = screen_of(floor, spec)
+    if screen is None:
+        yield from ways
+        return
+    if spec.where == "edge":
+        ways.append((unit.freed(), floor_poses(floor, rng), False))
+    for way, poses, at_wall in ways:
+        yield way, poses[view(floor, screen, poses) > _VIEW], at_wall
+    yield from ways
+
+
 def _candidates(floor: Floor, spec: Spec, unit: Unit, rng: np.random.Generator) -> list[tuple[Floats, bool]]:
     """Return candidate sets in order of preference, each with whether its poses are backed by a wall."""
     walls = wall_poses(floor, unit.extent(), unit.sizes[0][1] / 2, rng)
     if spec.where == "edge":
-        return [(walls, True)]
+        viewed = [floor.boxes_of(target) for kind, target in spec.relations if kind == "opposite"]
+        facing = [opposite_poses(floor, unit.sizes[0][1] / 2, boxes) for boxes in viewed]
+        return [(np.concatenate([*facing, walls]), True)]
     grid = floor_poses(floor, rng)
     rings = _rings(floor, spec, unit)
     if spec.where == "middle":

@@ -63,7 +63,8 @@ def _ruin(floor: Floor, rating: Rating, specs: Sequence[Spec], rng: np.random.Ge
     by_key = {copy.key: copy for copy in floor.placed}
     if not by_key:
         return
-    pool = [copy for copy in floor.placed if not specs[copy.spec].rows] or floor.placed
+    kept = _in_runs(floor, rating)
+    pool = [copy for copy in floor.placed if not specs[copy.spec].rows and copy.key not in kept] or floor.placed
     if rating.faulty and rng.random() < 0.8:
         faulty = by_key[rating.faulty[int(rng.integers(len(rating.faulty)))]]
         keys.add(faulty.key)
@@ -78,7 +79,13 @@ def _ruin(floor: Floor, rating: Rating, specs: Sequence[Spec], rng: np.random.Ge
     else:
         order = rng.permutation(len(pool))[:extra]
     keys |= {pool[int(i)].key for i in order}
-    floor.remove(keys | _members(floor, keys, every=bool(rng.random() < 0.5)))
+    floor.remove(keys | _members(floor, keys, every=bool(rng.random() < 0.5)) - kept)
+
+
+def _in_runs(floor: Floor, rating: Rating) -> set[int]:
+    """Return the keys of worktops and appliances that stand in a run, which is kept or given up as a whole."""
+    fitted = {copy.key for copy in floor.placed if floor.specs[copy.spec].role.fitment}
+    return fitted if fitted.isdisjoint(rating.faulty) else set()
 
 
 def _wanted_at(floor: Floor, copy: Placed, rng: np.random.Generator) -> Placed:

@@ -4,7 +4,7 @@ A slot is ``(x, y, degrees)``: centre and rotation of a member where the anchor'
 """
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from itertools import product
 from typing import TypeAlias
@@ -16,6 +16,7 @@ from mansion_geometry.compiled import Floats
 from mansion_scene.placement.groups import Spec
 
 __all__ = [
+    "BACK",
     "Slot",
     "Unit",
     "UnitStyle",
@@ -147,7 +148,7 @@ def near_slots(anchor: Size, member: Size, *, seat: bool, backed: bool, mirrored
 
 Size3 = tuple[float, float, float]
 
-_BACK = 0.14
+BACK = 0.14
 """How far the back of an edge object may be from its wall, metres."""
 
 
@@ -209,6 +210,10 @@ class Unit:
             float((p[:, 1] + ey).max()),
         )
 
+    def freed(self) -> "Unit":
+        """Return the unit with no back that must be at a wall."""
+        return replace(self, parts=tuple((*part[:7], 0.0) for part in self.parts))
+
     def with_part(self, spec: Spec, size: Size3, slot: Slot, host: int) -> "Unit | None":
         """Return the unit with one part more, at a slot in the frame of part `host`; None where it overlaps another."""
         x, y, degrees = slot
@@ -217,7 +222,7 @@ class Unit:
             base = self.parts[host]
             x, y = base[0] + x * base[2] - y * base[3], base[1] + x * base[3] + y * base[2]
             ux, uy = ux * base[2] - uy * base[3], ux * base[3] + uy * base[2]
-        back = _BACK if spec.where == "edge" else 0.0
+        back = BACK if spec.where == "edge" else 0.0
         part = (x, y, ux, uy, size[0] / 2, size[1] / 2, size[2], back)
         box = np.array(part[:6])
         if any(boxes_overlap(box, np.array(other[:6]), 0.0) for other in self.parts):

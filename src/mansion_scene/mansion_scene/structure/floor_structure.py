@@ -10,7 +10,7 @@ from mansion_geometry.robot_body import PASSAGE_WIDTH
 from mansion_knowledge import default_knowledge
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.openings import GivenOpenings
-from mansion_msgs_py.program import Downgrade
+from mansion_msgs_py.program import GROUND_FLOOR, Downgrade
 from mansion_msgs_py.scene import Door, SceneCore, SceneRoom, Wall, Window
 from mansion_msgs_py.stages import FurnishRequest
 from mansion_scene.structure.access import AccessPlan, plan_access, shared_boundaries
@@ -47,7 +47,6 @@ from mansion_scene.structure.windows import place_windows
 
 __all__ = ["FloorStructure", "build_structure", "ceiling_height"]
 
-_GROUND = 1
 _NOTABLE = 1.0  # square metres of unusable floor that the scene reports
 
 
@@ -114,7 +113,7 @@ def build_structure(request: FurnishRequest, held: HeldAccess | None = None) -> 
         frontages = with_furniture(frontages, held.standing)
     openings = [*open_passages(partition), *kept]
     free = given is None or given.further_doors
-    if floor.floor == _GROUND and not any(opening.kind.kind == "entrance" for opening in kept):
+    if floor.floor == GROUND_FLOOR and not any(opening.kind.kind == "entrance" for opening in kept):
         residential = default_knowledge().is_dwelling(request.building_type)
         entrance = place_entrance(floor, usable, root, frontages, partition.nets, residential=residential)
         openings.append(entrance)
@@ -179,7 +178,7 @@ def _entered(
     entered = next((floor.by_id[opening.regions[0]] for opening in kept if opening.kind.kind == "entrance"), None)
     if entered is None and given is not None:
         entered = stated_entrance(floor, given)
-    return entered or (entrance_room(floor, usable) if floor.floor == _GROUND else floor.hub)
+    return entered or (entrance_room(floor, usable) if floor.floor == GROUND_FLOOR else floor.hub)
 
 
 def _driven(openings: Sequence[Opening]) -> set[str]:

@@ -7,6 +7,7 @@ from typing import Literal
 
 import msgspec
 
+from mansion_geometry.wall_sizes import SHORTEST_WINDOW
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.openings import GivenDoor, GivenOpenings, GivenWindow
 from mansion_msgs_py.program import Downgrade
@@ -33,7 +34,6 @@ _DOUBLE = 1.4
 """Clear width from which a door has two leaves, metres."""
 
 _OFF_LINE = 5e-3
-_SHORTEST_WINDOW = 0.2
 _LOWEST_WINDOW = 0.5
 """Metres from a sill to the ceiling: the lowest window and the wall above it."""
 
@@ -182,7 +182,7 @@ def _pieces(
         for other in (_span(boundary, door) for door in doors):
             if other is not None and other[0] < high and low < other[1]:
                 low, high = (other[1], high) if other[1] < (low + high) / 2 else (low, min(high, other[0]))
-        if high - low >= _SHORTEST_WINDOW:
+        if high - low >= SHORTEST_WINDOW:
             kind = _window_kind(floor.by_id[boundary.left], window, high - low, ceiling)
             segment = (boundary.at(low), boundary.at(high))
             yield WindowOpening(boundary.left, fitting_window(kind, ceiling), boundary, segment)

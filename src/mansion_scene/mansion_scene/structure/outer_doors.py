@@ -7,7 +7,7 @@ from shapely.geometry import LineString, Point, Polygon
 
 from mansion_knowledge import is_class
 from mansion_msgs_py.errors import ErrorCode, MansionError
-from mansion_msgs_py.program import Downgrade
+from mansion_msgs_py.program import GROUND_FLOOR, Downgrade
 from mansion_scene.structure.boundaries import BoundarySegment, reentrant_corners, usable_part
 from mansion_scene.structure.dimensions import CLEAR_WIDTH, WALL_END
 from mansion_scene.structure.door_positions import Frontage, approach_zone, choose_position
@@ -24,7 +24,6 @@ _GARAGE_WIDTHS = (5.0, 3.5, 2.5)
 _NARROWEST_GARAGE = 2.4
 """Least clear width of a garage door, metres: a car of 1.8 m passes with its mirrors."""
 
-_GROUND = 1
 _FAR = 100.0  # metres, longer than any building
 
 _HALL = 60.0
@@ -144,7 +143,7 @@ def place_garage_doors(
     """
     placed: list[Opening] = []
     missing: list[Downgrade] = []
-    for region in floor.regions if floor.floor == _GROUND else ():
+    for region in floor.regions if floor.floor == GROUND_FLOOR else ():
         if region.id in served or not (region.is_room and is_class(region.room_type, "vehicle")):
             continue
         found = _place(floor, boundaries, region, frontages, nets)

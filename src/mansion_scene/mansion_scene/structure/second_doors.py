@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from shapely.geometry import Polygon
 
 from mansion_knowledge import default_knowledge, is_class
+from mansion_msgs_py.program import GROUND_FLOOR
 from mansion_scene.structure.access import Pair
 from mansion_scene.structure.boundaries import BoundarySegment
 from mansion_scene.structure.dimensions import CLEAR_WIDTH
@@ -18,8 +19,6 @@ __all__ = ["place_second_doors"]
 
 _APART = 1 / 3
 """Least distance of a room's two doors, of its diagonal (IBC 2018, 1007.1.1, exception 2)."""
-
-_GROUND = 1
 
 
 def place_second_doors(
@@ -67,7 +66,7 @@ def _choices(
     others = [floor.by_id[name] for name in sorted(beside) if floor.by_id[name].is_room]
     for other in (other for other in others if is_circulation(other)):
         yield from _inner_doors(region, other, shared[beside[other.id]], frontages)
-    if floor.floor == _GROUND:
+    if floor.floor == GROUND_FLOOR:
         yield from exit_doors(floor, boundaries, region, frontages, nets)
     for other in (other for other in others if _leads_on(other)):
         yield from _inner_doors(region, other, shared[beside[other.id]], frontages)

@@ -10,11 +10,11 @@ from typing import Final
 from shapely.geometry import Polygon, box
 
 from mansion_geometry.dog_legs import FLIGHT_WELL, dog_leg, landing_depth
-from mansion_geometry.stair_landings import Side, landing_end
+from mansion_geometry.stair_landings import landing_end
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.program import CorePlan
 from mansion_msgs_py.scene import Box3, StairDetails
-from mansion_msgs_py.shapes import Point, Point3, Ring
+from mansion_msgs_py.shapes import CompassSide, Point, Point3, Ring
 from mansion_scene.structure.dimensions import INTERIOR_THICKNESS
 
 __all__ = ["StairFrame", "core_interior", "landing_zone", "stair_details", "stair_frame"]
@@ -22,7 +22,12 @@ __all__ = ["StairFrame", "core_interior", "landing_zone", "stair_details", "stai
 _RAIL_HEIGHT: Final = 0.95
 _LANDING_THICKNESS: Final = 0.18
 
-_INWARD: Final[dict[Side, Point]] = {"south": (0.0, 1.0), "north": (0.0, -1.0), "west": (1.0, 0.0), "east": (-1.0, 0.0)}
+_INWARD: Final[dict[CompassSide, Point]] = {
+    "south": (0.0, 1.0),
+    "north": (0.0, -1.0),
+    "west": (1.0, 0.0),
+    "east": (-1.0, 0.0),
+}
 
 
 @dataclass(frozen=True)
@@ -86,7 +91,7 @@ def stair_frame(core: CorePlan, net: Polygon, outline: Polygon) -> StairFrame:
     """
     x0, y0, x1, y1 = net.bounds
     side = core.landing or landing_end(core, outline)
-    corners: dict[Side, Point] = {"south": (x0, y0), "north": (x1, y1), "west": (x0, y1), "east": (x1, y0)}
+    corners: dict[CompassSide, Point] = {"south": (x0, y0), "north": (x1, y1), "west": (x0, y1), "east": (x1, y0)}
     along_y = side in ("south", "north")
     length, width = (y1 - y0, x1 - x0) if along_y else (x1 - x0, y1 - y0)
     return StairFrame(corners[side], _INWARD[side], length, width)

@@ -273,7 +273,8 @@ class Engine:
         session.check(arguments.token)
         if session.turn.waiting >= MOST_WAITING:
             raise MansionError(
-                ErrorCode.CONFLICT, f"{MOST_WAITING} calls of session {session.name!r} already wait; try again later"
+                ErrorCode.CONFLICT,
+                f"{MOST_WAITING} calls of session {session.name!r} are already waiting; try again later",
             )
         with session.turn, session.shared.lock:
             session.check(arguments.token)

@@ -15,7 +15,7 @@ __all__ = ["FairLock", "Session", "SharedWorld"]
 
 
 class FairLock:
-    """A lock that waiting threads get in the order in which they came; a context manager.
+    """A lock that serves waiting threads first come, first served; a context manager.
 
     Attributes
     ----------

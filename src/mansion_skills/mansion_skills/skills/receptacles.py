@@ -70,9 +70,9 @@ def support_heights(objects: ObjectTable, kind: SceneObject, mount: str) -> list
 
     They are read from what the scene has put there; else a session, the top, or the bottom of a container.
     """
-    low = kind.position[2] - kind.size[2] / 2
+    low = kind.bottom
     found = {
-        round(entry.position[2] - entry.size[2] / 2 - low, 2)
+        round(entry.bottom - low, 2)
         for entry in (objects.kinds[name] for name in objects.children(kind.id))
         if entry.mount == mount and entry.parent == kind.id
     }

@@ -44,7 +44,7 @@ class Wedge:
         return Wedge(min(self.low, other.low), max(self.high, other.high))
 
     def holds(self, other: "Wedge") -> bool:
-        """Whether all of another wedge lies in this one."""
+        """Whether another wedge lies inside this one."""
         return self.low <= other.low and other.high <= self.high
 
 

@@ -8,6 +8,7 @@ import numpy as np
 
 from mansion_geometry.compiled import Bools
 from mansion_geometry.disc_cells import region_of
+from mansion_language.core_words import CORE_WORDS
 from mansion_msgs_py.scene import Door, FloorScene
 from mansion_msgs_py.world import ObjectState, Pose2D
 from mansion_skills.navigation.floor_map import Body, FloorMap
@@ -15,8 +16,6 @@ from mansion_skills.navigation.grid_kernels import NO_CELL, best_cells, clearanc
 from mansion_skills.world.objects import ObjectTable
 
 __all__ = ["FloorView", "Landmark", "bodies_of", "floor_landmarks", "landmark_named", "reached_cells"]
-
-GENERIC = {"elevator": "elevator", "lift": "elevator", "stairs": "stair", "stair": "stair"}
 
 FEW_DOORS = 4
 """Most doors that are redrawn one by one; when more have moved, the grids are made again."""
@@ -82,7 +81,7 @@ def landmark_named(
     for landmark in known:
         if landmark.name.casefold() in (wanted, f"f{floor}/{wanted}"):
             return landmark
-    kind = GENERIC.get(wanted)
+    kind = CORE_WORDS.get(wanted)
     cores = [entry for entry in known if entry.kind == kind]
     if cores:
         return min(cores, key=lambda c: dist(position, (c.pose.x, c.pose.y)))

@@ -5,9 +5,9 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 from mansion_language import singular
+from mansion_language.colours import COLOUR_WORDS
 from mansion_language.numbers import ORDINALS
 from mansion_tasks.language.matching import matches
-from mansion_tasks.language.vocabulary import COLOUR_WORDS
 
 __all__ = ["ParsedInstruction", "NounPhrase", "read_instruction"]
 
@@ -178,8 +178,8 @@ def _phrase(text: str, number: "_Floors") -> NounPhrase:
 def _noun(text: str) -> tuple[str, str]:
     """Return the noun of a piece, and its colour."""
     words = _ARTICLE.sub("", _STOPS.split(text.strip(" ,."))[0].strip()).split()
-    color = next((word.replace("gray", "grey") for word in words if word in COLOUR_WORDS), "")
-    kept = [word for word in words if word not in COLOUR_WORDS | _FILLERS]
+    color = next((COLOUR_WORDS[word] for word in words if word in COLOUR_WORDS), "")
+    kept = [word for word in words if word not in COLOUR_WORDS and word not in _FILLERS]
     return " ".join([*kept[:-1], singular(kept[-1])]) if kept else "", color
 
 

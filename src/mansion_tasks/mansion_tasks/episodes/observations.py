@@ -8,6 +8,7 @@ from typing import Any
 import msgspec
 
 from mansion_language.colours import colour_of
+from mansion_language.core_words import CORE_WORDS
 from mansion_msgs_py.skills import LandmarkInfo, Landmarks, VisibleObject, VisibleObjects
 from mansion_msgs_py.task import SkillCall, Task
 from mansion_msgs_py.world import SkillResult
@@ -90,7 +91,7 @@ class Anonymizer:
         landmark = arguments.get("landmark")
         if landmark is not None:
             wanted = landmark.casefold() if isinstance(landmark, str) else ""
-            if wanted not in ("elevator", "lift", "stairs", "stair"):
+            if wanted not in CORE_WORDS:
                 if wanted not in self._names:
                     return f"no landmark has the number {str(landmark)[:40]!r}"
                 arguments["landmark"] = self._names[wanted]

@@ -1,1 +1,1 @@
-"""The language of instructions: its vocabulary, and which objects and rooms a noun names."""
+"""Words of tasks and instructions: synonyms, and the objects and rooms that a noun names."""

@@ -1,15 +1,14 @@
-"""Synonyms for objects and rooms, words for colours, and the grammar of English nouns."""
+"""Synonyms for objects and rooms, and the grammar of English nouns."""
 
 import re
 from typing import Final, NamedTuple
 
 from mansion_knowledge import name_groups
 from mansion_language import is_plural
-from mansion_language.colours import COLOURS
 from mansion_language.numbers import ORDINALS
 from mansion_msgs_py.wording import with_article
 
-__all__ = ["ROOMS", "COLOUR_WORDS", "OBJECTS", "Synonyms", "article", "ordinal", "plain"]
+__all__ = ["ROOMS", "OBJECTS", "Synonyms", "article", "ordinal", "plain"]
 
 
 class Synonyms(NamedTuple):
@@ -55,13 +54,6 @@ ROOMS: Final = tuple(
     for names in name_groups().values()
     if "" in names.values()
 )
-
-
-COLOUR_WORDS: Final = frozenset([
-    *COLOURS,
-    "gray", "violet", "silver", "gold", "golden", "cream", "turquoise", "teal", "navy", "maroon", "tan", "transparent",
-])  # fmt: skip
-"""Words for colours in instructions."""
 
 
 _ORDINALS: Final = {number: word for word, number in ORDINALS.items() if number <= 10}

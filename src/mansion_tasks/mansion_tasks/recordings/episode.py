@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from mansion_msgs_py.codec import encode
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import write_atomic
+from mansion_msgs_py.interface_types import DEFAULT_NAMESPACE
 from mansion_msgs_py.world import Pose2D
 from mansion_skills.world.robot_body import RobotBody
 from mansion_skills.world.world import World
@@ -24,19 +25,17 @@ if TYPE_CHECKING:
 
 __all__ = ["CAMERA", "EPISODE_TOPICS", "RecordedEpisode", "record_episode"]
 
-NAMESPACE = "/mansion"
-
-BASE, CAMERA = "base_link", f"{NAMESPACE}/camera/image/compressed"
+BASE, CAMERA = "base_link", f"{DEFAULT_NAMESPACE}/camera/image/compressed"
 
 EPISODE_TOPICS: dict[str, str] = {
     "/clock": "rosgraph_msgs/Clock",
     "/map": "nav_msgs/OccupancyGrid",
     "/tf": "tf2_msgs/TFMessage",
     "/tf_static": "tf2_msgs/TFMessage",
-    f"{NAMESPACE}/robot_pose": "geometry_msgs/PoseStamped",
-    f"{NAMESPACE}/path": "nav_msgs/Path",
-    f"{NAMESPACE}/episode": "std_msgs/String",
-    f"{NAMESPACE}/skill_events": "std_msgs/String",
+    f"{DEFAULT_NAMESPACE}/robot_pose": "geometry_msgs/PoseStamped",
+    f"{DEFAULT_NAMESPACE}/path": "nav_msgs/Path",
+    f"{DEFAULT_NAMESPACE}/episode": "std_msgs/String",
+    f"{DEFAULT_NAMESPACE}/skill_events": "std_msgs/String",
     CAMERA: "sensor_msgs/CompressedImage",
 }
 """Type of each topic of a recorded episode."""
@@ -143,22 +142,22 @@ class _Recorder:
         if number == 0:
             self._begin(world)
         else:
-            self._write(f"{NAMESPACE}/skill_events", {"data": encode(self._log.steps[number - 1])})
+            self._write(f"{DEFAULT_NAMESPACE}/skill_events", {"data": encode(self._log.steps[number - 1])})
         version = world.view(robot.floor).map.version
         if self._mapped != (robot.floor, version):
             self._mapped = (robot.floor, version)
             self._write("/map", occupancy_grid(self.time, world, robot.floor))
         self._write("/tf", {"transforms": [transform(self.time, BASE, robot.pose, elevation)]})
-        self._write(f"{NAMESPACE}/robot_pose", pose_stamped(self.time, robot.pose, elevation))
+        self._write(f"{DEFAULT_NAMESPACE}/robot_pose", pose_stamped(self.time, robot.pose, elevation))
         if robot.path and robot.path is not self._driven:
             self._driven = robot.path
-            self._write(f"{NAMESPACE}/path", path(self.time, robot.path, elevation))
+            self._write(f"{DEFAULT_NAMESPACE}/path", path(self.time, robot.path, elevation))
         if self._camera is not None:
             self._write(CAMERA, image(self.time, _jpeg(_seen(self._camera, world, robot)), "jpeg", BASE))
 
     def finish(self) -> None:
         """Write how it ended."""
-        self._write(f"{NAMESPACE}/episode", {"data": encode(self._log.end)})
+        self._write(f"{DEFAULT_NAMESPACE}/episode", {"data": encode(self._log.end)})
 
     def _begin(self, world: World) -> None:
         origin = Pose2D(x=0.0, y=0.0)
@@ -167,7 +166,7 @@ class _Recorder:
             for floor in world.building.floors
         ]
         self._write("/tf_static", {"transforms": frames})
-        self._write(f"{NAMESPACE}/episode", {"data": encode(self._log.start)})
+        self._write(f"{DEFAULT_NAMESPACE}/episode", {"data": encode(self._log.start)})
 
     def _write(self, topic: str, message: dict[str, Any]) -> None:
         self.counts[topic] = self.counts.get(topic, 0) + 1

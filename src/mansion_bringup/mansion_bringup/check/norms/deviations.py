@@ -8,12 +8,12 @@ import msgspec
 from mansion_bringup.check.norms.access import access_deviations
 from mansion_bringup.check.norms.brief_causes import cause_of
 from mansion_bringup.check.norms.escape import escape_deviations
+from mansion_bringup.check.norms.exit_routes import exit_route_deviations
 from mansion_bringup.check.norms.premises import Deviation, premises_of
 from mansion_bringup.check.norms.room_quality import room_deviations
 from mansion_bringup.check.norms.room_relations import relation_deviations
 from mansion_bringup.check.norms.sanitary import sanitary_deviations
 from mansion_bringup.check.norms.sleeping_units import unit_deviations
-from mansion_bringup.check.norms.ways_out import way_deviations
 from mansion_msgs_py.building import Building
 from mansion_msgs_py.building_folder import BuildingFolder, check_building_folder
 from mansion_msgs_py.scene import FloorScene
@@ -31,7 +31,7 @@ def check_norms(building: Building, scenes: Sequence[FloorScene]) -> list[Deviat
         *sanitary_deviations(premises),
         *unit_deviations(premises),
         *escape_deviations(premises),
-        *way_deviations(premises),
+        *exit_route_deviations(premises),
         *access_deviations(premises),
         *room_deviations(premises),
         *relation_deviations(premises),

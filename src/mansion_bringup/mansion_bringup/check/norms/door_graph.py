@@ -8,7 +8,7 @@ import networkx as nx
 from mansion_bringup.check.norms.premises import rooms_of
 from mansion_msgs_py.scene import FloorScene
 
-__all__ = ["OUT", "Doors", "behind", "door_graph", "gets_out", "way_out"]
+__all__ = ["OUT", "Doors", "behind", "door_graph", "gets_out", "exit_route"]
 
 OUT = "the open, a stair or a lift"
 """The node that all ways out of a storey end in."""
@@ -43,6 +43,6 @@ def gets_out(doors: Doors, room: str, barred: Container[str]) -> bool:
     return bool(nx.has_path(doors.subgraph([name for name in doors if name == room or name not in barred]), room, OUT))
 
 
-def way_out(doors: Doors, room: str) -> list[str]:
+def exit_route(doors: Doors, room: str) -> list[str]:
     """Return the rooms on the shortest way out of a room, itself left out; none where there is no way at all."""
     return list(nx.shortest_path(doors, room, OUT))[1:-1] if nx.has_path(doors, room, OUT) else []

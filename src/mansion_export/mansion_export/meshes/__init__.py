@@ -1,0 +1,1 @@
+"""The building as meshes, materials and nodes, which every 3D format is written from."""

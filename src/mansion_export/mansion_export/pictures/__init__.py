@@ -1,0 +1,1 @@
+"""Pictures of buildings, rooms and assets, drawn without a graphics card."""

@@ -1,0 +1,115 @@
+"""Textures of materials for pictures: shrunk to a view's scale, and read at a place on their tile."""
+
+import io
+from dataclasses import dataclass
+from functools import cache
+
+import numpy as np
+
+from mansion_assets.materials import material_set, set_names, texture_set
+from mansion_export.meshes.model import Material
+from mansion_geometry.compiled import Floats, Ints, kernel
+
+__all__ = ["Tiles", "base_color", "sampled", "texture_number", "tiles_at"]
+
+
+SEEN = 0.02
+"""How far a texel is from the mean at least, to be seen."""
+
+
+@cache
+def texture_number(name: str) -> int:
+    """Return the number of a set of textures, -1 for none."""
+    return set_names().index(name) if name else -1
+
+
+def base_color(material: Material) -> tuple[float, float, float]:
+    """Return what to multiply texels with: the material's colour, white where the texture has colours of its own."""
+    own = material.texture and texture_set(material.texture).own_colours
+    return (1.0, 1.0, 1.0) if own else material.color
+
+
+@dataclass(frozen=True, slots=True)
+class Tiles:
+    """Base colours of several sets, which `base_color` times a texel is what is seen of a material.
+
+    Attributes
+    ----------
+    texels : (n, 3) array
+        Row by row, one tile after the other.
+    frames : (sets, 3) array of int
+        For each set by its number: its first texel, columns and rows; no columns where nothing of it is seen.
+    sizes : (sets, 2) array
+        Width and height of each tile, metres.
+    """
+
+    texels: Floats
+    frames: Ints
+    sizes: Floats
+
+
+def tiles_at(numbers: Ints, scale: float) -> Tiles:
+    """Return the sets with these numbers, shrunk until a texel is no smaller than half a pixel.
+
+    Parameters
+    ----------
+    numbers : (n,) array of int
+        Those that are seen; negative ones are left out.
+    scale : float
+        Pixels a metre.
+    """
+    names = set_names()
+    frames, sizes = np.zeros((len(names), 3), dtype=np.int64), np.ones((len(names), 2))
+    parts: list[Floats] = []
+    first = 0
+    for number in sorted({int(value) for value in numbers if value >= 0}):
+        chosen = material_set(names[number])
+        steps = [max(0, int(np.log2(max(density / scale, 1.0)))) for density in chosen.density]
+        tile = _shrunk(names[number], *steps)
+        if np.abs(tile - 1.0).max() < SEEN:
+            continue
+        frames[number] = (first, tile.shape[1], tile.shape[0])
+        sizes[number] = chosen.size
+        parts.append(tile.reshape(-1, 3))
+        first += len(parts[-1])
+    return Tiles(np.concatenate(parts) if parts else np.ones((1, 3)), frames, sizes)
+
+
+@cache
+def _shrunk(name: str, halved_across: int, halved_down: int) -> Floats:
+    """Return a set's texels, (rows, columns, 3), halved some times each way."""
+    tile = _texels(name)
+    rows, columns = tile.shape[:2]
+    down, across = min(2**halved_down, rows), min(2**halved_across, columns)
+    whole = tile[: rows // down * down, : columns // across * across]
+    mean: Floats = whole.reshape(rows // down, down, columns // across, across, 3).mean(axis=(1, 3))
+    return mean
+
+
+def _texels(name: str) -> Floats:
+    """Return a set's base colour, over its mean unless the colours are its own."""
+    from PIL import Image
+
+    made = texture_set(name)
+    pixels = np.asarray(Image.open(io.BytesIO(made.base)).convert("RGB"), dtype=np.float64) / 255.0
+    texels: Floats = pixels if made.own_colours else pixels / np.array(made.level)
+    return texels
+
+
+@kernel
+def sampled(texels: Floats, frame: Ints, size: Floats, u: float, v: float) -> tuple[float, float, float]:
+    """Return a tile's value at a place in metres, weighted between the four nearest texels."""
+    first, columns, rows = frame
+    x, y = u / size[0] * columns - 0.5, -v / size[1] * rows - 0.5
+    left, top = np.floor(x), np.floor(y)
+    across, down = x - left, y - top
+    i0, j0 = int(left) % columns, int(top) % rows
+    i1, j1 = (i0 + 1) % columns, (j0 + 1) % rows
+    a, b = first + j0 * columns, first + j1 * columns
+    p, q = (1.0 - across) * (1.0 - down), across * (1.0 - down)
+    r, s = (1.0 - across) * down, across * down
+    return (
+        p * texels[a + i0, 0] + q * texels[a + i1, 0] + r * texels[b + i0, 0] + s * texels[b + i1, 0],
+        p * texels[a + i0, 1] + q * texels[a + i1, 1] + r * texels[b + i0, 1] + s * texels[b + i1, 1],
+        p * texels[a + i0, 2] + q * texels[a + i1, 2] + r * texels[b + i0, 2] + s * texels[b + i1, 2],
+    )
