@@ -19,7 +19,8 @@ RUN apt-get update \
 RUN source /opt/ros/jazzy/setup.bash && colcon build
 
 COPY docker/ros_entrypoint.sh /mansion_entrypoint.sh
-RUN useradd --create-home mansion && mkdir /buildings && chown mansion /buildings
+# Ubuntu's own image has a user with the id 1000, which mounted folders are usually owned by.
+RUN (userdel --remove ubuntu || true) && useradd --create-home --uid 1000 mansion && mkdir /buildings && chown mansion /buildings
 USER mansion
 WORKDIR /buildings
 VOLUME /buildings

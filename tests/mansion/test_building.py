@@ -125,7 +125,7 @@ def test_a_colour_in_the_words_is_a_colour_of_the_object(copy: mansion.Building)
 
 
 def test_what_is_found_in_a_room_is_in_it(flat: mansion.Building) -> None:
-    room = flat.rooms["bedroom_1"]
+    room = flat.rooms["bedroom"]
     assert {item.room for item in room.objects.find("lamp")} == {room.id}
     assert flat.rooms.find("the largest room").ids == (max(flat.rooms, key=lambda room: room.area).id,)
     assert flat.rooms.find("bedrooms") == flat.rooms.filter(type="bedroom")

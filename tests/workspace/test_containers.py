@@ -40,6 +40,13 @@ def test_a_dockerfile_has_known_instructions_and_ends_as_a_plain_user(root: Path
 
 
 @pytest.mark.parametrize("name", DOCKERFILES)
+def test_the_user_of_an_image_has_the_id_that_mounted_folders_are_owned_by(root: Path, name: str) -> None:
+    added = [argument for instruction, argument in instructions(root / name) if "useradd" in argument]
+    assert len(added) == 1 and "--uid 1000 mansion" in added[0]
+    assert "user id 1000" in (root / "docs" / "install.md").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize("name", DOCKERFILES)
 def test_the_shell_can_read_what_a_dockerfile_runs(root: Path, name: str) -> None:
     for instruction, argument in instructions(root / name):
         if instruction == "RUN":

@@ -3,10 +3,8 @@
 from collections.abc import Sequence
 from pathlib import Path
 
-from mansion_assets.library.building_assets import assets_of
 from mansion_bringup.extras import ensure_extra
 from mansion_export.formats import PLAIN, ExportOptions, Format, export_formats
-from mansion_geometry.sound_shapes import require_sound_shapes
 from mansion_msgs_py.building_folder import BuildingFolder, file_in
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import write_atomic
@@ -64,6 +62,10 @@ def write_export(building: Path, to: Format, output: Path | None = None, options
     if options.articulated and not to.takes("articulated"):
         known = ", ".join(name for name, each in export_formats().items() if each.takes("articulated"))
         raise MansionError(ErrorCode.UNAVAILABLE, f"{to.name} has no joints; use one of {known}", path="$.to")
+    with importing:
+        from mansion_assets.library.building_assets import assets_of
+        from mansion_geometry.sound_shapes import require_sound_shapes
+
     read, target = BuildingFolder(building), output or building
     if to.extra:
         ensure_extra(to.extra)
@@ -79,7 +81,9 @@ def write_export(building: Path, to: Format, output: Path | None = None, options
 def write_page(building: Path, output: Path | None = None, *, site: bool = True) -> Path:
     """Write the self-contained page with the 3D building, ``view.html`` in its folder when no file is named."""
     with importing:
+        from mansion_assets.library.building_assets import assets_of
         from mansion_export.html import view_page
+        from mansion_geometry.sound_shapes import require_sound_shapes
 
     page = output or building / PAGE
     scenes = BuildingFolder(building).scenes()

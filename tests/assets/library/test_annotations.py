@@ -64,3 +64,8 @@ def test_annotations_that_are_no_json_are_refused_by_name(tmp_path: Path) -> Non
     (tmp_path / "annotations.json").write_text("{")
     with pytest.raises(MansionError, match=r"annotations\.json cannot be read"):
         Annotations(tmp_path).of(tmp_path / "abc.glb")
+
+
+def test_a_code_of_objaverse_is_a_licence_by_its_name() -> None:
+    assert annotation_of({"license_info": {"license": "by"}}).licence == "CC-BY-4.0"
+    assert annotation_of({"license": "MIT"}).licence == "MIT"

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import trimesh
 
-from mansion_assets.convex import Box, Hull
+from mansion_assets.convex import Box, Hull, volume_of
 from mansion_assets.library.convex_decomposition import boxes_of_cells, decomposed
 from mansion_assets.piece_budget import budget_of
 
@@ -83,3 +83,12 @@ def test_hulls_of_triangles_that_bound_no_solid_stay_inside_their_extent() -> No
         )
         assert (low >= sheet.bounds[0] - 1e-3).all()
         assert (high <= sheet.bounds[1] + 1e-3).all()
+
+
+@pytest.mark.parametrize("how", ["cells", "coacd"])
+def test_a_flat_model_has_a_piece_with_a_volume(how: str) -> None:
+    if how == "coacd":
+        pytest.importorskip("coacd")
+    corners = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]])
+    pieces = decomposed(corners, np.array([[0, 1, 2], [0, 2, 3]]), (1.0, 1.0, 0.003), (), how)
+    assert all(volume_of(piece) > 0.0 for piece in pieces)

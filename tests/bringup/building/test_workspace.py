@@ -71,10 +71,22 @@ def test_a_folder_that_holds_something_else_is_refused(tmp_path: Path) -> None:
         Workspace(tmp_path, REQUEST)
 
 
-def test_state_of_running_worlds_is_kept_unless_forced(tmp_path: Path) -> None:
+def test_the_state_of_robots_is_kept_unless_forced(tmp_path: Path) -> None:
     (tmp_path / "state").mkdir()
     (tmp_path / "building.json").write_text("{}")
-    with pytest.raises(MansionError, match="--force"):
+    with pytest.raises(MansionError, match=r"the state of robots, which would be lost.*--force"):
+        Workspace(tmp_path, REQUEST)
+    Workspace(tmp_path, REQUEST, force=True)
+
+
+def test_edits_are_kept_unless_forced(tmp_path: Path) -> None:
+    log = tmp_path / "edits" / "log.jsonl"
+    log.parent.mkdir()
+    log.write_text("")
+    (tmp_path / "building.json").write_text("{}")
+    Workspace(tmp_path, REQUEST)
+    log.write_text("{}\n")
+    with pytest.raises(MansionError, match=r"a building with edits, which would be lost.*--force"):
         Workspace(tmp_path, REQUEST)
     Workspace(tmp_path, REQUEST, force=True)
 

@@ -44,6 +44,15 @@ def test_a_name_is_a_library_in_the_users_folder(tmp_path: Path, monkeypatch: py
     assert [row["id"] for row in answer("list", "--category", "espresso_bar")] == ["lab.espresso_bar"]
 
 
+def test_a_path_without_models_is_refused_before_anything_is_installed(monkeypatch: pytest.MonkeyPatch) -> None:
+    installed: list[str] = []
+    monkeypatch.setattr("mansion_bringup.extras.ensure_extra", installed.append)
+    result = run("add", "no/such/folder", "--library", "lab")
+    assert result.exit_code == 1
+    assert "there is no file or folder no/such/folder" in str(result.exception)
+    assert installed == []
+
+
 def test_a_library_is_listed(library: str) -> None:
     rows = {row["id"]: row for row in answer("list", "--library", library)}
     assert set(rows) == {"shop.bookshelf_a1b2c3d4", "shop.espresso_bar", "shop.filing_cabinet", "shop.wooden_chair"}

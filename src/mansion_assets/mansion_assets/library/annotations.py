@@ -24,6 +24,17 @@ FILES: Final = ("annotations.json", "annotations.json.gz", "data.json", "asset-d
 """Names of files that hold annotations of many models, or of the one in their folder."""
 
 _LARGEST: Final = 256 * 1024 * 1024
+_LICENCES: Final = {
+    "by": "CC-BY-4.0",
+    "by-sa": "CC-BY-SA-4.0",
+    "by-nd": "CC-BY-ND-4.0",
+    "by-nc": "CC-BY-NC-4.0",
+    "by-nc-sa": "CC-BY-NC-SA-4.0",
+    "by-nc-nd": "CC-BY-NC-ND-4.0",
+    "cc0": "CC0-1.0",
+}
+"""Objaverse's codes of licences, all of version 4.0."""
+
 _MOST_TEXT: Final = 400
 _CENTIMETRES: Final = 0.01
 
@@ -184,11 +195,16 @@ def annotation_of(entry: Mapping[str, Any], source: str = "") -> Annotation:
         openable=_flag(entry, "openable", secondary, "CanOpen"),
         toggleable=_flag(entry, "toggleable", secondary, "CanToggleOnOff"),
         mass=mass,
-        licence=str(info.get("license") or _text(entry, "license") or _text(entry, "licence"))[:_MOST_TEXT],
+        licence=_licence(str(info.get("license") or _text(entry, "license") or _text(entry, "licence"))),
         author=str(info.get("creator_display_name") or info.get("creator_username") or "")[:_MOST_TEXT],
         origin=str(info.get("uri") or _text(entry, "uri"))[:_MOST_TEXT],
         source=source,
     )
+
+
+def _licence(said: str) -> str:
+    """Return a licence by its SPDX name where Objaverse's code for one is said; else what is said."""
+    return _LICENCES.get(said.strip().lower(), said)[:_MOST_TEXT]
 
 
 def _size(entry: Mapping[str, Any]) -> tuple[float, float, float] | None:

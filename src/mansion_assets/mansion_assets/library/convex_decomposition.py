@@ -47,6 +47,9 @@ _CELLS: Final = 28
 _LEAST_CELL: Final = 0.006
 """Metres."""
 
+_THINNEST: Final = 1e-3
+"""Metres of the least side of a piece: what is flat has no volume, and engines want one."""
+
 _DIGITS: Final = 5
 
 
@@ -115,8 +118,9 @@ def _searched(vertices: Floats, faces: Ints, most: int) -> list[Convex]:
 
 def _hull(vertices: Floats, faces: Ints) -> Convex:
     low, high = vertices.min(axis=0), vertices.max(axis=0)
-    flat = float((high - low).min()) < 1e-3
-    return bounding_box(low, high) if flat else Hull(vertices.astype(np.float64), faces.astype(np.int64))
+    if float((high - low).min()) < _THINNEST:
+        return bounding_box(low, np.maximum(high, low + _THINNEST))
+    return Hull(vertices.astype(np.float64), faces.astype(np.int64))
 
 
 def boxes_of_cells(corners: Floats) -> list[Convex]:

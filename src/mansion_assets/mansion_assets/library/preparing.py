@@ -10,7 +10,7 @@ from typing import Final, Literal, TypeAlias
 import msgspec
 import numpy as np
 
-from mansion_assets.catalogue.asset import Asset, JointRecord, Surface
+from mansion_assets.catalogue.asset import Asset, JointRecord
 from mansion_assets.catalogue.catalogue import Catalogue
 from mansion_assets.catalogue.palette import COLOURS
 from mansion_assets.catalogue.records import AssetRecord
@@ -20,11 +20,11 @@ from mansion_assets.joints import Joint
 from mansion_assets.library.annotations import Annotation
 from mansion_assets.library.category_guess import Named, category_of, plain_name, slug
 from mansion_assets.library.convex_decomposition import METHODS, decomposed, method, piece_record
+from mansion_assets.library.inner_volumes import Receptacles, receptacles_of_model
 from mansion_assets.library.mass_estimate import guessed_mass
 from mansion_assets.library.mesh_files import Up, read_model
 from mansion_assets.library.scaling import sizing
 from mansion_assets.library.source_model import Look, SourceModel, SourceSurface
-from mansion_assets.library.support_surfaces import level_surfaces
 from mansion_assets.library.urdf import read_urdf
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import Mount
@@ -123,6 +123,7 @@ def prepared(
     w, d, h = (max(round(float(side), 4), _THINNEST) for side in (high - low) * scaled.scale)
     record = _record(path, named, (w, d, h), model, options, annotation, alike, facts)
     free = [Box((s.x, s.y, s.z + s.clearance / 2), (s.w, s.d, s.clearance)) for s in record.surfaces]
+    free += [Box((v.x, v.y, v.z), (v.w, v.d, v.h)) for v in record.volumes]
     pieces = _pieces(model, record.size, free, facts)
     if record.mass is None:
         like, opens = alike[0] if alike else None, any(part.joint for part in model.parts)
@@ -169,7 +170,8 @@ def _named(
         how, stated = f"{annotation.category!r} by {annotation.source}", True
     else:
         names = [name for name in (path.stem, model.name, path.parent.name) if plain_name(name)]
-        found = [category_of(name, catalogue) for name in names]
+        w, d, h = (float(side) for side in np.ptp(model.bounds, axis=0))
+        found = [category_of(name, catalogue, (w, d, h)) for name in names]
         found = found or [Named("thing", "thing", known=False)]
         named = max(found, key=lambda each: each.words if each.known else 0)
         how, stated = f"by the name {named.name!r}", False
@@ -225,7 +227,7 @@ def _record(
     mass = said.mass or model.mass
     if mass:
         facts.add(f"mass: {mass:.3g} kg", stated=True)
-    surfaces = _surfaces(model, said, alike, mount, pickupable=pickupable, facts=facts)
+    held = _receptacles(model, said, alike, mount, pickupable=pickupable, facts=facts)
     licence = options.licence or said.licence
     facts.add(f"licence: {licence or 'not stated'}", stated=bool(licence))
     words = named.name or named.category.replace("_", " ")
@@ -240,7 +242,8 @@ def _record(
         pickupable=pickupable,
         openable=_first(said.openable, None, False) or any(part.joint for part in model.parts),
         toggleable=_first(said.toggleable, like.toggleable if like else None, False),
-        surfaces=surfaces,
+        surfaces=held.surfaces,
+        volumes=held.volumes,
         rooms=list(options.rooms),
         tags=list(like.tags) if like else [],
         joints=[_joint_record(part.joint) for part in model.parts if part.joint is not None],
@@ -285,19 +288,20 @@ def _mount(said: Annotation, like: Asset | None, size: Size3, facts: _Facts) -> 
     return mount
 
 
-def _surfaces(
+def _receptacles(
     model: SourceModel, said: Annotation, alike: Sequence[Asset], mount: Mount, *, pickupable: bool, facts: _Facts
-) -> list[Surface]:
-    """Return where things can stand on the body, if anything stands on things of its kind."""
+) -> Receptacles:
+    """Return where things stand on the body or lie in it, if they do on things of its kind."""
     carrying = [asset for asset in alike if asset.surfaces or asset.volumes]
     carries = said.receptacle if said.receptacle is not None else bool(carrying) or not alike
     if not carries or pickupable or mount == "ceiling":
         facts.add("surfaces: none, nothing stands on things of its kind", stated=said.receptacle is False)
-        return []
+        return Receptacles([], [])
     kinds = Counter(asset.surfaces[0].kind for asset in carrying if asset.surfaces)
-    body = [s.vertices[s.faces] for part in model.parts if part.joint is None for s in part.surfaces]
-    found = level_surfaces(np.concatenate(body), kinds.most_common(1)[0][0] if kinds else "top") if body else []
-    facts.add(f"surfaces: {len(found)}, where its faces are level", stated=False)
+    found = receptacles_of_model(model, kinds.most_common(1)[0][0] if kinds else "top")
+    facts.add(f"surfaces: {len(found.surfaces)}, where its faces are level", stated=False)
+    if found.volumes:
+        facts.add(f"volumes: {len(found.volumes)}, in its drawers and behind its doors", stated=False)
     return found
 
 
@@ -314,7 +318,7 @@ def _pieces(model: SourceModel, size: Size3, free: Sequence[Box], facts: _Facts)
         elif part.surfaces:
             starts = np.cumsum([0] + [len(s.vertices) for s in part.surfaces[:-1]])
             faces = np.concatenate([s.faces + start for s, start in zip(part.surfaces, starts.tolist())])
-            pieces = decomposed(part.points, faces, size, free if part.joint is None else (), how)
+            pieces = decomposed(part.points, faces, size, free, how)
             found += [piece_record(part.name, piece) for piece in pieces]
     stated = given == len(model.parts)
     facts.add(f"pieces: {len(found)}, {'as the file has them' if stated else METHODS[how]}", stated=stated)

@@ -24,6 +24,9 @@ _SAME: Final = 0.01
 _LEAST_SIDE, _LEAST_SHARE = 0.12, 0.12
 """Metres of the shorter side of a surface, and its share of the footprint."""
 
+_RIM: Final = 0.005
+"""Metres of a level face along its edges that do not count."""
+
 _ROOM: Final = 0.08
 """Metres free above a surface at least."""
 
@@ -137,12 +140,13 @@ def _surface(
     x1, y1 = min(x1, right), min(y1, front)
     if min(x1 - x0, y1 - y0) < _LEAST_SIDE:
         return None
+    x0, x1, y0, y1 = x0 + _RIM, x1 - _RIM, y0 + _RIM, y1 - _RIM
     over = (points[:, 0] > x0) & (points[:, 0] < x1) & (points[:, 1] > y0) & (points[:, 1] < y1)
     above = points[over & (points[:, 2] > height + _SAME), 2]
     clearance = min(_OPEN, float(above.min()) - height) if len(above) else _OPEN
     if clearance < _ROOM:
         return None
     return Surface(
-        kind=kind, x=round((x0 + x1) / 2, 4), y=round((y0 + y1) / 2, 4), z=round(height, 4), w=round(x1 - x0 - 0.01, 4),
-        d=round(y1 - y0 - 0.01, 4), clearance=round(clearance, 4),
+        kind=kind, x=round((x0 + x1) / 2, 4), y=round((y0 + y1) / 2, 4), z=round(height, 4), w=round(x1 - x0, 4),
+        d=round(y1 - y0, 4), clearance=round(clearance, 4),
     )  # fmt: skip

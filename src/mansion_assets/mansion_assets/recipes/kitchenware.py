@@ -1,5 +1,7 @@
 """Food, cutlery, and tools with a handle."""
 
+import math
+
 from mansion_assets.builder import Builder
 from mansion_assets.registry import recipe
 
@@ -60,7 +62,9 @@ def utensil(b: Builder) -> None:
     style = str(b.p.get("style", "pen"))
     if b.h > 2 * b.d and b.h > b.w:
         _upright(b, style)
-    elif style in ("knife", "wrench", "scissors"):
+    elif style == "wrench":
+        _spanner(b)
+    elif style in ("knife", "scissors"):
         _bladed(b, style)
     elif style in ("fork", "spoon", "spatula", "brush", "racket"):
         _headed(b, style)
@@ -72,8 +76,7 @@ def _bladed(b: Builder, style: str) -> None:
     """A flat handle and a blade that tapers to the front."""
     w, d, h = b.w, b.d, b.h
     main, grip = b.mat(), -d * 0.1
-    handle = "plastic_black" if style != "wrench" else main
-    b.box((-w / 2, w / 2), (-d / 2, grip), (0, h), handle, "handle")
+    b.box((-w / 2, w / 2), (-d / 2, grip), (0, h), "plastic_black", "handle")
     left, right = (-w / 2, w / 2) if style != "knife" else (-w * 0.2, w * 0.2)
     b.prism([(left, grip), (right, grip), (w * 0.2, d * 0.45), (0, d / 2)], (h * 0.1, h * 0.9), main, "z", "blade")
     if style == "scissors":
@@ -86,7 +89,7 @@ def _headed(b: Builder, style: str) -> None:
     main = b.mat()
     b.rod(
         (0, -d / 2, h * 0.4),
-        (0, d * 0.2, h * 0.4),
+        (0, d * 0.2 if style != "racket" else -d * 0.02, h * 0.4),
         min(w * 0.16, h * 0.3),
         main if style != "brush" else "wood_oak",
         "handle",
@@ -101,10 +104,41 @@ def _headed(b: Builder, style: str) -> None:
             x = -w / 2 + (k + 0.5) * w / 4
             b.box((x - w * 0.07, x + w * 0.07), (d * 0.3, d / 2), (h * 0.1, h), main, "tines")
     elif style == "racket":
-        b.lathe([(0.5, 0), (0.5, h), (0.44, h), (0.44, h * 0.1)], main, (0, d * 0.26), "frame", 24, (w, d * 0.48))
-        b.cyl(0, -d * 0.36, (0, h), min(w * 0.08, 0.02), "leather_black", "grip")
+        _strung(b)
     else:
         b.box((-w / 2, w / 2), (d * 0.15, d / 2), (0, h), main, "blade")
+
+
+def _strung(b: Builder) -> None:
+    """The head of a racket, an oval with strings, and the grip at the other end."""
+    w, d, h = b.w, b.d, b.h
+    r, z, middle = min(h * 0.4, w * 0.06), h / 2, d * 0.24
+    rx, ry = w / 2 - r, d * 0.26 - r
+    turns = [k * math.pi / 12 for k in range(25)]
+    b.path([(rx * math.cos(a), middle + ry * math.sin(a), z) for a in turns], r, b.mat(), "frame")
+    for share in (k / 5 for k in range(-4, 5)):
+        half = math.sqrt(1 - share**2)
+        lines = (
+            ((rx * share, middle - ry * half, z), (rx * share, middle + ry * half, z)),
+            ((-rx * half, middle + ry * share, z), (rx * half, middle + ry * share, z)),
+        )
+        for start, end in lines:
+            b.rod(start, end, r * 0.22, "plastic_white", "strings", 4)
+    b.rod((0, -d / 2, z), (0, -d * 0.22, z), min(h * 0.5, w * 0.09), "leather_black", "grip", 10)
+
+
+def _spanner(b: Builder) -> None:
+    """A flat handle with an open jaw at the front and a ring at the back."""
+    w, d, h = b.w, b.d, b.h
+    main, jaw = b.mat(), d / 2 - w * 0.55
+    b.box((-w * 0.16, w * 0.16), (-d / 2 + w * 0.7, jaw), (h * 0.2, h * 0.8), main, "handle")
+    b.box((-w / 2, w / 2), (jaw - w * 0.3, jaw), (0, h), main, "head")
+    for side in (-1, 1):
+        inner, outer = sorted((side * w * 0.2, side * w / 2))
+        b.box((inner, outer), (jaw, d / 2), (0, h), main, "jaws")
+    r, middle = min(h / 2, w * 0.14), -d / 2 + w * 0.42
+    turns = [k * math.pi / 6 for k in range(13)]
+    b.path([(w * 0.28 * math.cos(a), middle + w * 0.28 * math.sin(a), h / 2) for a in turns], r, main, "ring")
 
 
 def _straight(b: Builder, style: str) -> None:

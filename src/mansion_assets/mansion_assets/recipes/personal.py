@@ -1,5 +1,6 @@
 """Books, shoes and other personal objects."""
 
+import itertools
 import math
 
 from mansion_assets.builder import Box, Builder
@@ -78,15 +79,92 @@ def keys(b: Builder) -> None:
         b.cyl(-w * 0.05, y, (0, h), d * 0.2, color, "keys", n=10)
 
 
-@recipe("ring")
-def ring(b: Builder) -> None:
-    """Band on the table: watch, stethoscope."""
+@recipe("stethoscope")
+def stethoscope(b: Builder) -> None:
+    """A stethoscope laid down: two curved ear tubes that meet, and a tube in a bend to the chest piece in front."""
     w, d, h = b.w, b.d, b.h
-    r = h / 2
-    rx, ry = w / 2 - r, d / 2 - r
-    points = [(rx * math.cos(a), ry * math.sin(a), r) for a in [k * math.pi / 10 for k in range(21)]]
-    b.path(points, r * 0.7, b.mat(), "band")
-    b.cyl(0, d / 2 - r * 1.2, (0, h), r * 1.1, "metal_steel", "face", n=16)
+    tube, z, fork = min(h * 0.25, w * 0.03), h * 0.3, (0.0, -d * 0.05)
+    for side in (-1, 1):
+        bend = [(side * w * 0.3, -d * 0.2), (side * w * 0.42, -d * 0.34), (side * w * 0.28, -d * 0.46)]
+        ends = [(x, y, z) for x, y in (fork, *bend)]
+        b.path(ends, tube * 0.7, "metal_steel", "ear_tubes")
+        b.ball(ends[-1], (tube * 1.5, tube * 1.5, h * 0.3), b.mat(), "ear_tips", 8)
+    curve = [
+        fork,
+        (w * 0.02, d * 0.12),
+        (-w * 0.2, d * 0.22),
+        (-w * 0.44, d * 0.3),
+        (-w * 0.36, d * 0.42),
+        (0.0, d * 0.36),
+    ]
+    b.path([(x, y, z) for x, y in curve], tube, b.mat(), "tube")
+    b.cyl(w * 0.2, d * 0.36, (0, h * 0.7), w * 0.2, "metal_steel", "chest_piece", n=20)
+    b.cyl(w * 0.2, d * 0.36, (h * 0.7, h), w * 0.17, "plastic_white", "membrane", n=20)
+    b.rod((0.0, d * 0.36, z), (w * 0.1, d * 0.36, z), tube, "metal_steel", "stem")
+
+
+@recipe("watch")
+def watch(b: Builder) -> None:
+    """A wristwatch that lies on its side, closed: a strap with its dial to the front."""
+    w, d, h = b.w, b.d, b.h
+    case, thick = d * 0.22, 0.85
+    rx, ry, middle = w / 2, (d - case) / 2, -case / 2
+    ends = [(math.cos(a), math.sin(a)) for a in (k * math.pi / 8 for k in range(17))]
+    for (c0, s0), (c1, s1) in itertools.pairwise(ends):
+        outline = [
+            (rx * c0, middle + ry * s0),
+            (rx * c1, middle + ry * s1),
+            (rx * c1 * thick, middle + ry * s1 * thick),
+            (rx * c0 * thick, middle + ry * s0 * thick),
+        ]
+        b.prism(outline, (h * 0.18, h * 0.82), "leather_black", "z", "strap")
+    front, radius = d / 2, min(h / 2, w * 0.45)
+    b.rod((0, front - case, h / 2), (0, front - case * 0.2, h / 2), radius, b.mat(), "case", 20, solid=True)
+    b.rod((0, front - case * 0.3, h / 2), (0, front, h / 2), radius * 0.84, "plastic_white", "dial", 20)
+    for end in ((0.0, radius * 0.6), (radius * 0.42, 0.0)):
+        b.rod((0, front, h / 2), (end[0], front, h / 2 + end[1]), radius * 0.06, "plastic_black", "hands", 4)
+
+
+@recipe("tape_measure")
+def tape_measure(b: Builder) -> None:
+    """A rounded case that lies on its side, with the end of a steel tape and its hook out in front."""
+    w, d, h = b.w, b.d, b.h
+    mouth = d * 0.2
+    b.cushion((-w / 2, w / 2), (-d / 2, mouth), (0, h * 0.94), b.mat(), "case", 0.35)
+    b.cyl(0, (mouth - d / 2) / 2, (h * 0.9, h), w * 0.24, "plastic_black", "badge")
+    b.box((-w * 0.4, -w * 0.34), (mouth - d * 0.1, d / 2), (h * 0.2, h * 0.7), "metal_light", "tape")
+    b.box((-w * 0.5, -w * 0.34), (d * 0.46, d / 2), (h * 0.1, h * 0.8), "metal_steel", "hook")
+
+
+@recipe("wallet")
+def wallet(b: Builder) -> None:
+    """Two folds of leather that lie on each other, with notes and a card between them."""
+    w, d, h = b.w, b.d, b.h
+    for z in ((0, h * 0.36), (h * 0.64, h)):
+        b.cushion((-w / 2, w / 2), (-d / 2, d * 0.4), z, b.mat(), "folds", 0.3)
+    b.box((-w / 2, w / 2), (-d / 2, -d * 0.46), (h * 0.1, h * 0.9), b.mat(), "spine")
+    b.box((-w * 0.46, w * 0.46), (-d * 0.44, d * 0.46), (h * 0.36, h * 0.5), "paper_green", "notes")
+    b.box((-w * 0.3, w * 0.42), (-d * 0.4, d / 2), (h * 0.5, h * 0.64), "plastic_blue", "card")
+
+
+@recipe("router")
+def router(b: Builder) -> None:
+    """A flat case with two antennas behind and a row of lights in front."""
+    w, d, h = b.w, b.d, b.h
+    top = h * 0.4
+    b.cushion((-w / 2, w / 2), (-d / 2, d / 2), (0, top), b.mat(), "case", 0.3)
+    for x in (-w * 0.36, w * 0.36):
+        b.rod((x, -d * 0.4, top * 0.8), (x, -d * 0.4, h), h * 0.05, b.mat(), "antennas", 8)
+    for k in range(5):
+        x = (k - 2) * w * 0.09
+        b.box(
+            (x - w * 0.02, x + w * 0.02),
+            (d * 0.3, d * 0.36),
+            (top - 0.002, top + 0.002),
+            "plastic_green",
+            "lights",
+            solid=False,
+        )
 
 
 @recipe("goggles")

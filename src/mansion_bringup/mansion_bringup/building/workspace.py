@@ -20,7 +20,7 @@ from mansion_msgs_py.file_locks import hold_lock
 from mansion_msgs_py.files import remove_remains, write_atomic
 from mansion_msgs_py.request import BuildRequest
 
-__all__ = ["Workspace"]
+__all__ = ["Workspace", "require_free_target"]
 
 T = TypeVar("T")
 
@@ -36,12 +36,12 @@ class Workspace:
     formats : sequence of str
         Names of the formats that the build writes; one that writes others starts afresh.
     force : bool
-        Replace a building even if robots have state in it.
+        Replace a building even if it was edited or robots have state in it.
 
     Raises
     ------
     MansionError
-        ``CONFLICT`` when `target` holds something else, state of running worlds, or another build is at it.
+        ``CONFLICT`` as of `require_free_target`, or when another build is writing `target`.
     """
 
     def __init__(
@@ -50,7 +50,7 @@ class Workspace:
         self.target = _followed(target.absolute())
         self.partial = self.target.parent / f".{self.target.name}.partial"
         self._key = encode_bytes({"version": __version__, "request": request, "formats": formats})
-        _check_target(self.target, force=force)
+        require_free_target(self.target, force=force)
 
     def __enter__(self) -> "Workspace":
         lock = self.target.parent / f".{self.target.name}.lock"
@@ -135,7 +135,14 @@ def _followed(target: Path) -> Path:
         raise MansionError(ErrorCode.CONFLICT, f"{target} is a broken link; name a folder") from None
 
 
-def _check_target(target: Path, *, force: bool) -> None:
+def require_free_target(target: Path, *, force: bool) -> None:
+    """Refuse a folder that a build may not replace.
+
+    Raises
+    ------
+    MansionError
+        ``CONFLICT`` when it holds something else, or, without `force`, a building with what people or robots did in it.
+    """
     if not target.exists():
         return
     if not target.is_dir():
@@ -145,7 +152,20 @@ def _check_target(target: Path, *, force: bool) -> None:
         raise MansionError(
             ErrorCode.CONFLICT, f"{target} holds other files; name a new or empty folder, or one that holds a building"
         )
-    if "state" in entries and not force:
+    if not force and (work := _work_in(target)):
         raise MansionError(
-            ErrorCode.CONFLICT, f"{target} holds the state of running worlds; use --force to replace it anyway"
+            ErrorCode.CONFLICT,
+            f"{target} holds a building with {work}, which would be lost; "
+            "name another folder to keep it, or use --force to replace it",
         )
+
+
+def _work_in(building: Path) -> str:
+    """Name what was done in a building since it was built; empty where nothing was."""
+    done = []
+    log = building / "edits" / "log.jsonl"
+    if log.is_file() and log.stat().st_size:
+        done.append("edits")
+    if (building / "state").exists():
+        done.append("the state of robots")
+    return " and ".join(done)

@@ -222,13 +222,14 @@ def add(
       mansion assets add scan.obj --library ./my_assets --up z --front -y
     """
     from mansion_assets.catalogue import load_catalogue
-    from mansion_assets.library.adding import add_models
+    from mansion_assets.library.adding import add_models, models_below
     from mansion_assets.library.folders import library_folder
     from mansion_assets.library.preparing import AddOptions
     from mansion_export.pictures.asset_picture import source_thumbnail
 
-    _provide_decomposition()
     folder = library_folder(library)
+    for path in paths:
+        models_below(path)  # a path without models is refused before anything is installed
     options = AddOptions(
         category=category,
         licence=licence,
@@ -239,6 +240,7 @@ def add(
         front=_front(front),
         triangles=triangles,
     )
+    _provide_decomposition()
     results: list[Addition] = []
     for result in add_models(paths, folder, options, load_catalogue([]), source_thumbnail, replace=replace):
         results.append(result)

@@ -1,12 +1,14 @@
 """``mansion build``: one sentence to a building folder."""
 
 import os
+import shlex
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Final, Literal
 
 import typer
 
+from mansion_bringup.building.workspace import require_free_target
 from mansion_bringup.cli.build_list import build_briefs
 from mansion_bringup.cli.console import (
     EXIT_INTERRUPTED,
@@ -47,7 +49,7 @@ __all__ = [
     "request_from_options",
 ]
 
-PLAN_HELP: Final = "A plan to furnish as it is: our JSON, GeoJSON or a room graph."
+PLAN_HELP: Final = "A plan to furnish as it is: our JSON, GeoJSON, IFC, DXF or a room graph."
 COMPLETE_HELP: Final = "What may be added where the plan lacks it: doors, windows, or doors,windows."
 ASSETS_HELP: Final = "Libraries of your own assets that come first: NAME,NAME (mansion assets add)."
 LAYERS_HELP: Final = "Layers of a drawing: rooms=NAME,names=NAME,doors=NAME,windows=NAME."
@@ -176,7 +178,7 @@ def build(
         bool, typer.Option("--strict", help="Refuse a building that does not fully meet every wish.")
     ] = False,
     force: Annotated[
-        bool, typer.Option("--force", help="Replace a building even if robots have left state in it.")
+        bool, typer.Option("--force", help="Replace a building even if it was edited or robots left state in it.")
     ] = False,
     as_json: AsJson = False,
 ) -> None:
@@ -216,6 +218,7 @@ def build(
     if briefs is not None:
         build_briefs(briefs, output, request, jobs, names)
         return
+    require_free_target(output.absolute(), force=force)
     if strict:
         _refuse_unmet_plan(request)
     if is_building_folder(output):
@@ -232,6 +235,8 @@ def build(
     if strict:
         refuse_unmet(result.building.wishes)
     _refuse_faults(result)
+    if not as_json:
+        _suggest_next_steps(output)
 
 
 def _report(result: "BuildResult", *, as_json: bool) -> None:
@@ -242,6 +247,20 @@ def _report(result: "BuildResult", *, as_json: bool) -> None:
         _print_summary(result)
     for stage, seconds in result.report.seconds.items():
         details.print(f"{stage}: {seconds:.2f} s", markup=False, highlight=False)
+
+
+def _suggest_next_steps(output: Path) -> None:
+    """Name a few commands that take the finished building further."""
+    folder = shlex.quote(str(output))
+    steps = {
+        f"mansion view {folder} --open": "look at it in 3D",
+        f'mansion edit {folder} "put a red mug on a table"': "change it",
+        f"mansion export {folder} --to usd": "take it to another program",
+    }
+    width = max(map(len, steps))
+    for number, (command, purpose) in enumerate(steps.items()):
+        lead = "next: " if number == 0 else "      "
+        err.print(f"{lead}{command:<{width}}  # {purpose}", markup=False, highlight=False)
 
 
 def _refuse_beside_a_list(description: str | None, options: Mapping[str, bool]) -> None:

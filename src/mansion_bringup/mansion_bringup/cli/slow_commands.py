@@ -17,12 +17,15 @@ ANNOUNCED_AFTER: Final = 2.0
 # Seconds of one core for the four-storey office of the README, in round figures.
 WORK: Final[dict[str, tuple[str, str]]] = {
     "plan": ("reading the sentence and planning the rooms", "about 3 s"),
-    "check": ("deriving every promise from the geometry again", "about 3 s for 64 rooms"),
-    "view": ("making the page with its 3D model", "about 7 s for 64 rooms"),
-    "export": ("writing the files", "3 to 20 s for 64 rooms, by format"),
-    "look": ("loading the building into the renderer", "about 9 s for 64 rooms without a GPU"),
-    "edit": ("carrying out the instruction, checking the building and updating its files", "about 10 s for 64 rooms"),
-    "skill": ("loading the building and running the skill", "about 2 s for 64 rooms"),
+    "check": ("deriving every promise from the geometry again", "about 3 s for a four-storey office"),
+    "view": ("making the page with its 3D model", "about 7 s for a four-storey office"),
+    "export": ("writing the files", "3 to 20 s for a four-storey office, by format"),
+    "look": ("loading the building into the renderer", "about 9 s for a four-storey office without a GPU"),
+    "edit": (
+        "carrying out the instruction, checking the building and updating its files",
+        "about 10 s for a four-storey office",
+    ),
+    "skill": ("loading the building and running the skill", "about 2 s for a four-storey office"),
     "task generate": ("sampling tasks and doing each", "about half a second a task"),
     "task run": ("doing the tasks", "about half a second a task"),
     "world check": ("checking every building", "about a second each"),

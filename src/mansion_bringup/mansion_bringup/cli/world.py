@@ -17,9 +17,9 @@ from mansion_bringup.cli.console import (
 )
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.wording import counted
-from mansion_world.making import Jobs, Workers, WorldProgress
 
 if TYPE_CHECKING:
+    from mansion_world.making import Jobs, Workers, WorldProgress
     from mansion_world.requests import Requests
 
 __all__ = ["register"]
@@ -89,8 +89,8 @@ def make(
 
 
 def _made(
-    output: Path, count: int, requests: "Requests", tasks: int, workers: Workers, width: int | Jobs
-) -> WorldProgress:
+    output: Path, count: int, requests: "Requests", tasks: int, workers: "Workers", width: "int | Jobs"
+) -> "WorldProgress":
     """Make a world; when interrupted, say how to go on, and end."""
     from mansion_bringup.worlds import build_for_world, check_for_world, tasks_for_world
     from mansion_world.attempts import TaskStep
@@ -133,14 +133,14 @@ def _write_parquet_tables(output: Path) -> None:
         write_parquet(world)
 
 
-def _in_processes(jobs: int) -> tuple[Workers, int]:
+def _in_processes(jobs: int) -> "tuple[Workers, int]":
     from mansion_bringup.worlds import world_workers
 
     number = jobs or min(os.cpu_count() or 1, 64)
     return world_workers(number), number
 
 
-def _on_cluster(address: str, jobs: int) -> tuple[Workers, Jobs]:
+def _on_cluster(address: str, jobs: int) -> "tuple[Workers, Jobs]":
     from mansion_bringup.cluster import Cluster
     from mansion_bringup.extras import ensure_extra
 

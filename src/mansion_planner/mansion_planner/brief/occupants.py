@@ -81,13 +81,22 @@ def _group_counted(reading: Reading, index: int) -> int:
     after = reading.word(index + 1)
     if reading.word(index - 1) in ("sleep", "sleeping") and reading.kind(index + 1) not in ("unit", "number"):
         return index - 1 if not reading.plural(index + 1) else -1
-    if reading.words(index - 2, index) == ("we", "are") and (after in _AFTER or reading.breaks(index + 1)):
-        return index - 2
+    ends = after in _AFTER or reading.breaks(index + 1)
+    if ends and (reading.words(index - 2, index) == ("we", "are") or _follows_building(reading, index)):
+        return index - 2 if reading.word(index - 1) == "are" else index - 1
     return -1
 
 
+def _follows_building(reading: Reading, index: int) -> bool:
+    """Whether a number says for whom a building is whose words end before it: "a flat for two"."""
+    if reading.word(index - 1) != "for" or index < _PAIR:
+        return False
+    last = reading.tokens[index - 2]
+    return any(span.start <= last.start and last.end == span.end for _, span in reading.facts.building)
+
+
 _KIN = frozenset({"family", "household", "group"})
-_AFTER = frozenset({"and", ",", "so", "people", "in"})
+_AFTER = frozenset({"and", ",", "so", "people", "in", "with"})
 """Words after a number of people that is the whole of them: "we are five and need a flat"."""
 
 
