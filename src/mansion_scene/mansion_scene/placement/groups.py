@@ -202,11 +202,7 @@ def _manner(kind: RelationKind, own: Role, target: Role) -> Manner:
 
 
 def _spec(
-    i: int,
-    obj: PlacementObject,
-    index: dict[str, int],
-    hosts: dict[int, tuple[int, Link]],
-    roles: Sequence[Role],
+    i: int, obj: PlacementObject, index: dict[str, int], hosts: dict[int, tuple[int, Link]], roles: Sequence[Role]
 ) -> Spec:
     rows = cols = 0
     quantity = obj.quantity

@@ -28,7 +28,11 @@ _ORDERS: dict[int, tuple[tuple[Fitment, ...], ...]] = {
 }
 """Runs by their worktops, as one works along them: what is stored is washed, cut and cooked."""
 
-_SPARED: tuple[frozenset[Fitment | None], ...] = (frozenset(), frozenset({"dishwasher"}), frozenset({"dishwasher", "fridge"}))
+_SPARED: tuple[frozenset[Fitment | None], ...] = (
+    frozenset(),
+    frozenset({"dishwasher"}),
+    frozenset({"dishwasher", "fridge"}),
+)
 """What stands apart where a whole run finds no wall."""
 
 Piece = tuple[Spec, Size3]
@@ -86,9 +90,7 @@ def runs(anchor: Spec, missing: int, left: Sequence[Spec], walls: Sequence[float
     widths = (False, True) if any(spec.smaller for spec in left) else (False,)
     for worktops, size, compact in product(range(missing, 0, -1), (anchor.size, *anchor.smaller), widths):
         for order in run_orders(worktops, [kind for kind in fitted if kind]):
-            pieces = [
-                (anchor, size) if kind == "worktop" else _piece(fitted[kind], compact=compact) for kind in order
-            ]
+            pieces = [(anchor, size) if kind == "worktop" else _piece(fitted[kind], compact=compact) for kind in order]
             yield from _shapes(pieces, walls, mirrored=mirrored)
 
 

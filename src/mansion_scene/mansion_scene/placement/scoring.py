@@ -143,10 +143,7 @@ def hob_before_window(floor: Floor, unit: Unit, poses: Floats) -> Bools:
     placed = poses.copy()
     placed[:, 0] += x * poses[:, 2] - y * poses[:, 3]
     placed[:, 1] += x * poses[:, 3] + y * poses[:, 2]
-    placed[:, 2], placed[:, 3] = (
-        ux * poses[:, 2] - uy * poses[:, 3],
-        ux * poses[:, 3] + uy * poses[:, 2],
-    )
+    placed[:, 2], placed[:, 3] = (ux * poses[:, 2] - uy * poses[:, 3], ux * poses[:, 3] + uy * poses[:, 2])
     return np.asarray((gap_matrix(placed, half_width, half_depth, windows[:, :6]) <= 0.0).any(axis=1))
 
 
