@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import msgspec
 
-from mansion_knowledge import RoomType, is_class
+from mansion_knowledge import RoomType
 from mansion_knowledge.norms import Norm, load_norms
 from mansion_planner.program.model import Box, PlannedRoom
 from mansion_planner.program.plan_quality import STRIP
@@ -175,19 +175,20 @@ def _fit(block: Block, room: PlannedRoom, depth: float, pairs: Sequence[tuple[st
     """Prefer hosts of kindred use with room to spare; toilets go together, so that they carve up one room alone."""
     same_zone = block.host.kind.zone == room.kind.zone
     others = len(block.smalls)
-    if room.kind.toilet and any(small.kind.toilet for small in block.smalls):
+    if room.kind.toilet and not block.host.fixed and any(small.kind.toilet for small in block.smalls):
         others = -others
     wanted = room.kind.name in block.host.kind.near or block.host.kind.name in room.kind.near
     asked = any(
         (block.host.called(one) and room.called(other)) or (block.host.called(other) and room.called(one))
         for one, other in pairs
     )
-    clean = not (room.kind.wet and "kitchen" in block.host.kind.name) and not is_class(block.host.kind.name, "vehicle")
+    garage = "garage" in (block.host.kind.name, block.host.kind.counts_as)
+    clean = not garage and not (room.kind.wet and "kitchen" in block.host.kind.name)
     return (
         3.0 * wanted
         + 8.0 * asked
         + 2.0 * clean
-        + 1.5 * same_zone
+        + 0.5 * same_zone
         - 2.0 * others
         + min(_spare_front(block, depth), 12.0) / 6.0
         - (1.0 if block.host.fixed else 0.0)

@@ -71,7 +71,8 @@ def shallow_garages(sketch: Sketch) -> list[Placement]:
     garages = [p for p in sketch.rooms if "garage" in (p.room.kind.name, p.room.kind.counts_as) and p.boxes]
     if not garages:
         return []
-    boxes = [box for part in (*sketch.rooms, *sketch.corridors) for box in part.boxes]
+    boxes = [box for room in sketch.rooms for box in room.boxes]
+    boxes += [box for corridor in sketch.corridors for box in corridor.boxes]
     bounds = (*(min(box[i] for box in boxes) for i in (0, 1)), *(max(box[i] for box in boxes) for i in (2, 3)))
     return [each for each in garages if not _holds_cars(each, bounds)]
 
