@@ -130,8 +130,8 @@ def steep_stair(value: Json) -> None:
 
 
 def missing_room(value: Json) -> None:
-    room = next(room for room in value["rooms"] if room["kind"] == "Entities")
-    value["rooms"].remove(room)
+    asked = (room for room in value["rooms"] if room["kind"] == "Entities" and "corridor" not in room["id"])
+    value["rooms"].remove(next(asked))
 
 
 def swollen(room: Json) -> list[list[float]]:
@@ -336,9 +336,10 @@ def short_goings(value: Json) -> None:
 
 def cabin_larger_than_its_shaft(value: Json) -> None:
     cabin = lift(value)["cabin"]
-    middle = [sum(axis) / len(cabin) for axis in zip(*cabin, strict=True)]
-    for corner in cabin:
-        corner[:2] = [m + 1.8 * (x - m) for x, m in zip(corner[:2], middle, strict=True)]
+    for axis in (0, 1):
+        middle = sum(corner[axis] for corner in cabin) / len(cabin)
+        for corner in cabin:
+            corner[axis] = middle + 1.8 * (corner[axis] - middle)
 
 
 def thing_of_another_room(value: Json) -> None:

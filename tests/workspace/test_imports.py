@@ -134,3 +134,45 @@ def test_manifests_name_the_ros_packages_that_are_imported(packages: list[Path])
             if missing := needed - named:
                 unnamed[str(source.relative_to(package))] = missing
     assert unnamed == {}
+
+
+HELD = "importing"
+"""The lock under which a function imports."""
+
+ONE_THREAD = {"cli", "nodes"}
+"""Folders whose functions the main thread calls first: of a command, and of a node that is being made."""
+
+
+def unheld_imports(source: Path) -> list[str]:
+    """Lines at which a function imports modules of Mansion's without holding the lock.
+
+    A module's ``__getattr__`` may run while another module is imported, where nothing may wait for the lock.
+    """
+    found = []
+
+    def look(node: ast.AST, *, inside: bool, held: bool) -> None:
+        if isinstance(node, ast.FunctionDef):
+            if node.name == "__getattr__":
+                return
+            inside = True
+        if isinstance(node, ast.With):
+            held = held or any(
+                isinstance(item.context_expr, ast.Name) and item.context_expr.id == HELD for item in node.items
+            )
+        modules = [node.module or ""] if isinstance(node, ast.ImportFrom) else []
+        if isinstance(node, ast.Import):
+            modules = [alias.name for alias in node.names]
+        if inside and not held and any(name.startswith("mansion") for name in modules):
+            found.append(f"{source.name}:{node.lineno}")
+        for child in ast.iter_child_nodes(node):
+            look(child, inside=inside, held=held)
+
+    look(ast.parse(source.read_text(encoding="utf-8")), inside=False, held=False)
+    return found
+
+
+def test_functions_that_several_threads_may_call_first_import_under_the_lock(packages: list[Path]) -> None:
+    modules = [module for package in packages for module in sources(package)]
+    looked_at = [m for m in modules if not ONE_THREAD & set(m.parts) and m.name != "__main__.py"]
+    assert len(looked_at) > 500
+    assert [line for module in looked_at for line in unheld_imports(module)] == []

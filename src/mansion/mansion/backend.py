@@ -4,6 +4,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, Protocol
 
 from mansion_msgs_py.editing.instructions import AgentReport
+from mansion_msgs_py.late_imports import importing
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -54,8 +55,9 @@ class InProcess:
         self._engine: Engine | None = None
 
     def _editor(self, physics: str) -> "SceneEditor":
-        from mansion_bringup.editor import ENGINE_EXTRAS, open_editor
-        from mansion_bringup.extras import require_extra
+        with importing:
+            from mansion_bringup.editor import ENGINE_EXTRAS, open_editor
+            from mansion_bringup.extras import require_extra
 
         if physics not in self._editors:
             if physics in ENGINE_EXTRAS:
@@ -65,9 +67,10 @@ class InProcess:
 
     def instruct(self, instruction: str, planner: Planner, physics: str | None) -> AgentReport:
         """See `Backend.instruct`."""
-        from mansion_bringup.editor import write_derived
-        from mansion_bringup.extras import require_extra
-        from mansion_editing.instructions.instruct import instruct
+        with importing:
+            from mansion_bringup.editor import write_derived
+            from mansion_bringup.extras import require_extra
+            from mansion_editing.instructions.instruct import instruct
 
         if planner == "llm":
             require_extra("llm")
@@ -78,7 +81,8 @@ class InProcess:
 
     def history(self, tool: History) -> str:
         """See `Backend.history`."""
-        from mansion_bringup.editor import write_derived
+        with importing:
+            from mansion_bringup.editor import write_derived
 
         editor = self._editor("static")
         message = str(editor.call(tool).message)
@@ -87,8 +91,9 @@ class InProcess:
 
     def robot(self, session: str, *, reset: bool) -> "RobotPort":
         """See `Backend.robot`."""
-        from mansion_skills import Robot as LocalRobot
-        from mansion_skills.engine import Engine
+        with importing:
+            from mansion_skills import Robot as LocalRobot
+            from mansion_skills.engine import Engine
 
         # One engine, so that robots of one building meet in one world.
         self._engine = self._engine or Engine()
@@ -108,11 +113,13 @@ class _LocalPort:
 
     def look(self, width: int | None, height: int | None, fov: float | None) -> "npt.NDArray[np.uint8]":
         """See `RobotPort.look`."""
-        from mansion_bringup.extras import require_extra
+        with importing:
+            from mansion_bringup.extras import require_extra
 
         require_extra("sim")
-        from mansion.viewpoints import close_with
-        from mansion_skills.vision import Camera
+        with importing:
+            from mansion.viewpoints import close_with
+            from mansion_skills.vision import Camera
 
         key = (width or 640, height or 480, fov or 90.0)
         if key not in self._cameras:

@@ -9,6 +9,7 @@ import msgspec
 from mansion_msgs_py.building_plan import BuildingPlan
 from mansion_msgs_py.codec import convert, to_builtins
 from mansion_msgs_py.files import read_bytes
+from mansion_msgs_py.late_imports import importing
 from mansion_msgs_py.request import BuildRequest, Footprint, footprint_from_json
 from mansion_msgs_py.shapes import Point
 
@@ -43,7 +44,8 @@ def request_of(
     outline = None if footprint is None else to_builtins(_footprint(footprint))
     given = None if plan is None else to_builtins(_plan(plan, complete))
     if assets:
-        from mansion_assets.library.folders import stated_libraries
+        with importing:
+            from mansion_assets.library.folders import stated_libraries
 
         fields["assets"] = stated_libraries([assets] if isinstance(assets, str) else assets)
     return convert(BuildRequest, {"description": description, "footprint": outline, "plan": given, **fields})
@@ -51,7 +53,8 @@ def request_of(
 
 def _plan(plan: GivenPlan, complete: Sequence[Literal["doors", "windows"]]) -> BuildingPlan:
     if isinstance(plan, (str, Path)):
-        from mansion_bringup.plan_files import plan_from_file
+        with importing:
+            from mansion_bringup.plan_files import plan_from_file
 
         return plan_from_file(Path(plan), complete)
     given = plan if isinstance(plan, BuildingPlan) else convert(BuildingPlan, to_builtins(plan))

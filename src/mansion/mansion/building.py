@@ -18,6 +18,7 @@ from mansion_msgs_py.building import Building as Index
 from mansion_msgs_py.building_folder import BuildingFolder
 from mansion_msgs_py.closing import Closing
 from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.late_imports import importing
 from mansion_msgs_py.program import BuildingProgram
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.scene import FloorScene
@@ -189,10 +190,12 @@ class Building(Closing):
         >>> b.look("kitchen", width=64, height=48).shape
         (48, 64, 3)
         """
-        from mansion_bringup.extras import require_extra
+        with importing:
+            from mansion_bringup.extras import require_extra
 
         require_extra("sim")
-        from mansion.viewpoints import Viewpoints, close_with
+        with importing:
+            from mansion.viewpoints import Viewpoints, close_with
 
         key = (width, height, fov)
         if key not in self._views:
@@ -208,9 +211,10 @@ class Building(Closing):
         >>> b.show(browser=False).name
         'view.html'
         """
-        import webbrowser
+        with importing:
+            import webbrowser
 
-        from mansion_bringup.exporting import write_page
+            from mansion_bringup.exporting import write_page
 
         page = write_page(self.folder)
         if browser:
@@ -287,7 +291,8 @@ class Building(Closing):
         >>> b.check()
         ()
         """
-        from mansion_bringup.verify import verify_building
+        with importing:
+            from mansion_bringup.verify import verify_building
 
         return tuple(verify_building(self.folder))
 
@@ -311,8 +316,9 @@ class Building(Closing):
         >>> [file.name for file in b.export("glb")]
         ['building.glb', 'floor.glb']
         """
-        from mansion_bringup.exporting import format_named, write_export
-        from mansion_bringup.extras import require_extra
+        with importing:
+            from mansion_bringup.exporting import format_named, write_export
+            from mansion_bringup.extras import require_extra
 
         chosen = format_named(to)
         if chosen.extra:
@@ -354,7 +360,8 @@ class Building(Closing):
         >>> robot.go_to("kitchen").status.value
         'SUCCESS'
         """
-        from mansion.robot import Robot
+        with importing:
+            from mansion.robot import Robot
 
         return Robot(self._backend.robot(session, reset=reset), self._home)
 
@@ -372,8 +379,9 @@ class Building(Closing):
         >>> task.instruction.endswith(".")
         True
         """
-        from mansion_tasks.tasks.generate import generate
-        from mansion_tasks.tasks.sandbox import Sandbox
+        with importing:
+            from mansion_tasks.tasks.generate import generate
+            from mansion_tasks.tasks.sandbox import Sandbox
 
         return tuple(generate(Sandbox(self.folder), count, seed, None if kind is None else _kind(kind)))
 
@@ -403,12 +411,14 @@ class Building(Closing):
         >>> info["success"], env.unwrapped.task.instruction == info["instruction"]
         (False, True)
         """
-        from mansion_bringup.extras import require_extra
+        with importing:
+            from mansion_bringup.extras import require_extra
 
         require_extra("sim")
-        import gymnasium
+        with importing:
+            import gymnasium
 
-        from mansion_tasks.env import ENV_ID
+            from mansion_tasks.env import ENV_ID
 
         made: gymnasium.Env[Mapping[str, Any], Any] = gymnasium.make(
             ENV_ID, building=self.folder, tasks=_tasks(task), **options
@@ -435,7 +445,8 @@ class Building(Closing):
         drawn = self.folder / "building.png"
         if drawn.is_file():
             return drawn.read_bytes()
-        from mansion_export.pictures.overview import overview_png
+        with importing:
+            from mansion_export.pictures.overview import overview_png
 
         return overview_png(self._scenes)
 

@@ -20,6 +20,7 @@ from mansion_msgs_py.editing.changes import EditResult
 from mansion_msgs_py.editing.instructions import AgentReport, InstructArgs
 from mansion_msgs_py.editing.open_buildings import EditorInfo, OpenEditorArgs, ToolArgs
 from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.late_imports import importing
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.skills import Loaded
 from mansion_msgs_py.stages import BuildJob, BuildReply
@@ -62,10 +63,12 @@ def connect(*, domain_id: int | None = None, namespace: str = "/mansion", timeou
             b.edit("put a red mug on the coffee table")
             print(b.robot().go_to("kitchen").message)
     """
-    from mansion_bringup.graph.rclpy_available import check_rclpy
+    with importing:
+        from mansion_bringup.graph.rclpy_available import check_rclpy
 
     check_rclpy()
-    from mansion_bringup.client import MansionClient
+    with importing:
+        from mansion_bringup.client import MansionClient
 
     client = MansionClient(domain_id=domain_id, namespace=namespace, timeout=timeout)
     if not client.wait_served("build_building", _DISCOVERY):
@@ -130,7 +133,8 @@ class Graph(Closing):
         folder : path, optional
             Below the director's ``output_root`` when absent, where it stays.
         """
-        from mansion_bringup.exporting import format_names
+        with importing:
+            from mansion_bringup.exporting import format_names
 
         request = request_of(
             description, footprint, floors=floors, area=area, floor_area=floor_area, seed=seed, planner=planner,
@@ -190,8 +194,9 @@ class _OverGraph:
 
     def _await_files(self) -> None:
         """Wait until what is made from the changed floors is written, or write it: the node does so after its reply."""
-        from mansion_bringup.edit_hooks import kept_files
-        from mansion_editing.storage import BuildingStore
+        with importing:
+            from mansion_bringup.edit_hooks import kept_files
+            from mansion_editing.storage import BuildingStore
 
         BuildingStore(self._folder).refresh(kept_files)
 
@@ -212,13 +217,15 @@ class _GraphPort:
 
     def run(self, skill: "Skill", arguments: Mapping[str, Any]) -> Any:
         """See `RobotPort.run`."""
-        from mansion_bringup.graph.robot_client import call_skill
+        with importing:
+            from mansion_bringup.graph.robot_client import call_skill
 
         return call_skill(self._client, skill, self._session, arguments)
 
     def look(self, width: int | None, height: int | None, fov: float | None) -> npt.NDArray[np.uint8]:
         """See `RobotPort.look`."""
-        from mansion_bringup.graph.robot_client import CameraImages
+        with importing:
+            from mansion_bringup.graph.robot_client import CameraImages
 
         if (width, height, fov) != (None, None, None):
             raise MansionError(

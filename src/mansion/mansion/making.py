@@ -9,6 +9,7 @@ from typing import Literal
 from mansion.briefs import GivenPlan, Outline, request_of
 from mansion.building import Building
 from mansion.homes import Home
+from mansion_msgs_py.late_imports import importing
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.world import Progress
 
@@ -83,9 +84,10 @@ def build(
     >>> "kitchen" in {room.type for room in b.rooms}
     True
     """
-    from mansion_bringup.exporting import format_names
-    from mansion_bringup.pipeline.build import build_building
-    from mansion_bringup.pipeline.planning import prepare_planner
+    with importing:
+        from mansion_bringup.exporting import format_names
+        from mansion_bringup.pipeline.build import build_building
+        from mansion_bringup.pipeline.planning import prepare_planner
 
     request = request_of(
         description, footprint, plan=plan, complete=complete, floors=floors, area=area, floor_area=floor_area,
@@ -102,7 +104,8 @@ def build(
 @contextmanager
 def _reporting(progress: bool | Callable[[Progress], None]) -> Iterator[Callable[[Progress], None]]:
     if progress is True:
-        from mansion_bringup.cli.console import progress_bar
+        with importing:
+            from mansion_bringup.cli.console import progress_bar
 
         with progress_bar() as report:
             yield report

@@ -5,6 +5,7 @@ from pathlib import Path
 
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import write_atomic
+from mansion_msgs_py.late_imports import importing
 from mansion_msgs_py.scene import FloorScene
 
 __all__ = ["FloorPlan"]
@@ -39,14 +40,16 @@ class FloorPlan:
     @property
     def svg(self) -> str:
         """The plan as SVG text."""
-        from mansion_export.plan import plan_svg
+        with importing:
+            from mansion_export.plan import plan_svg
 
         return plan_svg(self.scene)
 
     @property
     def png(self) -> bytes:
         """The plan as the bytes of a PNG file."""
-        from mansion_export.plan import plan_png
+        with importing:
+            from mansion_export.plan import plan_png
 
         return plan_png(self.scene)
 

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from mansion.briefs import Outline, request_of
 from mansion.selections import Wishes
+from mansion_msgs_py.late_imports import importing
 from mansion_msgs_py.program import BuildingProgram, FloorProgram
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.stages import PlanReply
@@ -61,7 +62,8 @@ def plan(
     >>> len(p.floors), p.wishes.filter(kind="floors")[0].text
     (2, 'two-storey')
     """
-    from mansion_bringup.pipeline.planning import plan_request
+    with importing:
+        from mansion_bringup.pipeline.planning import plan_request
 
     request = request_of(
         description, footprint, floors=floors, area=area, floor_area=floor_area, seed=seed, planner=planner,
@@ -97,13 +99,15 @@ class Plan:
     @cached_property
     def wishes(self) -> Wishes:
         """What the brief asks for, with the status that each wish has if every later stage keeps to the plan."""
-        from mansion_bringup.building.receipt import receipt_of_plan
+        with importing:
+            from mansion_bringup.building.receipt import receipt_of_plan
 
         return Wishes(receipt_of_plan(self.program, self.reply.topologies))
 
     def build(self, folder: str | Path | None = None, **options: Any) -> "Building":
         """Build what is planned; see `mansion.build` for the options."""
-        from mansion.making import build
+        with importing:
+            from mansion.making import build
 
         return build(self.request, folder, **options)
 

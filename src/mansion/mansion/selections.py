@@ -9,6 +9,7 @@ import msgspec
 
 from mansion.parts import Floor, Object, Room
 from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.late_imports import importing
 from mansion_msgs_py.scene import FloorScene
 from mansion_msgs_py.wishes import Wish
 from mansion_msgs_py.wording import choices, counted
@@ -336,7 +337,8 @@ class Wishes(Selection[Wish]):
 
     def records(self) -> list[dict[str, Any]]:
         """Return a dictionary for each wish, with what it was read as beside its words."""
-        from mansion_bringup.building.wish_words import read_as
+        with importing:
+            from mansion_bringup.building.wish_words import read_as
 
         made = zip(super().records(), self)
         return [{"id": row.pop("id"), "text": row.pop("text"), "read_as": read_as(wish), **row} for row, wish in made]
@@ -344,7 +346,8 @@ class Wishes(Selection[Wish]):
     @property
     def summary(self) -> str:
         """How many wishes there are of each status, in one line."""
-        from mansion_bringup.building.wish_words import receipt_summary
+        with importing:
+            from mansion_bringup.building.wish_words import receipt_summary
 
         return receipt_summary(self._parts)
 
@@ -361,9 +364,10 @@ _PART: Final = 1
 
 def _objects_fitting(objects: Sequence[Object], words: str) -> list[Object]:
     """Return the objects that words name or describe, the best fits first."""
-    from mansion_assets.catalogue import load_catalogue
-    from mansion_assets.catalogue.search import word_scores
-    from mansion_assets.catalogue.vocabulary import vocabulary_of
+    with importing:
+        from mansion_assets.catalogue import load_catalogue
+        from mansion_assets.catalogue.search import word_scores
+        from mansion_assets.catalogue.vocabulary import vocabulary_of
 
     catalogue = load_catalogue()
     vocabulary = vocabulary_of(catalogue)
@@ -378,9 +382,10 @@ def _objects_fitting(objects: Sequence[Object], words: str) -> list[Object]:
 
 def _has_colours(item: Object, words: str) -> bool:
     """Whether an object is of the colour that stands beside other words; a colour alone may be a thing (an orange)."""
-    from mansion_assets.catalogue import load_catalogue
-    from mansion_assets.catalogue.vocabulary import stems, vocabulary_of
-    from mansion_language.colours import COLOUR_WORDS, colour_of
+    with importing:
+        from mansion_assets.catalogue import load_catalogue
+        from mansion_assets.catalogue.vocabulary import stems, vocabulary_of
+        from mansion_language.colours import COLOUR_WORDS, colour_of
 
     asked = stems(words)
     colours = {COLOUR_WORDS[word] for word in asked if word in COLOUR_WORDS}
@@ -393,9 +398,10 @@ def _has_colours(item: Object, words: str) -> bool:
 
 def _rooms_fitting(rooms: Sequence[Room], words: str) -> list[Room]:
     """Return all rooms that words name, in the building's order."""
-    from mansion_assets.catalogue import load_catalogue
-    from mansion_editing.state import SceneState
-    from mansion_editing.tools.perception import find_rooms
+    with importing:
+        from mansion_assets.catalogue import load_catalogue
+        from mansion_editing.state import SceneState
+        from mansion_editing.tools.perception import find_rooms
 
     scenes = list({room.floor: room.scene for room in rooms}.values())
     if not scenes:

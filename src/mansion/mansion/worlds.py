@@ -10,6 +10,7 @@ from mansion.briefs import request_of
 from mansion.building import Building
 from mansion.making import load
 from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.late_imports import importing
 from mansion_msgs_py.request import BuildRequest
 from mansion_world.brief_list import BriefList, NamedRequest, Result
 from mansion_world.records import SPLITS, BuildingRow, Difficulty
@@ -108,12 +109,14 @@ class World:
             ``NOT_FOUND`` where there is no such building, ``UNAVAILABLE`` naming the extra ``sim`` where that is
             missing.
         """
-        from mansion_bringup.extras import require_extra
+        with importing:
+            from mansion_bringup.extras import require_extra
 
         require_extra("sim")
-        import gymnasium
+        with importing:
+            import gymnasium
 
-        from mansion_tasks.env import BUILDINGS_ENV_ID
+            from mansion_tasks.env import BUILDINGS_ENV_ID
 
         chosen = self.filter(split=split, difficulty=difficulty, kind=kind)
         folders = [entry.folder for entry in chosen if not entry.row.no_tasks]
@@ -126,8 +129,9 @@ class World:
 
     def _bounds(self) -> "Bounds":
         """Return what the spaces of an environment need for every building of the world."""
-        from mansion_assets.catalogue import load_catalogue
-        from mansion_tasks.env.bounds import Bounds
+        with importing:
+            from mansion_assets.catalogue import load_catalogue
+            from mansion_tasks.env.bounds import Bounds
 
         rooms = floors = landmarks = 1
         for row in self._files.manifest():
@@ -168,10 +172,11 @@ def build_all(briefs: str | Path | Sequence[str | BuildRequest], folder: str | P
         ``INVALID_PAYLOAD`` naming the lines of a file that are no briefs, ``CONFLICT`` for a folder that holds
         something else.
     """
-    from mansion_bringup.build_list import build_list
-    from mansion_bringup.plan_files import plan_from_file
-    from mansion_bringup.worlds import world_workers
-    from mansion_world.brief_files import read_briefs
+    with importing:
+        from mansion_bringup.build_list import build_list
+        from mansion_bringup.plan_files import plan_from_file
+        from mansion_bringup.worlds import world_workers
+        from mansion_world.brief_files import read_briefs
 
     if isinstance(briefs, (str, Path)):
         named = read_briefs(Path(briefs), read_plan=plan_from_file)

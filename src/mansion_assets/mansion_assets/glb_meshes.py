@@ -15,6 +15,7 @@ from mansion_assets.joints import Joint
 from mansion_assets.texture_coordinates import box_coordinates
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import read_payload
+from mansion_msgs_py.late_imports import importing
 from mansion_msgs_py.shapes import Size3
 
 if TYPE_CHECKING:
@@ -112,7 +113,8 @@ def _pieces(path: str, stamp: tuple[int, int]) -> tuple[PieceRecord, ...]:
 @lru_cache(maxsize=256)
 def _read(path: str, stamp: tuple[int, int], size: Size3, parts: frozenset[str], main: str, key: str) -> _Read:
     """Read a GLB; `stamp` tells a file from an older one of the same name."""
-    from mansion_assets.meshes import MeshPart
+    with importing:
+        from mansion_assets.meshes import MeshPart
 
     named = _geometries(path, key)
     points = [np.asarray(geometry.vertices, dtype=np.float64) @ _AXES.T for _, geometry in named]

@@ -10,6 +10,7 @@ from importlib import import_module
 from pkgutil import iter_modules
 from typing import TYPE_CHECKING, Any, TypeAlias
 
+from mansion_msgs_py.late_imports import importing
 from mansion_msgs_py.shapes import Size3
 
 if TYPE_CHECKING:
@@ -48,7 +49,8 @@ def receptacles(*names: str) -> Callable[[ReceptacleRule], ReceptacleRule]:
 
 @cache
 def _load() -> None:
-    from mansion_assets import recipes
+    with importing:
+        from mansion_assets import recipes
 
     for module in iter_modules(recipes.__path__):
         import_module(f"{recipes.__name__}.{module.name}")

@@ -5,36 +5,41 @@ from collections.abc import Callable
 from concurrent.futures import as_completed
 from os import cpu_count
 
+from mansion_msgs_py.late_imports import importing
 from mansion_msgs_py.workers import worker_pool
 
 __all__ = ["WARMERS", "warm"]
 
 
 def _solver() -> None:
-    from mansion_planner.solver import warm as compile_kernels
+    with importing:
+        from mansion_planner.solver import warm as compile_kernels
 
     compile_kernels()
 
 
 def _placement() -> None:
-    from mansion_scene.placement import warm as compile_kernels
+    with importing:
+        from mansion_scene.placement import warm as compile_kernels
 
     compile_kernels()
 
 
 def _navigation() -> None:
-    from mansion_skills.navigation import warm as compile_kernels
+    with importing:
+        from mansion_skills.navigation import warm as compile_kernels
 
     compile_kernels()
 
 
 def _pictures() -> None:
-    import numpy as np
+    with importing:
+        import numpy as np
 
-    from mansion_assets.texture_coordinates import fitted_coordinates
-    from mansion_export.glb import write_glb
-    from mansion_export.meshes.model import Material, Node, Part, Surface, assemble
-    from mansion_export.pictures.renderer import View, flatten, render
+        from mansion_assets.texture_coordinates import fitted_coordinates
+        from mansion_export.glb import write_glb
+        from mansion_export.meshes.model import Material, Node, Part, Surface, assemble
+        from mansion_export.pictures.renderer import View, flatten, render
 
     corners = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [0, 1, 1]])
     parts: list[Part] = []

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from mansion_bringup.check import Fault
 from mansion_msgs_py.building_folder import TASKS
 from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.late_imports import importing
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.task import Task, read_task_set
 from mansion_world.records import DoneTask, MadeTasks, Trial
@@ -23,22 +24,25 @@ __all__ = ["build_for_world", "check_for_world", "redo_tasks", "tasks_for_world"
 
 def build_for_world(request: BuildRequest, folder: Path, *, formats: Sequence[str] = ()) -> None:
     """Build one request into a folder, in this process (`mansion_world.attempts.Build`)."""
-    from mansion_bringup.pipeline.build import build_building
+    with importing:
+        from mansion_bringup.pipeline.build import build_building
 
     build_building(request, folder, jobs=1, formats=formats)
 
 
 def check_for_world(folder: Path) -> list[Fault]:
     """Return the faults of a building folder (`mansion_world.attempts.Check`)."""
-    from mansion_bringup.verify import verify_building
+    with importing:
+        from mansion_bringup.verify import verify_building
 
     return verify_building(folder)
 
 
 def tasks_for_world(folder: Path, count: int, seed: int, first: int) -> MadeTasks:
     """Make tasks in a building, each done twice: by the oracle, and by its plan (`mansion_world.attempts.TaskStep`)."""
-    from mansion_tasks.tasks.generate import generate
-    from mansion_tasks.tasks.sandbox import Sandbox
+    with importing:
+        from mansion_tasks.tasks.generate import generate
+        from mansion_tasks.tasks.sandbox import Sandbox
 
     sandbox = Sandbox(folder)
     wanted = count
@@ -60,7 +64,8 @@ def tasks_for_world(folder: Path, count: int, seed: int, first: int) -> MadeTask
 
 def redo_tasks(folder: Path) -> list[DoneTask]:
     """Run the plan of each task of a building (`mansion_world.verification.RedoTasks`)."""
-    from mansion_tasks.tasks.sandbox import Sandbox
+    with importing:
+        from mansion_tasks.tasks.sandbox import Sandbox
 
     tasks = read_task_set(folder / TASKS).tasks
     sandbox = Sandbox(folder)
@@ -68,7 +73,8 @@ def redo_tasks(folder: Path) -> list[DoneTask]:
 
 
 def _run_plan(task: Task, sandbox: "Sandbox") -> DoneTask:
-    from mansion_tasks.tasks.solving import replay
+    with importing:
+        from mansion_tasks.tasks.solving import replay
 
     score = replay(task, task.oracle, sandbox)
     return DoneTask(task=task, success=score.success, metres=sandbox.robot.driven, seconds=sandbox.world.time)
@@ -99,7 +105,8 @@ def world_workers(jobs: int) -> Callable[[], AbstractContextManager[Executor]]:
 
     @contextmanager
     def workers() -> Iterator[Executor]:
-        from mansion_bringup.pipeline.executors import stage_pool
+        with importing:
+            from mansion_bringup.pipeline.executors import stage_pool
 
         earlier = set(active_children())
         pool = stage_pool(jobs)

@@ -18,6 +18,7 @@ import numpy as np
 import numpy.typing as npt
 
 from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.late_imports import importing
 from mansion_msgs_py.limits import MAX_CELLS
 from mansion_msgs_py.scene import FloorScene
 from mansion_msgs_py.shapes import Point, Ring, Segment
@@ -193,7 +194,8 @@ def _fill(grid: Cells, frame: GridFrame, edges: Floats, value: int, only: int | 
 
 @cache
 def _compiled() -> Callable[[Cells, float, float, float, Floats, int, int, bool], None]:
-    from mansion_geometry.free_cells import fill
+    with importing:
+        from mansion_geometry.free_cells import fill
 
     return fill
 

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 
 from mansion_assets.catalogue import Catalogue
+from mansion_msgs_py.late_imports import importing
 from mansion_msgs_py.program import RequestedObject
 from mansion_msgs_py.scene import Discard, FloorScene, SceneObject, SceneRoom
 
@@ -33,7 +34,8 @@ def furnish_room(
         Another one gives another choice and arrangement.
     """
     # The placement solver compiles its kernels when it is imported.
-    from mansion_scene.room_contents import RoomFurnisher
+    with importing:
+        from mansion_scene.room_contents import RoomFurnisher
 
     furnisher = RoomFurnisher(
         scene,

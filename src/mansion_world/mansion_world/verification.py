@@ -9,6 +9,7 @@ from msgspec.structs import replace
 
 from mansion_msgs_py.building_folder import TASKS
 from mansion_msgs_py.codec import encode_bytes
+from mansion_msgs_py.late_imports import importing
 from mansion_msgs_py.wording import counted
 from mansion_world.attempts import Check
 from mansion_world.building_measures import folder_digest, task_row
@@ -96,7 +97,8 @@ def _parquet_faults(world: WorldFolder) -> Iterator[tuple[str, str]]:
     if find_spec("pyarrow") is None:
         yield "manifest", "its Parquet tables cannot be read without the extra 'world'"
         return
-    from mansion_world.parquet import parquet_differences
+    with importing:
+        from mansion_world.parquet import parquet_differences
 
     yield from parquet_differences(world)
 

@@ -139,10 +139,15 @@ def test_the_table_of_two_rooms_is_ambiguous_and_that_of_one_is_not(furnished_st
     assert target.anchor is not None and target.anchor.id == "F1/kitchen/dining_table_1"
 
 
-def test_any_chair_of_a_room_serves_to_put_something_on_but_not_to_stand_beside(furnished_state: SceneState) -> None:
-    assert len(places_of(furnished_state, Place(relation="on", anchor=the("chair")), HERE)) == 3
+@pytest.mark.parametrize("relation", ["on", "beside", "near"])
+def test_any_chair_of_a_room_serves_to_put_something_on_or_beside(furnished_state: SceneState, relation: str) -> None:
+    place = msgspec.structs.replace(Place(anchor=the("chair")), relation=relation)
+    assert len(places_of(furnished_state, place, HERE)) == 3
+
+
+def test_tables_of_several_rooms_are_asked_about(furnished_state: SceneState) -> None:
     with pytest.raises(Ambiguous):
-        places_of(furnished_state, Place(relation="beside", anchor=the("chair")), HERE)
+        places_of(furnished_state, Place(relation="beside", anchor=the("dining table")), HERE)
 
 
 def test_a_name_comes_before_an_alias_of_another_room(furnished_state: SceneState) -> None:

@@ -6,6 +6,8 @@ import time
 from collections.abc import Callable
 from typing import IO, Any, Final
 
+from mansion_msgs_py.late_imports import importing
+
 __all__ = ["BEGIN", "CallProgress", "progress_line", "progress_topic"]
 
 BEGIN: Final = 1.0
@@ -40,8 +42,9 @@ def progress_line(topic: str, text: str, arguments: Any = None) -> str | None:
     arguments : dict, optional
         Arguments of the call.
     """
-    from mansion_msgs_py.codec import decode
-    from mansion_msgs_py.world import Progress, SkillProgress
+    with importing:
+        from mansion_msgs_py.codec import decode
+        from mansion_msgs_py.world import Progress, SkillProgress
 
     if topic == "progress":
         build = decode(Progress, text)

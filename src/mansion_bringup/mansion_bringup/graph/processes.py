@@ -20,6 +20,7 @@ from mansion_bringup.graph.shared_memory import SegmentLedger, remove_left_behin
 from mansion_msgs_py.codec import encode
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.interface_types import DEFAULT_NAMESPACE
+from mansion_msgs_py.late_imports import importing
 
 if TYPE_CHECKING:
     from mansion_bringup.client import MansionClient
@@ -160,7 +161,8 @@ class GraphProcesses:
         MansionError
             ``UNAVAILABLE`` with the node that ended or did not come up.
         """
-        from mansion_bringup.client import MansionClient
+        with importing:
+            from mansion_bringup.client import MansionClient
 
         deadline = time.monotonic() + timeout
         options = self.options
@@ -229,7 +231,8 @@ def graph_client(
     notice : callable
         Gets a line when a private graph is started.
     """
-    from mansion_bringup.client import MansionClient
+    with importing:
+        from mansion_bringup.client import MansionClient
 
     with MansionClient(namespace=namespace) as client:
         if client.wait_served(service, LOOK_FOR_GRAPH):

@@ -13,6 +13,7 @@ from typing import Any, TypeVar
 
 from mansion_bringup.pipeline.stages import LocalStages, Stages
 from mansion_export.formats import Outputs, outputs_of_build
+from mansion_msgs_py.late_imports import importing
 from mansion_msgs_py.workers import worker_pool
 
 __all__ = ["BuildExecutors", "export_pool", "local_executors", "service_executors", "stage_pool"]
@@ -95,4 +96,5 @@ def _import_stages(outputs: Outputs) -> None:
     """Import what the workers need before they are forked, once instead of in each."""
     for module in _export_modules(outputs):
         import_module(module)
-    import mansion_planner.solver  # noqa: F401
+    with importing:
+        import mansion_planner.solver  # noqa: F401

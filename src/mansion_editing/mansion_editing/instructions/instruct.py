@@ -3,6 +3,7 @@
 from mansion_editing.editor import SceneEditor
 from mansion_msgs_py.editing.instructions import AgentReport
 from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.late_imports import importing
 
 __all__ = ["instruct"]
 
@@ -23,15 +24,17 @@ def instruct(editor: SceneEditor, instruction: str, planner: str = "rules", *, p
         edits wait to be saved.
     """
     if planner == "rules":
-        from mansion_editing.instructions.conversation import brief_of
-        from mansion_editing.instructions.run import carry_out
-        from mansion_editing.instructions.sentences.reader import read_instruction
+        with importing:
+            from mansion_editing.instructions.conversation import brief_of
+            from mansion_editing.instructions.run import carry_out
+            from mansion_editing.instructions.sentences.reader import read_instruction
 
         read = read_instruction(instruction, editor.state, brief_of(editor))
         return carry_out(editor, read, instruction, partly=partly)
     if planner == "llm":
-        from mansion_editing.instructions.by_model.carrying_out import carry_out_with_model
-        from mansion_llm import LlmClient
+        with importing:
+            from mansion_editing.instructions.by_model.carrying_out import carry_out_with_model
+            from mansion_llm import LlmClient
 
         return carry_out_with_model(LlmClient.from_environment(), editor, instruction)
     raise MansionError(ErrorCode.INVALID_PAYLOAD, f"no planner {planner!r}; use rules or llm", path="$.planner")

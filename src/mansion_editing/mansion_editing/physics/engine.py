@@ -8,6 +8,7 @@ from shapely import Polygon
 
 from mansion_geometry.object_footprints import footprint_at
 from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.late_imports import importing
 from mansion_msgs_py.shapes import Point3
 
 __all__ = [
@@ -162,15 +163,18 @@ def engine_named(name: str) -> PhysicsEngine:
         ``NOT_FOUND`` for an unknown name.
     """
     if name == "mujoco":
-        from mansion_editing.physics.mujoco_engine import MujocoEngine
+        with importing:
+            from mansion_editing.physics.mujoco_engine import MujocoEngine
 
         return MujocoEngine()
     if name == "static":
-        from mansion_editing.physics.engine import StaticEngine
+        with importing:
+            from mansion_editing.physics.engine import StaticEngine
 
         return StaticEngine()
     if name == "thor":
-        from mansion_editing.physics.thor_engine import ThorEngine
+        with importing:
+            from mansion_editing.physics.thor_engine import ThorEngine
 
         return ThorEngine()
     raise MansionError(ErrorCode.NOT_FOUND, f"no physics engine {name!r}; engines are {', '.join(ENGINES)}")

@@ -1,4 +1,4 @@
-"""Make room on a full receptacle by moving one small object elsewhere in the room."""
+"""Make room on a full receptacle: small objects move aside on it, or one of them goes elsewhere in the room."""
 
 from collections.abc import Generator, Set
 from typing import Final
@@ -10,17 +10,20 @@ from mansion_editing.provisioning.object_search import list_contents
 from mansion_editing.provisioning.usual_places import find_surfaces, relation_of
 from mansion_editing.runs.policies import Action, Outcome
 from mansion_editing.state import Change, SceneState
-from mansion_editing.tools.ledges import free_places, ledges_of
+from mansion_editing.tools.ledges import free_places
+from mansion_editing.tools.rearranging import shifts_for
+from mansion_editing.tools.tops import places_on
 from mansion_msgs_py.editing.changes import ObjectChange
 from mansion_msgs_py.editing.questions import AssetInfo, ObjectInfo
+from mansion_msgs_py.scene import SceneObject
 from mansion_msgs_py.shapes import Point3
 
 __all__ = ["make_room", "move_after_clearing"]
 
 
-def moved_to(item: ObjectInfo, target: str, thought: str) -> Generator[Action, Outcome, str]:
+def moved_to(object_id: str, target: str, thought: str) -> Generator[Action, Outcome, str]:
     """Move an object, and return why it cannot be moved there, empty when it was."""
-    answer = yield Action(thought, "MoveObject", {"object_id": item.id, "receptacle_id": target})
+    answer = yield Action(thought, "MoveObject", {"object_id": object_id, "receptacle_id": target})
     return "" if answer.error is None else answer.error.info.message
 
 
@@ -35,7 +38,7 @@ def move_after_clearing(
     freed = yield from _free_up(item.name, [found[1].size], carriers[0], state)
     if freed is None:
         return reason
-    return (yield from moved_to(item, target, f"{target} has room for {item.id} now."))
+    return (yield from moved_to(item.id, target, f"{target} has room for {item.id} now."))
 
 
 def _carrier(object_id: str) -> Generator[Action, Outcome, list[ObjectInfo]]:
@@ -79,44 +82,67 @@ def _free_up(
     staying: Set[str] = frozenset(),
     relation: str = "on",
 ) -> Generator[Action, Outcome, Point3 | None]:
-    """Move one object to another surface of the room, and return the size that fits in its place.
+    """Move objects aside, or one to another surface of the room, and return the size that fits in its place.
 
-    What this instruction has touched stays, and only one thing makes room for an instruction.
+    What this instruction has touched stays, and only one thing leaves its surface for each new one.
     """
-    touched = {change.id for change in state.pending} | staying
-    if any(_is_elsewhere(change) for change in state.pending):
-        return None
+    touched = {change.id for change in state.pending}
     relation = relation_of(relation, carrier, state)
-    for item in (yield from list_contents(carrier, relation)):
-        found = state.find(item.id)
-        if found is None or item.id in touched or not found[1].pickupable:
+    inside = relation == "in"
+    there = yield from list_contents(carrier, relation)
+    loose = [found for item in there if item.id not in touched and (found := state.find(item.id)) is not None]
+    loose = [found for found in loose if found[1].mount != "floor" and not state.subtree(*found)[1:]]
+    size = yield from _shifted_aside(noun, sizes, carrier, [item for _, item in loose], state, inside=inside)
+    if size is not None:
+        return size
+    new = sum(isinstance(change, ObjectChange) and change.before is None for change in state.pending)
+    if sum(_is_elsewhere(change) for change in state.pending) > new:
+        return None
+    for _, item in loose:
+        if item.id in staying or not item.pickupable or vocabulary_of(state.catalogue).rank(item, noun) >= 2:
             continue
-        if state.subtree(*found)[1:] or vocabulary_of(state.catalogue).rank(found[1], noun) >= 2:
-            continue
-        inside = relation == "in"
-        size = next((size for size in sizes if _fits_without(size, carrier, item, state, inside=inside)), None)
+        size = next((size for size in sizes if _fits_without(size, carrier, item.id, state, inside=inside)), None)
         if size is None:
             continue
         targets = yield from find_surfaces(Scope("room", "", (item.room,)), state)
         for target in targets[:MOST_TARGETS]:
             if target == carrier.id:
                 continue
-            if not (yield from moved_to(item, target, f"{item.id} makes room for the {noun}.")):
+            if not (yield from moved_to(item.id, target, f"{item.id} makes room for the {noun}.")):
+                return size
+    return None
+
+
+def _shifted_aside(
+    noun: str, sizes: list[Point3], carrier: ObjectInfo, loose: list[SceneObject], state: SceneState, *, inside: bool
+) -> Generator[Action, Outcome, Point3 | None]:
+    """Shift what lies on a surface aside on it, and return the size that fits then, None where that is not enough."""
+    found, kind = state.find(carrier.id), state.catalogue.assets.get(carrier.asset_id)
+    if found is None or kind is None or not loose:
+        return None
+    for size in sizes:
+        for ledge in places_on(kind, inside=inside):
+            shifts = shifts_for(state.index(found[0]), found[1], ledge, size, loose)
+            for name, (x, y) in shifts or []:
+                arguments = {"object_id": name, "x": round(x, 4), "y": round(y, 4)}
+                answer = yield Action(f"{name} moves aside for the {noun}.", "MoveObject", arguments)
+                if answer.error is not None:
+                    return None
+            if shifts:
                 return size
     return None
 
 
 def _is_elsewhere(change: Change) -> bool:
-    """Whether a change moved an object that was there before."""
+    """Whether a change brought an object that was there before to another carrier."""
     if not isinstance(change, ObjectChange) or change.before is None or change.after is None:
         return False
-    return change.before.position != change.after.position
+    return change.before.parent != change.after.parent or change.before.room != change.after.room
 
 
-def _fits_without(size: Point3, carrier: ObjectInfo, item: ObjectInfo, state: SceneState, *, inside: bool) -> bool:
+def _fits_without(size: Point3, carrier: ObjectInfo, item: str, state: SceneState, *, inside: bool) -> bool:
     found = state.find(carrier.id)
     kind = state.catalogue.assets.get(carrier.asset_id)
     if found is None or kind is None:
         return False
-    ledges = ledges_of(kind, inside=inside)
-    return bool(free_places(state.index(found[0]), found[1], ledges, size, {item.id}))
+    return bool(free_places(state.index(found[0]), found[1], places_on(kind, inside=inside), size, {item}))

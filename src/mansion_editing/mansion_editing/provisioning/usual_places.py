@@ -10,6 +10,7 @@ from mansion_editing.provisioning.facts import Scope
 from mansion_editing.provisioning.object_search import rooms_of
 from mansion_editing.runs.policies import Action, Outcome, ask
 from mansion_editing.state import SceneState
+from mansion_editing.tools.tops import carries_on_top
 from mansion_knowledge import words_by
 from mansion_msgs_py.editing.questions import AssetInfo, ObjectInfo, ObjectList
 from mansion_msgs_py.scene import SceneRoom
@@ -30,7 +31,7 @@ def relation_of(relation: str, carrier: ObjectInfo, state: SceneState) -> str:
     shelf = any(s.kind == "shelf" for s in asset.surfaces)
     if relation == "in" and not asset.volumes and not shelf:
         return "on"
-    if relation == "on" and not asset.surfaces:
+    if relation == "on" and not carries_on_top(asset):
         return "in"
     return relation
 

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Collection, Iterator
+from itertools import chain
 from typing import TypeAlias
 
 import msgspec
@@ -29,7 +30,7 @@ STEP = 0.25
 APART = 0.6
 """Distance between places that are judged, metres."""
 
-MOST_REFUSED = 8
+MOST_REFUSED = 16
 BACK_GAP = 0.01
 
 Pose: TypeAlias = tuple[float, float, float]
@@ -49,7 +50,10 @@ def stand_on_floor(state: SceneState, thing: SceneObject, where: InRoom) -> Scen
     room = where.room
     w, d, h = thing.size
     refused: list[Point] = []
-    for x, y, rotation in free_floor_places(state, thing, where):
+    tried = [free_floor_places(state, thing, where)]
+    if not thing.openable:
+        tried.append(free_floor_places(state, thing, where, to_be_reached=False))
+    for x, y, rotation in chain.from_iterable(tried):
         if any(math.dist((x, y), other) < APART for other in refused):
             continue
         position = (round(x, 4), round(y, 4), round(h / 2, 4))
@@ -66,10 +70,17 @@ def stand_on_floor(state: SceneState, thing: SceneObject, where: InRoom) -> Scen
     )
 
 
-def free_floor_places(state: SceneState, thing: SceneObject, where: InRoom) -> Iterator[Pose]:
+def free_floor_places(
+    state: SceneState, thing: SceneObject, where: InRoom, *, to_be_reached: bool = True
+) -> Iterator[Pose]:
     """Yield places (x, y, rotation) on the floor of a room: with the back to a wall first, then away from the walls.
 
     Those next to what the wish names come first.
+
+    Parameters
+    ----------
+    to_be_reached : bool
+        A robot is to stand before its front, which is free then; else it may stand close to something.
     """
     near = where.wish.near
     space = FloorSpace(state.scenes[where.floor], where.room, thing, flat=thing.size[2] <= WALKABLE_HEIGHT)
@@ -77,7 +88,7 @@ def free_floor_places(state: SceneState, thing: SceneObject, where: InRoom) -> I
     if near is not None:
         poses.sort(key=lambda pose: round(math.dist(pose[:2], near.position[:2]), 6))
     for pose in poses:
-        if space.is_free(pose):
+        if space.is_free(pose) if to_be_reached else not space.hindrances(pose):
             yield pose
 
 

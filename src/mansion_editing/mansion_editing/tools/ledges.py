@@ -14,7 +14,7 @@ from mansion_msgs_py.scene import SceneObject
 from mansion_msgs_py.shapes import Point, Point3
 from mansion_scene.decor.frames import to_local
 
-__all__ = ["Admit", "Ledge", "Place", "free_places", "ledges_of"]
+__all__ = ["GAP", "Admit", "Ledge", "Place", "free_places", "ledges_of", "obstacles", "places_on_ledge"]
 
 
 class Ledge(NamedTuple):
@@ -120,7 +120,7 @@ def free_places(
         Whether a place may be taken; with it, places turned by all quarters are looked at.
     """
     landmark = None if near is None else to_local(receptacle, near)
-    boxes = _obstacles(index, receptacle, {receptacle.id, *skip})
+    boxes = obstacles(index, receptacle, {receptacle.id, *skip})
     found: list[Place] = []
     for order, ledge in enumerate(_by_height(ledges, receptacle)):
         if size[2] > ledge.headroom - HEADROOM:
@@ -128,7 +128,7 @@ def free_places(
         places = [
             place
             for turn in ((0.0, 90.0) if admit is None else (0.0, 90.0, 180.0, 270.0))
-            for place in _on_ledge(ledge, boxes, size, turn, 0.4 * order + turn / 450.0, landmark, admit)
+            for place in places_on_ledge(ledge, boxes, size, turn, 0.4 * order + turn / 450.0, landmark, admit)
         ]
         places.sort(key=lambda p: p.cost)
         found += _apart(places, 3)
@@ -140,8 +140,8 @@ def _by_height(ledges: Sequence[Ledge], receptacle: SceneObject) -> list[Ledge]:
     return sorted(ledges, key=lambda ledge: abs(receptacle.position[2] + ledge.z - 1.0))
 
 
-def _obstacles(index: FloorIndex, receptacle: SceneObject, skip: set[str]) -> npt.NDArray[np.float64]:
-    """Objects near a receptacle in its frame: x, y, half extents along its axes, lower and upper end."""
+def obstacles(index: FloorIndex, receptacle: SceneObject, skip: set[str]) -> npt.NDArray[np.float64]:
+    """Return objects near a receptacle in its frame: x, y, half extents along its axes, lower and upper end."""
     ancestors = set(skip)
     above = receptacle.parent
     while above is not None and above not in ancestors and above in index.at:
@@ -173,7 +173,7 @@ def _obstacles(index: FloorIndex, receptacle: SceneObject, skip: set[str]) -> np
     return np.array(rows, dtype=float).reshape(-1, 6)
 
 
-def _on_ledge(
+def places_on_ledge(
     ledge: Ledge,
     boxes: npt.NDArray[np.float64],
     size: Point3,
@@ -182,6 +182,7 @@ def _on_ledge(
     landmark: Point | None = None,
     admit: Admit | None = None,
 ) -> list[Place]:
+    """Return the free places on one ledge for an object turned so, the best first; `handicap` adds to their cost."""
     hw, hd = (size[0] / 2, size[1] / 2) if turn % 180.0 == 0.0 else (size[1] / 2, size[0] / 2)
     rx, ry = ledge.w / 2 - hw - 0.002, ledge.d / 2 - hd - 0.002
     if rx < 0 or ry < 0:

@@ -10,12 +10,12 @@ from shapely import Polygon, STRtree
 from mansion_editing.physics.engine import PhysicsEngine
 from mansion_editing.state import SceneState
 from mansion_editing.tools.destinations import Accept, AtReceptacle, InRoom
-from mansion_editing.tools.floor_places import free_floor_places
 from mansion_editing.tools.perception import contents, object_named, on_top
 from mansion_editing.tools.placement import put_in_room
 from mansion_editing.tools.placing_wishes import refusal, wish_of
 from mansion_editing.tools.relations import NO_WISH, PlacingWish, looks_at
 from mansion_editing.tools.resting import settle_on
+from mansion_editing.tools.tops import carries_on_top
 from mansion_geometry.object_footprints import WALKABLE_HEIGHT, footprint, footprint_at
 from mansion_msgs_py.editing.objects import MoveObjectArgs, RemoveObjectArgs, SetStateArgs
 from mansion_msgs_py.errors import ErrorCode, MansionError
@@ -183,7 +183,7 @@ def _target(
     if item.mount in ("wall", "ceiling"):
         raise refusal(f"{item.id} hangs on {with_article(item.mount)}")
     asset = state.asset(receptacle)
-    inside = asset is not None and bool(asset.volumes) and (args.inside or not asset.surfaces)
+    inside = asset is not None and bool(asset.volumes) and (args.inside or not carries_on_top(asset))
     where = AtReceptacle(target, receptacle, inside=inside, wish=wish, companions=own)
     try:
         return target, settle_on(state, item, where, engine)
@@ -205,17 +205,16 @@ def _place_of(item: SceneObject, wish: PlacingWish) -> str:
 
 def _in_room(state: SceneState, item: SceneObject, where: InRoom) -> SceneObject:
     floor, room = where.floor, where.room
-    if where.wish != NO_WISH or item.mount in ("wall", "ceiling"):
-        there = state.find(item.id)
-        known = there is not None and there[0] == floor
-        thing = item if known else msgspec.structs.replace(item, id=state.new_id(floor, room.id, item.category))
-        return put_in_room(state, thing, where)
-    for x, y, rotation in free_floor_places(state, item, where):
-        position = (round(x, 4), round(y, 4), item.size[2] / 2)
-        return msgspec.structs.replace(
-            item, room=room.id, position=position, rotation=rotation, parent=None, mount="floor"
-        )
-    raise refusal(f"no free place for {item.id} in {room.id}")
+    there = state.find(item.id)
+    known = there is not None and there[0] == floor
+    thing = item if known else msgspec.structs.replace(item, id=state.new_id(floor, room.id, item.category))
+    placed = put_in_room(state, thing, where)
+    return placed if where.wish != NO_WISH or item.mount in ("wall", "ceiling") else _unparented(placed)
+
+
+def _unparented(item: SceneObject) -> SceneObject:
+    """Return an object that stands on the floor as carried by nothing."""
+    return msgspec.structs.replace(item, parent=None, mount="floor")
 
 
 def _on_the_spot(

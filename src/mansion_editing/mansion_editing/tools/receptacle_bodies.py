@@ -15,7 +15,7 @@ from mansion_msgs_py.scene import SceneObject
 from mansion_msgs_py.shapes import Point3
 from mansion_scene.decor.frames import to_floor
 
-__all__ = ["half_diagonal", "receptacle_shell", "support_boxes"]
+__all__ = ["half_diagonal", "heights_at", "receptacle_shell", "support_boxes"]
 
 SLAB = 0.03
 """Thickness of what carries, metres."""
@@ -56,12 +56,18 @@ def _swell(item: SceneObject, asset: Asset, ledge: Ledge, spot: tuple[float, flo
     xs = np.clip(spot[0] + steps, ledge.x - ledge.w / 2, ledge.x + ledge.w / 2)
     ys = np.clip(spot[1] + steps, ledge.y - ledge.d / 2, ledge.y + ledge.d / 2)
     points = np.array([(x, y) for x in xs for y in ys])
-    heights = _heights(asset, points, ledge.z - MOST_SWELL, ledge.z + MOST_SWELL)
+    heights = heights_at(asset, points, ledge.z - MOST_SWELL, ledge.z + MOST_SWELL)
     return float(max(0.0, heights.max() - ledge.z)) if heights.size else 0.0
 
 
-def _heights(asset: Asset, points: npt.NDArray[np.float64], low: float, high: float) -> npt.NDArray[np.float64]:
-    """Heights within [low, high] at which verticals through the points meet the mesh."""
+def heights_at(asset: Asset, points: npt.NDArray[np.float64], low: float, high: float) -> npt.NDArray[np.float64]:
+    """Return the heights within [low, high] at which verticals through points meet an asset's mesh, metres.
+
+    Parameters
+    ----------
+    points : (n, 2) array
+        In the asset's frame, as are the heights.
+    """
     found = []
     for part in mesh(asset):
         corners = part.vertices[part.faces]

@@ -8,10 +8,11 @@ from mansion_assets.catalogue import Asset
 from mansion_editing.physics.engine import PhysicsEngine, PosedBox, SettleProblem, SettleResult
 from mansion_editing.state import FloorIndex, SceneState
 from mansion_editing.tools.destinations import AtReceptacle
-from mansion_editing.tools.ledges import Admit, Ledge, Place, free_places, ledges_of
+from mansion_editing.tools.ledges import Admit, Ledge, Place, free_places
 from mansion_editing.tools.placing_wishes import hangs, refusal, wish_words
 from mansion_editing.tools.receptacle_bodies import half_diagonal, receptacle_shell, support_boxes
 from mansion_editing.tools.relations import PlacingWish, fulfils
+from mansion_editing.tools.tops import places_on
 from mansion_msgs_py.scene import SceneObject, SceneRoom
 from mansion_msgs_py.shapes import Point, Point3
 from mansion_msgs_py.wording import with_article
@@ -47,7 +48,7 @@ def settle_on(state: SceneState, thing: SceneObject, where: AtReceptacle, engine
         raise hangs(thing, "it cannot be put anywhere else")
     floor, receptacle, inside, wish = where.floor, where.receptacle, where.inside, where.wish
     asset = state.asset(receptacle)
-    ledges = [] if asset is None else ledges_of(asset, inside=inside)
+    ledges = [] if asset is None else places_on(asset, inside=inside)
     if asset is None or not ledges:
         what = "holds nothing inside" if inside else "has no surface that carries things"
         raise refusal(f"{receptacle.id} ({receptacle.name}) {what}")

@@ -14,6 +14,7 @@ import msgspec
 
 from mansion_geometry.randomness import item_generator
 from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.late_imports import importing
 from mansion_msgs_py.placement import PlacementResult, PlacementRoom
 
 if TYPE_CHECKING:
@@ -154,10 +155,11 @@ def _runs_of(
 
 def _page(room: PlacementRoom, panels: Sequence[Sequence[PlacementResult]], catalogue: "Catalogue | None") -> bytes:
     """Draw a page: a row for each system where it shows several runs, else the systems in one row."""
-    from PIL import Image, ImageDraw
+    with importing:
+        from PIL import Image, ImageDraw
 
-    from mansion_export.pictures.room_picture import room_picture
-    from mansion_export.plan.raster import load_font
+        from mansion_export.pictures.room_picture import room_picture
+        from mansion_export.plan.raster import load_font
 
     several = max(len(results) for results in panels) > 1
     columns = max(len(results) for results in panels) if several else len(panels)

@@ -15,6 +15,7 @@ from mansion_export.meshes.model import Node, Part, assemble
 from mansion_export.meshes.solids import Box, boxes_surface, polygon_surface
 from mansion_export.pictures.renderer import Triangles, View, bounds, flatten, project, render
 from mansion_geometry.compiled import Floats
+from mansion_msgs_py.late_imports import importing
 from mansion_msgs_py.placement import PlacementResult, PlacementRoom
 from mansion_msgs_py.scene import FloorScene, SceneObject
 
@@ -119,7 +120,8 @@ def _scene(room: PlacementRoom, result: PlacementResult, catalogue: Catalogue) -
 
 def _nearest_asset(catalogue: Catalogue, category: str, size: tuple[float, float, float]) -> Asset | None:
     """Return the asset of a category that needs least scaling; the most similar category's where there is none."""
-    from mansion_assets.catalogue.search import search_assets
+    with importing:
+        from mansion_assets.catalogue.search import search_assets
 
     assets = list(catalogue.by_category(category))
     if not assets:

@@ -65,7 +65,7 @@ _AFTER = (
     ("=", "no"),
     ("=", "none"),
     ("not", "included"),
-    *[(verb, "not", "part", "of", what) for verb in ("is", "are") for what in ("it", "this", "that", "the")],
+    *[(verb, "not", "part", "of", what) for verb in ("is", "are") for what in ("it", "this", "that")],
     ("not", "foreseen"),
     ("can", "be", "omitted"),
     ("we", "do", "not", "have"),

@@ -112,7 +112,8 @@ class StoreySequence:
             top = int(reading.value(last + 1))
             self.numbered = FloorRef("range", first, top)
             return ([self.numbered], last + 2) if first < top <= floors else None
-        return ([FloorRef("number", first, first)], last) if first == floors else None
+        counts = not reading.word(index).isdigit() or reading.plural(last) or reading.plural(last + 1)
+        return ([FloorRef("number", first, first)], last) if first == floors and not counts else None
 
     def _next_ordinal(self, index: int, base: FloorRef | None) -> tuple[list[FloorRef], int] | None:
         """Read "third is the library" after "the second has two offices", in a brief of three storeys or more."""

@@ -36,7 +36,7 @@ ANY: Final = RoomShape()
 """A room of which nothing more is known: a rectangle that touches the envelope."""
 
 _BEDROOM: Final = RoomShape(compact=3.0, detour=1.02, corner=1.4)
-"""Bedrooms of real flats (ResPlan) are 1 : 1.24 and fill .95 of their rectangle, those of a free search 1 : 1.7 and .85.
+"""Bedrooms of real flats (ResPlan) are 1 : 1.24 and fill .95 of their rectangle; those of a free search 1 : 1.7, .85.
 
 Chosen on 20 plans; what else was tried is in docs/floor_solver.md.
 """

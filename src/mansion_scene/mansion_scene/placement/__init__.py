@@ -3,6 +3,7 @@
 `place_room` is a pure function of room, seed and options. `warm` compiles its kernels ahead of the first call.
 """
 
+from mansion_msgs_py.late_imports import importing
 from mansion_msgs_py.placement import PlacementResult, PlacementRoom
 from mansion_scene.placement.options import PlacementOptions
 
@@ -36,14 +37,16 @@ def place_room(room: PlacementRoom, *, seed: int, options: PlacementOptions = _D
     MansionError
         ``INVALID_PAYLOAD`` for a polygon that crosses itself, a repeated object name or a reference to an unknown one.
     """
-    from mansion_scene.placement.solver import solve_room
+    with importing:
+        from mansion_scene.placement.solver import solve_room
 
     return solve_room(room, seed, options)
 
 
 def warm() -> None:
     """Compile the machine-code kernels, or load them from the disk cache, by placing a small room."""
-    from mansion_msgs_py.placement import PlacementObject, PlacementOpening
+    with importing:
+        from mansion_msgs_py.placement import PlacementObject, PlacementOpening
 
     room = PlacementRoom(
         room_id="warm",

@@ -15,6 +15,7 @@ from shapely.geometry import LineString, Polygon
 from mansion_geometry.free_space import connected_components
 from mansion_geometry.object_footprints import footprint_at
 from mansion_geometry.robot_body import ROBOT_RADIUS, ROBOT_REACH
+from mansion_msgs_py.late_imports import importing
 from mansion_msgs_py.placement import (
     MatrixStructure,
     PairedStructure,
@@ -298,7 +299,8 @@ def bench(
     dict
         Placement and measures of each run, by room id.
     """
-    from mansion_scene.placement import warm
+    with importing:
+        from mansion_scene.placement import warm
 
     warm()
     chosen = options or PlacementOptions()

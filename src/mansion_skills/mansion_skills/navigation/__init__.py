@@ -1,17 +1,20 @@
 """Where a robot can go: occupancy grids, paths on a floor, routes between floors, and what a laser sees."""
 
+from mansion_msgs_py.late_imports import importing
+
 __all__ = ["warm"]
 
 
 def warm() -> None:
     """Compile and cache the navigation kernels, so that a first robot need not wait."""
-    import numpy as np
+    with importing:
+        import numpy as np
 
-    from mansion_geometry.disc_cells import region_of
-    from mansion_msgs_py.scene import FloorScene, SceneRoom
-    from mansion_skills.navigation.floor_map import Body, FloorMap
-    from mansion_skills.navigation.grid_kernels import best_cells, cast_rays, clearance, sees
-    from mansion_skills.navigation.paths import find_path, free_run
+        from mansion_geometry.disc_cells import region_of
+        from mansion_msgs_py.scene import FloorScene, SceneRoom
+        from mansion_skills.navigation.floor_map import Body, FloorMap
+        from mansion_skills.navigation.grid_kernels import best_cells, cast_rays, clearance, sees
+        from mansion_skills.navigation.paths import find_path, free_run
 
     square = [(0.0, 0.0), (3.0, 0.0), (3.0, 3.0), (0.0, 3.0)]
     room = SceneRoom(id="F1/room", room_type="room", kind="main", polygon=square, net_polygon=square, area=9.0)

@@ -9,6 +9,7 @@ import gymnasium
 import numpy as np
 
 from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.late_imports import importing
 from mansion_msgs_py.task import ProgressScore, Task, read_task_set
 from mansion_msgs_py.world import SkillStatus
 from mansion_tasks.env.bounds import FAR, Bounds, action_space, observation_space
@@ -207,7 +208,8 @@ class BuildingEnv(gymnasium.Env[Values, Any]):  # type: ignore[misc]
 
     def _frame(self, *, depth: bool) -> Any:
         if self._camera is None:
-            from mansion_skills.vision import Camera
+            with importing:
+                from mansion_skills.vision import Camera
 
             self._camera = Camera(self._sandbox.session, *self._size)
         return self._camera.render(depth=depth, segmentation=False)

@@ -9,6 +9,7 @@ import numpy.typing as npt
 
 from mansion_msgs_py.closing import Closing
 from mansion_msgs_py.errors import MansionError
+from mansion_msgs_py.late_imports import importing
 from mansion_skills.engine.session import Session, SharedWorld
 from mansion_skills.vision.annotated_pictures import tile_pages
 from mansion_skills.world.robot_body import RobotBody
@@ -101,7 +102,8 @@ class CameraPictures(Closing):
         if self._camera is None or self._world is not world:
             self.close()
             try:
-                from mansion_skills.vision import Camera
+                with importing:
+                    from mansion_skills.vision import Camera
 
                 session = Session(robot.session, SharedWorld(world), robot, durable=False)
                 self._camera, self._world = Camera(session, *VIEW), world

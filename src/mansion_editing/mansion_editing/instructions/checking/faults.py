@@ -95,8 +95,10 @@ def fault(statement: Statement, before: SceneState, after: SceneState, context: 
         return finding.fault
     rest = sorted(diff.ids - finding.accounted)
     if finding.makes_room:
-        aside = set(_aside(diff, finding))
-        rest = [name for name in rest if name not in aside] if len(aside) <= max(1, len(diff.added)) else rest
+        aside, most = _aside(diff, finding), max(1, len(diff.added))
+        left = [name for name in aside if diff.moved[name][0].parent != diff.moved[name][1].parent]
+        few = len(left) <= most and len(aside) <= _MOST_ASIDE * most
+        rest = [name for name in rest if name not in aside] if few else rest
     if rest:
         return f"{listed(rest)} changed besides what was asked for"
     others = sorted(diff.rooms - finding.rooms)
@@ -148,13 +150,23 @@ _CHECKS: Final[dict[type[Any], Callable[[Any, SceneState, SceneState, Context, D
 }
 
 
+_MOST_ASIDE: Final = 3
+"""How many things may move aside for a new one; only one of them may leave what it lies on."""
+
+
 def _aside(diff: Differences, finding: Finding) -> list[str]:
     """Return the small things that were moved within their room and are not what the statement is about."""
     return [
         name
         for name, (old, new) in diff.moved.items()
-        if name not in finding.accounted and old.pickupable and old.room == new.room and name not in diff.changed
+        if name not in finding.accounted and name not in diff.changed and _is_aside(old, new)
     ]
+
+
+def _is_aside(old: SceneObject, new: SceneObject) -> bool:
+    """Whether a thing lies elsewhere on what it lay on, or, where a hand can carry it, elsewhere in its room."""
+    on_it = old.parent is not None and old.parent == new.parent and old.mount != "floor"
+    return old.room == new.room and (on_it or old.pickupable)
 
 
 def moved_aside(step: Step) -> list[str]:
@@ -165,8 +177,12 @@ def moved_aside(step: Step) -> list[str]:
     finding = _finding(step.statement, step.before, step.after, step.context, diff)
     if not finding.makes_room:
         return []
-    carriers = {name: diff.moved[name][1].parent for name in _aside(diff, finding)}
-    return [f"{name} made room and is now on {parent}" for name, parent in carriers.items()]
+    out = []
+    for name in _aside(diff, finding):
+        old, new = diff.moved[name]
+        where = "moved aside on" if old.parent == new.parent else "made room and is now on"
+        out.append(f"{name} {where} {new.parent}")
+    return out
 
 
 def _lasting(statement: Statement, first: SceneState, last: SceneState, context: Context) -> str:

@@ -16,7 +16,12 @@ from mansion_editing.instructions.meaning.choices import concerned
 from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.descriptions import all_at, anchors_of, carried_by, things_of
 from mansion_editing.instructions.meaning.nouns import is_loose
-from mansion_editing.instructions.meaning.numbers import means_any_in_each_room, means_several, new_number
+from mansion_editing.instructions.meaning.numbers import (
+    is_shared_out,
+    means_any_in_each_room,
+    means_several,
+    new_number,
+)
 from mansion_editing.instructions.meaning.sparing import spared_among
 from mansion_editing.instructions.meaning.wording import place_words, thing_words
 from mansion_editing.instructions.statements import Add, Clear, Ensure, Place, Remove, Replace, Things
@@ -68,7 +73,9 @@ def check_add(statement: Add, before: SceneState, after: SceneState, context: Co
     new = set().union(*at)
     number = new_number(things)
     counts = [len(ids) for ids in at]
-    if _for_each(place, each=statement.each):
+    if is_shared_out(things, place, each=statement.each):
+        holds = len(new) == number
+    elif _for_each(place, each=statement.each):
         holds = bool(counts) and all(count >= number for count in counts) and len(new) == number * len(counts)
     else:
         holds = number in counts and len(new) % number == 0
@@ -82,7 +89,7 @@ def check_ensure(
     statement: Ensure, before: SceneState, after: SceneState, context: Context, diff: Differences
 ) -> Finding:
     """Check the number at the place, that no more came than were missing, and that none left unasked."""
-    things, place = statement.things, _whole(statement.things, statement.place)
+    things, place = _named(statement.things, context), _whole(statement.things, statement.place)
     kind = things.amount.kind
     if kind == "more":
         return check_add(Add(things=things, place=place, each=statement.each), before, after, context, diff)
@@ -101,6 +108,8 @@ def check_ensure(
     came = {name for ids in news for name in ids} & set(diff.added)
     gone = {name for ids in olds for name in ids} & set(diff.removed)
     most = sum(max(0, number - len(ids)) for ids in olds)
+    if is_shared_out(things, place, each=statement.each):
+        most = max(0, number - len(set().union(*olds)))
     reason = ""
     if not holds:
         counts = ", ".join(str(len(ids) or "none") for ids in news) or "none"

@@ -25,6 +25,7 @@ from mansion_editing.provisioning.usual_places import find_surfaces
 from mansion_editing.runs.policies import Action, Outcome, Unmet, ask
 from mansion_editing.state import SceneState
 from mansion_editing.tools.perception import object_info
+from mansion_editing.tools.tops import carries_on_top
 from mansion_msgs_py.scene import SceneObject
 
 __all__ = ["facing_rotation", "move", "swap", "turn"]
@@ -54,7 +55,7 @@ def move(statement: Move, state: SceneState, context: Context) -> Work:
     place = at_home(state, things, place, context)
     place, context = _on_other_storey(state, things, place, context)
     targets = _targets(state, place, context, found if len(found) == 1 else ())
-    there = {item.id for item in all_at(state, found, place, context)}
+    there = _already_there(state, found, place, targets, context)
     away = [item for item in found if item.id not in there]
     single = not things.plural and things.amount.number <= 1 and things.amount.kind in ("some", "all")
     reached = {target.room for target in targets}
@@ -80,6 +81,17 @@ def move(statement: Move, state: SceneState, context: Context) -> Work:
     source = tuple(dict.fromkeys(item.room for item in chosen))
     context = context.followed((), source, "") if len(source) == 1 else context
     return Done("; ".join(replies), context.followed(ids, rooms, things.noun))
+
+
+def _already_there(
+    state: SceneState, found: list[SceneObject], place: Place, targets: list[Target], context: Context
+) -> set[str]:
+    """Return the ids of things that are at the place: at the very one that words mean where they mean one."""
+    if not targets or place.anchor is None or not means_one(place.anchor):
+        return {item.id for item in all_at(state, found, place, context)}
+    exact = [msgspec.structs.replace(place, anchor=Things(noun=t.anchor.id)) for t in targets if t.anchor is not None]
+    exact = [msgspec.structs.replace(one, rooms=None) for one in exact]
+    return {item.id for one in exact for item in all_at(state, found, one, context)}
 
 
 def _refuse_guesses(statement: Move, chosen: list[SceneObject], reached: Set[str], context: Context) -> None:
@@ -214,7 +226,7 @@ def _only_inside(object_id: str, place: Place, target: Target, state: SceneState
     """Whether an object went into a piece of furniture on whose top it should lie."""
     asset = None if target.anchor is None else state.asset(target.anchor)
     (item,) = live(state, [object_id])
-    return place.relation == "on" and asset is not None and bool(asset.surfaces) and item.mount == "inside"
+    return place.relation == "on" and asset is not None and carries_on_top(asset) and item.mount == "inside"
 
 
 def _only_on_top(object_id: str, place: Place, target: Target, state: SceneState) -> bool:

@@ -15,7 +15,9 @@ from mansion_editing.instructions.meaning.descriptions import all_at, rooms_of, 
 from mansion_editing.instructions.meaning.nouns import called, has_material
 from mansion_editing.instructions.meaning.numbers import (
     is_one_of_each_room,
+    is_shared_out,
     means_any_in_each_room,
+    means_one,
     means_several,
     new_number,
 )
@@ -74,12 +76,46 @@ def add(statement: Add, state: SceneState, context: Context) -> Work:
     if place.anchor is not None and place.anchor.amount.of:  # on one of the desks: first on those without such a thing
         groups = [sorted(g, key=lambda target: len(at_target(state, things, place, target, context))) for g in groups]
     made: list[str] = []
-    before = 0
-    for group in groups:
-        before += sum(len(at_target(state, things, place, target, context)) for target in group)
-        made += yield from place_at(things, number, place, group, state)
+    before = sum(len(at_target(state, things, place, t, context)) for group in groups for t in group)
+    if is_shared_out(things, place, each=statement.each):
+        made = yield from _shared_out(things, number, place, groups, state, context)
+    else:
+        for group in groups:
+            made += yield from place_at(things, number, place, group, state)
     done = _added_reply(things, place, before, made, state, context)
-    return replace(done, reply=done.reply + _brought_to_carry(groups, known))
+    chosen = _chosen_of_several(things, place, groups, made, state, context)
+    return replace(done, reply=done.reply + chosen + _brought_to_carry(groups, known))
+
+
+def _chosen_of_several(
+    things: Things,
+    place: Place,
+    groups: Sequence[Sequence[Target]],
+    made: Sequence[str],
+    state: SceneState,
+    context: Context,
+) -> str:
+    """Return words for the one that was taken where words for one thing ("beside the chair") fit several alike."""
+    if place.anchor is None or not means_one(place.anchor) or max(map(len, groups), default=0) < 2:
+        return ""
+    for group in groups:
+        for target in group:
+            if target.anchor and any(i.id in made for i in at_target(state, things, place, target, context)):
+                return f", at {target.anchor.id}, one of {len(group)}"
+    return ""
+
+
+def _shared_out(
+    things: Things, number: int, place: Place, groups: Sequence[Sequence[Target]], state: SceneState, context: Context
+) -> Made:
+    """Place so many things on several pieces of furniture together: each next one where the fewest are."""
+    targets = [target for group in groups for target in group]
+    one = msgspec.structs.replace(things, amount=Amount(number=1), plural=False)
+    made: list[str] = []
+    for _ in range(number):
+        order = sorted(targets, key=lambda target: len(at_target(state, things, place, target, context)))
+        made += yield from place_at(one, 1, place, order, state)
+    return made
 
 
 def _added_reply(
@@ -275,20 +311,28 @@ def place_at(things: Things, number: int, place: Place, targets: Sequence[Target
     """
     assets = yield from _assets_of(things, state)
     reasons: list[str] = []
-    for target in targets[:MOST_CARRIERS]:
-        made: list[str] = []
-        for _ in range(number):
-            one, reason = yield from _place_one(things, assets, place, target, state, alone=len(targets) == 1)
-            if not one:
-                reasons.append(reason)
-                break
-            made.append(one)
-        if len(made) == number:
-            yield from _finished(things, made, state)
-            return made
-        for object_id in reversed(made):
-            yield from ask("They do not all fit there.", "RemoveObject", {"object_id": object_id})
+    for kinds, clearing in _attempts(assets, number):
+        for target in targets[:MOST_CARRIERS]:
+            made: list[str] = []
+            for _ in range(number):
+                one, reason = yield from _place_one(things, kinds, place, target, state, clearing=clearing)
+                if not one:
+                    reasons.append(reason)
+                    break
+                made.append(one)
+            if len(made) == number:
+                yield from _finished(things, made, state)
+                return made
+            for object_id in reversed(made):
+                yield from ask("They do not all fit there.", "RemoveObject", {"object_id": object_id})
     raise Unmet("; ".join(dict.fromkeys(reasons)) or f"there is no place for {thing_words(things)}")
+
+
+def _attempts(assets: list[AssetInfo], number: int) -> list[tuple[list[AssetInfo], bool]]:
+    """Return which assets are tried in turn, and whether what is in the way may make room: small ones before that."""
+    small = sorted(assets, key=lambda asset: (asset.category != assets[0].category, asset.size[0] * asset.size[1]))
+    tried = [(assets, False), (small, False)] if number > 1 and small[0] != assets[0] else [(assets, False)]
+    return [*tried, (small if number > 1 else assets, True)]
 
 
 def _assets_of(things: Things, state: SceneState) -> Generator[Action, Outcome, list[AssetInfo]]:
@@ -302,7 +346,7 @@ def _assets_of(things: Things, state: SceneState) -> Generator[Action, Outcome, 
 
 
 def _place_one(
-    things: Things, assets: list[AssetInfo], place: Place, target: Target, state: SceneState, *, alone: bool
+    things: Things, assets: list[AssetInfo], place: Place, target: Target, state: SceneState, *, clearing: bool
 ) -> Generator[Action, Outcome, tuple[str, str]]:
     colour, wishes = things.colour, wishes_of(place, target)
     if target.anchor is not None and place.relation in ("on", "in"):
@@ -315,7 +359,7 @@ def _place_one(
         made, reason = yield from place_any(
             assets, carrier.id, relation, colour=colour, name=things.noun, wishes=wishes
         )
-        if not made and alone:
+        if not made and clearing:
             there = [item for _, item in state.objects() if item.parent == carrier.id]
             alike = {item.id for item in called(state, there, things.noun, many=True)}
             thing = ObjectDescription(things.noun, 1, colour)
@@ -375,28 +419,41 @@ def ensure(statement: Ensure, state: SceneState, context: Context) -> Work:
     else:
         groups = yield from _groups(things, place, state, context, each=several)
     _refuse_other_number_lacking(statement, things, place, groups, state, context)
-    had, made, gone = 0, [], []
-    for group in groups:
-        there = [(target, at_target(state, things, place, target, context)) for target in group]
-        whole = place.anchor is None
-        best = max(there, key=lambda pair: len(pair[1]), default=None)
-        found = list({i.id: i for _, items in there for i in items}.values())
-        if not whole and (best is None or kind in ("exactly", "at_most", "none") or len(found) < number):
-            found = best[1] if best else []
-        had += len(found)
-        if len(found) > number and kind in ("exactly", "at_most", "none"):
-            surplus = found[number:]
-            gone += yield from removed(surplus, state)
-        elif len(found) < number and least and best is not None:
-            order = [best[0], *(target for target in group if target is not best[0])]
-            anywhere = whole or (not found and means_any_in_each_room(place))
-            made += yield from place_at(things, number - len(found), place, order if anywhere else order[:1], state)
+    if is_shared_out(things, place, each=statement.each):
+        had = len({i.id for g in groups for t in g for i in at_target(state, things, place, t, context)})
+        made = yield from _shared_out(things, max(0, number - had), place, groups, state, context)
+        gone: list[str] = []
+    else:
+        had, made, gone = yield from _as_many_in_each(things, number, place, groups, state, context)
     items = live(state, made)
     rooms = tuple(dict.fromkeys([*(i.room for i in items), *(t.room for g in groups for t in g[:1])]))
     reply = f"{there_were(had, things.noun)} {place_in(state, place, context) or 'in the building'}"
     reply += _changed(had, made, gone) + _brought_to_carry(groups, before) + _passed_over(state, place, context)
     known = made or [i.id for g in groups for t in g for i in at_target(state, things, place, t, context)]
     return Done(reply, context.followed(known, rooms[:1], things.noun))
+
+
+def _as_many_in_each(
+    things: Things, number: int, place: Place, groups: Sequence[Sequence[Target]], state: SceneState, context: Context
+) -> Generator[Action, Outcome, tuple[int, list[str], list[str]]]:
+    """Bring what is missing in each group of places and take away the surplus; return how many were there, and both."""
+    kind = things.amount.kind
+    least, whole = kind not in ("at_most", "none"), place.anchor is None
+    had, made, gone = 0, [], []
+    for group in groups:
+        there = [(target, at_target(state, things, place, target, context)) for target in group]
+        best = max(there, key=lambda pair: len(pair[1]), default=None)
+        found = list({i.id: i for _, items in there for i in items}.values())
+        if not whole and (best is None or kind in ("exactly", "at_most", "none") or len(found) < number):
+            found = best[1] if best else []
+        had += len(found)
+        if len(found) > number and kind in ("exactly", "at_most", "none"):
+            gone += yield from removed(found[number:], state)
+        elif len(found) < number and least and best is not None:
+            order = [best[0], *(target for target in group if target is not best[0])]
+            anywhere = whole or (not found and means_any_in_each_room(place))
+            made += yield from place_at(things, number - len(found), place, order if anywhere else order[:1], state)
+    return had, made, gone
 
 
 def _refuse_other_number_lacking(

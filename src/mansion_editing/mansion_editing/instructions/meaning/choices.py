@@ -8,7 +8,7 @@ import msgspec
 from mansion_assets.catalogue.vocabulary import stems
 from mansion_editing.instructions.meaning.context import Context, ambiguous
 from mansion_editing.instructions.meaning.descriptions import all_at, anchors_of, rooms_of, things_of
-from mansion_editing.instructions.meaning.numbers import by_holder, counts_each, is_one, means_one
+from mansion_editing.instructions.meaning.numbers import by_holder, counts_each, is_one, means_one, of_one_kind
 from mansion_editing.instructions.meaning.room_words import room_title
 from mansion_editing.instructions.meaning.wording import (
     at_words,
@@ -68,8 +68,9 @@ def one_room_each(state: SceneState, rooms: Rooms, context: Context, fits: Fit |
         raise MansionError(ErrorCode.NOT_FOUND, message)
     if len(found) > 1 and is_one(rooms):
         fitting = [room for room in found if fits is not None and fits(room)]
+        fitting = fitting if len(fitting) == 1 else context.brief.rooms_first(fitting or found)
         if len(fitting) != 1:
-            candidates = fitting or found
+            candidates = fitting
             raise ambiguous(f"the {room_words(rooms)}", [room_title(state, r) for r in candidates], candidates)
         return fitting
     return found
@@ -184,12 +185,10 @@ def _counted_out(
     surplus: bool,
 ) -> list[SceneObject]:
     """Return as many of the objects that words fit as they say."""
-    amount, count = things.amount, len(found)
-    if amount.of and amount.of != count:
-        are = "is" if count == 1 else "are"
-        kind = counted(count, bare_words(things))
-        message = f"there {are} {kind}{at_words(things.place)}, not {amount.of}: {_ids(found)}"
-        raise MansionError(ErrorCode.INFEASIBLE, message)
+    amount = things.amount
+    found = of_one_kind(found, _number_told(things)) or found
+    count = len(found)
+    _refuse_other_whole(things, found)
     if amount.kind == "all":
         if amount.number > 1 and amount.number != count:
             raise too_few(things, found)
@@ -213,8 +212,33 @@ def _counted_out(
         raise too_few(things, found)
     found = _counted_here(state, things, found, number, context)
     if things.definite and not things.refers and number < count and not amount.of:
+        asked = context.brief.things_first(found, things.noun)
+        if len(asked) == number:
+            return asked
         raise ambiguous(thing_words(things), [title_of(state, item) for item in found], [i.id for i in found])
     return _any_of(state, found, number)
+
+
+def _refuse_other_whole(things: Things, found: list[SceneObject]) -> None:
+    """Refuse ``two of the four`` where there are not four.
+
+    Raises
+    ------
+    MansionError
+    """
+    amount, count = things.amount, len(found)
+    if amount.of and amount.of != count:
+        kind = counted(count, bare_words(things))
+        message = (
+            f"there {'is' if count == 1 else 'are'} {kind}{at_words(things.place)}, not {amount.of}: {_ids(found)}"
+        )
+        raise MansionError(ErrorCode.INFEASIBLE, message)
+
+
+def _number_told(things: Things) -> int:
+    """Return how many there are by the words themselves: ``the four tables``, ``two of the four``; 0 where untold."""
+    amount = things.amount
+    return amount.of or (amount.number if things.definite and amount.kind in ("some", "all") else 0)
 
 
 def _counted_here(
@@ -257,7 +281,10 @@ def _the_one(
     near = context.nearest([item.room for item in found])
     here = [item for item in found if item.room in near]
     own = [item for item in here if is_of_its_room(state, item, things.noun)]
-    found = next((few for few in (preferred, here, own) if len(few) == 1), found)
+    asked = context.brief.things_first(here, things.noun)
+    found = next((few for few in (preferred, here, own, asked) if len(few) == 1), found)
+    if len(found) > 1 and context.brief.wants_one(asked, things.noun):
+        return asked[:1]
     if len(found) > 1:
         raise ambiguous(thing_words(things), [title_of(None, item) for item in found], [item.id for item in found])
     return found
@@ -307,7 +334,10 @@ def _at_one_place(state: SceneState, place: Place, found: list[SceneObject], con
         return found
     rooms = sorted({item.room for item in found})
     if place.rooms is not None and is_one(place.rooms) and len(rooms) > 1:
-        raise ambiguous(f"the {room_words(place.rooms)}", [room_title(state, room) for room in rooms], rooms)
+        rooms = context.brief.rooms_first(rooms)
+        if len(rooms) > 1:
+            raise ambiguous(f"the {room_words(place.rooms)}", [room_title(state, room) for room in rooms], rooms)
+        found = [item for item in found if item.room == rooms[0]]
     if place.anchor is None or not means_one(place.anchor):
         return found
     anchors = anchors_of(state, place, context)

@@ -1,8 +1,9 @@
 """What was mentioned before, and words that fit several things."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 
+from mansion_editing.instructions.meaning.brief import Asked
 from mansion_msgs_py.errors import ErrorCode, MansionError
 
 __all__ = ["Ambiguous", "Context", "ambiguous"]
@@ -34,6 +35,8 @@ class Context:
         went there before.
     earlier : tuple of str
         Ids of single rooms that were mentioned before `rooms`, the last one last.
+    brief : Asked
+        What the building's brief asked for.
     """
 
     things: tuple[str, ...] = ()
@@ -43,20 +46,20 @@ class Context:
     holders: tuple[str, ...] = ()
     assumed: frozenset[str] = frozenset()
     earlier: tuple[str, ...] = ()
+    brief: Asked = field(default_factory=Asked)
 
     def followed(
         self, things: Sequence[str], rooms: Sequence[str], noun: str, holders: Sequence[str] = ()
     ) -> "Context":
         """Return the context after something else was mentioned; what was not stays."""
         left = self.rooms if rooms and len(self.rooms) == 1 and tuple(rooms) != self.rooms else ()
-        return Context(
-            tuple(things) or self.things,
-            tuple(rooms) or self.rooms,
-            noun or self.noun,
-            self.kept,
-            tuple(holders) or (() if things else self.holders),
-            self.assumed,
-            (*self.earlier, *left),
+        return replace(
+            self,
+            things=tuple(things) or self.things,
+            rooms=tuple(rooms) or self.rooms,
+            noun=noun or self.noun,
+            holders=tuple(holders) or (() if things else self.holders),
+            earlier=(*self.earlier, *left),
         )
 
     def nearest(self, rooms: Sequence[str]) -> frozenset[str]:

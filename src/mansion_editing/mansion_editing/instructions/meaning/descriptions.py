@@ -10,12 +10,13 @@ from shapely import Polygon
 from mansion_assets.catalogue.vocabulary import stems
 from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.nouns import called, has_colour, has_material, id_order
-from mansion_editing.instructions.meaning.numbers import means_several
+from mansion_editing.instructions.meaning.numbers import means_several, of_one_kind
 from mansion_editing.instructions.meaning.room_words import adjoining, best_named, room_order
 from mansion_editing.instructions.statements import JOINED, Place, Rooms, Things
 from mansion_editing.state import SceneState
 from mansion_editing.tools.perception import contents, on_top
 from mansion_editing.tools.relations import relation_holds
+from mansion_editing.tools.tops import carries_on_top
 from mansion_msgs_py.editing.objects import Side
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import SceneObject, SceneRoom
@@ -142,7 +143,7 @@ def things_of(state: SceneState, things: Things, context: Context) -> list[Scene
     pool = [item for item in pool if _has_traits(item, things)]
     apart = not many and things.place is not None and _are_several(things.place.rooms)
     if noun or not things.refers:
-        pool = _called(state, pool, noun, apart=apart, many=True)
+        pool = _called(state, pool, noun, apart=apart, many=True, every=things.amount.kind == "all")
     if things.place is not None:
         at = _Placed(state, things.place, context)
         pool = [item for item in pool if at.holds(item)]
@@ -161,11 +162,11 @@ def _are_several(rooms: Rooms | None) -> bool:
 
 
 def _called(
-    state: SceneState, pool: list[SceneObject], noun: str, *, apart: bool, many: bool = False
+    state: SceneState, pool: list[SceneObject], noun: str, *, apart: bool, many: bool = False, every: bool = False
 ) -> list[SceneObject]:
     """Return what a noun names; `apart`, in each room for itself: "the toilet" of every bathroom."""
     if not apart:
-        return called(state, pool, noun, many=many)
+        return called(state, pool, noun, many=many, every=every)
     groups: dict[str, list[SceneObject]] = {}
     for item in pool:
         groups.setdefault(item.room, []).append(item)
@@ -295,7 +296,7 @@ def carried_by(state: SceneState, holder: SceneObject, relation: str) -> list[Sc
     if found is None:
         return []
     floor, index, asset = found[0], state.index(found[0]), state.asset(holder)
-    surfaces, volumes = (bool(asset.surfaces), bool(asset.volumes)) if asset is not None else (True, True)
+    surfaces, volumes = (carries_on_top(asset), bool(asset.volumes)) if asset is not None else (True, True)
     out: list[SceneObject] = []
     if relation != "in" or not volumes:
         out += on_top(index, holder, asset)
@@ -315,13 +316,28 @@ def anchors_of(state: SceneState, place: Place, context: Context) -> list[SceneO
     if anchor.refers == "last" and not anchor.noun and place.relation in ("on", "in", "under", ""):
         return _receptacles_meant(state, anchor, context)
     if place.rooms is not None and anchor.place is None:
-        return things_of(state, msgspec.structs.replace(anchor, place=Place(rooms=place.rooms)), context)
+        within = Place(rooms=place.rooms)
+        return _as_many(things_of(state, msgspec.structs.replace(anchor, place=within), context), anchor)
     if place.rooms is not None and anchor.place is not None and anchor.place.rooms is None:
         within = msgspec.structs.replace(anchor.place, rooms=place.rooms)
         anchor = msgspec.structs.replace(anchor, place=within)
     found = things_of(state, anchor, context)
     rooms = None if place.rooms is None else set(rooms_of(state, place.rooms, context))
-    return [item for item in found if rooms is None or item.room in rooms]
+    if (
+        rooms is None
+        and anchor.definite
+        and means_several(anchor)
+        and not (anchor.refers or anchor.owned or anchor.place)
+    ):
+        found = [item for item in found if item.room in context.rooms] or found
+    return _as_many([item for item in found if rooms is None or item.room in rooms], anchor)
+
+
+def _as_many(found: list[SceneObject], anchor: Things) -> list[SceneObject]:
+    """Return the kind of which there are as many as words say, where there are more of several kinds."""
+    number = anchor.amount.of or anchor.amount.number
+    told = anchor.definite or anchor.amount.of
+    return (of_one_kind(found, number) if told and anchor.amount.kind in ("some", "all") else None) or found
 
 
 def _receptacles_meant(state: SceneState, anchor: Things, context: Context) -> list[SceneObject]:

@@ -32,6 +32,7 @@ _APPLIANCES: Final = (
     "fridge", "freezer", "stove", "oven", "dishwasher", "microwave", "toaster", "kettle", "coffee_machine", "blender",
     "washing_machine", "clothes_dryer", "rice_cooker", "minibar",
 )  # fmt: skip
+_COMPUTERS: Final = ("laptop", "monitor", "computer_tower", "desktop_computer", "all_in_one_computer")
 _TOYS: Final = ("teddy_bear", "toy_car", "toy_blocks", "doll", "board_game", "rocking_horse", "toy_kitchen")
 _BOOKS: Final = ("book", "book_stack", "book_upright")
 _CLOTHES: Final = ("boots", "sneakers", "slippers", "work_gloves")
@@ -107,6 +108,7 @@ _MANY: Final[dict[str, Callable[[SceneObject], bool]]] = {
     "alcohol": _one_of(("beer_bottle", "wine_bottle", "beer_tap")),
     "appliance": _ending(_APPLIANCES),
     "toy": _one_of(_TOYS),
+    "computer": _one_of(_COMPUTERS),
     "book": _one_of(_BOOKS),
     "shoe": _one_of(_CLOTHES),
 }  # fmt: skip
@@ -122,7 +124,9 @@ def names_many(noun: str) -> bool:
     return not noun or " ".join(stems(noun)) in _MANY
 
 
-def called(state: SceneState, items: Iterable[SceneObject], noun: str, *, many: bool = False) -> list[SceneObject]:
+def called(
+    state: SceneState, items: Iterable[SceneObject], noun: str, *, many: bool = False, every: bool = False
+) -> list[SceneObject]:
     """Return the objects that a noun names, in the order of their ids.
 
     Parameters
@@ -132,11 +136,12 @@ def called(state: SceneState, items: Iterable[SceneObject], noun: str, *, many: 
     many : bool
         The noun stands in the plural, or for all: kinds whose name ends with it answer too (office desks are desks).
         Else a kind of exactly this name is preferred where there is one.
+    every : bool
+        All of the kind are meant: pendant lamps too where all lamps are.
     """
     pool = sorted(items, key=id_order)
     words = " ".join(stems(noun))
-    whole = [item for item in pool if item.id.lower() == noun.strip().lower()]
-    if whole:
+    if whole := [item for item in pool if item.id.lower() == noun.strip().lower()]:
         return whole
     tail = noun.strip().lower().replace(" ", "_")
     ended = [item for item in pool if re.search(r"_\d+$", tail) and item.id.lower().endswith(f"/{tail}")]
@@ -148,8 +153,7 @@ def called(state: SceneState, items: Iterable[SceneObject], noun: str, *, many: 
     ranks = _ranks(state, pool, noun)
     alike = [item for item in pool if ranks[item.id] >= 2 or (general is not None and general(item))]
     if words == "lamp":
-        # People call what hangs from the ceiling a light where other lamps stand in the room.
-        alike = [item for item in alike if item.mount != "ceiling"] or alike
+        alike = [item for item in alike if item.mount != "ceiling" or (every and _hangs_as_lamp(item))] or alike
     if not alike and words:
         vocabulary = vocabulary_of(state.catalogue)
         holder = words in HOLDERS and words.replace(" ", "_") in vocabulary.exact(stems(noun))  # no yogurt cups
@@ -165,6 +169,11 @@ def called(state: SceneState, items: Iterable[SceneObject], noun: str, *, many: 
     if alike or vocabulary_of(state.catalogue).nouns(noun):
         return alike
     return [item for item in pool if ranks[item.id] == 1]
+
+
+def _hangs_as_lamp(item: SceneObject) -> bool:
+    """Whether what hangs is a lamp by its kind; the rest people call a light where other lamps stand in the room."""
+    return item.category.endswith("lamp")
 
 
 def _by_another_name(state: SceneState, pool: Iterable[SceneObject], noun: str) -> list[SceneObject]:

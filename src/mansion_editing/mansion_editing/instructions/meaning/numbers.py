@@ -12,10 +12,12 @@ __all__ = [
     "counts_each",
     "is_one",
     "is_one_of_each_room",
+    "is_shared_out",
     "means_any_in_each_room",
     "means_one",
     "means_several",
     "new_number",
+    "of_one_kind",
 ]
 
 LEAST_PLURAL: Final = 2
@@ -85,3 +87,31 @@ def is_one_of_each_room(place: Place) -> bool:
         return False
     one = means_one(anchor) and not (anchor.each or anchor.refers)
     return one and (rooms.every or rooms.number > 1)
+
+
+def is_shared_out(things: Things, place: Place, *, each: bool) -> bool:
+    """Whether a number is that of all places together: ``five boxes on the shelves``, not ``on each shelf``.
+
+    One thing for a plural ("a vase on the tables") is one for each of them.
+    """
+    anchor = place.anchor
+    if (
+        anchor is None
+        or each
+        or anchor.each
+        or place.relation not in ("on", "in")
+        or things.amount.number < LEAST_PLURAL
+    ):
+        return False
+    counted = things.amount.kind in ("some", "more", "at_least") and not things.amount.of
+    plain = anchor.definite and anchor.plural and anchor.amount.kind == "some" and not anchor.amount.of
+    return counted and plain and anchor.amount.number <= things.amount.number
+
+
+def of_one_kind(items: Sequence[SceneObject], number: int) -> list[SceneObject] | None:
+    """Return the only kind of which there are just so many: of five tables the four that are reading tables."""
+    kinds: dict[str, list[SceneObject]] = {}
+    for item in items:
+        kinds.setdefault(item.category, []).append(item)
+    fitting = [group for group in kinds.values() if len(group) == number]
+    return fitting[0] if len(fitting) == 1 and number > 1 and len(items) > number else None

@@ -74,7 +74,7 @@ def places_of(
         if place.rooms is not None:
             one_room_each(state, place.rooms, context, fits)
         return []
-    found = _at_one_room(state, place, found)
+    found = _at_one_room(state, place, found, context)
     if means_one(anchor) and not each and len(found) > 1:
         found = _alike(state, place, anchor, found, context)
     elif names_any(place) and place.rooms is None and not each:
@@ -96,9 +96,12 @@ def names_any(place: Place) -> bool:
     return anchor.amount.kind == "some" and anchor.amount.number == 1 and not anchor.plural
 
 
-def _at_one_room(state: SceneState, place: Place, found: list[SceneObject]) -> list[SceneObject]:
+def _at_one_room(state: SceneState, place: Place, found: list[SceneObject], context: Context) -> list[SceneObject]:
     rooms = sorted({item.room for item in found})
     if place.rooms is not None and is_one(place.rooms) and len(rooms) > 1:
+        rooms = context.brief.rooms_first(rooms)
+        if len(rooms) == 1:
+            return [item for item in found if item.room == rooms[0]]
         raise ambiguous(f"the {room_words(place.rooms)}", [room_title(state, room) for room in rooms], rooms)
     return found
 
@@ -106,7 +109,7 @@ def _at_one_room(state: SceneState, place: Place, found: list[SceneObject]) -> l
 def _alike(
     state: SceneState, place: Place, anchor: Things, found: list[SceneObject], context: Context
 ) -> list[SceneObject]:
-    """Return what "the table" may be: any table of one kind in one room, where something shall lie on it."""
+    """Return what "the table" may be: any table of one kind in one room, where something shall be on or at it."""
     last = [item for item in found if item.id in context.things]
     if last:
         return last if place.relation in ("on", "in") else last[:1]
@@ -114,10 +117,9 @@ def _alike(
     found = [item for item in found if item.room in near]
     own = {item.id for item in found if is_of_its_room(state, item, anchor.noun)}
     found = [item for item in found if item.id in own] or found
+    found = context.brief.things_first(found, anchor.noun)
     kinds = {(item.room, item.category) for item in found}
-    if len(found) == 1:
-        return found
-    if place.relation in ("on", "in") and len(kinds) == 1:
+    if len(found) == 1 or (len(kinds) == 1 and place.relation not in ("", "between")):
         return found
     raise ambiguous(thing_words(anchor), [title_of(state, item) for item in found], [item.id for item in found])
 

@@ -19,7 +19,7 @@ ANYTHING = frozenset(["thing", "object", "stuff", "item", "content", "everything
 
 HYPERNYMS = frozenset(
     "furniture light lighting seat seating drink fruit electronics decoration appliance food cutlery tableware "
-    "dish toy device equipment vegetable plant storage kitchenware alcohol beverage gadget water wine".split()
+    "dish toy device equipment computer vegetable plant storage kitchenware alcohol beverage gadget water wine".split()
 )
 """Nouns for objects of several categories."""
 

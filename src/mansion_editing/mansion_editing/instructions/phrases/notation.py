@@ -101,7 +101,7 @@ def _less_or_more(words: list[Word], at: int) -> tuple[list[Word], int]:
     number = words[at + 1] if at + 1 < len(words) else None
     if number is None or number.kind != "number":
         return [words[at]], 1
-    if words[at].text == "plus":
+    if words[at].text in ("plus", "+"):
         return [number, _inserted("more", number.end)], 2
     end = at + 2
     while end < len(words) and words[end].kind == "word" and words[end].text not in PREPOSITIONS | {"and"}:
@@ -115,7 +115,7 @@ def _with_differences(words: list[Word]) -> list[Word]:
     at = 0
     while at < len(words):
         sign = words[at]
-        if sign.text in ("minus", "plus") and _start_of_part(out) == len(out):
+        if sign.text in ("minus", "plus", "+") and _start_of_part(out) == len(out):
             counted = _less_or_more(words, at)
             out += counted[0]
             at += counted[1]

@@ -112,6 +112,7 @@ _PHRASES: Final[dict[tuple[str, ...], tuple[str, ...]]] = {
     ("at", "the", "moment"): ("now",),
     ("at", "present"): ("now",),
     ("right", "now"): ("now",),
+    ("in", "total"): ("in", "all"),
     ("out", "of", "the", "way"): ("away",),
     ("only", "be"): ("be", "only"),
     ("just", "be"): ("be", "only"),

@@ -99,8 +99,8 @@ STATE_WORDS: Final = {
 }  # fmt: skip
 PARTICIPLES_OF_REST: Final = frozenset(
     "standing lying sitting hanging resting placed put located found kept stored left mounted installed leaning "
-    "positioned situated parked laid waiting ready available set stacked arranged provided added there present "
-    "that which who".split()
+    "positioned situated parked laid grouped gathered waiting ready available set stacked arranged provided added "
+    "there present that which who".split()
 )
 COURTESIES: Final = frozenset(
     "please pls plz thanks thank thx kindly hi hello hey dear ok okay yes sorry alright well cheers thankyou "

@@ -23,7 +23,9 @@ from mansion_editing.instructions.sentences.bystanding import (
     is_purpose,
     is_regret,
     is_rhetorical,
+    keeps_doors_free,
     lacks_a_place,
+    needs_doing,
     needs_the_space,
     stands_wrong,
     tells_whose,
@@ -222,6 +224,8 @@ class Asides(Progress):
         last = words[-1].end if words else 0
         called = self.text[last : last + 1] == "!" and is_exclamation(words, self.lexicon)
         if is_habit(words) or needs_the_space(words) or (followed and is_regret(words)):
+            return True
+        if needs_doing(words) or keeps_doors_free(words):
             return True
         if followed and gives_up_room(words, self.lexicon):
             return True

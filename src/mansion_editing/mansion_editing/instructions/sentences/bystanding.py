@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from typing import Final
 
 from mansion_editing.instructions.phrases.lexicon import Lexicon
-from mansion_editing.instructions.phrases.verb_words import BY_WORDS, PARTICIPLES
+from mansion_editing.instructions.phrases.verb_words import BY_WORDS, GERUNDS, PARTICIPLES
 from mansion_editing.instructions.phrases.verbs import verb_at
 from mansion_editing.instructions.phrases.word_sets import OPEN_TO_ALL, PEOPLE, RELATIVES
 from mansion_editing.instructions.phrases.words import (
@@ -259,14 +259,36 @@ def stands_wrong(words: Sequence[Word]) -> Sequence[Word]:
 
 
 def needs_the_space(words: Sequence[Word]) -> bool:
-    """Whether somebody needs ``the space`` that a request leaves or makes free: ``we need the space for plates``."""
+    """Whether somebody needs ``the space`` or the floor that a request makes free: ``we need the space for plates``."""
     texts = [word.text for word in _bare(words)]
     needing = texts.index("need") if "need" in texts else 0
     subject = [word for word in _bare(words)[:needing] if word.text not in ("the", "our", "my")]
     somebody = len(subject) == 1 and subject[0].text in PERSONS | RELATIVES | PEOPLE | {"they"}
     after = texts[needing + 1 : needing + 4]
     plain = all(word.kind == "word" for word in _bare(words)) and not {*texts} & {"more", "from", "in", "not"}
-    return somebody and plain and after[:2] == ["the", "space"] and after[2:] in ([], ["for"])
+    return somebody and plain and after[:2] in (["the", "space"], ["the", "floor"]) and after[2:] in ([], ["for"])
+
+
+def needs_doing(words: Sequence[Word]) -> bool:
+    """Whether words say what happens to things that a request was about: ``they need airing``, ``it needs a rest``.
+
+    What the editor can do itself ("it needs cleaning") is asked for.
+    """
+    words = _bare(words)
+    if len(words) != 3 or words[0].text not in ("it", "they", "these", "those") or words[1].text != "need":
+        return False
+    done = words[2].raw
+    return done.endswith("ing") and done not in GERUNDS
+
+
+def keeps_doors_free(words: Sequence[Word]) -> bool:
+    """Whether words forbid to stand in the way of doors, where nothing is ever put: ``it must not block the door``."""
+    texts = [word.text for word in _bare(words)]
+    way = any(texts[k : k + 3] == ["in", "the", "way"] for k in range(len(texts)))
+    blocking = any(text in ("block", "obstruct") for text in texts)
+    subject = texts[:1] and texts[0] in ("it", "they", "that", "do", "not", "nothing", "none")
+    denied = "not" in texts or texts[:1] == ["nothing"]
+    return bool(subject) and denied and (way or blocking) and bool({*texts} & {"door", "doorway", "entrance", "exit"})
 
 
 def tells_whose(words: Sequence[Word]) -> bool:
@@ -316,11 +338,13 @@ def is_purpose(words: Sequence[Word], lexicon: Lexicon) -> bool:
         return False
     rest = words[2:]
     able = next((k for k, word in enumerate(rest) if word.text in ("can", "could")), 0)
-    named = any(lexicon.is_object((w.text,)) and not lexicon.is_own_room((w.text,)) for w in rest)
+    said = [word for at, word in enumerate(rest) if at != able]  # a can is a thing too
+    named = any(lexicon.is_object((w.text,)) and not lexicon.is_own_room((w.text,)) for w in said)
     people = rest[0].text in PERSONS | RELATIVES | {"it", "they", "you"} or (
         1 < able <= 7 and rest[0].text in ("the", "our", "my", "a", "every", "nobody") and not named
     )
-    if any(w.kind in ("number", "ordinal") or w.text in STATE_WORDS or w.text in COLOUR_WORDS for w in rest):
+    states = STATE_WORDS.keys() - ({"on"} if able and rest[able - 1].text != "be" else set())
+    if any(w.kind in ("number", "ordinal") or w.text in states or w.text in COLOUR_WORDS for w in rest):
         return False
     texts = texts[:-1] if able and texts[-1] in ("there", "here") else texts
     return people and not ({*texts} & {"there", "only", "no", "not", "just", "all", "each", "every"})

@@ -9,6 +9,7 @@ from mansion_editing.instructions.phrases.limits import limits_before
 from mansion_editing.instructions.phrases.mending import mended
 from mansion_editing.instructions.phrases.notation import written_out
 from mansion_editing.instructions.phrases.nouns import Noun
+from mansion_editing.instructions.phrases.plain_speech import in_plain_words
 from mansion_editing.instructions.phrases.remarks import without_remarks
 from mansion_editing.instructions.phrases.rewordings import reworded
 from mansion_editing.instructions.phrases.storey_counts import counted_from_ground
@@ -32,7 +33,8 @@ class Progress:
         self.lexicon = Lexicon(state)
         self.floors = state.floors
         words = without_times_of_headings(split_words(text, self.lexicon.speller, self.lexicon.kept))
-        plain = in_usual_order(without_frames(reworded(mended(written_out(words, text), self.lexicon))))
+        said = in_plain_words(reworded(mended(written_out(words, text), self.lexicon)))
+        plain = in_usual_order(without_frames(said))
         self.words = without_remarks(totals_before(limits_before(plain)))
         self.words = counted_from_ground(self.words, text, brief, self.floors)
         self.statements: list[Statement] = []

@@ -1,6 +1,6 @@
 """Plant each kind of fault in three buildings, and say which of them `mansion check` does not find.
 
-    PYTHONPATH=tests/support python benchmarks/robustness/planted_faults.py
+    PYTHONPATH=tests/support python benchmarks/robustness/check_faults.py
 
 Exit status 1 where one is not found, or where a building has faults of its own.
 """
@@ -18,7 +18,7 @@ from planted_faults import PLANTED, plant_in
 
 BUILDINGS: Final = (
     BuildRequest(description="a three-storey office with an elevator", floors=3, floor_area=200.0, seed=4),
-    BuildRequest(description="a two-storey clinic with an elevator", seed=1),
+    BuildRequest(description="a three-storey clinic with an elevator", seed=1),
     BuildRequest(description="a four-storey hotel with an elevator", seed=2),
 )
 
