@@ -30,6 +30,9 @@ _ENTRANCE = 50.0
 _USUAL = 14.0
 """Square metres that a stated room takes at least when places are shared out over storeys."""
 
+_MOST_PLACES = 0.8
+"""Of what a storey has free, what its places take at most: people there meet, and go to the toilet."""
+
 _WORTH = 0.5
 """Share of the roomiest storey's places below which a storey has none."""
 
@@ -98,7 +101,7 @@ def place_rooms(
     floors = [floor for floor, area in free.items() if area > 0.0 and area >= _WORTH * most]
     if not floors:
         return None
-    area = (entry.area or 1.0) * people.count / len(floors)
+    area = min((entry.area or 1.0) * people.count / len(floors), _MOST_PLACES * most)
     return RoomFact(entry.room_type, entry.room_type, people.span, 1), area, floors
 
 
