@@ -73,7 +73,7 @@ def test_a_negation_reaches_its_clause_and_not_the_relation() -> None:
     facts = read("a house. The bedroom must not be next to the bathroom. No gym or sauna, but a library.")
     assert [(fact.first, fact.second) for fact in facts.apart] == [("bedroom", "bathroom")]
     assert [name for name, _ in facts.excluded] == ["gym", "sauna"]
-    assert {fact.room_type for fact in facts.rooms} == {"bedroom", "bathroom", "library"}
+    assert {fact.room_type for fact in facts.rooms} == {"bedroom", "bathroom", "library_room"}
 
 
 def test_an_unwanted_room_on_one_storey_is_unwanted_there_alone() -> None:

@@ -49,3 +49,14 @@ def test_a_second_bathroom_is_one_more() -> None:
     )
     assert [room.count for room in facts.rooms if room.room_type == "bathroom"] == [1]
     assert facts.unread == []
+
+
+def test_a_room_beside_those_that_each_bedroom_has_stands_once() -> None:
+    rooms = {room.name: room for room in _rooms("A villa with five bedrooms with their own bathrooms and a sauna.")}
+    assert [part.room_type for part in rooms["bedroom"].suite] == ["bathroom"]
+    assert rooms["sauna"].count == 1
+
+
+def test_each_bedroom_has_all_that_is_said_of_each() -> None:
+    rooms = {room.name: room for room in _rooms("A house with four bedrooms, each with a bathroom and a closet.")}
+    assert [part.name for part in rooms["bedroom"].suite] == ["bathroom", "closet"]

@@ -16,6 +16,7 @@ PERSONS = PEOPLE | frozenset(
     entrepreneur professional expert everyone everybody nobody anyone someone personnel
     head chief mechanic carpenter electrician plumber farmer fisherman hunter shopkeeper trader seller buyer shopper
     reader
+    cat dog kitten puppy
     listener walker hiker skier cyclist runner athlete player fan lover enthusiast
     """.split()
 )

@@ -413,6 +413,7 @@ _NO_ROOMS = frozenset(
     """
     surface built gfa extension capacity volume rest remainder minimum maximum footprint group team year department
     style look feel window door wall ceiling roof floor view light noise smell garden outside street visitor guest
+    cat dog kitten puppy
     gate fence plot river lake sea hill park field forest material colour color area interior facade terrace steps
     step ramp way time year day night week money budget lot plenty kind sort type size shape plan layout entrance
     access room place part one none whole wood oak brick stone glass steel concrete marble gold silver white black

@@ -196,7 +196,13 @@ class _Pair:
             and _outside_brackets(self.words) <= {"and", "a", "an", "its", "own", ",", "the", "one"}
             and "and" in self.gap
             and not ("," in self.words and (self.phrase.determiner == "the" or self.phrase.room_type not in PRIVATE))
+            and not self._stands_beside_own()
         )
+
+    def _stands_beside_own(self) -> bool:
+        """Whether a single room follows those that owners have: "bedrooms with their own bathrooms and a sauna"."""
+        own = "own" in self.reading.words(self.named.first - 1, self.named.noun_end)
+        return own and self.named.plural and self.words in (("and", "a"), ("and", "an"))
 
     def belongs(self) -> bool:
         """Whether the owner has the room, or each of the owners one."""

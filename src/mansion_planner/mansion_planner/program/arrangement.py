@@ -385,7 +385,7 @@ def _rooms(
     else:
         room, share = capacity(massing, storey), 0.0
     stores = hall and storey.hub.zone == "service"
-    takes_rest = stores or storey.hub.name == STUDIO
+    takes_rest = stores or storey.hub.name == STUDIO or storey.use.family == "retail"
     if hall:
         most = _most_home_hub(storey, allocation, knowledge, room)
         if storey.use.family != "home":
