@@ -57,6 +57,8 @@ def test_building_types_are_grouped_by_family_and_by_words() -> None:
     assert groups.is_dwelling("single_family_house") and not groups.is_dwelling("office")
     assert "metal_panels" in groups.facades_of("warehouse_building")
     assert groups.facades_of("office") == groups.facades["other"][1]
+    assert groups.facades_of("villa", "mediterranean") == groups.style_facades["mediterranean"]
+    assert groups.facades_of("villa", "modern") == groups.facades_of("villa")
     assert groups.filler_of("worship") == groups.filler["other"]
 
 

@@ -244,6 +244,8 @@ class BuildingGroups:
         Words of types that get the door of a house.
     facades : dict of str to (frozenset of str, tuple of str)
         Words of types, and the materials that their outer walls may have; ``other`` for types without such a word.
+    style_facades : dict of str to tuple of str
+        Materials of the outer walls by style, for the styles that have their own.
     roofs : dict of str to (frozenset of str, tuple of str)
         Likewise the forms of their roofs: ``gable``, ``hip`` or ``flat``.
     flat_styles : frozenset of str
@@ -257,6 +259,7 @@ class BuildingGroups:
     facades: dict[str, tuple[frozenset[str], tuple[str, ...]]]
     roofs: dict[str, tuple[frozenset[str], tuple[str, ...]]]
     flat_styles: frozenset[str]
+    style_facades: dict[str, tuple[str, ...]] = field(default_factory=dict)
     room_of: dict[str, str] = field(default_factory=dict)
 
     def filler_of(self, family: str) -> tuple[str, ...]:
@@ -267,9 +270,9 @@ class BuildingGroups:
         """Whether a building type is a dwelling, by the words of its name."""
         return not self.dwellings.isdisjoint(_words(building_type))
 
-    def facades_of(self, building_type: str) -> tuple[str, ...]:
-        """Return the materials that the outer walls of a building type may have."""
-        return _of_words(self.facades, building_type)
+    def facades_of(self, building_type: str, style: str = "") -> tuple[str, ...]:
+        """Return the materials that the outer walls of a building type may have in a style."""
+        return self.style_facades.get(style) or _of_words(self.facades, building_type)
 
     def roofs_of(self, building_type: str, style: str) -> tuple[str, ...]:
         """Return the forms that the roof of a building type may have in a style."""

@@ -76,3 +76,15 @@ def test_a_stated_area_is_divided_over_no_more_storeys_than_hold_the_largest_roo
     description: str, storeys: int
 ) -> None:
     assert len(plan_building(BuildRequest(description=description)).program.floors) == storeys
+
+
+@pytest.mark.parametrize(
+    ("text", "style"),
+    [
+        ("An elegant Mediterranean villa of two floors", "mediterranean"),
+        ("A Victorian house with an elegant drawing room", "victorian"),
+        ("A modern house with a warm feel", "modern"),
+    ],
+)
+def test_a_place_or_an_age_says_more_of_the_style_than_a_mood(text: str, style: str) -> None:
+    assert plan_building(BuildRequest(description=text)).program.style == style

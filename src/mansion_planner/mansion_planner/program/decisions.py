@@ -108,8 +108,8 @@ def decide(
     basements = _basements(facts, trace)
     style = building.style
     if facts.styles:
-        style = facts.styles[0][0]
-        note(trace, facts.styles[0][1], f"style {style}")
+        style, span = _chosen_style(facts)
+        note(trace, span, f"style {style}")
     decisions = Decisions(
         building, floors, basements, 0.0, False, "", style, facts, request.seed, trace=trace, downgrades=given_way,
         given_up=_given_up(stated, facts), floors_stated=bool(request.floors or facts.floors),
@@ -122,6 +122,16 @@ def decide(
     else:
         _settle_area(request, decisions, size, generator, knowledge)
     return decisions
+
+
+_MOODS = frozenset({"elegant", "traditional", "classic", "warm", "cosy", "cozy", "modern", "contemporary", "luxurious"})
+"""Words of styles that many buildings are praised with; a place or an age beside them says more of the style."""
+
+
+def _chosen_style(facts: BriefFacts) -> tuple[str, Span]:
+    """Return the first style that the brief tells by more than a mood, else its first."""
+    telling = (found for found in facts.styles if found[1].words.lower() not in _MOODS)
+    return next(telling, facts.styles[0])
 
 
 def conflict(wish: str, got: str, reason: str, floor: int | None = None) -> Downgrade:

@@ -141,7 +141,7 @@ def build_structure(request: FurnishRequest, held: HeldAccess | None = None) -> 
     if given is not None:
         narrowed = [*as_planned(narrowed), *narrow_doors(floor, given, openings)]
     rooms = scene_rooms(request, floor, partition, ceiling)
-    facade = facade_material(request.building_type, request.seed)
+    facade = facade_material(request.building_type, request.seed, request.style)
     walls = number_walls(floor, partition.walls, {room.id: room for room in rooms}, ceiling, facade)
     if given is not None and given.windows is not None:
         windows = given_windows(floor, given.windows, partition.walls, openings, ceiling)

@@ -157,11 +157,11 @@ def match_material(description: str, use: Use) -> Material:
 DEFAULT_FACADE = "facade_render"
 
 
-def facade_material(building_type: str, seed: int) -> str:
+def facade_material(building_type: str, seed: int, style: str = "") -> str:
     """Return the material of a building's outer walls, the same for all its floors."""
     if not building_type:
         return DEFAULT_FACADE
-    choice = default_knowledge().groups.facades_of(building_type)
+    choice = default_knowledge().groups.facades_of(building_type, style)
     return choice[int(item_generator(seed, "facade").integers(len(choice)))]
 
 
