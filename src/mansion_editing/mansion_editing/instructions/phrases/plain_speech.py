@@ -44,6 +44,11 @@ _BELONGING: Final = frozenset("belong belongs go goes come comes".split())
 _SPOTS: Final = frozenset("by near next beside at against behind under opposite between".split())
 _FETCHING: Final = frozenset("take get bring fetch use borrow".split())
 _WANTING: Final = frozenset("need want require".split())
+_PLACING: Final = frozenset("put place set add hang stand lay".split())
+_SUPPOSING: Final = frozenset(
+    "if unless but because yesterday before earlier already once when until rather never not normally usually".split()
+)
+"""Words by which ``I would`` supposes and ``I'd put`` tells what was, rather than advises."""
 _LONGEST: Final = 14
 
 
@@ -441,6 +446,110 @@ def _moved_from_elsewhere(words: list[Word]) -> list[Word]:
     return [*words[:start], *_over(words[start:end], [*moved, *words[place + 1 : stop]]), *words[end:]]
 
 
+def _advised(words: list[Word]) -> list[Word]:
+    """Return ``put a bin in the hall`` for ``I'd put a bin in the hall``; ``I'd put the bin ...`` may tell what was."""
+    start = _start_of(words)
+    would = text_at(words, start + 1) == "would"
+    contracted = start < len(words) and words[start].raw.endswith("'d")
+    verb = start + 1 + would
+    verb += text_at(words, verb) in ("also", "still")
+    thing = words[verb + 1] if verb + 1 < len(words) else None
+    speaks = text_at(words, start) in _SPEAKERS and (would or contracted)
+    if not speaks or text_at(words, verb) not in _PLACING or thing is None:
+        return words
+    counted = thing.text in _COUNTED or thing.kind == "number"
+    if not counted or any(word.text in _SUPPOSING or word.text == "?" for word in words[verb:]):
+        return words
+    return [*words[:start], replace(words[verb], start=words[start].start), *words[verb + 1 :]]
+
+
+def _only_so_many_remain(words: list[Word]) -> list[Word]:
+    """Return ``there should be at most four chairs`` for ``of the six chairs only four should remain``.
+
+    After another sentence, and without a place of their own, they are those in the room of that sentence.
+    """
+    start = _start_of(words)
+    begin = start + (text_at(words, start) == "and")
+    only = next((k for k in range(begin + 3, len(words) - 3) if words[k].text in ("only", "just")), 0)
+    things = words[begin + 2 : only]
+    if _said(words, begin, ("of", "the"), ("of", "our")) != 2 or len(things) < 2 or things[0].kind != "number":
+        return words
+    number, end = words[only + 1], next_mark(words, only)
+    stays = [word.text for word in words[only + 2 : end]]
+    fewer = number.kind == "number" and number.value < things[0].value and all(w.kind == "word" for w in things[1:])
+    if not fewer or stays[:1] not in (["should"], ["must"], ["shall"]) or stays[1:] not in (["remain"], ["stay"]):
+        return words
+    placed = any(word.text in PREPOSITIONS for word in things)
+    where = _new(("in", "that", "room"), words[begin]) if start and not placed else []
+    most = [*_new(("there", "should", "be", "at", "most"), words[begin]), number, *things[1:], *where]
+    return [*words[:begin], *_over(words[begin:end], most), *words[end:]]
+
+
+def _out_of_and_into(words: list[Word]) -> list[Word]:
+    """Return ``move the rug from A into B`` for ``I want the rug out of A and into B``."""
+    start = _start_of(words)
+    out = next((k for k in range(start + 2, len(words) - 5) if _said(words, k, ("out", "of"))), 0)
+    joint = next((k for k in range(out + 3, len(words) - 2) if words[k].text == "and"), 0) if out else 0
+    wanted = text_at(words, start) in _SPEAKERS and text_at(words, start + 1) in _WANTING
+    certain = wanted and text_at(words, start + 2) in _CERTAIN
+    source = words[out + 2 : joint]
+    plain = joint and all(word.kind == "word" and word.text not in PREPOSITIONS for word in source)
+    if not (certain and plain) or text_at(words, joint + 1) not in ("into", "in", "onto", "on", "to"):
+        return words
+    moved = [*_new(("move",), words[start]), *words[start + 2 : out], *_new(("from",), words[out])]
+    return [*words[:start], *moved, *source, *words[joint + 1 :]]
+
+
+def _put_in_its_place(words: list[Word]) -> list[Word]:
+    """Return ``put two beds in its place`` for ``two beds please, in its place``."""
+    start = _start_of(words)
+    at = next((k for k in range(start + 2, len(words)) if _said(words, k, ("in", "its", "place"))), 0)
+    last = at - (text_at(words, at - 1) == ",")
+    last -= text_at(words, last - 1) == "please"
+    things = words[start:last]
+    counted = bool(things) and (things[0].text in _COUNTED or things[0].kind == "number")
+    plain = all(word.kind != "mark" and word.text not in PREPOSITIONS | DETERMINERS for word in things[1:])
+    if not (at and counted and plain and len(things) <= 4) or any((word.text,) in BY_WORDS for word in things[:-1]):
+        return words
+    return [*words[:start], *_over(words[start:last], [*_new(("put",), words[start]), *things]), *words[at:]]
+
+
+def _beside_in_its_place(words: list[Word]) -> list[Word]:
+    """Return ``put a shelf along the wall instead`` for ``put a shelf along the wall in its place``."""
+    for at in range(4, len(words) - 2):
+        if not _said(words, at, ("in", "its", "place"), ("in", "their", "place")) or not _ends(words, at + 3):
+            continue
+        put = next((k for k in range(at - 1, -1, -1) if words[k].text in _PLACING or words[k].kind == "mark"), 0)
+        placed = any(word.text in _SPOTS | {"along"} for word in words[put + 1 : at])
+        if words[put].text in _PLACING and placed:
+            return [*words[:at], *_over(words[at : at + 3], _new(("instead",), words[at])), *words[at + 3 :]]
+    return words
+
+
+def _missing_in(words: list[Word]) -> list[Word]:
+    """Return ``put one clock in room A, one clock in room B`` for ``clocks missing: 1x A, 1x B``."""
+    start = _start_of(words)
+    colon = next_mark(words, start)
+    name = words[start : colon - 1]
+    missing = text_at(words, colon) == ":" and text_at(words, colon - 1) in ("missing", "lacking", "needed")
+    if not missing or not name or not all(word.kind == "word" for word in name):
+        return words
+    name = name[1:] if name[0].text in DETERMINERS else name
+    out = [*words[:start], *_new(("put",), words[start])]
+    at = colon + 1
+    while at < len(words):
+        end = next_mark(words, at)
+        times = words[at].text
+        room = words[at + 1 : end]
+        if words[at].kind != "code" or not (times[:-1].isdecimal() and times.endswith("x")) or not room:
+            return words
+        number = replace(words[at], text=times[:-1], raw=times[:-1], kind="number", value=float(times[:-1]))
+        out += _over(words[at:end], [number, *name, *_new(("in",), words[at]), *room])
+        out += words[end : end + 1]
+        at = end + 1
+    return out
+
+
 _READINGS: Final[tuple[Callable[[list[Word]], list[Word]], ...]] = (
     _order_after_not,
     _all_but_one,
@@ -463,4 +572,10 @@ _READINGS: Final[tuple[Callable[[list[Word]], list[Word]], ...]] = (
     _on_its_side,
     _could_stand,
     _only_of_them,
+    _advised,
+    _only_so_many_remain,
+    _out_of_and_into,
+    _put_in_its_place,
+    _beside_in_its_place,
+    _missing_in,
 )
