@@ -196,3 +196,10 @@ def test_so_many_remain_of_those_in_the_room_of_the_sentence_before(furnished_st
     said = "Put a mug on the dining table in the kitchen. And of the six chairs only four should remain."
     meant = "Put a mug on the dining table in the kitchen. And there should be at most four chairs in that room."
     assert _bare(said, furnished_state) == _bare(meant, furnished_state)
+
+
+@pytest.mark.parametrize("told", ["A vase is missing there.", "A vase is also needed in it."])
+def test_what_is_missing_in_a_room_told_before_is_a_wish(furnished_state: SceneState, told: str) -> None:
+    read = read_instruction(f"Put a chair in the hall. {told}", furnished_state)
+    assert read.not_understood == []
+    assert [s.things.noun for s in read.statements if isinstance(s, Add)] == ["chair", "vase"]
