@@ -58,6 +58,10 @@ def _bare(text: str, state: SceneState) -> list[Statement]:
         ),
         ("Put a mug on the office desk, a plate to its left.", "Put a mug on the office desk, a plate left of it."),
         ("Chairs: only two of them please.", "There should be exactly two chairs."),
+        (
+            "Two chairs are plenty. Remove the other one in the hall.",
+            "Two chairs in the hall are plenty. Remove the other one.",
+        ),
         ("I'd put a bin in the hall.", "Put a bin in the hall."),
         ("We would also hang a clock in the kitchen.", "Hang a clock in the kitchen."),
         ("Of the three chairs in the hall only two should remain.", "There should be at most two chairs in the hall."),
@@ -203,3 +207,11 @@ def test_what_is_missing_in_a_room_told_before_is_a_wish(furnished_state: SceneS
     read = read_instruction(f"Put a chair in the hall. {told}", furnished_state)
     assert read.not_understood == []
     assert [s.things.noun for s in read.statements if isinstance(s, Add)] == ["chair", "vase"]
+
+
+@pytest.mark.parametrize(
+    "other", ["Remove the other plate in the kitchen.", "Move the rest in the hall to the kitchen."]
+)
+def test_where_other_things_are_is_not_where_so_many_are_enough(furnished_state: SceneState, other: str) -> None:
+    said = Progress(f"Two chairs are plenty. {other}", furnished_state).words
+    assert [word.text for word in said[:4]] == ["two", "chair", "are", "plenty"]

@@ -60,7 +60,7 @@ def in_plain_words(words: Sequence[Word]) -> list[Word]:
     """Return words with everyday wordings put plainly; what is put anew keeps the place of what it stands for."""
     out: list[Word] = []
     spared = False
-    for sentence in with_leading_marks(_moved_from_elsewhere(list(words))):
+    for sentence in with_leading_marks(_enough_there(_moved_from_elsewhere(list(words)))):
         if spared:
             sentence = _that_one(sentence)
         spared = _all_but_one(sentence) != sentence
@@ -485,6 +485,33 @@ def _beside_in_its_place(words: list[Word]) -> list[Word]:
         placed = any(word.text in _SPOTS | {"along"} for word in words[put + 1 : at])
         if words[put].text in PLACING and placed:
             return [*words[:at], *over(words[at : at + 3], like(("instead",), words[at])), *words[at + 3 :]]
+    return words
+
+
+def _enough_there(words: list[Word]) -> list[Word]:
+    """Return ``two mats in A are plenty. Remove the others`` for ``two mats are plenty. Remove the others in A``."""
+    for stop in range(4, len(words) - 5):
+        start = next((k + 1 for k in range(stop - 1, -1, -1) if words[k].kind == "mark"), 0)
+        are = stop - 2
+        things = words[start:are]
+        enough = words[are].text in ("is", "are") and words[stop - 1].text in ("enough", "plenty", "sufficient")
+        counted = (
+            enough and len(things) > 1 and things[0].kind == "number" and all(w.kind == "word" for w in things[1:])
+        )
+        if words[stop].text not in SENTENCE_ENDS or not counted or any(w.text in PREPOSITIONS for w in things):
+            continue
+        end = next_mark(words, stop + 1)
+        other = next((k for k in range(stop + 2, end) if said_at(words, k, ("the", "other"), ("the", "rest"))), end)
+        place = other + 2 + (other + 2 < end and words[other + 2].kind == "number")
+        if (
+            place + 2 > end
+            or text_at(words, place) != "in"
+            or any(w.text in PREPOSITIONS for w in words[place + 1 : end])
+        ):
+            continue
+        there = over(words[are - 1 : are], words[place:end])
+        last = replace(words[place - 1], end=words[end - 1].end)
+        return [*words[:are], *there, *words[are : place - 1], last, *words[end:]]
     return words
 
 
