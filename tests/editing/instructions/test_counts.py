@@ -201,3 +201,30 @@ def test_each_of_so_many_people_gets_one(furnished_state: SceneState, text: str)
 @pytest.mark.parametrize("text", ["Prepare the kitchen: one chair each.", "Equip the kitchen with a chair each."])
 def test_each_of_nobody_told_is_not_passed_over(furnished_state: SceneState, text: str) -> None:
     assert read_instruction(text, furnished_state).not_understood
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The hall needs five chairs rather than three.",
+        "I want five chairs in the hall instead of three.",
+        "Put five chairs rather than three in the hall.",
+        "There should be five chairs rather than the three in the hall.",
+    ],
+)
+def test_so_many_rather_than_another_number_are_there_afterwards(editor: SceneEditor, text: str) -> None:
+    assert instruct(editor, text).done
+    assert _left(editor, "chair", "F1/hall") == 5
+
+
+def test_fewer_rather_than_more_are_left(editor: SceneEditor) -> None:
+    assert instruct(editor, "The hall needs two chairs instead of three.").done
+    assert _left(editor, "chair", "F1/hall") == 2
+
+
+def test_in_place_of_another_number_each_has_so_many(furnished_state: SceneState) -> None:
+    read = read_instruction("Put two mugs instead of one on every dining table.", furnished_state)
+    (there,) = [s for s in read.statements if isinstance(s, Ensure)]
+    assert read.not_understood == []
+    assert there.place.anchor is not None and there.place.anchor.each
+    assert (there.things.amount.kind, there.things.amount.number) == ("exactly", 2)

@@ -76,6 +76,12 @@ def test_an_arrow_between_numbers_tells_how_many_are_meant(furnished_state: Scen
     assert (there.things.noun, there.things.amount.kind, there.things.amount.number) == ("chair", "exactly", 2)
 
 
+@pytest.mark.parametrize("text", ["Sofa from the hall -> kitchen", "Move the sofa from the hall → the kitchen."])
+def test_an_arrow_after_where_a_thing_is_tells_where_it_goes(editor: SceneEditor, text: str) -> None:
+    assert instruct(editor, text).done
+    assert [item.room for _, item in editor.state.objects() if item.category == "sofa"] == ["F1/kitchen"]
+
+
 def test_an_arrow_before_a_state_or_a_colour_is_what_shall_be(furnished_state: SceneState) -> None:
     off, red = _statements("kitchen: ceiling lights -> off, fridge -> red", furnished_state)
     assert isinstance(off, SetState) and not off.value and isinstance(red, Paint) and red.colour == "red"

@@ -59,6 +59,23 @@ def _bare(text: str, state: SceneState) -> list[Statement]:
         ("Put a mug on the office desk, a plate to its left.", "Put a mug on the office desk, a plate left of it."),
         ("Chairs: only two of them please.", "There should be exactly two chairs."),
         (
+            "Two chairs are plenty. Remove the other one in the hall.",
+            "Two chairs in the hall are plenty. Remove the other one.",
+        ),
+        ("I'd put a bin in the hall.", "Put a bin in the hall."),
+        ("We would also hang a clock in the kitchen.", "Hang a clock in the kitchen."),
+        ("Of the three chairs in the hall only two should remain.", "There should be at most two chairs in the hall."),
+        ("I want the sofa out of the hall and into the kitchen.", "Move the sofa from the hall into the kitchen."),
+        (
+            "Remove the sofa in the hall and put a shelf along the wall in its place.",
+            "Remove the sofa in the hall and put a shelf along the wall instead.",
+        ),
+        (
+            "Remove the sofa in the hall. Two armchairs please, in its stead.",
+            "Remove the sofa in the hall. Put two armchairs in its place.",
+        ),
+        ("Clocks missing: 1x kitchen, 2x hall.", "Put 1 clock in the kitchen, 2 clocks in the hall."),
+        (
             "Take the chairs out of the hall and furnish it with a bench.",
             "Remove the chairs from the hall and furnish the hall with a bench.",
         ),
@@ -158,3 +175,43 @@ def test_what_stays_behind_is_where_things_were_taken_from(furnished_state: Scen
 def test_computers_are_shut_down_and_not_closed(furnished_state: SceneState) -> None:
     (statement,) = _bare("Shut down the computers.", furnished_state)
     assert isinstance(statement, SetState) and (statement.state, statement.value) == ("on", False)
+
+
+@pytest.mark.parametrize(
+    "told",
+    [
+        "I'd put the bin in the hall.",
+        "I'd put a bin in the hall yesterday.",
+        "I would put a bin in the hall if there were space.",
+        "I'd never put a bin in the hall.",
+    ],
+)
+def test_what_one_would_do_otherwise_or_did_before_is_no_wish(furnished_state: SceneState, told: str) -> None:
+    assert not any(isinstance(s, Add) for s in read_instruction(told, furnished_state).statements)
+
+
+def test_advice_is_taken_though_an_order_follows(furnished_state: SceneState) -> None:
+    read = read_instruction("I'd put a bin in the hall. On the office desk lay a book.", furnished_state)
+    assert read.not_understood == []
+    assert [s.things.noun for s in read.statements if isinstance(s, Add)] == ["bin", "book"]
+
+
+def test_so_many_remain_of_those_in_the_room_of_the_sentence_before(furnished_state: SceneState) -> None:
+    said = "Put a mug on the dining table in the kitchen. And of the six chairs only four should remain."
+    meant = "Put a mug on the dining table in the kitchen. And there should be at most four chairs in that room."
+    assert _bare(said, furnished_state) == _bare(meant, furnished_state)
+
+
+@pytest.mark.parametrize("told", ["A vase is missing there.", "A vase is also needed in it."])
+def test_what_is_missing_in_a_room_told_before_is_a_wish(furnished_state: SceneState, told: str) -> None:
+    read = read_instruction(f"Put a chair in the hall. {told}", furnished_state)
+    assert read.not_understood == []
+    assert [s.things.noun for s in read.statements if isinstance(s, Add)] == ["chair", "vase"]
+
+
+@pytest.mark.parametrize(
+    "other", ["Remove the other plate in the kitchen.", "Move the rest in the hall to the kitchen."]
+)
+def test_where_other_things_are_is_not_where_so_many_are_enough(furnished_state: SceneState, other: str) -> None:
+    said = Progress(f"Two chairs are plenty. {other}", furnished_state).words
+    assert [word.text for word in said[:4]] == ["two", "chair", "are", "plenty"]

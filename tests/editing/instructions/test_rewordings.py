@@ -28,6 +28,10 @@ def _bare(text: str, state: SceneState) -> list[Statement]:
         ("I would be happy if the sofa were in the hall", "it would be good if the sofa were in the hall"),
         ("remove all chairs in the kitchen but one", "remove all but one of the chairs in the kitchen"),
         ("turn the sofa around by 180 degrees", "turn the sofa by 180 degrees"),
+        ("under no circumstances remove the sofa", "never remove the sofa"),
+        ("on no account remove the sofa", "never remove the sofa"),
+        ("get shot of the sofa", "get rid of the sofa"),
+        ("Hall: three chairs are too many, cut down to two", "Hall: three chairs are too many, reduce them to two"),
         (
             "remove everything on the desk with the exception of the lamp",
             "remove everything on the desk except for the lamp",

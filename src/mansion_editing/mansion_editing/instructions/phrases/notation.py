@@ -138,7 +138,7 @@ def _with_differences(words: list[Word]) -> list[Word]:
 
 
 def _with_arrows(words: list[Word], text: str) -> list[Word]:
-    """Write ``chairs 3 -> 4`` as ``exactly 4 chairs`` and ``lamp -> on`` as ``lamp should be on``.
+    """Write ``chairs 3 -> 4`` as ``exactly 4 chairs``, ``lamp -> on`` as ``lamp should be on``, ``A -> B`` with ``to``.
 
     Any other arrow becomes a word that no clause has, so that the answer names it.
     """
@@ -157,6 +157,11 @@ def _with_arrows(words: list[Word], text: str) -> list[Word]:
         amount = [_inserted("exactly", start), replace(new, start=start, end=start)]
         whole = [*before[:first], *amount, *counted[:-1], replace(counted[-1], end=new.end)]
         return [*whole, *_with_arrows(after[1:], text)]
+    source = next((at for at, word in enumerate(things) if word.text == "from" and at), 0)
+    if source:
+        asked = any(word.text in VERB_WORDS - FUNCTION_WORDS for word in things[:source])
+        moved = things if asked else [_inserted("move", things[0].start), *things]
+        return [*before[:first], *moved, _inserted("to", before[-1].end), *_with_arrows(after, text)]
     said = new.text in STATE_WORDS or new.text in COLOUR_WORDS
     names = ("should", "be") if said and things else ("->",)
     joined = [_inserted(name, before[-1].end) for name in names]

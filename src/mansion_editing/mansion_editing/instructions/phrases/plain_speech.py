@@ -4,6 +4,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import Final
 
+from mansion_editing.instructions.phrases.told_wants import WANTS
 from mansion_editing.instructions.phrases.verb_words import BY_WORDS
 from mansion_editing.instructions.phrases.words import (
     DETERMINERS,
@@ -14,16 +15,24 @@ from mansion_editing.instructions.phrases.words import (
     text_at,
     with_leading_marks,
 )
+from mansion_editing.instructions.phrases.written_anew import (
+    COUNTED,
+    PLACING,
+    SPEAKERS,
+    ends_at,
+    like,
+    over,
+    said_at,
+    sentence_start,
+)
 
 __all__ = ["in_plain_words"]
 
-_SPEAKERS: Final = frozenset("i we".split())
 _WELCOME: Final = frozenset(
     "handy useful helpful welcome practical convenient appreciated fantastic terrific brilliant super ideal sensible "
     "great perfect good fine".split()
 )
 """What one says of something that one would like to have; ``nice`` and the like are adjectives of the thing too."""
-_COUNTED: Final = frozenset("a an another some".split())
 _NO_PLACES: Final = frozenset("person head cent week day hour month night".split())
 """Words after ``per`` that are no places."""
 _TAKING: Final = frozenset(
@@ -51,11 +60,11 @@ def in_plain_words(words: Sequence[Word]) -> list[Word]:
     """Return words with everyday wordings put plainly; what is put anew keeps the place of what it stands for."""
     out: list[Word] = []
     spared = False
-    for sentence in with_leading_marks(_moved_from_elsewhere(list(words))):
+    for sentence in with_leading_marks(_enough_there(_moved_from_elsewhere(list(words)))):
         if spared:
             sentence = _that_one(sentence)
         spared = _all_but_one(sentence) != sentence
-        for plain in _READINGS:
+        for plain in (*_READINGS, *WANTS):
             sentence = plain(sentence)
         out += sentence
     return out
@@ -63,40 +72,15 @@ def in_plain_words(words: Sequence[Word]) -> list[Word]:
 
 def _that_one(words: list[Word]) -> list[Word]:
     """Return ``the other one should be on`` for ``that one should be on`` after ``every lamp except one``."""
-    start = _start_of(words)
-    if _said(words, start, ("that", "one")) != 2:
+    start = sentence_start(words)
+    if said_at(words, start, ("that", "one")) != 2:
         return words
-    return [*words[:start], *_new(("the", "other"), words[start]), *words[start + 1 :]]
-
-
-def _start_of(words: Sequence[Word]) -> int:
-    """Return where a sentence begins after the mark that ends the one before."""
-    return next((k for k, word in enumerate(words) if word.kind != "mark"), len(words))
+    return [*words[:start], *like(("the", "other"), words[start]), *words[start + 1 :]]
 
 
 def _starts(words: Sequence[Word]) -> list[int]:
     """Return where clauses of a sentence may begin."""
     return [at for at, word in enumerate(words) if word.kind != "mark" and (not at or words[at - 1].kind == "mark")]
-
-
-def _said(words: Sequence[Word], at: int, *phrases: tuple[str, ...]) -> int:
-    """Return how many words the longest of some phrases has that stands at a place, 0 for none."""
-    found = (len(said) for said in phrases if tuple(w.text for w in words[at : at + len(said)]) == said)
-    return max(found, default=0)
-
-
-def _over(phrase: Sequence[Word], words: Sequence[Word]) -> list[Word]:
-    """Return words that all stand where a phrase does, so that what is quoted of them is the phrase."""
-    start, end = phrase[0].start, phrase[-1].end
-    return [replace(word, start=start, end=end) for word in words]
-
-
-def _new(texts: Sequence[str], like: Word) -> list[Word]:
-    return [replace(like, text=text, raw=text, kind="word", plural=False, genitive=False) for text in texts]
-
-
-def _ends(words: Sequence[Word], at: int) -> bool:
-    return at >= len(words) or words[at].kind == "mark"
 
 
 def _without_thanks(words: list[Word]) -> list[Word]:
@@ -106,10 +90,10 @@ def _without_thanks(words: list[Word]) -> list[Word]:
         end = next_mark(words, start)
         would = next((k for k in range(start + 2, end - 2) if words[k].text == "would"), 0)
         pleased = would + 2 + (text_at(words, would + 2) in ("really", "very", "quite", "so"))
-        counted = first.text in _COUNTED or first.kind == "number"
+        counted = first.text in COUNTED or first.kind == "number"
         if counted and would and text_at(words, would + 1) == "be" and text_at(words, pleased) in _WELCOME:
-            after = pleased + 1 + _said(words, pleased + 1, ("there",), ("too",), ("here",))
-            if _ends(words, after):
+            after = pleased + 1 + said_at(words, pleased + 1, ("there",), ("too",), ("here",))
+            if ends_at(words, after):
                 there = words[pleased + 1 : pleased + 2] if text_at(words, pleased + 1) == "there" else []
                 last = replace(words[would - 1], end=words[pleased].end)
                 return [*words[: would - 1], last, *there, *words[after:]]
@@ -122,58 +106,58 @@ def _for_each(words: list[Word]) -> list[Word]:
     following = words[at + 1] if at else None
     if following is None or following.kind != "word" or following.text in _NO_PLACES | DETERMINERS:
         return words
-    return [*words[:at], *_new(("for", "each"), words[at]), *words[at + 1 :]]
+    return [*words[:at], *like(("for", "each"), words[at]), *words[at + 1 :]]
 
 
 def _taken_along(words: list[Word]) -> list[Word]:
     """Return ``move the desk and its chair`` for ``move the desk with its chair``, ``with all of its chairs``."""
-    start = _start_of(words)
+    start = sentence_start(words)
     asks = text_at(words, start) in _CERTAIN and any(word.text in _TAKING for word in words)
     for at in range(start, len(words)):
         verb = words[at].text in _TAKING and at + 1 < len(words)
         asks = asks or (verb and (words[at + 1].text in _CERTAIN or words[at + 1].kind == "number"))
     for at in range(start + 2, len(words) - 1 if asks else 0):
         own = at + 1
-        own += _said(words, own, ("all", "of"), ("all",), ("both", "of"), ("both",))
+        own += said_at(words, own, ("all", "of"), ("all",), ("both", "of"), ("both",))
         new = text_at(words, at - 1) in ("each", "one") or text_at(words, own + 1) == "own"  # "each with its own chair"
         if words[at].text != "with" or text_at(words, own) not in _OWN or new:
             continue
         begin = at - (text_at(words, at - 1) == "together")
         begin -= text_at(words, begin - 1) == ","
-        return [*words[:begin], *_new(("and",), words[at]), *words[own:]]
+        return [*words[:begin], *like(("and",), words[at]), *words[own:]]
     return words
 
 
 def _coming_along(words: list[Word]) -> list[Word]:
     """Return ``put its chair beside it`` for ``its chair should go with it``."""
-    start = _start_of(words)
+    start = sentence_start(words)
     go = next((k for k in range(start + 2, len(words)) if words[k].text in ("go", "come")), 0)
     subject = words[start : go - (text_at(words, go - 1) in ("should", "must", "can", "shall", "will"))]
     plain = 1 < len(subject) <= 4 and all(word.kind == "word" and word.text not in PREPOSITIONS for word in subject)
-    length = _said(words, go + 1, *_ALONG) if go and plain and text_at(words, start) in _OWN else 0
-    if not length or not _ends(words, go + 1 + length):
+    length = said_at(words, go + 1, *_ALONG) if go and plain and text_at(words, start) in _OWN else 0
+    if not length or not ends_at(words, go + 1 + length):
         return words
     pronoun = "it" if words[start].text == "its" else "them"
-    put = [*_new(("put",), words[start]), *subject, *_new(("beside", pronoun), words[go])]
-    return [*words[:start], *_over(words[start : go + 1 + length], put), *words[go + 1 + length :]]
+    put = [*like(("put",), words[start]), *subject, *like(("beside", pronoun), words[go])]
+    return [*words[:start], *over(words[start : go + 1 + length], put), *words[go + 1 + length :]]
 
 
 def _leaving_for_good(words: list[Word]) -> list[Word]:
     """Return ``the others can go`` for ``the others can go to charity``."""
     for at in range(2, len(words)):
         to = text_at(words, at) == "to" and text_at(words, at - 1) in ("go", "going")
-        length = _said(words, at + 1, *_GIVEN_AWAY) if to else 0
-        if length and _ends(words, at + 1 + length):
+        length = said_at(words, at + 1, *_GIVEN_AWAY) if to else 0
+        if length and ends_at(words, at + 1 + length):
             return [*words[: at - 1], replace(words[at - 1], end=words[at + length].end), *words[at + 1 + length :]]
     return words
 
 
 def _kept_of(words: list[Word]) -> list[Word]:
     """Return ``remove all but two of the six chairs`` for ``keep two of the six chairs, the other four can go``."""
-    start = _start_of(words)
+    start = sentence_start(words)
     of = start + 2
     numbers = [words[k].kind for k in (start + 1, start + 4) if k < len(words)] == ["number", "number"]
-    if text_at(words, start) != "keep" or not numbers or _said(words, of, ("of", "the")) != 2:
+    if text_at(words, start) != "keep" or not numbers or said_at(words, of, ("of", "the")) != 2:
         return words
     end = next_mark(words, start)
     if end - start > _LONGEST or any(word.text in ("and", "but", "in", "on") for word in words[end:]):
@@ -184,9 +168,9 @@ def _kept_of(words: list[Word]) -> list[Word]:
     told = [word.value for word in words[end + 1 :] if word.kind == "number"]
     if rest and not (others and rest[-1] == "go" and told in ([], [left])):
         return words
-    removed = [*_new(("remove", "all", "but"), words[start]), *words[start + 1 : end]]
+    removed = [*like(("remove", "all", "but"), words[start]), *words[start + 1 : end]]
     last = next((k for k in range(end + 1, len(words)) if words[k].text == "go"), end - 1)
-    return [*words[:start], *_over(words[start : last + 1], removed), *words[last + 1 :]]
+    return [*words[:start], *over(words[start : last + 1], removed), *words[last + 1 :]]
 
 
 def _in_its_place_last(words: list[Word]) -> list[Word]:
@@ -194,18 +178,18 @@ def _in_its_place_last(words: list[Word]) -> list[Word]:
 
     Of several things, and before a further place, that is ``there``.
     """
-    start = _start_of(words)
-    if _said(words, start, ("in", "its", "place"), ("in", "their", "place")) != 3:
+    start = sentence_start(words)
+    if said_at(words, start, ("in", "its", "place"), ("in", "their", "place")) != 3:
         return words
     begin = start + 3 + (text_at(words, start + 3) == ",")
     end = next_mark(words, begin)
-    asks = text_at(words, begin) in _SPEAKERS | {"put", "place", "please", "set", "add", "hang", "there"}
+    asks = text_at(words, begin) in SPEAKERS | {"put", "place", "please", "set", "add", "hang", "there"}
     if not asks or end - begin < 3:
         return words
     several = any(word.text == "and" for word in words[begin:end])
     further = several or (text_at(words, end) == "," and text_at(words, end + 1) in PREPOSITIONS - {"but", "with"})
-    where = _new(("there",), words[start]) if further else words[start : start + 3]
-    return [*words[:start], *_over(words[start:end], [*words[begin:end], *where]), *words[end:]]
+    where = like(("there",), words[start]) if further else words[start : start + 3]
+    return [*words[:start], *over(words[start:end], [*words[begin:end], *where]), *words[end:]]
 
 
 def _place_last(words: list[Word]) -> list[Word]:
@@ -218,29 +202,29 @@ def _place_last(words: list[Word]) -> list[Word]:
         comma = next_mark(words, place)
         end = next_mark(words, comma + 1)
         things = words[comma + 1 : end]
-        counted = bool(things) and (things[0].text in _COUNTED or things[0].kind == "number")
+        counted = bool(things) and (things[0].text in COUNTED or things[0].kind == "number")
         plain = all(word.text not in PREPOSITIONS for word in things)
         if text_at(words, comma) == "," and counted and plain:
-            return [*words[: at + 1], *_over(words[at + 1 : end], [*things, *words[place:comma]]), *words[end:]]
+            return [*words[: at + 1], *over(words[at + 1 : end], [*things, *words[place:comma]]), *words[end:]]
     return words
 
 
 def _staying_behind(words: list[Word]) -> list[Word]:
     """Return ``move the lamp out of the hall, and a rug on the shelf in the hall`` for ``... that stays behind``."""
     for at in range(6, len(words) - 2):
-        length = _said(words, at, *_STAYING)
+        length = said_at(words, at, *_STAYING)
         stays = length and text_at(words, at + length) in ("stay", "remain") and words[at - 1].kind == "word"
         after = at + length + 2
         if (
             not stays
             or text_at(words, after - 1) != "behind"
-            or not (_ends(words, after) or words[after].text == "and")
+            or not (ends_at(words, after) or words[after].text == "and")
         ):
             continue
         source = next((k + 1 for k in range(at - 3) if words[k].text in ("from", "of") and _is_source(words, k)), 0)
-        end = next((k for k in range(source + 1, at) if words[k].text in PREPOSITIONS or _ends(words, k)), at)
+        end = next((k for k in range(source + 1, at) if words[k].text in PREPOSITIONS or ends_at(words, k)), at)
         if source and end < at:
-            where = _over(words[at:after], [*_new(("in",), words[at]), *words[source:end]])
+            where = over(words[at:after], [*like(("in",), words[at]), *words[source:end]])
             return [*words[:at], *where, *words[after:]]
     return words
 
@@ -253,10 +237,10 @@ def _is_source(words: Sequence[Word], at: int) -> bool:
 
 def _brought_there(words: list[Word]) -> list[Word]:
     """Return ``on the counter put a tray`` for ``on the counter belong a tray and a mug``, ``on it goes a vase``."""
-    start = _start_of(words)
+    start = sentence_start(words)
     stop = next_mark(words, start)
     verb = next((k for k in range(start + 2, stop - 1) if words[k].text in _BELONGING), 0)
-    begins = text_at(words, start) in ("on", "in", "under", "beside", "above", "behind") or _said(
+    begins = text_at(words, start) in ("on", "in", "under", "beside", "above", "behind") or said_at(
         words, start, ("next", "to"), ("in", "front", "of")
     )
     counted = verb and (words[verb + 1].text in ("a", "an") or words[verb + 1].kind == "number")
@@ -264,13 +248,13 @@ def _brought_there(words: list[Word]) -> list[Word]:
     begins = begins and (belongs or any(word.text in DETERMINERS | {"it"} for word in words[start:verb]))
     if not (begins and counted) or any((word.text,) in BY_WORDS for word in words[start:verb]):
         return words
-    return [*words[:verb], *_new(("put",), words[verb]), *words[verb + 1 :]]
+    return [*words[:verb], *like(("put",), words[verb]), *words[verb + 1 :]]
 
 
 def _laid(words: list[Word]) -> list[Word]:
     """Return ``on each table lay two books`` for ``on each table lay out two books``."""
     for at in range(2, len(words) - 2):
-        counted = words[at + 2].kind == "number" or words[at + 2].text in _COUNTED
+        counted = words[at + 2].kind == "number" or words[at + 2].text in COUNTED
         if words[at].text == "lay" and words[at + 1].text == "out" and counted:
             return [*words[:at], replace(words[at], end=words[at + 1].end), *words[at + 2 :]]
     return words
@@ -281,22 +265,22 @@ def _slid(words: list[Word]) -> list[Word]:
     for at in range(len(words) - 3):
         begins = not at or words[at - 1].kind == "mark" or words[at - 1].text in ("and", "please", "then")
         if begins and words[at].text == "slide" and words[at + 1].text in ("a", "an"):
-            return [*words[:at], *_new(("put",), words[at]), *words[at + 1 :]]
+            return [*words[:at], *like(("put",), words[at]), *words[at + 1 :]]
     return words
 
 
 def _taken_out_and_furnished(words: list[Word]) -> list[Word]:
     """Return ``remove A from B and furnish B with C`` for ``take A out of B and furnish it with C``."""
-    start = _start_of(words)
-    out = next((k for k in range(start + 2, len(words) - 5) if _said(words, k, ("out", "of"))), 0)
+    start = sentence_start(words)
+    out = next((k for k in range(start + 2, len(words) - 5) if said_at(words, k, ("out", "of"))), 0)
     joint = next((k for k in range(out + 3, len(words) - 3) if words[k].text == "and"), 0) if out else 0
     room = words[out + 2 : joint]
     plain = bool(room) and room[0].text in DETERMINERS and all(word.kind == "word" for word in room)
     furnished = text_at(words, joint + 1) in ("furnish", "equip", "fill") and text_at(words, joint + 2) == "it"
     if text_at(words, start) != "take" or not (joint and plain and furnished):
         return words
-    taken = [*_new(("remove",), words[start]), *words[start + 1 : out], *_new(("from",), words[out])]
-    again = _over(words[joint + 2 : joint + 3], room)
+    taken = [*like(("remove",), words[start]), *words[start + 1 : out], *like(("from",), words[out])]
+    again = over(words[joint + 2 : joint + 3], room)
     return [*words[:start], *taken, *words[out + 2 : joint + 2], *again, *words[joint + 3 :]]
 
 
@@ -304,7 +288,7 @@ def _instead_in(words: list[Word]) -> list[Word]:
     """Return ``it should stand in the hall by the window`` for ``... in the hall instead, by the window``."""
     for at in range(4, len(words) - 2):
         spot = words[at].text == "instead" and words[at + 1].text == "," and words[at + 2].text in _SPOTS
-        if spot and _ends(words, next_mark(words, at + 2)) and text_at(words, at - 1) not in ("there", "place"):
+        if spot and ends_at(words, next_mark(words, at + 2)) and text_at(words, at - 1) not in ("there", "place"):
             return [*words[: at - 1], replace(words[at - 1], end=words[at + 1].end), *words[at + 2 :]]
     return words
 
@@ -317,7 +301,7 @@ def _from_number_to_number(words: list[Word]) -> list[Word]:
         old = at + 1 + (text_at(words, at + 1) == "from")
         to = old + 1 + (text_at(words, old + 1) in ("down", "up"))
         numbers = [k for k in (old, to + 1) if k < len(words) and words[k].kind == "number"]
-        if len(numbers) < 2 or text_at(words, to) != "to" or not _ends(words, to + 2):
+        if len(numbers) < 2 or text_at(words, to) != "to" or not ends_at(words, to + 2):
             continue
         first = at - 1
         while first > 0 and words[first - 1].kind == "word" and at - first < 3:
@@ -325,8 +309,8 @@ def _from_number_to_number(words: list[Word]) -> list[Word]:
         if any((word.text,) in BY_WORDS for word in words[first:at]):
             return words
         name = words[first + (words[first].text in DETERMINERS) : at]
-        exactly = [*_new(("there", "should", "be", "exactly"), words[first]), words[to + 1], *name]
-        return [*words[:first], *_over(words[first : to + 2], exactly), *words[to + 2 :]]
+        exactly = [*like(("there", "should", "be", "exactly"), words[first]), words[to + 1], *name]
+        return [*words[:first], *over(words[first : to + 2], exactly), *words[to + 2 :]]
     return words
 
 
@@ -336,20 +320,20 @@ def _on_its_side(words: list[Word]) -> list[Word]:
         side = words[at].text in ("to", "on") and words[at + 1].text in _OWN and words[at + 2].text in ("left", "right")
         if side and not (at + 3 < len(words) and words[at + 3].kind == "word" and words[at + 3].text != "and"):
             pronoun = "it" if words[at + 1].text == "its" else "them"
-            new = _over(words[at : at + 3], [words[at + 2], *_new(("of", pronoun), words[at])])
+            new = over(words[at : at + 3], [words[at + 2], *like(("of", pronoun), words[at])])
             return [*words[:at], *new, *words[at + 3 :]]
     return words
 
 
 def _could_stand(words: list[Word]) -> list[Word]:
     """Return ``the shelf should stand next to the desk`` for ``could the shelf stand next to the desk?``."""
-    start = _start_of(words)
+    start = sentence_start(words)
     definite = text_at(words, start) == "could" and text_at(words, start + 1) in ("the", "my", "our")
     verb = next((k for k in range(start + 3, min(len(words), start + 6)) if words[k].text in _STANDING), 0)
     plain = all(word.kind == "word" and word.text not in PREPOSITIONS for word in words[start + 1 : verb])
     if not (definite and verb and plain) or text_at(words, verb + 1) not in PREPOSITIONS:
         return words
-    should = _new(("should",), words[start])
+    should = like(("should",), words[start])
     end = len(words) - (words[-1].text == "?")
     return [*words[:start], *words[start + 1 : verb], *should, *words[verb:end]]
 
@@ -357,23 +341,23 @@ def _could_stand(words: list[Word]) -> list[Word]:
 def _all_but_one(words: list[Word]) -> list[Word]:
     """Return ``all but one of the lamps in the hall`` for ``every lamp in the hall except one``."""
     for at in range(3, len(words)):
-        length = _said(words, at, ("except",), ("except", "for"), ("but",), ("apart", "from"))
-        alone = length and text_at(words, at + length) == "one" and _ends(words, at + length + 1)
+        length = said_at(words, at, ("except",), ("except", "for"), ("but",), ("apart", "from"))
+        alone = length and text_at(words, at + length) == "one" and ends_at(words, at + length + 1)
         every = next((k for k in range(at - 2, -1, -1) if words[k].text in ("every", "each")), -1)
         clause = words[every:at]
         if not alone or every < 0 or any(word.kind == "mark" or word.text == "and" for word in clause):
             continue
         noun = next((k for k in range(every + 1, at) if words[k].text in PREPOSITIONS), at) - 1
         several = [replace(word, plural=k == noun) for k, word in enumerate(words[: at + length + 1])]
-        one = [words[at + length], *_new(("of", "the"), words[every])]
-        begin = [*_new(("all", "but"), words[every]), *one, *several[every + 1 : at]]
-        return [*words[:every], *_over(words[every : at + length + 1], begin), *words[at + length + 1 :]]
+        one = [words[at + length], *like(("of", "the"), words[every])]
+        begin = [*like(("all", "but"), words[every]), *one, *several[every + 1 : at]]
+        return [*words[:every], *over(words[every : at + length + 1], begin), *words[at + length + 1 :]]
     return words
 
 
 def _order_after_not(words: list[Word]) -> list[Word]:
     """Return ``don't remove the desk; clear it`` for ``don't remove the desk, only clear it``."""
-    negated = any(word.text == "not" for word in words[: _start_of(words) + 3])
+    negated = any(word.text == "not" for word in words[: sentence_start(words) + 3])
     for at in range(3, len(words) - 2 if negated else 0):
         only = words[at].text == "," and words[at + 1].text in ("only", "just")
         if only and (words[at + 2].text,) in BY_WORDS:
@@ -383,7 +367,7 @@ def _order_after_not(words: list[Word]) -> list[Word]:
 
 def _only_of_them(words: list[Word]) -> list[Word]:
     """Return ``there should be exactly four kitchen chairs`` for ``kitchen chairs: only four of them``."""
-    start = _start_of(words)
+    start = sentence_start(words)
     colon = next_mark(words, start)
     name = words[start:colon]
     number = colon + 2
@@ -391,20 +375,20 @@ def _only_of_them(words: list[Word]) -> list[Word]:
     only = text_at(words, colon) == ":" and text_at(words, colon + 1) in ("only", "just", "exactly")
     if not (plain and only) or number >= len(words) or words[number].kind != "number":
         return words
-    after = number + 1 + _said(words, number + 1, ("of", "them"), ("of", "those"))
+    after = number + 1 + said_at(words, number + 1, ("of", "them"), ("of", "those"))
     after += text_at(words, after) == "please"
-    if not _ends(words, after):
+    if not ends_at(words, after):
         return words
     name = name[1:] if name[0].text in DETERMINERS else name
-    exactly = [*_new(("there", "should", "be", "exactly"), words[start]), words[number], *name]
-    return [*words[:start], *_over(words[start:after], exactly), *words[after:]]
+    exactly = [*like(("there", "should", "be", "exactly"), words[start]), words[number], *name]
+    return [*words[:start], *over(words[start:after], exactly), *words[after:]]
 
 
 def _no_longer_wanted(words: list[Word]) -> list[Word]:
     """Return ``bring all chairs in A to B`` for ``I don't want any chairs in A any more, bring them to B``."""
-    start = _start_of(words)
+    start = sentence_start(words)
     begin = start + 3 + (text_at(words, start + 3) == "any")
-    wanted = text_at(words, start) in _SPEAKERS and "not" in [w.text for w in words[start + 1 : start + 3]]
+    wanted = text_at(words, start) in SPEAKERS and "not" in [w.text for w in words[start + 1 : start + 3]]
     verb = next((k for k in range(start + 1, start + 4) if text_at(words, k) in ("want", "need")), 0)
     comma = next_mark(words, start)
     longer = next((k for k in range(begin, comma) if words[k].text in ("anymore", "longer") or _any_more(words, k)), 0)
@@ -415,19 +399,19 @@ def _no_longer_wanted(words: list[Word]) -> list[Word]:
     begin = verb + 1 + (text_at(words, verb + 1) in ("any", "the"))
     things = words[begin : longer - (words[longer].text == "longer")]
     end = next_mark(words, order)
-    whole = [words[order], *_new(("all", "the"), words[order]), *things, *words[order + 2 : end]]
-    return [*words[:start], *_over(words[start:end], whole), *words[end:]]
+    whole = [words[order], *like(("all", "the"), words[order]), *things, *words[order + 2 : end]]
+    return [*words[:start], *over(words[start:end], whole), *words[end:]]
 
 
 def _any_more(words: Sequence[Word], at: int) -> bool:
-    return _said(words, at, ("any", "more"), ("any", "longer")) == 2
+    return said_at(words, at, ("any", "more"), ("any", "longer")) == 2
 
 
 def _moved_from_elsewhere(words: list[Word]) -> list[Word]:
     """Return ``move two chairs from B to A`` for ``we need two more chairs in A; take them from B``."""
     stop = next((k for k, word in enumerate(words) if word.text in {*SENTENCE_ENDS, ",", "-"}), len(words))
-    start = _start_of(words)
-    wanting = text_at(words, start) in _SPEAKERS and text_at(words, start + 1) in _WANTING
+    start = sentence_start(words)
+    wanting = text_at(words, start) in SPEAKERS and text_at(words, start + 1) in _WANTING
     number = start + 2
     more = number + 1 < stop and words[number].kind == "number" and text_at(words, number + 1) == "more"
     place = next((k for k in range(number + 2, stop) if words[k].text in ("in", "for")), 0)
@@ -437,8 +421,98 @@ def _moved_from_elsewhere(words: list[Word]) -> list[Word]:
         return words
     end = next_mark(words, order)
     things = [words[number], *words[number + 2 : place]]
-    moved = [*_new(("move",), words[start]), *things, *words[order + 2 : end], *_new(("to",), words[place])]
-    return [*words[:start], *_over(words[start:end], [*moved, *words[place + 1 : stop]]), *words[end:]]
+    moved = [*like(("move",), words[start]), *things, *words[order + 2 : end], *like(("to",), words[place])]
+    return [*words[:start], *over(words[start:end], [*moved, *words[place + 1 : stop]]), *words[end:]]
+
+
+def _only_so_many_remain(words: list[Word]) -> list[Word]:
+    """Return ``there should be at most four chairs`` for ``of the six chairs only four should remain``.
+
+    After another sentence, and without a place of their own, they are those in the room of that sentence.
+    """
+    start = sentence_start(words)
+    begin = start + (text_at(words, start) == "and")
+    only = next((k for k in range(begin + 3, len(words) - 3) if words[k].text in ("only", "just")), 0)
+    things = words[begin + 2 : only]
+    if said_at(words, begin, ("of", "the"), ("of", "our")) != 2 or len(things) < 2 or things[0].kind != "number":
+        return words
+    number, end = words[only + 1], next_mark(words, only)
+    stays = [word.text for word in words[only + 2 : end]]
+    fewer = number.kind == "number" and number.value < things[0].value and all(w.kind == "word" for w in things[1:])
+    if not fewer or stays[:1] not in (["should"], ["must"], ["shall"]) or stays[1:] not in (["remain"], ["stay"]):
+        return words
+    placed = any(word.text in PREPOSITIONS for word in things)
+    where = like(("in", "that", "room"), words[begin]) if start and not placed else []
+    most = [*like(("there", "should", "be", "at", "most"), words[begin]), number, *things[1:], *where]
+    return [*words[:begin], *over(words[begin:end], most), *words[end:]]
+
+
+def _out_of_and_into(words: list[Word]) -> list[Word]:
+    """Return ``move the rug from A into B`` for ``I want the rug out of A and into B``."""
+    start = sentence_start(words)
+    out = next((k for k in range(start + 2, len(words) - 5) if said_at(words, k, ("out", "of"))), 0)
+    joint = next((k for k in range(out + 3, len(words) - 2) if words[k].text == "and"), 0) if out else 0
+    wanted = text_at(words, start) in SPEAKERS and text_at(words, start + 1) in _WANTING
+    certain = wanted and text_at(words, start + 2) in _CERTAIN
+    source = words[out + 2 : joint]
+    plain = joint and all(word.kind == "word" and word.text not in PREPOSITIONS for word in source)
+    if not (certain and plain) or text_at(words, joint + 1) not in ("into", "in", "onto", "on", "to"):
+        return words
+    moved = [*like(("move",), words[start]), *words[start + 2 : out], *like(("from",), words[out])]
+    return [*words[:start], *moved, *source, *words[joint + 1 :]]
+
+
+def _put_in_its_place(words: list[Word]) -> list[Word]:
+    """Return ``put two beds in its place`` for ``two beds please, in its place``."""
+    start = sentence_start(words)
+    at = next((k for k in range(start + 2, len(words)) if said_at(words, k, ("in", "its", "place"))), 0)
+    last = at - (text_at(words, at - 1) == ",")
+    last -= text_at(words, last - 1) == "please"
+    things = words[start:last]
+    counted = bool(things) and (things[0].text in COUNTED or things[0].kind == "number")
+    plain = all(word.kind != "mark" and word.text not in PREPOSITIONS | DETERMINERS for word in things[1:])
+    if not (at and counted and plain and len(things) <= 4) or any((word.text,) in BY_WORDS for word in things[:-1]):
+        return words
+    return [*words[:start], *over(words[start:last], [*like(("put",), words[start]), *things]), *words[at:]]
+
+
+def _beside_in_its_place(words: list[Word]) -> list[Word]:
+    """Return ``put a shelf along the wall instead`` for ``put a shelf along the wall in its place``."""
+    for at in range(4, len(words) - 2):
+        if not said_at(words, at, ("in", "its", "place"), ("in", "their", "place")) or not ends_at(words, at + 3):
+            continue
+        put = next((k for k in range(at - 1, -1, -1) if words[k].text in PLACING or words[k].kind == "mark"), 0)
+        placed = any(word.text in _SPOTS | {"along"} for word in words[put + 1 : at])
+        if words[put].text in PLACING and placed:
+            return [*words[:at], *over(words[at : at + 3], like(("instead",), words[at])), *words[at + 3 :]]
+    return words
+
+
+def _enough_there(words: list[Word]) -> list[Word]:
+    """Return ``two mats in A are plenty. Remove the others`` for ``two mats are plenty. Remove the others in A``."""
+    for stop in range(4, len(words) - 5):
+        start = next((k + 1 for k in range(stop - 1, -1, -1) if words[k].kind == "mark"), 0)
+        are = stop - 2
+        things = words[start:are]
+        enough = words[are].text in ("is", "are") and words[stop - 1].text in ("enough", "plenty", "sufficient")
+        counted = (
+            enough and len(things) > 1 and things[0].kind == "number" and all(w.kind == "word" for w in things[1:])
+        )
+        if words[stop].text not in SENTENCE_ENDS or not counted or any(w.text in PREPOSITIONS for w in things):
+            continue
+        end = next_mark(words, stop + 1)
+        other = next((k for k in range(stop + 2, end) if said_at(words, k, ("the", "other"), ("the", "rest"))), end)
+        place = other + 2 + (other + 2 < end and words[other + 2].kind == "number")
+        if (
+            place + 2 > end
+            or text_at(words, place) != "in"
+            or any(w.text in PREPOSITIONS for w in words[place + 1 : end])
+        ):
+            continue
+        there = over(words[are - 1 : are], words[place:end])
+        last = replace(words[place - 1], end=words[end - 1].end)
+        return [*words[:are], *there, *words[are : place - 1], last, *words[end:]]
+    return words
 
 
 _READINGS: Final[tuple[Callable[[list[Word]], list[Word]], ...]] = (
@@ -463,4 +537,8 @@ _READINGS: Final[tuple[Callable[[list[Word]], list[Word]], ...]] = (
     _on_its_side,
     _could_stand,
     _only_of_them,
+    _only_so_many_remain,
+    _out_of_and_into,
+    _put_in_its_place,
+    _beside_in_its_place,
 )

@@ -6,6 +6,7 @@ from typing import Any, Final, TypeGuard
 
 import msgspec
 
+from mansion_editing.instructions.clauses.items import Item, joined_places
 from mansion_editing.instructions.clauses.reader import ClauseReader
 from mansion_editing.instructions.phrases.lexicon import Lexicon
 from mansion_editing.instructions.phrases.places import SAME_FLOOR, merged, with_place
@@ -183,13 +184,23 @@ def in_place_of(reader: ClauseReader, found: list[Statement], end: int) -> tuple
     if old is None or old.is_room or not isinstance(new, Add | Ensure):
         return found, end
     if old.phrase.refers == "last" and not old.phrase.noun.words:
-        return found, end if old.places else old.end  # "six chairs instead of four"
+        return _so_many_afterwards(found, old)  # "six chairs instead of four"
     named = old.things() if old.phrase.noun.words[-1:] != ("one",) else _kind_of(old.things(), new.things)
     things = named if new.place.rooms is None else with_place(named, Place(rooms=new.place.rooms))
     if new.place.anchor is not None or new.place.spot:
         gone = Remove(things=things, quote=new.quote)  # it comes elsewhere: "in front of the sofa"
         return [*found[:-1], gone, new], old.end
     return [*found[:-1], Replace(things=things, by=new.things, quote=new.quote)], old.end
+
+
+def _so_many_afterwards(found: list[Statement], old: Item) -> tuple[list[Statement], int]:
+    """Return that there are as many as were named, in the place of the old number if no other is told."""
+    new = exactly(found[-1])
+    place, _ = joined_places(old.places)
+    if not isinstance(new, Ensure) or (old.places and new.place != Place()):
+        return [*found[:-1], new], old.phrase.end
+    placed = msgspec.structs.replace(new, place=place) if old.places else new
+    return [*found[:-1], placed], old.end
 
 
 def _kind_of(one: Things, named: Things) -> Things:
