@@ -327,7 +327,7 @@ class Wishes(Selection[Wish]):
     --------
     >>> b.wishes.filter(status="met")[0].text
     'small flat'
-    >>> "1 met" in b.wishes.summary
+    >>> "2 met" in b.wishes.summary
     True
     """
 

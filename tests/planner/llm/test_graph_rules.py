@@ -43,7 +43,7 @@ def test_a_star_is_fine() -> None:
     ("edges", "word"),
     [
         (without("kitchen"), "not connected"),
-        ([*STAR, "hallway-attic"], "no node"),
+        ([*STAR, "hallway-attic"], "not a node"),
         ([*STAR, "kitchen-kitchen"], "itself"),
         ([*STAR, "kitchen-toilet"], "toilet may open into a kitchen"),
         ([*without("bedroom_2"), "bedroom_1-bedroom_2"], "another bedroom"),

@@ -3,6 +3,8 @@
 import pytest
 
 from mansion_bringup.building.receipt import receipt_of_plan
+from mansion_msgs_py.codec import decode, encode
+from mansion_msgs_py.program import BuildingProgram
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.stages import PlanReply
 from mansion_msgs_py.wishes import Wish
@@ -43,3 +45,8 @@ def test_numbers_and_sizes_of_rooms_bound_no_building(text: str) -> None:
 def test_a_look_before_the_kind_of_building_is_its_style() -> None:
     assert _plan("A warm family flat").program.style == "warm"
     assert _plan("A house with a warm living room").program.style != "warm"
+
+
+def test_a_receipt_is_the_same_after_it_went_over_the_wire() -> None:
+    program = plan_building(BuildRequest(description="a small flat for two")).program
+    assert encode(decode(BuildingProgram, encode(program))) == encode(program)

@@ -38,8 +38,8 @@ def called_bound(facts: BriefFacts, building: BuildingType, storeys: int | None)
         return None, ""
     usual = _usual_storey(building) * (storeys or building.floors[0])
     if size == "large":
-        return round(_LARGE * usual), "least"
-    return round(building.small * (storeys or 1) if building.small else _SMALL * usual), "most"
+        return float(round(_LARGE * usual)), "least"
+    return float(round(building.small * (storeys or 1) if building.small else _SMALL * usual)), "most"
 
 
 def _usual_storey(building: BuildingType) -> float:
