@@ -20,7 +20,7 @@ MOST_SECONDS: Final = 10.0
 """Of processor time."""
 
 MOST_MEMORY: Final = 1_000_000_000
-"""Bytes in memory at the worst moment."""
+"""Bytes in memory at the worst moment; half as much above what a process had before, where that is more."""
 
 Verdict = Literal["answered", "refused", "fault", "hang", "memory", "outside"]
 
@@ -130,7 +130,7 @@ def outcome_of(call: Callable[[], Any], guard: WriteGuard, seconds: float = MOST
         raise _Hang
 
     former = signal.signal(signal.SIGPROF, end)
-    peak, started = _peak(), _processor_time()
+    peak, started = max(_peak(), MOST_MEMORY, _status("VmRSS") + MOST_MEMORY // 2), _processor_time()
     try:
         signal.setitimer(signal.ITIMER_PROF, seconds)
         try:
@@ -144,7 +144,7 @@ def outcome_of(call: Callable[[], Any], guard: WriteGuard, seconds: float = MOST
         signal.signal(signal.SIGPROF, former)
     if guard.outside:
         verdict, what = "outside", guard.outside[0]
-    elif (most := _peak()) > max(peak, MOST_MEMORY):
+    elif (most := _peak()) > peak:
         verdict, what = "memory", f"{most / 1e9:.1f} GB"
     return Outcome(verdict, what, detail, _processor_time() - started)
 
@@ -191,7 +191,12 @@ _STATUS: Final = Path("/proc/self/status")
 
 def _peak() -> int:
     """Return the most bytes of this process that were in memory ever."""
+    return _status("VmHWM")
+
+
+def _status(name: str) -> int:
+    """Return a figure of this process's memory, bytes (``/proc/self/status``); 0 where the system tells none."""
     for line in _STATUS.read_text().splitlines() if _STATUS.exists() else ():
-        if line.startswith("VmHWM"):
+        if line.startswith(name):
             return int(line.split()[1]) * 1024
     return 0

@@ -39,7 +39,7 @@ def test_a_storey_that_is_one_room_is_no_corridor() -> None:
     assert circulation(building, 2) < 0.3
 
 
-@pytest.mark.parametrize("text", ["a two-storey factory of 600 m2", "a warehouse of 900 m2 with an office"])
+@pytest.mark.parametrize("text", ["a two-storey factory of 600 m2", "a two-storey warehouse of 900 m2 with an office"])
 def test_offices_above_a_hall_line_a_corridor(text: str) -> None:
     building = planned(text)
     assert building.massing.hall

@@ -40,7 +40,7 @@ def test_node_ids_differ_when_the_brief_speaks_of_corridors() -> None:
 
 def test_a_room_said_again_is_the_same_room() -> None:
     def libraries(brief: str) -> int:
-        return sum(r.room_type == "library" for r in read_brief(brief, default_knowledge()).rooms)
+        return sum(r.room_type == "library_room" for r in read_brief(brief, default_knowledge()).rooms)
 
     assert libraries("a house with a library, library and library") == 1
     assert libraries("a house with a library and another library") == 2
