@@ -351,6 +351,9 @@ def _named(decisions: Decisions) -> list[str]:
     return [name for fact in (*decisions.facts.adjacent, *decisions.facts.apart) for name in _names(fact)]
 
 
+SALES = "sales_area"
+"""The room that a shop is there for, and that takes what its other rooms leave."""
+
 _MOST_HUB = 0.75
 """Of a public hall's storey, what its main room takes at most: the rest is for toilets, stores and staff."""
 
@@ -385,7 +388,7 @@ def _rooms(
     else:
         room, share = capacity(massing, storey), 0.0
     stores = hall and storey.hub.zone == "service"
-    takes_rest = stores or storey.hub.name == STUDIO or storey.use.family == "retail"
+    takes_rest = stores or storey.hub.name in (STUDIO, SALES)
     if hall:
         most = _most_home_hub(storey, allocation, knowledge, room)
         if storey.use.family != "home":
