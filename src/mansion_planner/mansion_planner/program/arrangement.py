@@ -351,7 +351,7 @@ def _named(decisions: Decisions) -> list[str]:
     return [name for fact in (*decisions.facts.adjacent, *decisions.facts.apart) for name in _names(fact)]
 
 
-SALES = "sales_area"
+_SALES = "sales_area"
 """The room that a shop is there for, and that takes what its other rooms leave."""
 
 _MOST_HUB = 0.75
@@ -388,7 +388,7 @@ def _rooms(
     else:
         room, share = capacity(massing, storey), 0.0
     stores = hall and storey.hub.zone == "service"
-    takes_rest = stores or storey.hub.name in (STUDIO, SALES)
+    takes_rest = stores or storey.hub.name in (STUDIO, _SALES)
     if hall:
         most = _most_home_hub(storey, allocation, knowledge, room)
         if storey.use.family != "home":

@@ -4,7 +4,17 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import Final
 
-from mansion_editing.instructions.phrases.told_wants import WANTS
+from mansion_editing.instructions.phrases.implied_requests import WANTS
+from mansion_editing.instructions.phrases.rewritten_words import (
+    COUNTED,
+    PLACING,
+    SPEAKERS,
+    ends_at,
+    like,
+    over,
+    said_at,
+    sentence_start,
+)
 from mansion_editing.instructions.phrases.verb_words import BY_WORDS
 from mansion_editing.instructions.phrases.words import (
     DETERMINERS,
@@ -14,16 +24,6 @@ from mansion_editing.instructions.phrases.words import (
     next_mark,
     text_at,
     with_leading_marks,
-)
-from mansion_editing.instructions.phrases.written_anew import (
-    COUNTED,
-    PLACING,
-    SPEAKERS,
-    ends_at,
-    like,
-    over,
-    said_at,
-    sentence_start,
 )
 
 __all__ = ["in_plain_words"]

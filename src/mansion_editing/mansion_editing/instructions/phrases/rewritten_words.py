@@ -1,4 +1,4 @@
-"""Words of a sentence that stand for others: where it begins, what is said at a place, and new words there."""
+"""Pieces for rewording a sentence: where it begins, what is said at a place, and words that stand in for others."""
 
 from collections.abc import Sequence
 from dataclasses import replace

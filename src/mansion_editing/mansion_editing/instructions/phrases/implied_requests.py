@@ -1,11 +1,10 @@
-"""Wishes that are told, not asked: ``I'd put a bin there``, ``clocks missing: 1x hall``, ``a cart is needed``."""
+"""Requests implied rather than asked: ``I'd put a bin there``, ``clocks missing: 1x hall``, ``a cart is needed``."""
 
 from collections.abc import Callable
 from dataclasses import replace
 from typing import Final
 
-from mansion_editing.instructions.phrases.words import DETERMINERS, PREPOSITIONS, Word, next_mark, text_at
-from mansion_editing.instructions.phrases.written_anew import (
+from mansion_editing.instructions.phrases.rewritten_words import (
     COUNTED,
     PLACING,
     SPEAKERS,
@@ -15,6 +14,7 @@ from mansion_editing.instructions.phrases.written_anew import (
     said_at,
     sentence_start,
 )
+from mansion_editing.instructions.phrases.words import DETERMINERS, PREPOSITIONS, Word, next_mark, text_at
 
 __all__ = ["WANTS"]
 
