@@ -20,7 +20,7 @@ from mansion_editing.room_parts import parts_of, program_with, records_of, topol
 from mansion_editing.state import SceneChange, changed, inverse, rebase
 from mansion_msgs_py.allowed_folders import EVERYWHERE, AllowedFolders
 from mansion_msgs_py.building import Building
-from mansion_msgs_py.building_folder import INDEX, BuildingFolder, file_in, floor_directory
+from mansion_msgs_py.building_folder import EDIT_LOG, INDEX, BuildingFolder, file_in, floor_directory
 from mansion_msgs_py.codec import decode, encode_bytes
 from mansion_msgs_py.editing.changes import DocumentChange, ObjectChange, RoomChange, Transaction
 from mansion_msgs_py.errors import ErrorCode, MansionError, refused_by_system
@@ -92,7 +92,7 @@ class BuildingStore:
         self._scenes: dict[int, tuple[tuple[int, int, int], FloorScene]] = {}
         self.lock_file = file_in(folder, "edits/lock")
         self._edits = self.lock_file.parent
-        self.edit_log = EditLog(self._edits / "log.jsonl")
+        self.edit_log = EditLog(file_in(folder, EDIT_LOG))
         if allowed.allows(folder):
             self._tidy()
 

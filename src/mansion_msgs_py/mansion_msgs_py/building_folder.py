@@ -11,7 +11,9 @@ from mansion_msgs_py.scene import FloorScene
 from mansion_msgs_py.topology import FloorTopology
 
 __all__ = [
+    "EDIT_LOG",
     "INDEX",
+    "STATE",
     "TASKS",
     "BuildingFolder",
     "check_building_folder",
@@ -28,6 +30,12 @@ INDEX: Final = "building.json"
 
 TASKS: Final = "tasks.json"
 """A `TaskSet` of the building, where tasks were made with it."""
+
+EDIT_LOG: Final = "edits/log.jsonl"
+"""What was changed in the building since it was built, one `Transaction` a line."""
+
+STATE: Final = "state"
+"""The folder with what robots did in the building, by session."""
 
 
 def floor_directory(floor: int) -> str:

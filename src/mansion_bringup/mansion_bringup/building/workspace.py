@@ -13,7 +13,7 @@ from types import TracebackType
 from typing import Any, TypeVar
 
 from mansion_bringup import __version__
-from mansion_msgs_py.building_folder import INDEX, floor_directory
+from mansion_msgs_py.building_folder import EDIT_LOG, INDEX, STATE, floor_directory
 from mansion_msgs_py.codec import decode, encode_bytes
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.file_locks import hold_lock
@@ -163,9 +163,9 @@ def require_free_target(target: Path, *, force: bool) -> None:
 def _work_in(building: Path) -> str:
     """Name what was done in a building since it was built; empty where nothing was."""
     done = []
-    log = building / "edits" / "log.jsonl"
+    log = building / EDIT_LOG
     if log.is_file() and log.stat().st_size:
         done.append("edits")
-    if (building / "state").exists():
+    if (building / STATE).exists():
         done.append("the state of robots")
     return " and ".join(done)
