@@ -186,7 +186,7 @@ def _merge(boundaries: Sequence[BoundarySegment]) -> list[BoundarySegment]:
 
 
 def _joined_for_doors(boundaries: Sequence[BoundarySegment]) -> list[BoundarySegment]:
-    """Join a structural piece and its continuation between two rooms where neither takes a door; both are structural."""
+    """Join a structural piece of a wall with its other part where neither takes a door; the whole is structural."""
     joined: list[BoundarySegment] = []
     for boundary in boundaries:
         last = joined[-1] if joined else None
