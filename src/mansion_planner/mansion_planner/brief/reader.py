@@ -68,6 +68,7 @@ from mansion_planner.brief.unit_storeys import attach_units
 from mansion_planner.brief.units import are_units, is_type_of_flat
 from mansion_planner.brief.unread_words import leave_unread
 from mansion_planner.brief.vertical_facts import read_stairs_and_lifts
+from mansion_planner.brief.washing_fittings import read_washing_fittings
 from mansion_planner.brief.washing_and_resting import by_what_else_is_named
 
 __all__ = ["read_brief"]
@@ -162,6 +163,7 @@ class _Reader:
     def _find_groups(self) -> None:
         """Find what belongs together: late counts, what each flat holds, what only holds or furnishes another room."""
         reading = self.reading
+        read_washing_fittings(reading, self.phrases)
         read_late_counts(reading, self.phrases)
         read_counts_by_room(reading, self.phrases)
         self.phrases, self.households = read_households(reading, self.phrases, self.places, self.building)

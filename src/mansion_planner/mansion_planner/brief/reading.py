@@ -16,6 +16,7 @@ from mansion_planner.brief.lexicon import Mention, lexicon_of
 from mansion_planner.brief.relative_areas import relative_areas
 from mansion_planner.brief.shortened_nouns import shortened_nouns
 from mansion_planner.brief.spelling import corrected
+from mansion_planner.brief.spoken_turns import spoken_turns
 from mansion_planner.brief.stacked_flats import stacked_flats
 from mansion_planner.brief.storey_forms import storey_forms
 from mansion_planner.brief.storey_tables import storey_tables
@@ -192,7 +193,7 @@ class Reading:
 def start_reading(text: str, knowledge: KnowledgeBase, cancelled: Callable[[], bool] = lambda: False) -> Reading:
     """Tokenise `text`, correct misspelt words and find the phrases of the knowledge base."""
     lexicon = lexicon_of(knowledge)
-    tokens, corrections = corrected_numbers(shortened_nouns(tokenize(text.replace("@", "à"))))
+    tokens, corrections = corrected_numbers(spoken_turns(shortened_nouns(tokenize(text.replace("@", "à")))))
     tokens = storey_tables(abbreviated_storeys(text, decades(tokens)), FLOOR_WORDS)
     tokens = flat_types(count_forms(storeys_by_use(storey_forms(text, tokens), FLOOR_WORDS)))
     tokens = compounds(corrected(tokens, lexicon.words, furniture_vocabulary()), lexicon.words)
