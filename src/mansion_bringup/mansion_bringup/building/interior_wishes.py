@@ -6,8 +6,9 @@ from collections.abc import Mapping, Sequence
 from typing import Final
 
 from mansion_bringup.building.judged_building import JudgedBuilding, JudgedRoom
-from mansion_bringup.building.verdicts import Judge, Verdict, met_if, spoken
+from mansion_bringup.building.verdicts import Judge, Verdict, listed, met_if, spoken
 from mansion_knowledge.object_kinds import answers
+from mansion_knowledge.object_qualities import has_quality
 from mansion_msgs_py.wishes import Wish, WishStatus
 
 __all__ = ["INTERIOR_JUDGES"]
@@ -53,7 +54,25 @@ def _object(wish: Wish, state: JudgedBuilding) -> Verdict:
     most = _of_that_noun(wish, having) if wish.value.exact and wish.scope.room else 0
     if status == "met" and most > wanted:
         status, reason = "partly", f"{most} instead of {wanted} are there{where}"
+    lost = [word for word in wish.value.unheeded if not _all_are(wish, rooms, word, wanted)]
+    if status == "met" and lost:
+        status, reason = "partly", f"nothing was made of {listed([repr(word) for word in lost])}"
     return Verdict(status, reason, [room.full_id for room in having], found)
+
+
+def _all_are(wish: Wish, rooms: Sequence[JudgedRoom], word: str, wanted: int) -> bool:
+    """Whether as many objects as are wanted are as a word says, in each place where the count is for each."""
+    there: Counter[object] = Counter()
+    fitting: Counter[object] = Counter()
+    for room in rooms:
+        place = (room.full_id if wish.scope.room else room.floor) if wish.scope.each else ""
+        for category, looks in room.looks.items():
+            if _is(category, wish):
+                there[place] += len(looks)
+                fitting[place] += sum(has_quality(category, size, material, word) for size, material in looks)
+    if not any(room.object_ids for room in rooms):
+        return any(fitting.values())  # of a plan: what the catalogue has
+    return all(fitting[place] >= min(wanted, count) for place, count in there.items() if count)
 
 
 def _of_that_noun(wish: Wish, rooms: Sequence[JudgedRoom]) -> int:

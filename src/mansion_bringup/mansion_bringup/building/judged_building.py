@@ -17,12 +17,13 @@ from mansion_assets.catalogue import load_catalogue
 from mansion_assets.catalogue.piece_counts import pieces
 from mansion_knowledge.essentials import Need, needs_of, pieces_there, still_wanted
 from mansion_knowledge.furnished_as import furnished_as
+from mansion_knowledge.object_kinds import added_for
 from mansion_msgs_py.program import BuildingProgram
 from mansion_msgs_py.scene import FloorScene, SceneObject, SceneRoom
 from mansion_msgs_py.topology import FloorTopology
 from mansion_scene.structure.floor_structure import ceiling_height
 
-__all__ = ["Equipment", "JudgedBuilding", "JudgedRoom", "equipment_of", "finished_building", "planned_building"]
+__all__ = ["Equipment", "JudgedBuilding", "JudgedRoom", "Look", "equipment_of", "finished_building", "planned_building"]
 
 
 @dataclass(frozen=True)
@@ -74,9 +75,23 @@ _SHARED = 1.1
 """Metres of straight wall that neighbours share at least: a door and its frame, and a little."""
 
 
+Look: TypeAlias = tuple[Sequence[float], str]
+"""Size and main material of an object."""
+
+
 @dataclass(frozen=True)
 class JudgedRoom:
-    """A room of a planned or finished floor."""
+    """A room of a planned or finished floor.
+
+    Attributes
+    ----------
+    objects : Counter of str
+        Pieces by category; of a plan those that are asked for.
+    object_ids : mapping of str to sequence of str
+        By category; empty in a plan.
+    looks : mapping of str to sequence of Look
+        Of each object by category; in a plan of all that the catalogue has of a category.
+    """
 
     floor: int
     id: str
@@ -87,6 +102,7 @@ class JudgedRoom:
     surfaces: Mapping[str, str] = field(default_factory=dict)
     objects: Counter[str] = field(default_factory=Counter)
     object_ids: Mapping[str, Sequence[str]] = field(default_factory=dict)
+    looks: Mapping[str, Sequence[Look]] = field(default_factory=dict)
     equipment: Equipment = field(default_factory=Equipment)
 
     @property
@@ -160,6 +176,7 @@ def planned_building(program: BuildingProgram, topologies: Sequence[FloorTopolog
             ceiling_height(floor.height),
             {"floor": room.floor_material, "wall": room.wall_material},
             Counter({entry.category: entry.count for entry in room.objects}),
+            looks={entry.category: _looks(entry.category) for entry in room.objects},
         )
         for floor in program.floors
         for room in floor.rooms
@@ -177,6 +194,11 @@ def planned_building(program: BuildingProgram, topologies: Sequence[FloorTopolog
     )
     hubs = frozenset(f"F{graph.floor}/{node.id}" for graph in topologies for node in graph.nodes if node.type == "main")
     return JudgedBuilding(program, rooms, edges, doors, hubs)
+
+
+def _looks(category: str) -> list[Look]:
+    """Return what all assets look like that a room may get for a category."""
+    return [(asset.size, asset.material) for asset in load_catalogue().by_category(added_for(category))]
 
 
 def _names(identifier: str, name: str, aliases: Iterable[str]) -> frozenset[str]:
@@ -202,10 +224,12 @@ def _finished_room(scene: FloorScene, number: int) -> JudgedRoom:
     room = scene.rooms[number]
     short = room.id.removeprefix(f"F{scene.floor}/")
     things: dict[str, list[str]] = {}
+    looks: dict[str, list[Look]] = {}
     numbers: Counter[str] = Counter()
     objects = [entry for entry in scene.objects if entry.room == room.id]
     for entry in objects:
         things.setdefault(entry.category, []).append(entry.id)
+        looks.setdefault(entry.category, []).append((entry.size, entry.material))
         numbers[entry.category] += _pieces(entry)
     return JudgedRoom(
         scene.floor,
@@ -217,6 +241,7 @@ def _finished_room(scene: FloorScene, number: int) -> JudgedRoom:
         {"floor": room.floor_material, "wall": room.wall_material},
         numbers,
         things,
+        looks,
         equipment_of(scene, room, objects),
     )
 

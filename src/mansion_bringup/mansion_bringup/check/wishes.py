@@ -18,6 +18,7 @@ from mansion_bringup.check.shapes import outline_forms, shared_wall
 from mansion_knowledge.essentials import needs_of
 from mansion_knowledge.furnished_as import furnished_as
 from mansion_knowledge.object_kinds import answers, seats_of_row
+from mansion_knowledge.object_qualities import has_quality
 from mansion_msgs_py.building import Building
 from mansion_msgs_py.layout import FloorLayout
 from mansion_msgs_py.scene import FloorScene, SceneRoom
@@ -193,10 +194,10 @@ def _status(wish: Wish, finished: _Finished) -> Iterator[Fault]:
 
 def _taken_for(wish: Wish, finished: _Finished) -> str:
     """Say that something known stands for what is not, or which words are not heeded: it is met in part at best."""
-    if wish.value.unheeded:
+    if wish.value.unheeded and wish.kind != "object":
         return f"it is not {' and '.join(wish.value.unheeded)}"
     stands_in = any(entry.id == wish.id and entry.reason for entry in finished.ledger)
-    return "something else stands for it" if stands_in and wish.kind in ("room", "building_type") else ""
+    return "something else stands for it" if stands_in and wish.kind in ("room", "building_type", "object") else ""
 
 
 def _building_type(wish: Wish, finished: _Finished) -> str:
@@ -444,8 +445,24 @@ def _object(wish: Wish, finished: _Finished) -> str:
     if wish.value.exact and wish.scope.room:
         named = _things(wish, finished, noun=wish.value.type.split("_")[-1]).values()
         there = max(named) if wish.scope.each else sum(named)
-        return f"{there} are there, more than {wanted}" if there > wanted else ""
-    return ""
+        if there > wanted:
+            return f"{there} are there, more than {wanted}"
+    return next((f"not as many are {word}" for word in wish.value.unheeded if not _are_so(wish, finished, word)), "")
+
+
+def _are_so(wish: Wish, finished: _Finished, word: str) -> bool:
+    """Whether enough of the things of a wish are as a word says; in every place where the count is for each."""
+    scope = wish.scope
+    rooms = {room.id for _, room in finished.meant(scope.room, scope.room_type, scope.floors)} if scope.room else None
+    numbers: dict[str, list[bool]] = defaultdict(list)
+    for scene in finished.scenes:
+        for thing in scene.objects:
+            here = thing.room in rooms if rooms is not None else _on(scene.floor, scope.floors)
+            if here and wish.value.type and _called_so(thing.category, wish.value):
+                place = (thing.room if scope.room else str(scene.floor)) if scope.each else ""
+                numbers[place].append(has_quality(thing.category, thing.size, thing.material, word))
+    wanted = 2 if wish.value.count is None else wish.value.count
+    return all(sum(fitting) >= min(wanted, len(fitting)) for fitting in numbers.values())
 
 
 def _no_object(wish: Wish, finished: _Finished) -> str:
