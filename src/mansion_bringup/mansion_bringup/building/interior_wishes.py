@@ -7,7 +7,7 @@ from typing import Final
 
 from mansion_bringup.building.judged_building import JudgedBuilding, JudgedRoom
 from mansion_bringup.building.verdicts import Judge, Verdict, listed, met_if, spoken
-from mansion_knowledge.object_kinds import answers
+from mansion_knowledge.object_kinds import answers, substitutes
 from mansion_knowledge.object_qualities import has_quality
 from mansion_msgs_py.wishes import Wish, WishStatus
 
@@ -95,12 +95,15 @@ def _count(wish: Wish, room: JudgedRoom) -> int:
 
 
 def _is(category: str, wish: Wish) -> bool:
-    """Whether objects of a category are what a wish calls so: an office desk is a desk, a reading table a table."""
+    """Whether objects of a category are what a wish calls so: an office desk is a desk, a reading table a table.
+
+    Where nothing is known to answer for a category, what has the wish's noun does: a parcel locker for lockers.
+    """
     kind, name = wish.value.type, wish.value.name
     if not kind:
         return False
     last = category.rpartition("_")[2]
-    return answers(kind, category) or category.endswith(f"_{kind}") or name in (last, f"{last}s", f"{last}es")
+    return answers(kind, category) or (not substitutes(kind) and name in (last, f"{last}s", f"{last}es"))
 
 
 def _object_rooms(wish: Wish, state: JudgedBuilding) -> list[JudgedRoom]:

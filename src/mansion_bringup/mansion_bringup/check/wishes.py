@@ -17,7 +17,7 @@ from mansion_bringup.check.fault import Fault
 from mansion_bringup.check.shapes import outline_forms, shared_wall
 from mansion_knowledge.essentials import needs_of
 from mansion_knowledge.furnished_as import furnished_as
-from mansion_knowledge.object_kinds import answers, seats_of_row
+from mansion_knowledge.object_kinds import answers, seats_of_row, substitutes
 from mansion_knowledge.object_qualities import has_quality
 from mansion_msgs_py.building import Building
 from mansion_msgs_py.layout import FloorLayout
@@ -220,8 +220,10 @@ def _basements(wish: Wish, finished: _Finished) -> str:
 
 
 def _total_area(wish: Wish, finished: _Finished) -> str:
-    totals = [sum(_gross(scene) for scene in scenes) for scenes in (finished.above, finished.scenes)]
-    return "" if any(_fits(total, wish.value) for total in totals) else f"it has {totals[1]:.1f} m2"
+    counted = [[scene for scene in finished.scenes if scene.floor in wish.scope.floors]]
+    counted = counted if wish.scope.floors else [finished.above, list(finished.scenes)]
+    totals = [sum(map(_gross, scenes)) for scenes in counted]
+    return "" if any(_fits(total, wish.value) for total in totals) else f"it has {totals[-1]:.1f} m2"
 
 
 def _floor_area(wish: Wish, finished: _Finished) -> str:
@@ -493,13 +495,11 @@ def _things(wish: Wish, finished: _Finished, *, noun: str = "") -> dict[str, int
 
 
 def _called_so(category: str, value: WishValue) -> bool:
-    """Whether the words or the kind of a wish are the last ones of a category."""
-    words, kind = category.split("_"), value.type.split("_")
-    return (
-        answers(value.type, category)
-        or words[-len(kind) :] == kind
-        or re.fullmatch(rf"{re.escape(words[-1])}(e?s)?", value.name) is not None
-    )
+    """Whether a category is of a wish's kind, or of its noun where no other kind is known to be of it."""
+    if answers(value.type, category):
+        return True
+    noun = re.escape(category.split("_")[-1])
+    return not substitutes(value.type) and re.fullmatch(rf"{noun}(e?s)?", value.name) is not None
 
 
 def _height(wish: Wish, finished: _Finished) -> str:

@@ -264,6 +264,8 @@ class BriefFacts:
         Words that no fact was read from.
     unheeded : list of Span
         Words within other facts' that say how something is to be, and that nothing is made of.
+    above_ground : list of Span
+        Areas of the storeys above ground alone: "240 m2 without the basement".
     combined : list of str
         Room types that a room of several uses stands for: none of them is added.
     corrections : list of Span
@@ -303,5 +305,6 @@ class BriefFacts:
     only_on: list[tuple[Span, tuple[FloorRef, ...]]] = field(default_factory=list)
     unread: list[Span] = field(default_factory=list)
     unheeded: list[Span] = field(default_factory=list)
+    above_ground: list[Span] = field(default_factory=list)
     combined: list[str] = field(default_factory=list)
     corrections: list[Span] = field(default_factory=list)

@@ -257,7 +257,10 @@ class _Ledger:
         for quantity in facts.basements:
             self.add("basements", quantity.span, WishValue(count=int(quantity.value)))
         for quantity in facts.area:
-            self.add("total_area", quantity.span, WishValue(area=quantity.value, limit=quantity.limit))
+            above = next((span for span in facts.above_ground if span.start == quantity.span.start), None)
+            scope = Scope(floors=list(range(1, decided.floors + 1))) if above is not None else Scope()
+            value = WishValue(area=quantity.value, limit=quantity.limit)
+            self.add("total_area", above or quantity.span, value, scope)
         for quantity in facts.floor_area:
             self.add("floor_area", quantity.span, WishValue(area=quantity.value, limit=quantity.limit))
 
