@@ -15,10 +15,11 @@ from shapely.geometry import Polygon
 
 from mansion_assets.catalogue import load_catalogue
 from mansion_assets.catalogue.piece_counts import pieces
+from mansion_knowledge import is_class
 from mansion_knowledge.essentials import Need, needs_of, pieces_there, still_wanted
 from mansion_knowledge.furnished_as import furnished_as
 from mansion_knowledge.object_kinds import added_for
-from mansion_msgs_py.program import BuildingProgram
+from mansion_msgs_py.program import GROUND_FLOOR, BuildingProgram
 from mansion_msgs_py.scene import FloorScene, SceneObject, SceneRoom
 from mansion_msgs_py.topology import FloorTopology
 from mansion_scene.structure.floor_structure import ceiling_height
@@ -37,11 +38,14 @@ class Equipment:
         Category and width of each object, metres.
     reasons : mapping of str to str
         By name of a need, why the room was left without it.
+    shut_in : bool
+        Vehicles are to drive into the room, and no door leads there from outside.
     """
 
     needs: Sequence[Need] = ()
     objects: Sequence[tuple[str, float]] = ()
     reasons: Mapping[str, str] | None = None
+    shut_in: bool = False
 
     def lack(self, unwanted: Iterable[str] = ()) -> str:
         """Say what the room cannot be used without and has not; empty where it has all.
@@ -57,7 +61,7 @@ class Equipment:
                 why = (self.reasons or {}).get(need.name, "")
                 amount = f"{have} of {need.count} x {need.name}" if have else f"no {need.name}"
                 return f"has {amount}" + (f": {why}" if why else "")
-        return ""
+        return "has no door to the outside" if self.shut_in else ""
 
 
 def equipment_of(scene: FloorScene, room: SceneRoom, objects: Iterable[SceneObject]) -> Equipment:
@@ -68,6 +72,9 @@ def equipment_of(scene: FloorScene, room: SceneRoom, objects: Iterable[SceneObje
         needs_of(kind, (room.name, *room.aliases)),
         [(thing.category, thing.size[0]) for thing in objects],
         {lost.name: lost.reason for lost in scene.discarded if lost.room == room.id},
+        shut_in=scene.floor == GROUND_FLOOR
+        and is_class(room.room_type, "vehicle")
+        and (room.id, None) not in {door.rooms for door in scene.doors},
     )
 
 
@@ -150,6 +157,10 @@ class JudgedBuilding:
         return first is not second and (
             (first.full_id, second.full_id) in self.touching or (second.full_id, first.full_id) in self.touching
         )
+
+    def joined(self, first: JudgedRoom, second: JudgedRoom) -> bool:
+        """Whether a door or an opening leads from one room into another."""
+        return (first.full_id, second.full_id) in self.doors or (second.full_id, first.full_id) in self.doors
 
 
 def finished_building(program: BuildingProgram, scenes: Sequence[FloorScene]) -> JudgedBuilding:

@@ -158,6 +158,8 @@ def _adjacent(wish: Wish, state: JudgedBuilding) -> Verdict:
     lonely = [a.full_id for a in firsts if a.full_id not in {first.full_id for first, _ in pairs}]
     if wish.scope.each and pairs and lonely:
         return Verdict("partly", f"{listed(lonely[:3])} lies beside none", ids)
+    if wish.value.door and pairs and not any(state.joined(a, b) for a, b in pairs):
+        return Verdict("partly", "no door or opening joins them", ids)
     same = any(a.floor == b.floor for a in firsts for b in seconds)
     return met_if(bool(pairs), "they share no wall" if same else "they are on different storeys", rooms=ids)
 

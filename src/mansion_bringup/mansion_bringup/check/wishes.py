@@ -15,12 +15,14 @@ from shapely import Polygon
 
 from mansion_bringup.check.fault import Fault
 from mansion_bringup.check.shapes import outline_forms, shared_wall
+from mansion_knowledge import is_class
 from mansion_knowledge.essentials import needs_of
 from mansion_knowledge.furnished_as import furnished_as
 from mansion_knowledge.object_kinds import answers, seats_of_row, substitutes
 from mansion_knowledge.object_qualities import has_quality
 from mansion_msgs_py.building import Building
 from mansion_msgs_py.layout import FloorLayout
+from mansion_msgs_py.program import GROUND_FLOOR
 from mansion_msgs_py.scene import FloorScene, SceneRoom
 from mansion_msgs_py.wishes import AREA_TOLERANCE, MOST_WORDS, Wish, WishValue
 
@@ -345,6 +347,9 @@ def _idle(finished: _Finished, rooms: Sequence[tuple[int, SceneRoom]]) -> str:
                 continue
             if sum(need.pieces(thing.category, thing.size[0]) for thing in objects) < need.count:
                 return f"{room.id} cannot be used without {need.count} x {need.name}"
+        driven_into = floor == GROUND_FLOOR and is_class(room.room_type, "vehicle")
+        if driven_into and not any(None in door.rooms and room.id in door.rooms for door in scene.doors):
+            return f"nobody drives into {room.id}"
     return ""
 
 
@@ -403,7 +408,19 @@ def _adjacent(wish: Wish, finished: _Finished) -> str:
     beside = set(_sides(wish, finished))
     if wish.scope.each and any(room.id not in beside for _, room in finished.meant(wish.value.name, wish.value.type)):
         return "not every such room shares a wall with one"
+    if beside and wish.value.door and not _is_entered(wish, finished):
+        return "no door leads from one into the other"
     return "" if beside else "no two such rooms share a wall"
+
+
+def _is_entered(wish: Wish, finished: _Finished) -> bool:
+    """Whether a door has a room of either kind of a relation on each side."""
+    first = {room.id for _, room in finished.meant(wish.value.name, wish.value.type)}
+    second = {room.id for _, room in finished.meant(wish.value.other, wish.value.other_type)}
+    sides = [set(door.rooms) for scene in finished.scenes for door in scene.doors]
+    return any(
+        len(side) == 2 and any({one, other} == side for one in first & side for other in second & side) for side in sides
+    )
 
 
 def _apart(wish: Wish, finished: _Finished) -> str:

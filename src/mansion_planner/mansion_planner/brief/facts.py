@@ -146,6 +146,8 @@ class AdjacencyFact:
         The user's own names, where the rooms have some.
     each : bool
         Several rooms are spoken of, and every one of them is to lie so.
+    door : bool
+        One is to be entered from the other.
     """
 
     first: str
@@ -154,6 +156,7 @@ class AdjacencyFact:
     first_name: str = ""
     second_name: str = ""
     each: bool = False
+    door: bool = False
 
 
 @dataclass(frozen=True)

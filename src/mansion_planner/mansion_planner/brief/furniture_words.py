@@ -108,7 +108,6 @@ _MEANT = {
     "plaster": "",
     "lime": "",
     "range": "stove",
-    "map": "",
     "remote": "",
     "book case": "bookshelf",
     "shoe box": "shoe_rack",

@@ -30,7 +30,7 @@ _THING_FOR = {
 """What stands in a part of a room that is called so."""
 _ONE_ROOM = frozenset({"studio_flat", "tiny_house", "cabin"})
 """Buildings of one room, whose parts are parts of that."""
-_JOINTS = frozenset({"with", "a", "an", "and", ",", "the", "its", "has", "have", "plus", "&", "also", "small", "cosy", "("})
+_JOINTS = frozenset({"with", "a", "an", "and", ",", "the", "its", "has", "have", "plus", "&", "also", "(", "each", "every"})
 _INTO = frozenset({"in", "inside", "within", "of", "at"})
 
 

@@ -228,7 +228,7 @@ def _tells_kind(reading: Reading, phrase: Phrase, index: int) -> bool:
     category, _ = furniture_of((word,))
     if category and category != phrase.category and of_one_kind(category, phrase.category):
         return True
-    plain = word in FUNCTION_WORDS | PLAIN or is_size(word) or word.endswith("ly")
+    plain = word in FUNCTION_WORDS | PLAIN | {"size", "sized"} or is_size(word) or word.endswith("ly")
     return noun in _USUAL and _core(reading, phrase) == phrase.noun_end - 1 and not plain and word not in _USUAL[noun]
 
 

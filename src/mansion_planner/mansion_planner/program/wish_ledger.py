@@ -345,6 +345,7 @@ class _Ledger:
             type=fact.first,
             other=fact.second_name or fact.second,
             other_type=fact.second,
+            door=fact.door,
         )
         self.add(kind, fact.span, value, Scope(each=fact.each))
 
