@@ -1,4 +1,4 @@
-"""Whether an object is as a word says: of the width that a bed is called by, long, round, of a substance or a colour."""
+"""Whether an object is as a word says: as wide as a bed that is called so, long, round, of a substance or a colour."""
 
 from collections.abc import Sequence
 

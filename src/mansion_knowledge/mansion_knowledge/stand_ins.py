@@ -1,4 +1,4 @@
-"""Names in place of which something known is built that is another thing: a sofa for a sofa bed, a garage for a carport."""
+"""Names in whose place another thing that is known is built: a sofa for a sofa bed, a garage for a carport."""
 
 from functools import cache
 from importlib.resources import files

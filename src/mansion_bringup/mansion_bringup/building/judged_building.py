@@ -120,13 +120,20 @@ class JudgedRoom:
 
 @dataclass(frozen=True)
 class JudgedBuilding:
-    """A building as far as its wishes go: rooms, and the pairs of their full ids that share a wall."""
+    """A building as far as its wishes go: rooms, and the pairs of their full ids that share a wall.
+
+    Attributes
+    ----------
+    planned : bool
+        Nothing of it is finished: its areas are those that its rooms are going to have.
+    """
 
     program: BuildingProgram
     rooms: Sequence[JudgedRoom]
     touching: frozenset[tuple[str, str]]
     doors: frozenset[tuple[str, str]] = frozenset()
     hubs: frozenset[str] = frozenset()
+    planned: bool = False
 
     def called(self, name: str, kind: str, floors: Sequence[int] = ()) -> list[JudgedRoom]:
         """Return the rooms of a name; where none has it, those of a type."""
@@ -204,7 +211,7 @@ def planned_building(program: BuildingProgram, topologies: Sequence[FloorTopolog
         if edge.kind == "access"
     )
     hubs = frozenset(f"F{graph.floor}/{node.id}" for graph in topologies for node in graph.nodes if node.type == "main")
-    return JudgedBuilding(program, rooms, edges, doors, hubs)
+    return JudgedBuilding(program, rooms, edges, doors, hubs, planned=True)
 
 
 def _looks(category: str) -> list[Look]:

@@ -18,7 +18,7 @@ from mansion_bringup.check.shapes import outline_forms, shared_wall
 from mansion_knowledge import is_class
 from mansion_knowledge.essentials import needs_of
 from mansion_knowledge.furnished_as import furnished_as
-from mansion_knowledge.object_kinds import answers, seats_of_row, substitutes
+from mansion_knowledge.object_kinds import answers, seats_of_row
 from mansion_knowledge.object_qualities import has_quality
 from mansion_msgs_py.building import Building
 from mansion_msgs_py.layout import FloorLayout
@@ -29,8 +29,11 @@ from mansion_msgs_py.wishes import AREA_TOLERANCE, MOST_WORDS, Wish, WishValue
 __all__ = ["check_wishes"]
 
 
-ROOM_TOLERANCE = 0.15
+ROOM_TOLERANCE = 0.06
 """Share by which the area of a room may differ from the one asked for."""
+
+LEAST_TOLERANCE = 0.25
+"""Square metres by which that of any room may."""
 
 CEILING_TOLERANCE = 0.10
 """Metres by which a ceiling may differ from the height asked for."""
@@ -394,7 +397,7 @@ def _covers(entry: Wish, finished: _Finished, floor: int, room: SceneRoom) -> bo
 
 
 def _as_large(area: float, wanted: float) -> bool:
-    return abs(area - wanted) <= ROOM_TOLERANCE * wanted + 1e-6
+    return abs(area - wanted) <= max(ROOM_TOLERANCE * wanted, LEAST_TOLERANCE) + 1e-6
 
 
 def _no_room(wish: Wish, finished: _Finished) -> str:
@@ -419,7 +422,8 @@ def _is_entered(wish: Wish, finished: _Finished) -> bool:
     second = {room.id for _, room in finished.meant(wish.value.other, wish.value.other_type)}
     sides = [set(door.rooms) for scene in finished.scenes for door in scene.doors]
     return any(
-        len(side) == 2 and any({one, other} == side for one in first & side for other in second & side) for side in sides
+        len(side) == 2 and any({one, other} == side for one in first & side for other in second & side)
+        for side in sides
     )
 
 
@@ -498,7 +502,7 @@ def _things(wish: Wish, finished: _Finished, *, noun: str = "") -> dict[str, int
     placed: Counter[str] = Counter()
     for scene in finished.scenes:
         for thing in scene.objects:
-            if noun and thing.category.split("_")[-1] != noun:
+            if noun and not (thing.category.split("_")[-1] == noun and answers(wish.value.type, thing.category)):
                 continue
             if wish.value.type and _called_so(thing.category, wish.value):
                 placed[thing.room] += seats_of_row(thing.category, thing.size[0])
@@ -512,11 +516,11 @@ def _things(wish: Wish, finished: _Finished, *, noun: str = "") -> dict[str, int
 
 
 def _called_so(category: str, value: WishValue) -> bool:
-    """Whether a category is of a wish's kind, or of its noun where no other kind is known to be of it."""
+    """Whether a category is of a wish's kind, or of its noun where that kind is a special one of the noun."""
     if answers(value.type, category):
         return True
     noun = re.escape(category.split("_")[-1])
-    return not substitutes(value.type) and re.fullmatch(rf"{noun}(e?s)?", value.name) is not None
+    return "_" in value.type and re.fullmatch(rf"{noun}(e?s)?", value.name) is not None
 
 
 def _height(wish: Wish, finished: _Finished) -> str:

@@ -303,9 +303,7 @@ def _negation(reading: Reading, index: int) -> int:
         "yet",
     ):
         return 0
-    if reading.word(index) == "not" and any(
-        reading.word(i) in _NO_REFUSALS for i in range(index + 1, index + 4)
-    ):
+    if reading.word(index) == "not" and any(reading.word(i) in _NO_REFUSALS for i in range(index + 1, index + 4)):
         return 0
     return 1
 

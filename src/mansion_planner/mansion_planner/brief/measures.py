@@ -33,8 +33,8 @@ def find_measures(reading: Reading) -> list[Measure]:
 
 
 _LEAVING_OUT = (
-    ("without",), ("excluding",), ("excl",), ("excl", "."), ("exclusive", "of"), ("not", "including"), ("not", "counting"),
-    ("without", "counting"), ("not", "incl"), ("plus",), ("besides",), ("apart", "from"),
+    ("without",), ("excluding",), ("excl",), ("excl", "."), ("exclusive", "of"), ("not", "including"), ("plus",),
+    ("not", "counting"), ("without", "counting"), ("not", "incl"), ("besides",), ("apart", "from"),
 )  # fmt: skip
 """Words between an area and the basement that is no part of it."""
 

@@ -30,8 +30,11 @@ _THING_FOR = {
 """What stands in a part of a room that is called so."""
 _ONE_ROOM = frozenset({"studio_flat", "tiny_house", "cabin"})
 """Buildings of one room, whose parts are parts of that."""
-_JOINTS = frozenset({"with", "a", "an", "and", ",", "the", "its", "has", "have", "plus", "&", "also", "(", "each", "every"})
+_JOINTS = frozenset(
+    {"with", "a", "an", "and", ",", "the", "its", "has", "have", "plus", "&", "also", "(", "each", "every"}
+)
 _INTO = frozenset({"in", "inside", "within", "of", "at"})
+_POINTING = frozenset({"the", "a", "each", "every", "our"})
 
 
 def read_niches(reading: Reading, phrases: list[Phrase], building: int | None) -> None:
@@ -62,12 +65,12 @@ def _is_niche(reading: Reading, phrase: Phrase) -> bool:
 
 
 def _is_part(reading: Reading, phrases: Sequence[Phrase], number: int, building: int | None) -> bool:
-    """Whether a phrase is told with the room that it is a part of: "lounge with a TV corner", "a desk nook in the den"."""
+    """Whether a phrase is told with the room that it is a part of: "lounge with a TV corner", "a nook in the den"."""
     phrase = phrases[number]
     after = phrases[number + 1] if number + 1 < len(phrases) else None
-    if after is not None and after.head == "room" and reading.word(phrase.last) in _INTO:
-        if set(reading.words(phrase.last, after.first)) <= _INTO | {"the", "a", "each", "every", "our"}:
-            return True
+    leads = reading.word(phrase.last) in _INTO and after is not None and after.head == "room"
+    if leads and after and set(reading.words(phrase.last, after.first)) <= _INTO | _POINTING:
+        return True
     at, led = number, False
     while at > 0 and set(reading.words(phrases[at - 1].last, phrases[at].first)) <= _JOINTS:
         led = bool({"with", "has", "have"} & set(reading.words(phrases[at - 1].last, phrases[at].first)))

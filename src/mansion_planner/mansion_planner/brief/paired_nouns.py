@@ -1,4 +1,4 @@
-"""Bring nouns that are told in pairs into one count: "one flat left and one flat right", "home and away changing rooms"."""
+"""Count nouns that are told in pairs: "one flat left and one flat right", "home and away changing rooms"."""
 
 from dataclasses import replace
 

@@ -69,8 +69,8 @@ from mansion_planner.brief.unit_storeys import attach_units
 from mansion_planner.brief.units import are_units, is_type_of_flat
 from mansion_planner.brief.unread_words import leave_unread
 from mansion_planner.brief.vertical_facts import read_stairs_and_lifts
-from mansion_planner.brief.washing_fittings import read_washing_fittings
 from mansion_planner.brief.washing_and_resting import by_what_else_is_named
+from mansion_planner.brief.washing_fittings import read_washing_fittings
 
 __all__ = ["read_brief"]
 

@@ -145,7 +145,21 @@ class Reading:
 
     def breaks(self, index: int) -> bool:
         """Whether a token ends a sentence (or lies outside the brief)."""
-        return not 0 <= index < len(self.tokens) or (self.word(index) in _BREAKS and not self._abbreviated(index))
+        if not 0 <= index < len(self.tokens):
+            return True
+        return self.word(index) in _BREAKS and not self._abbreviated(index) and not self._goes_on(index)
+
+    def _goes_on(self, index: int) -> bool:
+        """Whether a full stop is one of several after which the sentence goes on: "with glass... next to the hall"."""
+        if self.word(index) != "." or "." not in (self.word(index - 1), self.word(index + 1)):
+            return False
+        last = index
+        while self.word(last + 1) == ".":
+            last += 1
+        after = last + 1
+        return index < last or (
+            after < len(self.tokens) and not self.tokens[after].capital and self.word(after) != "\n"
+        )
 
     def _abbreviated(self, index: int) -> bool:
         """Whether a full stop belongs to an abbreviation: "approx.", "sq.m. each"."""

@@ -1,4 +1,4 @@
-"""Leave out what a brief names and takes back: "a library, no, a bookshop", "a sauna (scrap that)", "never mind the bar".
+"""Leave out what a brief names and takes back: "a library, no, a bookshop", "a sauna (scrap that)", "forget the bar".
 
 What is named last takes the place of the first, with its number where it has none of its own.
 """
@@ -76,12 +76,27 @@ def _without_withdrawn(reading: Reading, phrases: Sequence[Phrase]) -> list[Phra
             continue
         dropped.add(earlier)
         reading.take(phrases[earlier].first, phrases[earlier].last)
-        denied = phrase.first - (reading.word(phrase.first - 1) == "no")
-        reading.take(phrase.first - words, denied)
+        if reading.word(phrase.first - 1) == "no":
+            reading.take(phrase.first - words, phrase.first - 1)
         if phrase.head != "room":
             dropped.add(number)
-            reading.take(denied, phrase.last)
+            reading.take(phrase.first - words, phrase.last)
+    _take_withdrawn_words(reading, phrases)
     return [phrase for number, phrase in enumerate(phrases) if number not in dropped]
+
+
+def _take_withdrawn_words(reading: Reading, phrases: Sequence[Phrase]) -> None:
+    """Take a word that no phrase is made of where it is withdrawn, and where it is told first: "with glass ..."."""
+    named = {index for phrase in phrases for index in range(phrase.first, phrase.last)}
+    for index in range(len(reading.tokens)):
+        article = reading.word(index - 1) in ("the", "that", "a")
+        words = _withdrawing(reading, index - article)
+        if not words or index in named or reading.kind(index) != "word":
+            continue
+        earlier = [at for at in range(max(index - _REACH, 0), index - words) if reading.word(at) == reading.word(index)]
+        if earlier and earlier[-1] not in named:
+            reading.take(earlier[-1], earlier[-1] + 1)
+            reading.take(index - article - words, index + 1)
 
 
 def _withdrawing(reading: Reading, index: int) -> int:

@@ -8,7 +8,8 @@ __all__ = ["spoken_turns"]
 
 _DENIALS = (
     ("no", "thank", "you"), ("no", "thank"), ("no", "need"), ("not", "need"), ("not", "needed"), ("not", "required"),
-    ("not", "necessary"), ("rather", "not"), ("better", "not"), ("not", "really"), ("not", "at", "all"), ("nope",), ("no",),
+    ("not", "necessary"), ("rather", "not"), ("better", "not"), ("not", "really"), ("not", "at", "all"), ("nope",),
+    ("no",),
 )  # fmt: skip
 """Answers that do not want what was asked about."""
 _ENDS = frozenset({".", "!", ";", "\n", ")", ""})
@@ -23,9 +24,9 @@ _HEDGES = (("let", "say"), ("let", "us", "say"), ("shall", "we", "say"), ("say",
 def spoken_turns(tokens: list[Token]) -> list[Token]:
     """Return the tokens with the writer's own questions as statements, and without what comes between noun and area.
 
-    "A cellar? No." becomes "a cellar: no.", "a diner? No - two rooms" becomes "a diner, no - two rooms"; "of, let's say,
-    45 m2" becomes "of 45 m2", "a reading corner as a separate room of 18 m2" and "a bedroom too, 7 m2" lose the words
-    that only say that there is such a room.
+    "A cellar? No." becomes "a cellar: no.", "a diner? No - two rooms" becomes "a diner, no - two rooms"; "of, let's
+    say, 45 m2" becomes "of 45 m2", "a reading corner as a separate room of 18 m2" and "a bedroom too, 7 m2" lose the
+    words that only say that there is such a room.
     """
     result: list[Token] = []
     index = 0

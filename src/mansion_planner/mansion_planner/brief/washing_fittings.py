@@ -15,7 +15,7 @@ _FITTINGS = frozenset("shower bath toilet wc loo walk_in_shower shower_cubicle w
 """Names of rooms that are things where they stand in a bathroom."""
 _LISTING = frozenset({":", "(", "-", "–", "="})
 _HOLDING = frozenset("with has have having containing contain including include incl hold get".split())
-_BESIDE = frozenset("of about approx each and it fitted equipped must should to , . ) m2".split())
+_BESIDE = frozenset("of about approx each and it that which fitted equipped must should to , . ) m2".split())
 """Words between a bathroom and what leads to its fittings, besides its area."""
 _JOINTS = frozenset({",", "and", "&", "plus", "+", "/", "also"})
 _FURTHEST = 6
@@ -62,7 +62,7 @@ def _lead(reading: Reading, room: Phrase) -> tuple[int, bool]:
             return at + 1, False
         if word in _LISTING and reading.kind(at + 1) != "number":
             return at + 1, word != "-" or reading.tokens[at].spaced
-        if not (word in _BESIDE or reading.kind(at) in ("number", "unit")) or reading.breaks(at):
-            if word != "(":
-                return 0, False
+        passed = word in _BESIDE or reading.kind(at) in ("number", "unit")
+        if reading.breaks(at) or not (passed or word == "("):
+            return 0, False
     return 0, False
