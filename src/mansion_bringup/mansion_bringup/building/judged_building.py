@@ -1,5 +1,6 @@
 """A building as its wishes are judged on it: rooms with names and contents, what they lack, shared walls and doors."""
 
+import math
 import re
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
@@ -98,6 +99,8 @@ class JudgedRoom:
         By category; empty in a plan.
     looks : mapping of str to sequence of Look
         Of each object by category; in a plan of all that the catalogue has of a category.
+    things, receptacles : float
+        How many objects lie on or in its receptacles, and the square metres of floor that these stand on.
     """
 
     floor: int
@@ -111,6 +114,8 @@ class JudgedRoom:
     object_ids: Mapping[str, Sequence[str]] = field(default_factory=dict)
     looks: Mapping[str, Sequence[Look]] = field(default_factory=dict)
     equipment: Equipment = field(default_factory=Equipment)
+    things: float = 0.0
+    receptacles: float = 0.0
 
     @property
     def full_id(self) -> str:
@@ -195,6 +200,8 @@ def planned_building(program: BuildingProgram, topologies: Sequence[FloorTopolog
             {"floor": room.floor_material, "wall": room.wall_material},
             Counter({entry.category: entry.count for entry in room.objects}),
             looks={entry.category: _looks(entry.category) for entry in room.objects},
+            things=_PLANNED_THINGS.get(room.clutter, 0.0),
+            receptacles=1.0,
         )
         for floor in program.floors
         for room in floor.rooms
@@ -217,6 +224,10 @@ def planned_building(program: BuildingProgram, topologies: Sequence[FloorTopolog
 def _looks(category: str) -> list[Look]:
     """Return what all assets look like that a room may get for a category."""
     return [(asset.size, asset.material) for asset in load_catalogue().by_category(added_for(category))]
+
+
+_PLANNED_THINGS: Mapping[object, float] = {"dense": math.inf, "sparse": 0.0}
+"""How many things are to lie on a square metre of a planned room's receptacles."""
 
 
 def _names(identifier: str, name: str, aliases: Iterable[str]) -> frozenset[str]:
@@ -261,6 +272,8 @@ def _finished_room(scene: FloorScene, number: int) -> JudgedRoom:
         things,
         looks,
         equipment_of(scene, room, objects),
+        sum(entry.parent is not None for entry in objects),
+        sum(entry.size[0] * entry.size[1] for entry in objects if entry.receptacle and entry.parent is None),
     )
 
 
