@@ -210,6 +210,7 @@ def _topped_up(
         kind
         for kind in kinds
         if allocation.adds(kind.name, storey.index)
+        and not (kind.storey == "ground" and storey.index >= 2)
         and kind.name not in stated
         and not (kind.name in _ONE_A_STOREY and kind.name in there)
     ]
