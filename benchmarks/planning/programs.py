@@ -2,10 +2,10 @@
 
     python benchmarks/planning/programs.py [benchmarks/planning/programs.json] [--lines]
 
-Buildings are planned, not drawn. Counted are, where the brief does not say on which storey they are,
-kitchens without a room to eat in on their storey, rooms to eat in without a kitchen, and rooms above the ground that
-visitors or goods come to first; rooms that nobody asked for and that no such building needs, by their share of the floor;
-rooms with a name of their own that are furnished as a study; and corners of a room that became rooms.
+Buildings are planned, not drawn. Counted are, where the brief does not say on which storey they are, kitchens without a
+room to eat in on their storey, rooms to eat in without a kitchen, and rooms above the ground that visitors or goods
+come to first; rooms that nobody asked for and that no such building needs, by their share of the floor; rooms with a
+name of their own that are furnished as a study; and corners of a room that became rooms.
 """
 
 import argparse

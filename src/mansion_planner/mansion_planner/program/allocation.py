@@ -176,7 +176,8 @@ def _settled_types(facts: Iterable[RoomFact], decisions: Decisions, knowledge: K
     refused -= asked
     settled = refused.union(*(group for group in _REFUSED_TOGETHER if group & refused)) - asked
     for fact in facts:
-        settled.update(*(_LEAVES_OUT.get(child.room_type, ()) for child in fact.suite))
+        if decisions.building.family != "home":  # guests of a home use no bathroom of a bedroom
+            settled.update(*(_LEAVES_OUT.get(child.room_type, ()) for child in fact.suite))
         if not fact.unit:
             settled.update(child.room_type for child in fact.suite if not knowledge.room(child.room_type).wet)
         kind = knowledge.room(fact.room_type)
@@ -214,6 +215,7 @@ _SAME_USE = (
     frozenset({"cinema_hall", "auditorium"}),
     frozenset({"toilet", "restroom"}),
     frozenset({"classroom", "training_room"}),
+    frozenset({"teachers_room", "break_room"}),
     frozenset({"dorm_room", "hostel_dorm", "bunk_room", "holding_cell"}),
 )
 """Room types that stand for each other: a stated number of one leaves no room for another."""

@@ -316,8 +316,8 @@ def _closed(
 def _leads_out(massing: Massing, storey: Storey, rooms: Sequence[Placement], length: float) -> bool:
     """Whether the far end of the corridor is to be an exit.
 
-    It is on an entrance storey that reaches farther than one exit is enough for, and has no room for visitors in its far
-    half that a second exit could lead out of.
+    It is on an entrance storey that reaches farther than one exit is enough for, and has no room for visitors in its
+    far half that a second exit could lead out of.
     """
     rule = load_norms().rules["single_exit_travel"]
     asked = rule.holds_for(storey.use.family) and storey.role in ("ground", "single") and not massing.wings

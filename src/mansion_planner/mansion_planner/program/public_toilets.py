@@ -145,8 +145,8 @@ def _need_of(
 ) -> _Need | None:
     """Return what a storey needs for its own people, and of the building's for whom the others have too few.
 
-    Toilets grow with the other rooms, so that their fixtures are counted for `rooms` as they are chosen; whether men and
-    women have their own depends on how many people the `grown` rooms hold.
+    Toilets grow with the other rooms, so that their fixtures are counted for `rooms` as they are chosen; whether men
+    and women have their own depends on how many people the `grown` rooms hold.
     """
     norms, family, kind = load_norms(), storey.use.family, storey.use.name
     rule = norms.rules["separate_toilets"]
