@@ -14,11 +14,11 @@ _MEANT = {
     "child_room": ("childrens_area",), "kid_room": ("childrens_area",), "lounge": ("living_room",),
     "showroom": ("car_showroom",), "kitchenette": ("kitchen",), "sleeping_area": ("bedroom",),
     "guest_room": ("hotel_room",), "gym": ("home_gym",), "dressing_room": ("walk_in_closet",),
-    "library": ("library_room",), "cinema_hall": ("home_theater",),
+    "library": ("library_room",), "cinema_hall": ("home_theater",), "library_room": ("reading_room",),
 }  # fmt: skip
 """Plain names of rooms, and what they are where a building has that for its guests, the likeliest first."""
 
-_BY_TYPE = frozenset({"guest_room", "gym", "dressing_room", "library", "cinema_hall"})
+_BY_TYPE = frozenset({"guest_room", "gym", "dressing_room", "library", "cinema_hall", "library_room"})
 """Those of them that mean so under any name: the "en-suite guest room" of a hotel, the "fitness room" of a villa."""
 
 _OF_EVERY_HOME = frozenset({"kitchen", "bedroom", "home_gym", "walk_in_closet", "library_room", "home_theater"})
