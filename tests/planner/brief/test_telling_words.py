@@ -15,7 +15,7 @@ def kind_of(brief: str, name: str) -> tuple[str, list[str]]:
     """Return the type of the room of that name, and what the receipt calls unmet."""
     program = plan_building(BuildRequest(description=brief)).program
     rooms = [room for floor in program.floors for room in floor.rooms]
-    kinds = {room.room_type for room in rooms if name in (room.id, room.name.replace(' ', '_'))}
+    kinds = {room.room_type for room in rooms if name in (room.id, room.name.replace(" ", "_"))}
     (wish,) = [wish for wish in program.wishes if wish.kind == "room" and wish.value.name == name]
     return kinds.pop(), wish.value.type
 

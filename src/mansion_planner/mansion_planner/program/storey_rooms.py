@@ -258,7 +258,8 @@ def _topped_up(
         return filled  # a hall for cars, goods or machines takes what is left, and so does a studio
     names = storey.use.filler or knowledge.groups.filler_of(storey.use.family)
     home = storey.use.family == "home"
-    turn = 0 if home else max(storey.index - 1, 0) % len(names)  # storeys of one kind do not all get the same
+    once = storey.use.family in ("home", "lodging")
+    turn = 0 if once else max(storey.index - 1, 0) % len(names)  # storeys of one kind do not all get the same
     kinds = [knowledge.room(name) for name in names[turn:] + names[:turn]]
     stated = {fact.room_type for facts in allocation.wanted.values() for fact in facts}
     there = {room.kind.name for room in filled}
@@ -273,7 +274,6 @@ def _topped_up(
     if home and storey.index >= 2:
         kinds.sort(key=lambda kind: kind.storey != "upper")
     enough = _ENOUGH_FOR_GUESTS if storey.use.family == "lodging" else _ENOUGH
-    once = storey.use.family in ("home", "lodging")
     for kind in kinds + ([] if once else [kind for kind in kinds if kind.name not in _ONE_A_STOREY] * 2):
         used = sum(room.gross for room in filled)
         if used >= enough * budget or len(filled) >= most or (described and reach(filled) >= budget):
