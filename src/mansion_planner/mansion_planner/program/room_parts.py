@@ -31,8 +31,8 @@ _MEANT: dict[str, tuple[str, tuple[str, ...]]] = {
 def with_room_parts(building: BuildingType, facts: BriefFacts) -> BriefFacts:
     """Return the facts of a home in which corners of a room are the furniture that they are for.
 
-    A corner with an area or rooms of its own, several of them, and those of public buildings stay rooms, and so do those
-    of a room that the home does not have.
+    A corner with an area or rooms of its own, several of them, and those of public buildings stay rooms, and so do
+    those of a room that the home does not have.
     """
     if building.family != "home":
         return facts
