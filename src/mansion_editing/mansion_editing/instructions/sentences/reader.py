@@ -192,6 +192,8 @@ class _Reader(
             if not isinstance(statement, Mention) or not self._begins_with_order(statement.quote, ("take", "bring")):
                 continue
             following = next((s for s in self.statements[number + 1 :] if not isinstance(s, Mention)), statement)
+            if isinstance(following, Keep) and statement.quote.lower().split()[-1] in ("out", "away", "off"):
+                return [statement.quote]
             said = msgspec.json.encode(following).decode()
             words = {word.text for word in self._words_of(statement.quote)}
             taken = [word for word in words if self.lexicon.is_object((word,)) and not self.lexicon.is_room((word,))]
