@@ -441,7 +441,9 @@ def ensure(statement: Ensure, state: SceneState, context: Context) -> Work:
     return Done(reply, context.followed(known, rooms[:1], things.noun))
 
 
-_ADDING: Final = re.compile(r"\b(add|another|additional|extra|(?<!any )(?<!no )(?<!not )more (?!than))\b", re.IGNORECASE)
+_ADDING: Final = re.compile(
+    r"\b(add|another|additional|extra|(?<!any )(?<!no )(?<!not )more (?!than))\b", re.IGNORECASE
+)
 """Words by which things come, so that none goes: ``add one more so that there are six``."""
 
 
@@ -460,7 +462,9 @@ def _refuse_to_take_away(
     for group in groups:
         there = {item.id for target in group for item in at_target(state, things, place, target, context)}
         if len(there) > number:
-            raise Unmet(f"there are {counted(len(there), things.noun)} already, more than {number}; say where they shall be")
+            raise Unmet(
+                f"there are {counted(len(there), things.noun)} already, more than {number}; say where they shall be"
+            )
 
 
 def _as_many_in_each(

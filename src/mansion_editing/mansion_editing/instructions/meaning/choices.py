@@ -8,7 +8,14 @@ import msgspec
 from mansion_assets.catalogue.vocabulary import stems
 from mansion_editing.instructions.meaning.context import Context, ambiguous
 from mansion_editing.instructions.meaning.descriptions import all_at, anchors_of, rooms_of, things_of
-from mansion_editing.instructions.meaning.numbers import by_holder, counts_each, in_one_room, is_one, means_one, of_one_kind
+from mansion_editing.instructions.meaning.numbers import (
+    by_holder,
+    counts_each,
+    in_one_room,
+    is_one,
+    means_one,
+    of_one_kind,
+)
 from mansion_editing.instructions.meaning.room_words import room_title
 from mansion_editing.instructions.meaning.wording import (
     at_words,

@@ -4,13 +4,7 @@ from collections.abc import Iterator
 
 import msgspec
 
-from mansion_editing.instructions.paraphrases.adverbials import ADVERBIALS
-from mansion_editing.instructions.paraphrases.asking import ASKING
-from mansion_editing.instructions.paraphrases.carrying import CARRYING
-from mansion_editing.instructions.paraphrases.corrections import CORRECTIONS
-from mansion_editing.instructions.paraphrases.counting import COUNTING
-from mansion_editing.instructions.paraphrases.leaving import LEAVING
-from mansion_editing.instructions.paraphrases.patterns import in_running_text, put
+from mansion_editing.instructions.paraphrases.patterns import in_plain_words, in_running_text
 from mansion_editing.instructions.paraphrases.remarks import without_remarks
 from mansion_editing.instructions.paraphrases.strange_verbs import with_known_verbs
 from mansion_editing.instructions.phrases.lexicon import Lexicon
@@ -38,7 +32,7 @@ def read_in_other_words(text: str, state: SceneState, brief: str = "") -> Instru
     if not first.not_understood:
         return first
     lexicon = Lexicon(state)
-    for number, (plain, remarks) in enumerate(_wordings(text, lexicon)):
+    for number, (plain, remarks) in enumerate(_wordings(text, lexicon, state.floors)):
         if number >= _MOST_READINGS:
             break
         read = read_instruction(plain, state, brief)
@@ -50,13 +44,10 @@ def read_in_other_words(text: str, state: SceneState, brief: str = "") -> Instru
 
 def reworded(text: str, lexicon: Lexicon) -> str:
     """Return a text in the plain words of what it asks for."""
-    plain = put(in_running_text(text), CORRECTIONS)
-    for rules in (ADVERBIALS, COUNTING, LEAVING, ASKING, CARRYING):
-        plain = put(plain, rules)
-    return with_known_verbs(plain, lexicon)
+    return with_known_verbs(in_plain_words(in_running_text(text)), lexicon)
 
 
-def _wordings(text: str, lexicon: Lexicon) -> Iterator[tuple[str, tuple[str, ...]]]:
+def _wordings(text: str, lexicon: Lexicon, floors: tuple[int, ...]) -> Iterator[tuple[str, tuple[str, ...]]]:
     """Yield an instruction in other words, then also without one remark, and without two."""
     plain = reworded(text, lexicon)
     if plain != text:
@@ -66,7 +57,7 @@ def _wordings(text: str, lexicon: Lexicon) -> Iterator[tuple[str, tuple[str, ...
     for _ in range(_MOST_REMARKS):
         longer, shorter = shorter, []
         for said, remarks in longer[:_MOST_READINGS]:
-            for left in without_remarks(said, lexicon):
+            for left in without_remarks(said, lexicon, floors):
                 again = reworded(left.text, lexicon)
                 if again not in known:
                     known.add(again)

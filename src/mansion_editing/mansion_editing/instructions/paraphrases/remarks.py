@@ -42,7 +42,9 @@ _WISHING: Final = frozenset(
     "want need like love prefer require lack miss wish expect fancy deserve demand ask order request insist suggest "
     "propose recommend appreciate use".split()
 )
-_GOING: Final = frozenset("go belong move come leave stay remain stand hang sit lie become replace make-way get".split())
+_GOING: Final = frozenset(
+    "go belong move come leave stay remain stand hang sit lie become replace make-way get".split()
+)
 _REASONS: Final = (
     ("since",), ("as",), ("because",), ("seeing", "as"), ("seeing", "that"), ("now", "that"), ("given", "that"),
     ("given",), ("considering",), ("while",), ("when",), ("after",), ("before",), ("whenever",), ("although",),
@@ -72,7 +74,7 @@ class Left:
 _EACH: Final = frozenset("everybody everyone each every all per both".split())
 
 
-def without_remarks(text: str, lexicon: Lexicon) -> Iterator[Left]:
+def without_remarks(text: str, lexicon: Lexicon, floors: tuple[int, ...]) -> Iterator[Left]:
     """Yield a text without one of its clauses, for each that only tells something, the longest first."""
     words = split_words(text, lexicon.speller, lexicon.kept)
     found: list[tuple[int, int]] = []
@@ -84,9 +86,12 @@ def without_remarks(text: str, lexicon: Lexicon) -> Iterator[Left]:
         part = _trimmed(words[first:last])
         if not part or len(part) == len(_trimmed(words)) or not _is_remark(part, lexicon):
             continue
+        hard = last >= len(words) or words[last].kind == "mark" or words[last].text in ("and", "but", "so")
+        if not hard and not _begins_dependent([word.text for word in part]):
+            continue
         if any(word.kind == "number" for word in part) and any(word.text in _EACH for word in words):
             continue  # "there are eight of us, so a glass for everybody"
-        left = _left_out(text, words, part, lexicon)
+        left = _left_out(text, words, part, lexicon, floors)
         if left:
             yield Left(left, text[part[0].start : part[-1].end])
 
@@ -146,6 +151,11 @@ def _is_any_more(words: Sequence[Word], at: int) -> bool:
     return text_at(words, at - 1) == "any" or text_at(words, at + 1) in PERSONS | PEOPLE
 
 
+def _begins_dependent(texts: Sequence[str]) -> bool:
+    """Whether a clause begins with what only introduces another one: ``ahead of the wedding could you``."""
+    return any(_begins(texts, said) for said in (*_REASONS, *_OCCASIONS, ("to",), ("in", "order", "to")))
+
+
 def _begins(texts: Sequence[str], said: tuple[str, ...]) -> bool:
     return tuple(texts[: len(said)]) == said
 
@@ -168,8 +178,11 @@ def _is_purpose(words: Sequence[Word], lexicon: Lexicon) -> bool:
 def _is_purpose_clause(words: Sequence[Word], lexicon: Lexicon) -> bool:
     """Whether ``so that the kids can reach it`` tells what somebody can do then."""
     able = next((k for k in range(1, len(words)) if words[k].text in ("can", "could", "do", "will", "may")), 0)
-    return bool(able) and able < len(words) - 1 and not _names(words[able + 1 :], lexicon) and not any(
-        word.text in STATE_WORDS for word in words[able + 1 :]
+    return (
+        bool(able)
+        and able < len(words) - 1
+        and not _names(words[able + 1 :], lexicon)
+        and not any(word.text in STATE_WORDS for word in words[able + 1 :])
     )
 
 
@@ -219,7 +232,7 @@ def _describes(rest: Sequence[Word], lexicon: Lexicon) -> bool:
 
 def _is_call(words: Sequence[Word], lexicon: Lexicon) -> bool:
     """Whether a few words without a verb call something out that is no thing: ``Story time``, ``Big day tomorrow``."""
-    if len(words) > 6 or _names(words, lexicon) or any(word.kind != "word" for word in words):
+    if not 2 <= len(words) <= 6 or _names(words, lexicon) or any(word.kind != "word" for word in words):
         return False
     texts = {word.text for word in words}
     if texts & (STATE_WORDS.keys() | {"away", "out", "not", "no"} | _PRONOUNS | _WISHING):
@@ -235,6 +248,8 @@ def _verb_of(words: Sequence[Word], lexicon: Lexicon) -> int | None:
             continue
         if word.text in BE - {"be", "being", "been"} or word.text in MODALS or word.raw in _IRREGULAR:
             return at
+        if word.text == "not" and word.raw != "not":  # "cannot"
+            return at
         if at == 1 and before.text in ("i", "we", "you", "they") and word.text not in PREPOSITIONS:
             return at
         people = before.plural and not _is_thing(before, lexicon)
@@ -248,7 +263,8 @@ def _verb_of(words: Sequence[Word], lexicon: Lexicon) -> int | None:
 
 _IRREGULAR: Final = frozenset(
     "has have had was were did came went got said bought forgot left broke told gave took made saw found lost fell "
-    "began thought knew brought sent spent meant kept heard ran won sold caught spoke grew wore tore stole burst".split()
+    "began thought knew brought sent spent meant kept heard ran won sold caught spoke grew wore tore stole "
+    "burst".split()
 )
 
 
@@ -269,11 +285,11 @@ def _names(words: Sequence[Word], lexicon: Lexicon) -> bool:
     )
 
 
-def _left_out(text: str, words: Sequence[Word], part: Sequence[Word], lexicon: Lexicon) -> str:
+def _left_out(text: str, words: Sequence[Word], part: Sequence[Word], lexicon: Lexicon, floors: tuple[int, ...]) -> str:
     """Return a text without a clause; empty where what follows takes up something of it that is not certain."""
     before, after = text[: part[0].start], text[part[-1].end :]
     later = [word for word in words if word.start > part[-1].start]
-    reader = ClauseReader(part, lexicon, (), lambda first, last: "")
+    reader = ClauseReader(part, lexicon, floors, lambda first, last: "")
     things, rooms = _named(reader)
     if things or rooms:
         taken = _taken_up(after, later, part, things, text)
@@ -334,9 +350,7 @@ def _taken_up(
 
 def _list_of(part: Sequence[Word], things: Sequence[tuple[int, Item]], text: str) -> str:
     """Return the words of a list of things that a clause begins with; empty where it names one or other things."""
-    joined = all(
-        part[at - 1].text == "and" and before[1].end == at - 1 for before, (at, _) in zip(things, things[1:], strict=False)
-    )
+    joined = all(part[at - 1].text == "and" and before[1].end == at - 1 for before, (at, _) in pairwise(things))
     if len(things) < 2 or things[0][0] or not joined or not all(item.phrase.definite for _, item in things):
         return ""
     return text[part[0].start : part[things[-1][1].end - 1].end]

@@ -71,6 +71,8 @@ __all__ = ["read_instruction"]
 
 
 _MISSING: Final = re.compile(r"\b(too few|short)\b", re.IGNORECASE)
+_FOR_ALL: Final = re.compile(r"for (everybody|everyone)\b", re.IGNORECASE)
+"""A share for each person: how many that are is not told."""
 _TOO_MANY: Final = re.compile(r"\btoo (many|much)\b", re.IGNORECASE)
 
 
@@ -128,6 +130,7 @@ class _Reader(
         self.statements = [s for one in self.statements for s in [self._told_later(one)]]
         self.unknown += [s.quote for s in self.statements if '"noun":"one"' in msgspec.json.encode(s).decode()]
         self.unknown += self._instead_of_nothing() + self._complained_in_vain()
+        self.unknown += [s.quote for s in self.statements if isinstance(s, Mention) and _FOR_ALL.match(s.quote)]
         if not self.unknown:
             self.unknown = unaccounted(self.text, self.words, self.statements, self.lexicon) or self._asks_in_vain()
         self.statements += self._told_to_be_missing()
