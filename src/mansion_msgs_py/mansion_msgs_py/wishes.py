@@ -34,6 +34,7 @@ WishKind: TypeAlias = Literal[
     "no_object",
     "height",
     "material",
+    "clutter",
     "occupants",
     "only",
     "unread",

@@ -15,6 +15,9 @@ __all__ = ["INTERIOR_JUDGES"]
 _CEILING = 0.1
 """Metres by which a ceiling may miss the height that is asked for and still meet it."""
 
+_CLUTTERED, _TIDY = 5.0, 1.5
+"""Things on a square metre of furniture, at least where many and at most where few are wanted; 2.5 to 4.5 are usual."""
+
 _SUBSTANCES = {
     "wood": "wood wooden hardwood timber parquet plank planks laminate panelling deck decking herringbone"
     " oak walnut pine maple birch bamboo cherry ash beech mahogany",
@@ -108,6 +111,18 @@ def _material(wish: Wish, state: JudgedBuilding) -> Verdict:
     return met_if(2 * len(have) > len(rooms), "most rooms have another material", partly=bool(have))
 
 
+def _clutter(wish: Wish, state: JudgedBuilding) -> Verdict:
+    others = {other.scope.room_type for other in state.program.wishes if other.kind == "clutter"}
+    others.discard(wish.scope.room_type)
+    rooms = [room for room in _of_type(wish, state) if room.receptacles and room.type not in others]
+    if not rooms:
+        return Verdict("not_met", "there is nothing that things could lie on")
+    density = sum(room.things for room in rooms) / sum(room.receptacles for room in rooms)
+    bound = _CLUTTERED if wish.value.name == "dense" else _TIDY
+    good = density >= bound if wish.value.name == "dense" else density <= bound
+    return met_if(good, f"{density:.1f} things lie on a square metre of furniture, {bound:g} would be so", partly=True)
+
+
 def _is_of(surface: str, wanted: str) -> bool:
     """Whether a surface is of the substance that is wanted; where only colours are, whether it has one of them."""
     substances = _substances(wanted)
@@ -136,5 +151,6 @@ INTERIOR_JUDGES: Final[Mapping[str, Judge]] = {
     "no_object": _no_object,
     "height": _height,
     "material": _material,
+    "clutter": _clutter,
 }
 """For each kind of wish for what rooms hold and are like, what judges it."""

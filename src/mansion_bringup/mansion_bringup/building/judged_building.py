@@ -1,5 +1,6 @@
 """A building as its wishes are judged on it: rooms with names and contents, what they lack, shared walls and doors."""
 
+import math
 import re
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
@@ -76,7 +77,13 @@ _SHARED = 1.1
 
 @dataclass(frozen=True)
 class JudgedRoom:
-    """A room of a planned or finished floor."""
+    """A room of a planned or finished floor.
+
+    Attributes
+    ----------
+    things, receptacles : float
+        How many objects lie on or in its receptacles, and the square metres of floor that these stand on.
+    """
 
     floor: int
     id: str
@@ -88,6 +95,8 @@ class JudgedRoom:
     objects: Counter[str] = field(default_factory=Counter)
     object_ids: Mapping[str, Sequence[str]] = field(default_factory=dict)
     equipment: Equipment = field(default_factory=Equipment)
+    things: float = 0.0
+    receptacles: float = 0.0
 
     @property
     def full_id(self) -> str:
@@ -160,6 +169,8 @@ def planned_building(program: BuildingProgram, topologies: Sequence[FloorTopolog
             ceiling_height(floor.height),
             {"floor": room.floor_material, "wall": room.wall_material},
             Counter({entry.category: entry.count for entry in room.objects}),
+            things=_PLANNED_THINGS.get(room.clutter, 0.0),
+            receptacles=1.0,
         )
         for floor in program.floors
         for room in floor.rooms
@@ -177,6 +188,10 @@ def planned_building(program: BuildingProgram, topologies: Sequence[FloorTopolog
     )
     hubs = frozenset(f"F{graph.floor}/{node.id}" for graph in topologies for node in graph.nodes if node.type == "main")
     return JudgedBuilding(program, rooms, edges, doors, hubs)
+
+
+_PLANNED_THINGS: Mapping[object, float] = {"dense": math.inf, "sparse": 0.0}
+"""How many things are to lie on a square metre of a planned room's receptacles."""
 
 
 def _names(identifier: str, name: str, aliases: Iterable[str]) -> frozenset[str]:
@@ -218,6 +233,8 @@ def _finished_room(scene: FloorScene, number: int) -> JudgedRoom:
         numbers,
         things,
         equipment_of(scene, room, objects),
+        sum(entry.parent is not None for entry in objects),
+        sum(entry.size[0] * entry.size[1] for entry in objects if entry.receptacle and entry.parent is None),
     )
 
 

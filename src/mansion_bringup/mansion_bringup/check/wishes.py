@@ -4,6 +4,7 @@ The words of a wish are not read: its kind, value and scope are, and the finishe
 which gives a wish its status when a building is built.
 """
 
+import math
 import re
 from collections import Counter, defaultdict
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -55,6 +56,9 @@ SUBSTANCES = (
     r"plaster|drywall",
 )
 """Patterns of the words for one substance each."""
+
+CLUTTERED, TIDY = 5.0, 1.5
+"""Things to a square metre of furniture: no fewer where clutter is wanted, no more where tidiness is."""
 
 TOILETS = frozenset({"toilet", "restroom", "accessible_toilet"})
 """Types of rooms that are all toilets."""
@@ -510,6 +514,18 @@ def _made_of(surface: str, wanted: str) -> bool:
     return any(re.search(rf"\b{re.escape(word)}\b", here) for word in there.split())
 
 
+def _clutter(wish: Wish, finished: _Finished) -> str:
+    own = {entry.scope.room_type for entry in finished.ledger if entry.kind == "clutter"} - {wish.scope.room_type}
+    rooms = {room.id for room in _of_type(wish, finished) if room.room_type not in own}
+    objects = [thing for scene in finished.scenes for thing in scene.objects if thing.room in rooms]
+    carried = sum(1 for thing in objects if thing.parent)
+    ground = sum(math.prod(thing.size[:2]) for thing in objects if thing.receptacle and not thing.parent)
+    if not ground:
+        return "nothing is there to lay things on"
+    within = carried >= CLUTTERED * ground if wish.value.name == "dense" else carried <= TIDY * ground
+    return "" if within else f"{carried} things lie on {ground:.1f} m2 of furniture"
+
+
 def _of_type(wish: Wish, finished: _Finished) -> list[SceneRoom]:
     kind = wish.scope.room_type
     return [room for _, room in finished.rooms(wish.scope.floors) if not kind or room.room_type == kind]
@@ -553,6 +569,7 @@ _JUDGES: Mapping[str, Judge] = {
     "no_object": _no_object,
     "height": _height,
     "material": _material,
+    "clutter": _clutter,
     "occupants": _occupants,
     "only": _only,
 }

@@ -3,6 +3,8 @@
 from dataclasses import dataclass, field
 from typing import Literal, TypeAlias
 
+from mansion_msgs_py.program import Clutter
+
 __all__ = [
     "AdjacencyFact",
     "BriefFacts",
@@ -224,6 +226,15 @@ class MaterialFact:
 
 
 @dataclass(frozen=True)
+class ClutterFact:
+    """Fewer or more things than usual in the rooms of a type, or in all rooms when `room_type` is empty."""
+
+    clutter: Clutter
+    room_type: str
+    span: Span
+
+
+@dataclass(frozen=True)
 class OccupantFact:
     """How many people the building is for, and who they are."""
 
@@ -290,6 +301,7 @@ class BriefFacts:
     heights: list[HeightFact] = field(default_factory=list)
     copies: list[CopyFact] = field(default_factory=list)
     styles: list[tuple[str, Span]] = field(default_factory=list)
+    clutter: list[ClutterFact] = field(default_factory=list)
     materials: list[MaterialFact] = field(default_factory=list)
     shapes: list[tuple[Shape, Span]] = field(default_factory=list)
     occupants: list[OccupantFact] = field(default_factory=list)

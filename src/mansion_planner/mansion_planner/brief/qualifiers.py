@@ -78,7 +78,7 @@ def unheeded_words(reading: Reading, phrases: Sequence[Phrase], facts: BriefFact
         All noun phrases; those of people and of unread things are passed over.
     """
     heeded = [span for _, span in (*facts.styles, *facts.shapes, *facts.size)]
-    heeded += [material.span for material in facts.materials]
+    heeded += [fact.span for fact in facts.materials] + [fact.span for fact in facts.clutter]
     starts = {span.start for name, span in facts.building if span.words}
     found: list[Span] = []
     for phrase in phrases:

@@ -19,6 +19,7 @@ from mansion_planner.brief.blocks import with_blocks
 from mansion_planner.brief.building import building_phrase, own_building_name, unknown_building
 from mansion_planner.brief.building_again import leave_out_other_names
 from mansion_planner.brief.building_shape import give_rooms_to_copies, read_copies, read_massing, read_shape, read_sizes
+from mansion_planner.brief.clutter import read_clutter_words, read_things_about
 from mansion_planner.brief.coreference import coreferences
 from mansion_planner.brief.desk_areas import read_desk_areas
 from mansion_planner.brief.distant_counts import (
@@ -103,6 +104,7 @@ def read_brief(text: str, knowledge: KnowledgeBase, *, cancelled: Callable[[], b
     reading.go_on()
     read_materials(reading)
     read_heights(reading)
+    read_things_about(reading)
     read_style(reading, named=True)
     read_shape(reading)
     measures = find_measures(reading)
@@ -113,6 +115,7 @@ def read_brief(text: str, knowledge: KnowledgeBase, *, cancelled: Callable[[], b
     reading.go_on()
     read_copies(reading, places)
     give_rooms_to_copies(reading.facts)
+    read_clutter_words(reading, phrases)
     read_style(reading, named=False)
     reading.facts.unheeded += unheeded_words(reading, phrases, reading.facts)
     leave_unread(reading)

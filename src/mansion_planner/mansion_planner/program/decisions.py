@@ -2,12 +2,13 @@
 
 from dataclasses import dataclass, field, replace
 
+import msgspec
 import numpy as np
 from shapely.geometry import Polygon
 
 from mansion_knowledge import BuildingType, KnowledgeBase
 from mansion_msgs_py.errors import ErrorCode, MansionError
-from mansion_msgs_py.program import Downgrade, RequestedObject, TraceEntry
+from mansion_msgs_py.program import Clutter, Downgrade, RequestedObject, TraceEntry
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.wording import counted, with_article
 from mansion_planner.brief.facts import BriefFacts, FloorRef, Quantity, Span
@@ -59,6 +60,8 @@ class Decisions:
         Statements that exclude others and gave way to them.
     floors_stated : bool
         The request or the brief says how many storeys there are.
+    clutter : {"sparse", "dense"}, optional
+        What the request says of all rooms.
     """
 
     building: BuildingType
@@ -77,6 +80,7 @@ class Decisions:
     furniture: dict[tuple[int, str], list[RequestedObject]] = field(default_factory=dict)
     given_up: BriefFacts = field(default_factory=BriefFacts)
     floors_stated: bool = False
+    clutter: Clutter | msgspec.UnsetType = msgspec.UNSET
 
     def as_called(self, area: float) -> float:
         """Return the area of a storey, lessened or raised to what the brief calls the building: small or large."""
@@ -113,6 +117,7 @@ def decide(
     decisions = Decisions(
         building, floors, basements, 0.0, False, "", style, facts, request.seed, trace=trace, downgrades=given_way,
         given_up=_given_up(stated, facts), floors_stated=bool(request.floors or facts.floors),
+        clutter=request.clutter,
     )  # fmt: skip
     if building.name == "bungalow" and floors > 1:
         reason = "a bungalow has one storey, and the number of storeys is stated"

@@ -208,7 +208,7 @@ class _Ledger:
         facts = self.facts
         decided = self.decisions
         stated = decided.floors if decided.floors_stated else None
-        area, limit = called_bound(facts, decided.building, stated)
+        area, limit = (None, "") if decided.area_stated else called_bound(facts, decided.building, stated)
         for name, span in facts.building[:1]:
             if span.words:
                 value = WishValue(name=facts.building_name or name, type=name, area=area, limit=limit)
@@ -237,6 +237,8 @@ class _Ledger:
         for material in facts.materials:
             value = WishValue(name=material.material, type=material.surface)
             self.add("material", material.span, value, Scope(room_type=material.room_type))
+        for clutter in facts.clutter:
+            self.add("clutter", clutter.span, WishValue(name=clutter.clutter), Scope(room_type=clutter.room_type))
         for height in facts.heights:
             self.add("height", height.span, WishValue(height=height.height), Scope(room_type=height.room_type))
 
