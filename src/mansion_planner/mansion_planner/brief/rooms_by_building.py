@@ -26,7 +26,12 @@ def room_for_building(reading: Reading, phrase: Phrase) -> Phrase:
     if named is not None and not itself:
         return replace(phrase, head="room", building="", room_type=named, known=True)
     lodging = _PLAIN.get(kind) or _PLAIN.get(like)
-    if lodging and phrase.room_type == "hotel_room" and phrase.name.partition("_")[0] in _BEDS:
+    if (
+        lodging
+        and lodging != "hostel_dorm"
+        and phrase.room_type == "hotel_room"
+        and phrase.name.partition("_")[0] in _BEDS
+    ):
         return replace(phrase, room_type=lodging, known=True)  # "twelve double rooms" of a dormitory
     own = None if itself else _by_family(reading, phrase, family)
     if own is not None:
@@ -104,5 +109,6 @@ _PLAIN = {
     "hospital": "patient_room",
     "hostel": "hostel_dorm",
     "student_dormitory": "dorm_room",
+    "flat_share": "bedroom",
     "nursing_home": "resident_room",
 }
