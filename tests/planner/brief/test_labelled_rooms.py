@@ -55,3 +55,12 @@ def test_words_that_say_no_more_are_not_left_over(text: str) -> None:
 
 def test_a_wing_is_of_the_kind_of_its_building() -> None:
     assert read("Secondary school wing, three storeys, 1,900 m2.").building_like == "school"
+
+
+def test_a_lift_of_each_bay_raises_cars() -> None:
+    facts = read("A car workshop of 400 m2, single storey, with 4 bays, each with a lift.")
+    assert ([(thing.category, thing.each) for thing in facts.objects], facts.vertical) == ([("car_lift", True)], [])
+
+
+def test_a_hall_for_many_is_one_to_meet_in() -> None:
+    assert read("A community centre with a hall for 120 people.").rooms[0].room_type == "assembly_hall"
