@@ -312,7 +312,8 @@ class _Ledger:
         reason = _stand_in_of(room)
         whole = room.area is not None and is_whole(room, self.knowledge)
         area, limit = self._area_of(room)
-        value = WishValue(name=room.name, type=room.room_type, count=room.count, area=area, whole=whole, limit=limit)
+        name = self._called(room)
+        value = WishValue(name=name, type=room.room_type, count=room.count, area=area, whole=whole, limit=limit)
         self.add("room", room.span, value, Scope(floors=self.floors(room.floors), each=room.each), reason=reason)
         if room.unit:
             self._unit(room)
@@ -324,6 +325,11 @@ class _Ledger:
             area, limit = self._area_of(child)
             value = WishValue(name=child.name, type=child.room_type, count=many, area=area, limit=limit)
             self.add("room", child.span, value, scope)
+
+    def _called(self, room: RoomFact) -> str:
+        """Return a room's name as the brief has it, also where it is the hall that the building is there for."""
+        renamed = room.name == self.decisions.building.hub and room.label
+        return room.label.lower().replace(" ", "_") if renamed else room.name
 
     def _unit(self, room: RoomFact) -> None:
         """Add what each unit holds."""
