@@ -396,10 +396,14 @@ def unknown_building(reading: Reading, places: Sequence[Place]) -> tuple[str, st
     return max(found, key=lambda entry: (entry[0], -entry[1][2]))[1] if found else None
 
 
+_PARTS_OF_BUILDINGS = frozenset({"building", "wing", "block", "annex", "annexe", "extension", "pavilion"})
+"""Nouns after that of a building, which is of the same kind as a whole."""
+
+
 def _kind_by_head(reading: Reading, first: int, last: int) -> str:
     """Return the kind of building that a name's last noun is most like, of "canteen building" the noun before."""
     heads = _heads(reading)
-    plain = reading.word(last - 1) == "building" and last - 1 > first
+    plain = reading.word(last - 1) in _PARTS_OF_BUILDINGS and last - 1 > first
     return (plain and heads.get(reading.word(last - 2), "")) or heads.get(reading.word(last - 1), "")
 
 

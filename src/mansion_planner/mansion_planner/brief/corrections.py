@@ -24,6 +24,7 @@ _SIGNS = (
     ("correction",), ("actually",), ("rather",), ("i", "meant"), ("better",), ("well",),
     ("excuse", "me"), ("scrap", "that"), ("forget", "that"), ("cancel", "that"), ("on", "second", "thought"),
     ("second", "thought"), ("my", "mistake"), ("my", "bad"), *_MISCOUNTED,
+    ("let", "go", "with"), ("let", "make", "it"), ("let", "take"), ("go", "with"), ("settle", "on"),
 )  # fmt: skip
 """What is said to take back a number, several of them one after the other at times."""
 WEAK = frozenset({("no",), ("well",), ("better",), ("rather",), ("actually",), ("make", "it"), ("wait",)})

@@ -56,7 +56,7 @@ from mansion_planner.brief.qualifiers import unheeded_words
 from mansion_planner.brief.reading import Place, Reading, start_reading
 from mansion_planner.brief.relation_facts import state_relations
 from mansion_planner.brief.relations import read_relations
-from mansion_planner.brief.retractions import without_retractions
+from mansion_planner.brief.retractions import without_retractions, without_taken_back
 from mansion_planner.brief.room_facts import RoomStatements
 from mansion_planner.brief.room_names import told_by_its_words
 from mansion_planner.brief.rooms_by_building import room_for_building
@@ -187,7 +187,8 @@ class _Reader:
     def _join(self) -> None:
         """Find what joins the phrases: relations, negations, and the storeys that they are on."""
         reading = self.reading
-        self.relations = read_relations(reading, self.phrases, set() if self.building is None else {self.building})
+        relations = read_relations(reading, self.phrases, set() if self.building is None else {self.building})
+        self.relations = without_taken_back(reading, self.phrases, relations)
         self.negated = negated_phrases(reading, self.phrases)
         self.attached = attach_units(reading, self.places, self.phrases, self.building, self.households)
         for number, phrase in enumerate(self.phrases):
