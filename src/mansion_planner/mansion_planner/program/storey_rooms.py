@@ -39,8 +39,15 @@ def base_rooms(storey: Storey, allocation: Allocation, knowledge: KnowledgeBase)
         placed = fact.name in allocation.places
         area = max(kind.least if placed else kind.usual, allocation.furniture.get(fact.name, 0.0))
         room = planned_room(kind, knowledge, area=area, fact=fact)
-        rooms.append(room if placed or fact.size else _as_in_its_building(room, storey))
+        if not fact.known and fact.name.endswith("_room"):
+            rooms.append(room if room.fixed else msgspec.structs.replace(room, most=min(room.most, _MOST_LIKE * area)))
+        else:
+            rooms.append(room if placed or fact.size else _as_in_its_building(room, storey))
     return rooms
+
+
+_MOST_LIKE = 1.6
+"""Of a type's usual area, what a room has at most that is only like it: the instrument room like a laboratory."""
 
 
 _LEAST_LISTED = 0.6
