@@ -329,6 +329,7 @@ def _settle_area(
         decisions.area_stated = True
     elif request.area is not None or total is not None:
         whole = request.area if request.area is not None else _kept(total)  # type: ignore[arg-type]
+        storeys = decisions.floors if facts.above_ground and request.area is None else storeys
         decisions.area = whole / storeys
         decisions.area_span = quoted(total.span) if total else f"$.area = {whole:g}"
         note(trace, total.span if total else None, f"{whole:.0f} m2 over {counted(storeys, 'storey')}, as stated")
