@@ -130,3 +130,23 @@ def test_chairs_that_find_no_side_of_their_table_are_left_out(seed: int) -> None
         assert chair.shape.distance(table.shape) <= 0.2
         assert abs((ahead - table.centre) @ table.u) < table.width / 2 + 0.12
         assert abs((ahead - table.centre) @ table.v) < table.depth / 2 + 0.12
+
+
+@pytest.mark.parametrize("seed", range(2))
+@pytest.mark.parametrize(("width", "depth"), [(4.0, 5.0), (6.0, 4.0), (8.0, 6.0)])
+def test_a_reception_desk_looks_towards_the_way_in_with_its_chair_behind_it(
+    width: float, depth: float, seed: int
+) -> None:
+    asked = room(
+        rectangle(width, depth),
+        [((0.2, 0.0), (width - 0.2, 0.0))],
+        [
+            item("reception_desk", (1.8, 0.8, 1.1), 1, "middle"),
+            item("office_chair", (0.6, 0.6, 1.0), 1, near="reception_desk"),
+        ],
+        kind="reception",
+    )
+    result = place_room(asked, seed=seed)
+    (desk,), (chair,) = pieces(result, "reception_desk"), pieces(result, "office_chair")
+    assert desk.v[1] < -0.9
+    assert (chair.centre - desk.centre) @ desk.v < 0.0

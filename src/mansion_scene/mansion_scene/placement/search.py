@@ -195,6 +195,10 @@ def _rings(floor: Floor, spec: Spec, unit: Unit) -> Floats:
     return ring_poses(targets, hw, hd, gaps, turned=turned)
 
 
+_BEHIND = 1.2
+"""What a seat counts for behind a counter with staff, rather than before it."""
+
+
 def _belonging(floor: Floor, spec: Spec, unit: Unit, poses: Floats) -> Floats:
     """Members like to be close to a host copy without one yet; seats like to face it."""
     if spec.host < 0:
@@ -212,4 +216,7 @@ def _belonging(floor: Floor, spec: Spec, unit: Unit, poses: Floats) -> Floats:
         q = targets[nearest, :2] - poses[:, :2]
         q /= np.maximum(np.hypot(q[:, 0], q[:, 1]), 1e-6)[:, None]
         score += 0.6 * (-poses[:, 3] * q[:, 0] + poses[:, 2] * q[:, 1])
+        if floor.specs[spec.host].role.staffed:
+            host = targets[nearest]
+            score += _BEHIND * (-host[:, 3] * q[:, 0] + host[:, 2] * q[:, 1])
     return np.asarray(score)
