@@ -150,3 +150,20 @@ def test_a_reception_desk_looks_towards_the_way_in_with_its_chair_behind_it(
     (desk,), (chair,) = pieces(result, "reception_desk"), pieces(result, "office_chair")
     assert desk.v[1] < -0.9
     assert (chair.centre - desk.centre) @ desk.v < 0.0
+
+
+def test_seats_at_short_sides_of_restaurant_tables_are_in_their_middle() -> None:
+    asked = room(
+        rectangle(9.0, 7.0),
+        [((6.6, 7.0), (8.4, 7.0))],
+        [
+            item("restaurant_table", (0.8, 0.8, 0.75), 9, "middle"),
+            item("chair", (0.45, 0.5, 0.9), 36, around="restaurant_table"),
+        ],
+        kind="restaurant",
+    )
+    result = place_room(asked, seed=0)
+    tables, chairs = (np.array([piece.centre for piece in pieces(result, n)]) for n in ("restaurant_table", "chair"))
+    away = np.abs(chairs[:, None] - tables[None])
+    nearest = away[np.arange(len(chairs)), np.hypot(*away.transpose(2, 0, 1)).argmin(axis=1)]
+    assert np.mean(nearest.min(axis=1) < 0.05) > 0.7
