@@ -308,6 +308,20 @@ def _closed(
     return [shortened if c is last else c for c in corridors], [widened if p is closing else p for p in rooms]
 
 
+def _leads_out(massing: Massing, storey: Storey, rooms: Sequence[Placement], length: float) -> bool:
+    """Whether the far end of the corridor is to be an exit.
+
+    It is on an entrance storey that reaches farther than one exit is enough for, and has no room for visitors in its
+    far half that a second exit could lead out of.
+    """
+    rule = load_norms().rules["single_exit_travel"]
+    asked = rule.holds_for(storey.use.family) and storey.role in ("ground", "single") and not massing.wings
+    if not asked or length <= rule.limit(storey.use.name, storey.use.family):
+        return False
+    far = (box for room in rooms if room.room.kind.zone == "public" for box in room.boxes)
+    return not any(box[2] > length / 2 for box in far)
+
+
 def _is_open_to(corridors: list[Corridor], stop: float) -> bool:
     """Whether the main corridor runs to the end of the bar."""
     return abs([c for c in corridors if _is_main(c)][-1].boxes[0][2] - stop) < 0.01
@@ -544,7 +558,8 @@ def _assemble(
     rooms, corridors = _with_niche(_behind_lifts(massing, storey), rooms, corridors)
     rooms = _with_parents(_with_pocket(massing, rooms), corridors, fronts)
     if not ends:
-        corridors, rooms = _closed(massing, corridors, rooms, stop)
+        if not _leads_out(massing, storey, rooms, length):
+            corridors, rooms = _closed(massing, corridors, rooms, stop)
         if storey.use.family == "home" and _is_open_to(corridors, stop):
             corridors, rooms = _turned_in(massing, corridors, rooms, stop)
     corridors = _with_empty_bands(massing, corridors, segments)
