@@ -241,7 +241,7 @@ def _is_call(words: Sequence[Word], lexicon: Lexicon) -> bool:
     if len(words) == 2 and words[1].text in _DAYS:  # "Laundry day"
         return True
     if (
-        texts & _ASKED
+        texts & (_ASKED | DETERMINERS)
         or not 2 <= len(words) <= 6
         or _names(words, lexicon)
         or any(word.kind != "word" for word in words)

@@ -16,6 +16,7 @@ from mansion_editing.instructions.statements import (
     Ensure,
     Furnish,
     Keep,
+    Mention,
     Move,
     Place,
     Remove,
