@@ -41,6 +41,7 @@ from mansion_planner.brief.households import read_households
 from mansion_planner.brief.later_mentions import give_areas_of_mentions, place_by_mentions, tell_rooms_within
 from mansion_planner.brief.measures import find_measures, give_measures
 from mansion_planner.brief.named_rooms import desks_as_places, rooms_by_name
+from mansion_planner.brief.niches import read_niches
 from mansion_planner.brief.noun_phrases import noun_phrases
 from mansion_planner.brief.occupants import read_occupants, tell_users
 from mansion_planner.brief.one_sized import with_one_sized
@@ -70,6 +71,7 @@ from mansion_planner.brief.units import are_units, is_type_of_flat
 from mansion_planner.brief.unread_words import leave_unread
 from mansion_planner.brief.vertical_facts import read_stairs_and_lifts
 from mansion_planner.brief.washing_and_resting import by_what_else_is_named
+from mansion_planner.brief.washing_fittings import read_washing_fittings
 
 __all__ = ["read_brief"]
 
@@ -165,6 +167,8 @@ class _Reader:
     def _find_groups(self) -> None:
         """Find what belongs together: late counts, what each flat holds, what only holds or furnishes another room."""
         reading = self.reading
+        read_washing_fittings(reading, self.phrases)
+        read_niches(reading, self.phrases, self.building)
         read_late_counts(reading, self.phrases)
         read_counts_by_room(reading, self.phrases)
         self.phrases, self.households = read_households(reading, self.phrases, self.places, self.building)
