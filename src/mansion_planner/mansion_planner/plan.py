@@ -33,7 +33,8 @@ def plan_building(
     knowledge : KnowledgeBase, optional
         The shipped one when absent.
     cancelled : callable
-        Asked between the steps of a long reading, before each storey and each question to a model, whether the plan is not wanted any more.
+        Asked between the steps of a long reading, before each storey and before each question to a model, whether the
+        plan is not wanted any more.
 
     Returns
     -------
