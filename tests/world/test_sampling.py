@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from mansion_msgs_py.errors import MansionError
-from mansion_world.mixture import MOST_FLOOR_AREA, load_mixture, load_sentences
+from mansion_world.mixture import MOST_FLOOR_AREA, load_clutter_sentences, load_mixture, load_sentences
 from mansion_world.sampling import sample
 from mansion_world.sentence_templates import fill_wording
 
@@ -87,3 +87,13 @@ def test_a_mixture_that_does_not_fit_is_refused(name: str, floors: list[int], re
     file.write_text(f"[kinds.a]\nshare = 1\n{part}")
     with pytest.raises(MansionError, match=refusal):
         load_mixture(file)
+
+
+def test_some_buildings_have_many_and_some_few_small_objects_and_say_so() -> None:
+    found = Counter(request.clutter for request in REQUESTS)
+    assert 60 <= found["sparse"] <= 140
+    assert 60 <= found["dense"] <= 140
+    for request in REQUESTS:
+        sentences = load_clutter_sentences().get(request.clutter, [])
+        assert any(request.request.description.endswith(text) for text in sentences) == bool(request.clutter)
+        assert (request.request.clutter == request.clutter) == bool(request.clutter)

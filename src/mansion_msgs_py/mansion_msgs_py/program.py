@@ -1,6 +1,6 @@
 """The building program: the schema of Fig. 23, with the geometry that every floor shares."""
 
-from typing import Annotated, Final, Literal
+from typing import Annotated, Final, Literal, TypeAlias
 
 import msgspec
 
@@ -9,6 +9,7 @@ from mansion_msgs_py.shapes import Area, BuildingId, CompassSide, Elevation, Ide
 from mansion_msgs_py.wishes import Wish
 
 __all__ = [
+    "Clutter",
     "AreaSummary",
     "BuildingProgram",
     "CorePlan",
@@ -20,6 +21,9 @@ __all__ = [
     "TraceEntry",
     "VerticalConnectivity",
 ]
+
+Clutter: TypeAlias = Literal["sparse", "dense"]
+"""Fewer or more small objects than usual."""
 
 GROUND_FLOOR: Final = 1
 """Number of the ground floor; basements have 0 and less."""
@@ -99,6 +103,8 @@ class RoomProgram(msgspec.Struct, frozen=True, kw_only=True):
         Other names that mean it.
     objects : list of RequestedObject
         Furniture beyond what such rooms usually have.
+    clutter : {"sparse", "dense"}, optional
+        Fewer or more small objects than usual lie about.
     """
 
     id: Identifier
@@ -112,6 +118,7 @@ class RoomProgram(msgspec.Struct, frozen=True, kw_only=True):
     name: str = ""
     aliases: list[str] = []
     objects: list[RequestedObject] = []
+    clutter: Clutter | msgspec.UnsetType = msgspec.UNSET
 
 
 class AreaSummary(msgspec.Struct, frozen=True, kw_only=True):

@@ -11,6 +11,7 @@ from mansion_msgs_py.codec import encode
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import decode_from
 from mansion_msgs_py.limits import MAX_BUILDING_AREA, MAX_FLOORS
+from mansion_msgs_py.program import Clutter
 from mansion_msgs_py.shapes import Area, BuildingId, Ring
 
 __all__ = ["BuildRequest", "Footprint", "Libraries", "building_id_of", "footprint_from_json", "identified"]
@@ -60,6 +61,8 @@ class BuildRequest(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fie
         Names the building in every payload; derived from the request when absent.
     plan : BuildingPlan, optional
         The plan to furnish; the description, which may then be empty, says what it is and what is wished for beside.
+    clutter : {"sparse", "dense"}, optional
+        Fewer or more small objects than usual lie about in all rooms.
     assets : tuple of str, optional
         Libraries of own assets that come before the catalogue's, by name, or by a path with a slash in it.
     """
@@ -75,6 +78,7 @@ class BuildRequest(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fie
     schema_version: Literal[1] = 1
     plan: BuildingPlan | None = None
     assets: Libraries | msgspec.UnsetType = msgspec.UNSET
+    clutter: Clutter | msgspec.UnsetType = msgspec.UNSET
 
     @property
     def libraries(self) -> tuple[str, ...]:
@@ -98,8 +102,9 @@ def building_id_of(request: BuildRequest) -> str:
     said = {name: getattr(request, name) for name in BuildRequest.__struct_fields__}
     if request.plan is None:
         del said["plan"]
-    if isinstance(request.assets, msgspec.UnsetType):
-        del said["assets"]
+    for name in ("assets", "clutter"):
+        if isinstance(said[name], msgspec.UnsetType):
+            del said[name]
     digest = hashlib.sha256(msgspec.json.encode(said)).hexdigest()[:8]
     return f"{slug}-{digest}"
 

@@ -98,6 +98,11 @@ def _contents(
         chooser=chooser,
         requested={f"F{request.floor.index}/{room.id}": room.objects for room in request.floor.rooms},
         building_type=request.building_type,
+        clutter={
+            f"F{request.floor.index}/{room.id}": room.clutter
+            for room in request.floor.rooms
+            if room.clutter is not msgspec.UNSET
+        },
     )
     objects: list[SceneObject] = []
     discarded: list[Discard] = []

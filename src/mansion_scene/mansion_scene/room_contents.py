@@ -16,12 +16,13 @@ from mansion_knowledge.essentials import Need
 from mansion_knowledge.furnished_as import furnished_as
 from mansion_knowledge.object_kinds import answers
 from mansion_msgs_py.placement import PlacedObject, PlacementOpening, PlacementResult, PlacementRoom
-from mansion_msgs_py.program import RequestedObject
+from mansion_msgs_py.program import Clutter, RequestedObject
 from mansion_msgs_py.scene import Discard, Door, SceneObject, SceneRoom, Wall, Window
 from mansion_msgs_py.shapes import Segment
 from mansion_scene.bedrooms import slept_in_as
 from mansion_scene.clearance import clear_of_ways
 from mansion_scene.decor import decorate_room, scene_object
+from mansion_scene.decor.clutter import with_clutter
 from mansion_scene.decor.frames import Ids
 from mansion_scene.essentials import essential_items, essential_requests, essentials_of, lacking, left_out
 from mansion_scene.placement import place_room
@@ -124,6 +125,8 @@ class RoomFurnisher:
         By room, what the brief asks for in it.
     building_type : str
         A room may be furnished as another type because of it, see `furnished_as`.
+    clutter : mapping of str to {"sparse", "dense"}, optional
+        The rooms in which fewer or more small objects than usual lie about.
     """
 
     def __init__(
@@ -136,8 +139,10 @@ class RoomFurnisher:
         chooser: ItemChooser | None = None,
         requested: Mapping[str, Sequence[RequestedObject]] | None = None,
         building_type: str = "",
+        clutter: Mapping[str, Clutter] | None = None,
     ) -> None:
         self._structure = structure
+        self._clutter = clutter or {}
         self._building_type = building_type
         self._seed = seed
         self._style = style
@@ -158,11 +163,11 @@ class RoomFurnisher:
         room = msgspec.structs.replace(room, room_type=kind)
         net = Polygon(room.net_polygon, room.net_holes)
         slept_in = slept_in_as(room, self._structure.rooms, self._building_type)
-        room = msgspec.structs.replace(room, room_type=slept_in)
+        usual, room = room, msgspec.structs.replace(room, room_type=slept_in)
         items = None if self._chooser is None else self._chooser(room, net.area, _extent(net))
         objects, left = self._furnished(room, standing, items, asked)
         # What a model chooses is not overruled; the receipt tells what such a room lacks.
-        needs = essentials_of(room, asked) if items is None else []
+        needs = (essentials_of(room, asked) or essentials_of(usual, asked)) if items is None else []
         short = lacking(needs, [*standing, *objects])
         for frugality in range(3) if short else ():
             trial, trial_left = self._furnished_usably(room, standing, asked, needs, frugality)
@@ -246,7 +251,7 @@ class RoomFurnisher:
         *,
         compact: bool = False,
     ) -> RoomFurnishing:
-        return furnish_request(
+        furnishing = furnish_request(
             self._catalogue,
             room.room_type,
             net.area,
@@ -259,6 +264,10 @@ class RoomFurnisher:
             compact=compact,
             beside=self._beside(room),
         )
+        clutter = self._clutter.get(room.id)
+        if clutter is None:
+            return furnishing
+        return msgspec.structs.replace(furnishing, small=with_clutter(furnishing.small, clutter))
 
     def _beside(self, room: SceneRoom) -> tuple[str, ...]:
         """Return the types of the other rooms of the floor."""

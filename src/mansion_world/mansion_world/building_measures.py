@@ -133,6 +133,7 @@ def _building_row(
         task_metres=metres,
         tasks_undone=made.undone,
         no_tasks=made.why_none,
+        clutter=request.clutter,
     )
 
 

@@ -4,15 +4,16 @@ import tomllib
 from functools import cache
 from importlib.resources import files
 from pathlib import Path
-from typing import Annotated, Final
+from typing import Annotated, Final, Literal
 
 import msgspec
 
 from mansion_msgs_py.codec import convert
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import read_bytes
+from mansion_msgs_py.program import Clutter
 
-__all__ = ["MOST_FLOOR_AREA", "Kind", "Mixture", "SubKind", "load_mixture", "load_sentences"]
+__all__ = ["MOST_FLOOR_AREA", "Kind", "Mixture", "SubKind", "load_clutter_sentences", "load_mixture", "load_sentences"]
 
 MOST_FLOOR_AREA: Final = 500.0
 """Greatest area of a floor, m2 (section B.1 of the supplement)."""
@@ -39,6 +40,8 @@ class SubKind(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=T
         Skew of the area between the two: 1 is uniform, more leans to the small end.
     outlines, styles : dict of str to float
         Words with their shares; the empty word, or none at all, where the sentence says nothing.
+    clutter : dict of {"", "sparse", "dense"} to float
+        Shares of rooms with few and with many small objects; the empty word for the usual number.
     sentences : str
         Group of sentences; that of the sub-kind's name when empty.
     """
@@ -50,6 +53,7 @@ class SubKind(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=T
     skew: Share = 1.0
     outlines: dict[str, Share] = {}
     styles: dict[str, Share] = {}
+    clutter: dict[Literal[""] | Clutter, Share] = {}
     sentences: str = ""
 
     def __post_init__(self) -> None:
@@ -112,6 +116,12 @@ def load_mixture(path: Path | None = None) -> Mixture:
 def load_sentences() -> dict[str, list[str]]:
     """Return the wordings of each group."""
     return convert(dict[str, list[str]], tomllib.loads(_data("sentences.toml").decode()))
+
+
+@cache
+def load_clutter_sentences() -> dict[str, list[str]]:
+    """Return what may be added to a wording for ``dense`` and for ``sparse``."""
+    return convert(dict[str, list[str]], tomllib.loads(_data("clutter.toml").decode()))
 
 
 def _data(name: str) -> bytes:

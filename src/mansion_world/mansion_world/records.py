@@ -82,6 +82,8 @@ class BuildingRow(msgspec.Struct, frozen=True, kw_only=True):
         Drafts that the oracle could not do, and that are therefore not tasks.
     no_tasks : str
         Why tasks that were asked for are missing altogether; empty otherwise.
+    clutter : {"", "sparse", "dense"}
+        Whether few or many small objects were asked for.
     bytes, sha256 : int, str
         Size and hash of all files but ``report.json``, which holds times.
     licence : str
@@ -118,6 +120,7 @@ class BuildingRow(msgspec.Struct, frozen=True, kw_only=True):
     task_metres: float = 0.0
     tasks_undone: int = 0
     no_tasks: str = ""
+    clutter: str = ""
 
 
 class RoomRow(msgspec.Struct, frozen=True, kw_only=True):

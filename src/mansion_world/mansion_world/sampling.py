@@ -10,7 +10,7 @@ import numpy as np
 from mansion_geometry.randomness import item_generator, item_seed
 from mansion_msgs_py.request import BuildRequest
 from mansion_world.mixture import Mixture, SubKind
-from mansion_world.sentence_templates import fill_wording, fitting_wordings, values_in_words
+from mansion_world.sentence_templates import fill_wording, fitting_wordings, saying_clutter, values_in_words
 
 __all__ = ["WorldRequest", "sample"]
 
@@ -32,7 +32,7 @@ class WorldRequest(msgspec.Struct, frozen=True, kw_only=True):
     kind, sub_kind : str
     wording : str
         Group and number of the wording.
-    outline, style : str
+    outline, style, clutter : str
         What was drawn; empty for none.
     request : BuildRequest
         The sentence with the number of floors, the area of a floor and a seed of its own.
@@ -47,6 +47,7 @@ class WorldRequest(msgspec.Struct, frozen=True, kw_only=True):
     wording: str
     outline: str
     style: str
+    clutter: str = ""
     request: BuildRequest
     name: str = ""
 
@@ -79,16 +80,19 @@ def sample(index: int, seed: int, mix: Mixture, *, attempt: int = 0) -> WorldReq
     floors = _floors(part, generator)
     floor_area = _floor_area(part, generator)
     outline, style = (_weighted(words or {"": 1.0}, generator) for words in (part.outlines, part.styles))
+    taste = item_generator(seed, "clutter", index, attempt)
+    clutter = _weighted(part.clutter, taste) if part.clutter else ""
     group = part.sentences or name
     wordings = fitting_wordings(group, outline=outline, style=style)
     number, wording = wordings[int(generator.integers(len(wordings)))]
     words = values_in_words(floors, floor_area, outline=outline, style=style, generator=generator)
     request = BuildRequest(
-        description=fill_wording(wording, words),
+        description=saying_clutter(fill_wording(wording, words), clutter, taste),
         floors=floors,
         floor_area=floor_area,
         seed=item_seed(seed, "building", index, attempt) % _SEEDS,
         building_id=f"world-{seed}-{index:06d}",
+        clutter=clutter or msgspec.UNSET,
     )
     return WorldRequest(
         index=index,
@@ -98,6 +102,7 @@ def sample(index: int, seed: int, mix: Mixture, *, attempt: int = 0) -> WorldReq
         wording=f"{group}/{number}",
         outline=outline if "{outline}" in wording or ":outline}" in wording else "",
         style=style if "{style}" in wording or ":style}" in wording else "",
+        clutter=clutter,
         request=request,
     )
 

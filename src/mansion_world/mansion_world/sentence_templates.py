@@ -7,9 +7,9 @@ from typing import Final
 import numpy as np
 
 from mansion_language.numbers import NUMBER_WORDS
-from mansion_world.mixture import load_sentences
+from mansion_world.mixture import load_clutter_sentences, load_sentences
 
-__all__ = ["fitting_wordings", "fill_wording", "values_in_words"]
+__all__ = ["fill_wording", "fitting_wordings", "saying_clutter", "values_in_words"]
 
 _PLACE: Final = re.compile(r"\{(?:(an?|An?):)?(\w+)\}")
 _VOWEL_SOUND: Final = re.compile(r"(?i)[aeiou]|8|11|18|[lfmnrsx]-")
@@ -75,3 +75,17 @@ def fill_wording(wording: str, values: Mapping[str, str]) -> str:
 
     sentence = _PLACE.sub(value, wording)
     return sentence[0].upper() + sentence[1:] if wording[0] == "{" else sentence
+
+
+def saying_clutter(sentence: str, clutter: str, generator: np.random.Generator) -> str:
+    """Return the sentence of a request with another one for its many or few small objects, if it is to have such.
+
+    Examples
+    --------
+    >>> saying_clutter("a small office", "sparse", np.random.default_rng(1))
+    'a small office. It should be uncluttered.'
+    """
+    if not clutter:
+        return sentence
+    stop = "" if sentence.endswith((".", "!", "?")) else "."
+    return f"{sentence}{stop} {generator.choice(load_clutter_sentences()[clutter])}"

@@ -211,6 +211,12 @@ def test_a_quote_may_differ_in_case_white_space_and_marks(read: Reader, quote: s
     assert readers(reply)["three bedrooms"] == "model"
 
 
+def test_a_model_may_say_how_much_lies_about_in_a_room(read: Reader) -> None:
+    reply = read(BRIEF, answer([*GOOD, said("clutter", "kitchen", name="dense", scope={"room": "kitchen"})]))
+    cluttered = {room.room_type for floor in reply.program.floors for room in floor.rooms if room.clutter == "dense"}
+    assert cluttered == {"kitchen"}
+
+
 @pytest.mark.parametrize(
     ("wrong", "words"),
     [
@@ -226,6 +232,7 @@ def test_a_quote_may_differ_in_case_white_space_and_marks(read: Reader, quote: s
         (said("copy", "house", scope={"floors": [1, 3]}), "consecutive"),
         (said("room", "kitchen", name="kitchen", scope={"floors": ["attic"]}), "scope.floors"),
         (said("material", "house", name="oak", type="ceiling"), "floor or wall"),
+        (said("clutter", "house", name="chaos"), "dense or sparse"),
         (said("room", "three bedrooms", name="stairs"), "stair or elevator"),
         (said("room", BRIEF, name="bedroom"), "longer than 12 words"),
     ],

@@ -96,3 +96,48 @@ def test_the_lounge_of_a_hotel_stays_one() -> None:
 ])  # fmt: skip
 def test_cars_stand_in_the_showroom_of_who_sells_cars(text: str, kind: str) -> None:
     assert kind in [room.room_type for room in floors(text)[0].rooms]
+
+
+@pytest.mark.parametrize(
+    ("brief", "hub", "name"),
+    [
+        ("A warehouse of 1,400 m2 with a storage hall, two offices and a break room", "warehouse", "storage hall"),
+        ("A restaurant of 200 m2 with a dining hall, a kitchen and a store", "restaurant", "dining hall"),
+    ],
+)
+def test_the_hall_that_a_building_is_there_for_is_one_under_any_name(brief: str, hub: str, name: str) -> None:
+    [floor] = floors(brief)
+    assert (floor.rooms[0].room_type, floor.rooms[0].name) == (hub, name)
+    assert sum(room.room_type == hub for room in floor.rooms) == 1
+
+
+def test_a_hall_of_a_stated_area_is_a_room_beside_others() -> None:
+    [floor] = floors("A warehouse of 700 m2 on one storey, with a storage hall of 400 m2 and an office")
+    assert floor.rooms[0].room_type == "lobby"
+
+
+@pytest.mark.parametrize(
+    ("brief", "name", "kind"),
+    [
+        (
+            "A three-storey hotel with eight en-suite guest rooms on each upper floor",
+            "ensuite_guest_room",
+            "hotel_room",
+        ),
+        ("A villa of 300 m2 with a gym, four bedrooms and two bathrooms", "gym", "home_gym"),
+        (
+            "A duplex of 130 m2: upstairs two bedrooms, a dressing room and a bathroom",
+            "dressing_room",
+            "walk_in_closet",
+        ),
+    ],
+)
+def test_rooms_of_guests_and_of_a_household_are_of_their_size(brief: str, name: str, kind: str) -> None:
+    found = [room.room_type for floor in floors(brief) for room in floor.rooms if room.id.startswith(name)]
+    assert found
+    assert set(found) == {kind}
+
+
+def test_counted_guest_rooms_are_all_that_a_hotel_has() -> None:
+    _, *upper = floors("A three-storey hotel of 1,000 m2 with eight en-suite guest rooms on each upper floor")
+    assert [sum(room.room_type == "hotel_room" for room in floor.rooms) for floor in upper] == [8, 8]

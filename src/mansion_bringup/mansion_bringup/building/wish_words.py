@@ -136,6 +136,10 @@ def _height(wish: Wish) -> str:
     return f"ceiling height {wish.value.height:.3g} m" if wish.value.height is not None else ""
 
 
+def _clutter(wish: Wish) -> str:
+    return "many small things" if wish.value.name == "dense" else "few small things"
+
+
 def _occupants(wish: Wish) -> str:
     if wish.value.name == "family" and (wish.value.count or 0) > 1 and "families" not in wish.text.lower():
         return f"for a family of {wish.value.count}"
@@ -162,6 +166,7 @@ _WORDS: Final[Mapping[WishKind, Callable[[Wish], str]]] = {
     "no_object": _absent,
     "height": _height,
     "material": _named("material"),
+    "clutter": _clutter,
     "occupants": _occupants,
     "only": lambda _: "nothing else",
     "unread": lambda _: "",

@@ -4,6 +4,7 @@ The words of a wish are not read: its kind, value and scope are, and the finishe
 which gives a wish its status when a building is built.
 """
 
+import math
 import re
 from collections import Counter, defaultdict
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -15,19 +16,25 @@ from shapely import Polygon
 
 from mansion_bringup.check.fault import Fault
 from mansion_bringup.check.shapes import outline_forms, shared_wall
+from mansion_knowledge import is_class
 from mansion_knowledge.essentials import needs_of
 from mansion_knowledge.furnished_as import furnished_as
 from mansion_knowledge.object_kinds import answers, seats_of_row
+from mansion_knowledge.object_qualities import has_quality
 from mansion_msgs_py.building import Building
 from mansion_msgs_py.layout import FloorLayout
+from mansion_msgs_py.program import GROUND_FLOOR
 from mansion_msgs_py.scene import FloorScene, SceneRoom
 from mansion_msgs_py.wishes import AREA_TOLERANCE, MOST_WORDS, Wish, WishValue
 
 __all__ = ["check_wishes"]
 
 
-ROOM_TOLERANCE = 0.15
+ROOM_TOLERANCE = 0.06
 """Share by which the area of a room may differ from the one asked for."""
+
+LEAST_TOLERANCE = 0.25
+"""Square metres by which that of any room may."""
 
 CEILING_TOLERANCE = 0.10
 """Metres by which a ceiling may differ from the height asked for."""
@@ -55,6 +62,9 @@ SUBSTANCES = (
     r"plaster|drywall",
 )
 """Patterns of the words for one substance each."""
+
+CLUTTERED, TIDY = 5.0, 1.5
+"""Things to a square metre of furniture: no fewer where clutter is wanted, no more where tidiness is."""
 
 TOILETS = frozenset({"toilet", "restroom", "accessible_toilet"})
 """Types of rooms that are all toilets."""
@@ -193,10 +203,10 @@ def _status(wish: Wish, finished: _Finished) -> Iterator[Fault]:
 
 def _taken_for(wish: Wish, finished: _Finished) -> str:
     """Say that something known stands for what is not, or which words are not heeded: it is met in part at best."""
-    if wish.value.unheeded:
+    if wish.value.unheeded and wish.kind != "object":
         return f"it is not {' and '.join(wish.value.unheeded)}"
     stands_in = any(entry.id == wish.id and entry.reason for entry in finished.ledger)
-    return "something else stands for it" if stands_in and wish.kind in ("room", "building_type") else ""
+    return "something else stands for it" if stands_in and wish.kind in ("room", "building_type", "object") else ""
 
 
 def _building_type(wish: Wish, finished: _Finished) -> str:
@@ -219,8 +229,10 @@ def _basements(wish: Wish, finished: _Finished) -> str:
 
 
 def _total_area(wish: Wish, finished: _Finished) -> str:
-    totals = [sum(_gross(scene) for scene in scenes) for scenes in (finished.above, finished.scenes)]
-    return "" if any(_fits(total, wish.value) for total in totals) else f"it has {totals[1]:.1f} m2"
+    counted = [[scene for scene in finished.scenes if scene.floor in wish.scope.floors]]
+    counted = counted if wish.scope.floors else [finished.above, list(finished.scenes)]
+    totals = [sum(map(_gross, scenes)) for scenes in counted]
+    return "" if any(_fits(total, wish.value) for total in totals) else f"it has {totals[-1]:.1f} m2"
 
 
 def _floor_area(wish: Wish, finished: _Finished) -> str:
@@ -342,6 +354,9 @@ def _idle(finished: _Finished, rooms: Sequence[tuple[int, SceneRoom]]) -> str:
                 continue
             if sum(need.pieces(thing.category, thing.size[0]) for thing in objects) < need.count:
                 return f"{room.id} cannot be used without {need.count} x {need.name}"
+        driven_into = floor == GROUND_FLOOR and is_class(room.room_type, "vehicle")
+        if driven_into and not any(None in door.rooms and room.id in door.rooms for door in scene.doors):
+            return f"nobody drives into {room.id}"
     return ""
 
 
@@ -386,7 +401,7 @@ def _covers(entry: Wish, finished: _Finished, floor: int, room: SceneRoom) -> bo
 
 
 def _as_large(area: float, wanted: float) -> bool:
-    return abs(area - wanted) <= ROOM_TOLERANCE * wanted + 1e-6
+    return abs(area - wanted) <= max(ROOM_TOLERANCE * wanted, LEAST_TOLERANCE) + 1e-6
 
 
 def _no_room(wish: Wish, finished: _Finished) -> str:
@@ -400,7 +415,20 @@ def _adjacent(wish: Wish, finished: _Finished) -> str:
     beside = set(_sides(wish, finished))
     if wish.scope.each and any(room.id not in beside for _, room in finished.meant(wish.value.name, wish.value.type)):
         return "not every such room shares a wall with one"
+    if beside and wish.value.door and not _is_entered(wish, finished):
+        return "no door leads from one into the other"
     return "" if beside else "no two such rooms share a wall"
+
+
+def _is_entered(wish: Wish, finished: _Finished) -> bool:
+    """Whether a door has a room of either kind of a relation on each side."""
+    first = {room.id for _, room in finished.meant(wish.value.name, wish.value.type)}
+    second = {room.id for _, room in finished.meant(wish.value.other, wish.value.other_type)}
+    sides = [set(door.rooms) for scene in finished.scenes for door in scene.doors]
+    return any(
+        len(side) == 2 and any({one, other} == side for one in first & side for other in second & side)
+        for side in sides
+    )
 
 
 def _apart(wish: Wish, finished: _Finished) -> str:
@@ -444,8 +472,24 @@ def _object(wish: Wish, finished: _Finished) -> str:
     if wish.value.exact and wish.scope.room:
         named = _things(wish, finished, noun=wish.value.type.split("_")[-1]).values()
         there = max(named) if wish.scope.each else sum(named)
-        return f"{there} are there, more than {wanted}" if there > wanted else ""
-    return ""
+        if there > wanted:
+            return f"{there} are there, more than {wanted}"
+    return next((f"not as many are {word}" for word in wish.value.unheeded if not _are_so(wish, finished, word)), "")
+
+
+def _are_so(wish: Wish, finished: _Finished, word: str) -> bool:
+    """Whether enough of the things of a wish are as a word says; in every place where the count is for each."""
+    scope = wish.scope
+    rooms = {room.id for _, room in finished.meant(scope.room, scope.room_type, scope.floors)} if scope.room else None
+    numbers: dict[str, list[bool]] = defaultdict(list)
+    for scene in finished.scenes:
+        for thing in scene.objects:
+            here = thing.room in rooms if rooms is not None else _on(scene.floor, scope.floors)
+            if here and wish.value.type and _called_so(thing.category, wish.value):
+                place = (thing.room if scope.room else str(scene.floor)) if scope.each else ""
+                numbers[place].append(has_quality(thing.category, thing.size, thing.material, word))
+    wanted = 2 if wish.value.count is None else wish.value.count
+    return all(sum(fitting) >= min(wanted, len(fitting)) for fitting in numbers.values())
 
 
 def _no_object(wish: Wish, finished: _Finished) -> str:
@@ -462,7 +506,7 @@ def _things(wish: Wish, finished: _Finished, *, noun: str = "") -> dict[str, int
     placed: Counter[str] = Counter()
     for scene in finished.scenes:
         for thing in scene.objects:
-            if noun and thing.category.split("_")[-1] != noun:
+            if noun and not (thing.category.split("_")[-1] == noun and answers(wish.value.type, thing.category)):
                 continue
             if wish.value.type and _called_so(thing.category, wish.value):
                 placed[thing.room] += seats_of_row(thing.category, thing.size[0])
@@ -476,13 +520,11 @@ def _things(wish: Wish, finished: _Finished, *, noun: str = "") -> dict[str, int
 
 
 def _called_so(category: str, value: WishValue) -> bool:
-    """Whether the words or the kind of a wish are the last ones of a category."""
-    words, kind = category.split("_"), value.type.split("_")
-    return (
-        answers(value.type, category)
-        or words[-len(kind) :] == kind
-        or re.fullmatch(rf"{re.escape(words[-1])}(e?s)?", value.name) is not None
-    )
+    """Whether a category is of a wish's kind, or of its noun where that kind is a special one of the noun."""
+    if answers(value.type, category):
+        return True
+    noun = re.escape(category.split("_")[-1])
+    return "_" in value.type and re.fullmatch(rf"{noun}(e?s)?", value.name) is not None
 
 
 def _height(wish: Wish, finished: _Finished) -> str:
@@ -508,6 +550,18 @@ def _made_of(surface: str, wanted: str) -> bool:
     if named:
         return any(re.search(pattern, here) for pattern in named)
     return any(re.search(rf"\b{re.escape(word)}\b", here) for word in there.split())
+
+
+def _clutter(wish: Wish, finished: _Finished) -> str:
+    own = {entry.scope.room_type for entry in finished.ledger if entry.kind == "clutter"} - {wish.scope.room_type}
+    rooms = {room.id for room in _of_type(wish, finished) if room.room_type not in own}
+    objects = [thing for scene in finished.scenes for thing in scene.objects if thing.room in rooms]
+    carried = sum(1 for thing in objects if thing.parent)
+    ground = sum(math.prod(thing.size[:2]) for thing in objects if thing.receptacle and not thing.parent)
+    if not ground:
+        return "nothing is there to lay things on"
+    within = carried >= CLUTTERED * ground if wish.value.name == "dense" else carried <= TIDY * ground
+    return "" if within else f"{carried} things lie on {ground:.1f} m2 of furniture"
 
 
 def _of_type(wish: Wish, finished: _Finished) -> list[SceneRoom]:
@@ -553,6 +607,7 @@ _JUDGES: Mapping[str, Judge] = {
     "no_object": _no_object,
     "height": _height,
     "material": _material,
+    "clutter": _clutter,
     "occupants": _occupants,
     "only": _only,
 }

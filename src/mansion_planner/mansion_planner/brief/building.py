@@ -52,9 +52,14 @@ def building_phrase(reading: Reading, phrases: list[Phrase], places: list[Place]
 
 
 def _is_dwelt_in(candidate: "_Candidate") -> bool:
-    """Whether the phrase is where a brief's first sentence says somebody lives or works: "we live in a townhouse"."""
+    """Whether the phrase is where a brief's first sentence says somebody lives or works: "we live in a townhouse".
+
+    So is what closes a list of rooms: "two bedrooms and a kitchen, in a flat".
+    """
     indefinite = candidate.phrase.determiner in ("a", "an", "our", "my")
-    dwelt = candidate.lead in ("in", "inside") and candidate.before[-2:-1] and candidate.before[-2] in _DWELLING
+    ends = candidate.reading.breaks(candidate.phrase.last)
+    verb = candidate.before[-2:-1]
+    dwelt = candidate.lead in ("in", "inside") and verb and (verb[0] in _DWELLING or (verb[0] == "," and ends))
     return candidate.sentence == 0 and indefinite and bool(dwelt) and not (candidate.phrase.plural or candidate.placed)
 
 

@@ -19,6 +19,7 @@ from mansion_planner.brief.blocks import with_blocks
 from mansion_planner.brief.building import building_phrase, own_building_name, unknown_building
 from mansion_planner.brief.building_again import leave_out_other_names
 from mansion_planner.brief.building_shape import give_rooms_to_copies, read_copies, read_massing, read_shape, read_sizes
+from mansion_planner.brief.clutter import read_clutter_words, read_things_about
 from mansion_planner.brief.coreference import coreferences
 from mansion_planner.brief.desk_areas import read_desk_areas
 from mansion_planner.brief.distant_counts import (
@@ -40,6 +41,7 @@ from mansion_planner.brief.households import read_households
 from mansion_planner.brief.later_mentions import give_areas_of_mentions, place_by_mentions, tell_rooms_within
 from mansion_planner.brief.measures import find_measures, give_measures
 from mansion_planner.brief.named_rooms import desks_as_places, rooms_by_name
+from mansion_planner.brief.niches import read_niches
 from mansion_planner.brief.noun_phrases import noun_phrases
 from mansion_planner.brief.occupants import read_occupants, tell_users
 from mansion_planner.brief.one_sized import with_one_sized
@@ -69,6 +71,7 @@ from mansion_planner.brief.units import are_units, is_type_of_flat
 from mansion_planner.brief.unread_words import leave_unread
 from mansion_planner.brief.vertical_facts import read_stairs_and_lifts
 from mansion_planner.brief.washing_and_resting import by_what_else_is_named
+from mansion_planner.brief.washing_fittings import read_washing_fittings
 
 __all__ = ["read_brief"]
 
@@ -103,6 +106,7 @@ def read_brief(text: str, knowledge: KnowledgeBase, *, cancelled: Callable[[], b
     reading.go_on()
     read_materials(reading)
     read_heights(reading)
+    read_things_about(reading)
     read_style(reading, named=True)
     read_shape(reading)
     measures = find_measures(reading)
@@ -113,6 +117,7 @@ def read_brief(text: str, knowledge: KnowledgeBase, *, cancelled: Callable[[], b
     reading.go_on()
     read_copies(reading, places)
     give_rooms_to_copies(reading.facts)
+    read_clutter_words(reading, phrases)
     read_style(reading, named=False)
     reading.facts.unheeded += unheeded_words(reading, phrases, reading.facts)
     leave_unread(reading)
@@ -162,6 +167,8 @@ class _Reader:
     def _find_groups(self) -> None:
         """Find what belongs together: late counts, what each flat holds, what only holds or furnishes another room."""
         reading = self.reading
+        read_washing_fittings(reading, self.phrases)
+        read_niches(reading, self.phrases, self.building)
         read_late_counts(reading, self.phrases)
         read_counts_by_room(reading, self.phrases)
         self.phrases, self.households = read_households(reading, self.phrases, self.places, self.building)

@@ -32,7 +32,7 @@ from mansion_planner.given_plan.faults import Findings
 from mansion_planner.given_plan.floors import GivenFloor
 from mansion_planner.given_plan.requested import planned_storey
 from mansion_planner.given_plan.storeys import StoreyRoom
-from mansion_planner.program.building import materials_of, with_elevations
+from mansion_planner.program.building import clutter_of, materials_of, with_elevations
 from mansion_planner.program.decisions import Decisions
 from mansion_planner.program.wish_ledger import requested_objects, wishes_of
 
@@ -100,6 +100,7 @@ def _floor_program(
                 id=room.id, area_estimate=round(room.area, 2), room_type=room.type.name, floor_material=floor_text,
                 wall_material=wall_text, name=room.name, objects=requested_objects(decisions, room.id, planned),
                 aliases=[*aliases, *([kind] if room.known and kind != room.name.casefold() else [])],
+                clutter=clutter_of(room.type.name, decisions),
             )
         )  # fmt: skip
     total = sum(room.area_estimate for room in rooms)

@@ -39,7 +39,9 @@ no_room (value.name, value.type; scope.floors where it is unwanted there only),
 adjacent and apart (value.name and value.other: the two rooms),
 object and no_object (furniture: value.name, value.count; scope.room; scope.each where it is for each such room),
 height (value.height of ceilings; scope.room),
-material (value.type: floor or wall; value.name: the material; scope.room), occupants (value.count of value.name),
+material (value.type: floor or wall; value.name: the material; scope.room),
+clutter (value.name: dense where many small things are to lie about, sparse where few; scope.room),
+occupants (value.count of value.name),
 only (nothing but what is named is wanted), unread (it asks for something that none of these kinds can say),
 aside (it asks for nothing: greetings, reasons)."""
 

@@ -8,7 +8,7 @@ from mansion_knowledge import RoomType
 from mansion_msgs_py.program import AreaSummary, CorePlan, FloorProgram, RoomProgram
 from mansion_planner.llm.palette import Palette
 from mansion_planner.program.arrangement import apart_pairs, unwanted_pairs, wanted_pairs
-from mansion_planner.program.building import PlannedBuilding
+from mansion_planner.program.building import PlannedBuilding, clutter_of
 from mansion_planner.program.footprint import sketch_free
 from mansion_planner.program.model import CoreBox, PlannedRoom, Sketch, Storey, aliases_of, box_area
 from mansion_planner.program.outline import bearing_walls
@@ -185,7 +185,8 @@ def _filled(
     given = {room.id: room for room in chosen.rooms}
     beside = _wished(planned, storey, sketch)
     hub = _room(chosen.hub, storey.hub.name, max(left - reserve, 1.0), palette, "circulation hub")
-    rooms = [msgspec.structs.replace(hub, open_relation="open")]
+    lying = clutter_of(storey.hub.name, planned.decisions)
+    rooms = [msgspec.structs.replace(hub, open_relation="open", clutter=lying)]
     for placement in sketch.rooms:
         room = given[placement.room.id]
         entry = _room(room, room.id, placement.area, palette, room.notes)
@@ -196,6 +197,7 @@ def _filled(
                 name=room.label,
                 aliases=aliases_of(placement.room),
                 objects=requested_objects(planned.decisions, placement.room.id, storey),
+                clutter=clutter_of(room.kind.name, planned.decisions),
             )
         )
     total = sum(room.area_estimate for room in rooms)

@@ -14,6 +14,7 @@ from mansion_msgs_py.wishes import MOST_WORDS
 from mansion_planner.brief.facts import (
     AdjacencyFact,
     BriefFacts,
+    ClutterFact,
     CopyFact,
     FloorRef,
     HeightFact,
@@ -126,7 +127,8 @@ class _StatementReader:
             "style": self._style, "use": self._use, "copy": self._copy, "stair": self._vertical,
             "elevator": self._vertical, "room": self._room, "no_room": self._no_room, "adjacent": self._relation,
             "apart": self._relation, "object": self._object, "no_object": self._object, "height": self._height,
-            "material": self._material, "occupants": self._occupants, "only": self._only, "unread": self._unread,
+            "material": self._material, "clutter": self._clutter, "occupants": self._occupants, "only": self._only,
+            "unread": self._unread,
             ASIDE: lambda entry, span: None,
         }  # fmt: skip
 
@@ -382,6 +384,12 @@ class _StatementReader:
             raise _UnusableError("value.type must be floor or wall, and value.name a material in plain English words")
         kind = self._room_type(entry)
         self.facts.materials.append(MaterialFact("floor" if surface == "floor" else "wall", material, kind, span))
+
+    def _clutter(self, entry: StatementAnswer, span: Span) -> None:
+        amount = entry.value.name.strip().lower()
+        if amount not in ("dense", "sparse"):
+            raise _UnusableError("value.name must be dense or sparse")
+        self.facts.clutter.append(ClutterFact("dense" if amount == "dense" else "sparse", self._room_type(entry), span))
 
     def _occupants(self, entry: StatementAnswer, span: Span) -> None:
         count = self._count(entry, _MOST_PEOPLE)

@@ -12,6 +12,7 @@ from mansion_msgs_py.limits import MAX_FLOOR_AREA
 from mansion_msgs_py.program import (
     AreaSummary,
     BuildingProgram,
+    Clutter,
     CorePlan,
     FloorProgram,
     RoomProgram,
@@ -37,7 +38,7 @@ from mansion_planner.program.step_record import Record
 from mansion_planner.program.storeys import floors_of, is_hall, make_storeys
 from mansion_planner.program.wish_ledger import furniture_of, requested_objects, wishes_of
 
-__all__ = ["PlannedBuilding", "floor_program", "materials_of", "plan_program", "with_elevations"]
+__all__ = ["PlannedBuilding", "clutter_of", "floor_program", "materials_of", "plan_program", "with_elevations"]
 
 
 @dataclass(frozen=True)
@@ -231,6 +232,7 @@ def _hub_program(decisions: Decisions, storey: Storey, area: float, knowledge: K
         id=storey.hub.name, area_estimate=round(area, 2), room_type=storey.hub.name,
         floor_material=floor, wall_material=wall, open_relation="open", notes="circulation hub",
         name=_hub_name(decisions, storey), objects=requested_objects(decisions, storey.hub.name, storey),
+        clutter=clutter_of(storey.hub.name, decisions),
     )  # fmt: skip
 
 
@@ -249,8 +251,19 @@ def _room_program(
         floor_material=floor, wall_material=wall,
         open_relation="open" if room.kind.open else "door", notes=room.notes,
         adjacent_to=beside.get(room.id, []), name=room.label, aliases=aliases_of(room),
-        objects=requested_objects(decisions, room.id, storey),
+        objects=requested_objects(decisions, room.id, storey), clutter=clutter_of(room.kind.name, decisions),
     )  # fmt: skip
+
+
+def clutter_of(kind: str, decisions: Decisions) -> Clutter | msgspec.UnsetType:
+    """Return whether few or many things lie about in rooms of a type.
+
+    What is said of such rooms alone counts most, then the request, then what is said of the whole building.
+    """
+    said = {fact.room_type: fact.clutter for fact in decisions.facts.clutter}
+    if decisions.clutter is not msgspec.UNSET:
+        said[""] = decisions.clutter
+    return said.get(kind, said.get("", msgspec.UNSET))
 
 
 def _hub_name(decisions: Decisions, storey: Storey) -> str:

@@ -2,12 +2,13 @@
 
 from dataclasses import dataclass, field, replace
 
+import msgspec
 import numpy as np
 from shapely.geometry import Polygon
 
 from mansion_knowledge import BuildingType, KnowledgeBase
 from mansion_msgs_py.errors import ErrorCode, MansionError
-from mansion_msgs_py.program import Downgrade, RequestedObject, TraceEntry
+from mansion_msgs_py.program import Clutter, Downgrade, RequestedObject, TraceEntry
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.wording import counted, with_article
 from mansion_planner.brief.facts import BriefFacts, FloorRef, Quantity, Span
@@ -15,8 +16,9 @@ from mansion_planner.program.called_sizes import called_size, within_called
 from mansion_planner.program.footprint import check_footprint, is_rectangle
 from mansion_planner.program.master_suites import with_master_suite
 from mansion_planner.program.program_size import ProgramSize, size_of_program
+from mansion_planner.program.room_parts import with_room_parts
 from mansion_planner.program.shape_sizes import most_storeys
-from mansion_planner.program.usual_meanings import as_meant_in
+from mansion_planner.program.usual_meanings import as_meant_in, with_main_room
 
 __all__ = ["AREA_CAP", "Decisions", "MOST_FLOORS", "conflict", "decide", "note", "quoted"]
 
@@ -59,6 +61,8 @@ class Decisions:
         Statements that exclude others and gave way to them.
     floors_stated : bool
         The request or the brief says how many storeys there are.
+    clutter : {"sparse", "dense"}, optional
+        What the request says of all rooms.
     """
 
     building: BuildingType
@@ -77,6 +81,7 @@ class Decisions:
     furniture: dict[tuple[int, str], list[RequestedObject]] = field(default_factory=dict)
     given_up: BriefFacts = field(default_factory=BriefFacts)
     floors_stated: bool = False
+    clutter: Clutter | msgspec.UnsetType = msgspec.UNSET
 
     def as_called(self, area: float) -> float:
         """Return the area of a storey, lessened or raised to what the brief calls the building: small or large."""
@@ -101,6 +106,7 @@ def decide(
     stated, facts = facts, _settled(facts, given_way)
     building = _building(facts, knowledge, trace)
     stated, facts = as_meant_in(building, stated), as_meant_in(building, facts)
+    facts = with_room_parts(building, with_main_room(building, facts))
     facts = with_master_suite(facts) if building.family == "home" else facts
     sized = request.floors or request.area or request.floor_area or request.footprint or facts.floors
     size = None if sized else size_of_program(facts, building, knowledge)
@@ -113,6 +119,7 @@ def decide(
     decisions = Decisions(
         building, floors, basements, 0.0, False, "", style, facts, request.seed, trace=trace, downgrades=given_way,
         given_up=_given_up(stated, facts), floors_stated=bool(request.floors or facts.floors),
+        clutter=request.clutter,
     )  # fmt: skip
     if building.name == "bungalow" and floors > 1:
         reason = "a bungalow has one storey, and the number of storeys is stated"
@@ -322,6 +329,7 @@ def _settle_area(
         decisions.area_stated = True
     elif request.area is not None or total is not None:
         whole = request.area if request.area is not None else _kept(total)  # type: ignore[arg-type]
+        storeys = decisions.floors if facts.above_ground and request.area is None else storeys
         decisions.area = whole / storeys
         decisions.area_span = quoted(total.span) if total else f"$.area = {whole:g}"
         note(trace, total.span if total else None, f"{whole:.0f} m2 over {counted(storeys, 'storey')}, as stated")

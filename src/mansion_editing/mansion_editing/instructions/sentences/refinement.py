@@ -380,6 +380,8 @@ def _replaced(value: Any, noun: str, place: Place) -> Any:
 
 def narrowed(statement: Statement, place: Place) -> Statement:
     """Return the last statement at a place that the next sentence tells of ("it is on the second floor")."""
+    if isinstance(statement, Move) and _tells_where_it_is_now(statement, place):
+        return msgspec.structs.replace(statement, things=with_place(statement.things, place))
     if isinstance(statement, Ensure | Move) or hasattr(statement, "place"):
         own = getattr(statement, "place", None)
         if isinstance(own, Place):
@@ -388,6 +390,14 @@ def narrowed(statement: Statement, place: Place) -> Statement:
     if isinstance(things, Things):
         return msgspec.structs.replace(statement, things=with_place(things, place))
     return statement
+
+
+def _tells_where_it_is_now(statement: Move, place: Place) -> bool:
+    """Whether a place is another room than the one that a thing goes to: ``it is in the hall at the moment``."""
+    things, goal = statement.things, statement.place.rooms
+    told = place.rooms is not None and bool(place.rooms.words) and place == Place(rooms=place.rooms)
+    elsewhere = goal is not None and bool(goal.words) and place.rooms is not None and goal.words != place.rooms.words
+    return told and elsewhere and things.definite and not things.refers and things.place is None
 
 
 def is_everything(things: Things) -> bool:
