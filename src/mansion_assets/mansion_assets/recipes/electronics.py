@@ -90,16 +90,16 @@ def keyboard(b: Builder) -> None:
     keys, special = ("plastic_light", "plastic_grey") if dark else ("plastic_white", "plastic_grey")
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, h * 0.6), b.mat(), "case")
     for row in range(6):
-        y = -d * 0.44 + row * d * 0.145 + (d * 0.03 if row == 5 else 0.0)
+        y = d * 0.44 - row * d * 0.145 - (d * 0.03 if row == 5 else 0.0)
         spans = (
             [(x, 1) for x in range(15)]
             if row
             else [(0, 1), (1, 1), (2, 1), (3, 6), (9, 1), (10, 1), (11, 1), (12, 1), (13, 1), (14, 1)]
         )
         for first, count in (*spans, (16, 1), (17, 1), (18, 1)):
-            x = -w * 0.48 + first * w * 0.0505
+            x = w * 0.48 - first * w * 0.0505
             color = special if count == 1 and (first in (0, 13, 14) or row in (0, 5)) else keys
-            key = ((x, x + w * (0.0505 * count - 0.008)), (y, y + d * 0.12), (h * 0.6, h))
+            key = ((x - w * (0.0505 * count - 0.008), x), (y - d * 0.12, y), (h * 0.6, h))
             b.box(*key, color, "keys", solid=False)
 
 

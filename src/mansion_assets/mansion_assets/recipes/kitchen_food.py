@@ -258,3 +258,192 @@ def deep_fryer(b: Builder) -> None:
                 "fries",
                 4,
             )
+
+
+@recipe("cutting_board")
+def cutting_board(b: Builder) -> None:
+    """A board with a groove round it and a hole to hang it by; a knife and slices of tomato on it."""
+    w, d, h = b.w, b.d, b.h
+    board, x = h * 0.5, w * 0.36
+    b.box((-w / 2, x), (-d / 2, d / 2), (0, board), b.mat(), "board")
+    for y in ((-d / 2, -d * 0.16), (d * 0.16, d / 2)):
+        b.box((x, w / 2), y, (0, board), b.mat(), "board")
+    b.box((w * 0.45, w / 2), (-d / 2, d / 2), (0, board), b.mat(), "board")
+    for y in (-d * 0.44, d * 0.42):
+        b.box((-w * 0.46, x), (y, y + d * 0.02), (board, board * 1.02), "wood_walnut", "groove", solid=False)
+    b.box((-w * 0.46, -w * 0.45), (-d * 0.44, d * 0.44), (board, board * 1.02), "wood_walnut", "groove", solid=False)
+    b.prism(
+        [(-w * 0.36, d * 0.1), (0, d * 0.1), (0, d * 0.24), (-w * 0.3, d * 0.22)],
+        (board, board * 1.15),
+        "metal_chrome",
+        "z",
+        "knife",
+    )
+    b.box((0, w * 0.26), (d * 0.14, d * 0.24), (board, board * 1.4), "plastic_black", "knife")
+    for k in range(4):
+        cx = -w * 0.3 + k * w * 0.1
+        b.cyl(cx, -d * 0.2, (board, h * (0.8 + 0.2 * (k == 0))), d * 0.13, "food_red", "tomato", n=16)
+        b.cyl(cx, -d * 0.2, (board, h * (0.82 + 0.18 * (k == 0))), d * 0.07, "food_e8836f", "tomato", n=12)
+
+
+@recipe("dish_sponge")
+def dish_sponge(b: Builder) -> None:
+    """A yellow sponge with pores and a green scouring layer on top."""
+    w, d, h = b.w, b.d, b.h
+    b.cushion((-w / 2, w / 2), (-d / 2, d / 2), (0, h * 0.72), "food_f2d24a", "sponge", 0.25)
+    b.box((-w * 0.49, w * 0.49), (-d * 0.49, d * 0.49), (h * 0.7, h), "fabric_2f7a3f", "scourer")
+    for k in range(12):
+        y, z = d * (-0.42 + 0.84 * ((k * 5) % 12) / 11), h * (0.14 + 0.44 * ((k * 7) % 5) / 4)
+        r = h * (0.04 + 0.02 * (k % 3))
+        for side in (-1, 1):
+            b.rod((side * w * 0.48, y, z), (side * w * 0.502, y, z), r, "food_b8932a", "pores", 8)
+        x = y * w / d
+        b.rod((x, d * 0.48, z), (x, d * 0.502, z), r, "food_b8932a", "pores", 8)
+
+
+@recipe("sandwich")
+def sandwich(b: Builder) -> None:
+    """A triangle of two slices of white bread with crusts; ham, cheese, tomato and lettuce stand out between them."""
+    w, d, h = b.w, b.d, b.h
+    outline = [(-w / 2, -d / 2), (w / 2, -d / 2), (w / 2, d / 2)]
+    layers = (
+        (0.0, 0.34, "food_f3e3bf", 0.94),
+        (0.34, 0.42, "leaf_5fae3f", 1.0),
+        (0.42, 0.5, "food_f0c94a", 0.97),
+        (0.5, 0.58, "food_red", 0.92),
+        (0.58, 0.66, "food_pink", 0.98),
+        (0.66, 1.0, "food_f3e3bf", 0.94),
+    )
+    middle = (w / 6, -d / 6)
+    for z0, z1, color, share in layers:
+        corners = [(middle[0] + (x - middle[0]) * share, middle[1] + (y - middle[1]) * share) for x, y in outline]
+        b.prism(corners, (h * z0, h * z1), color, "z", "layers")
+        if share == 0.94:
+            b.prism(
+                [
+                    corners[0],
+                    corners[1],
+                    (corners[1][0], corners[1][1] - d * 0.02),
+                    (corners[0][0], corners[0][1] - d * 0.02),
+                ],
+                (h * z0, h * z1),
+                "food_a9683f",
+                "z",
+                "crust",
+            )
+            b.prism(
+                [
+                    corners[1],
+                    corners[2],
+                    (corners[2][0] + w * 0.02, corners[2][1]),
+                    (corners[1][0] + w * 0.02, corners[1][1]),
+                ],
+                (h * z0, h * z1),
+                "food_a9683f",
+                "z",
+                "crust",
+            )
+
+
+@recipe("yogurt")
+def yogurt(b: Builder) -> None:
+    """A tapered pot with a band of fruit on it; its foil lid is turned up, and a spoon stands in it."""
+    w, d, h = b.w, b.d, b.h
+    pot = h * 0.7
+    b.lathe([(0.34, 0), (0.44, pot * 0.96), (0.5, pot), (0.44, pot), (0.4, pot * 0.7)], b.mat(), n=24, stretch=(w, d))
+    b.lathe([(0.375, pot * 0.25), (0.425, pot * 0.7)], "food_d8477a", n=24, stretch=(w, d), part="label", solid=False)
+    b.lathe([(0.43, pot * 0.8), (0.43, pot * 0.92)], "food_f9d9e4", n=24, stretch=(w, d), part="yogurt", solid=False)
+    for a in (0.9, 1.5, 0.2):
+        b.ball(
+            (0.41 * w * math.cos(a), 0.41 * d * math.sin(a), pot * 0.45),
+            (w * 0.07, d * 0.07, h * 0.08),
+            "food_red",
+            "fruit",
+            8,
+            solid=False,
+        )
+    b.prism(
+        [(-d * 0.44, pot), (-d * 0.3, h * 0.98), (-d * 0.28, h * 0.98), (-d * 0.4, pot)],
+        (-w * 0.4, w * 0.4),
+        "metal_light",
+        part="lid",
+    )
+    b.rod((0, 0, pot * 0.8), (w * 0.24, d * 0.06, h), w * 0.035, "metal_chrome", "spoon")
+
+
+@recipe("donut_box")
+def donut_box(b: Builder) -> None:
+    """A flat, open box with six iced rings in two rows."""
+    w, d, h = b.w, b.d, b.h
+    t = h * 0.1
+    b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, t), b.mat(), "box")
+    for side in (-1, 1):
+        x, y = sorted((side * w / 2, side * (w / 2 - t))), sorted((side * d / 2, side * (d / 2 - t)))
+        b.box((x[0], x[1]), (-d / 2, d / 2), (0, h * 0.7), b.mat(), "box")
+        b.box((-w / 2, w / 2), (y[0], y[1]), (0, h * 0.7), b.mat(), "box")
+    r = min(w / 6, d / 4) * 0.88
+    icing = ("food_f08fb4", "food_5a3420", "food_f7efe0", "food_5a3420", "food_f7efe0", "food_f08fb4")
+    for k, color in enumerate(icing):
+        x, y = (k % 3 - 1) * w * 0.31, (k // 3 - 0.5) * d * 0.46
+        for z0, z1, hue in ((t, h * 0.7, "food_c98a4a"), (h * 0.7, h, color)):
+            low, high = (0.36, 1.0) if hue == "food_c98a4a" else (0.4, 0.94)
+            b.lathe(
+                [
+                    (r * low, z0),
+                    (r * high, z0 + (z1 - z0) * 0.3),
+                    (r * high * 0.94, z1 * 0.96),
+                    (r * 0.66, z1),
+                    (r * 0.36, z1 * 0.97),
+                ],
+                hue,
+                (x, y),
+                "rings",
+                18,
+            )
+        b.cyl(x, y, (h * 0.9, h * 0.985), r * 0.34, "food_5a3a24", "holes", n=14, solid=False)
+
+
+@recipe("filled_glass")
+def filled_glass(b: Builder) -> None:
+    """A tumbler of clear glass with a thick foot and a bright rim, two thirds full."""
+    w, d, h = b.w, b.d, b.h
+    stretch = (w, d)
+    b.lathe([(0.38, 0), (0.5, h), (0.46, h), (0.36, h * 0.08)], b.mat(), n=24, stretch=stretch)
+    b.lathe(
+        [(0.37, h * 0.08), (0.445, h * 0.66)],
+        str(b.p.get("drink", "plastic_8fc6ea")),
+        n=24,
+        stretch=stretch,
+        part="drink",
+        solid=False,
+    )
+    b.lathe([(0.495, h * 0.97), (0.5, h), (0.46, h)], "glass_white", n=24, stretch=stretch, part="rim", solid=False)
+    b.lathe([(0.38, 0), (0.39, h * 0.05)], "glass_white", n=24, stretch=stretch, part="foot", solid=False)
+
+
+@recipe("wine_glass")
+def wine_glass(b: Builder) -> None:
+    """A round foot, a thin stem and a bowl that narrows to its rim, with red wine in it."""
+    w, d, h = b.w, b.d, b.h
+    stretch = (w, d)
+    b.lathe(
+        [(0.42, 0), (0.4, h * 0.02), (0.05, h * 0.05), (0.045, h * 0.44), (0.12, h * 0.48)],
+        "glass_white",
+        n=24,
+        stretch=stretch,
+        part="stem",
+    )
+    b.lathe(
+        [(0.12, h * 0.47), (0.44, h * 0.6), (0.5, h * 0.74), (0.4, h), (0.37, h), (0.46, h * 0.74), (0.1, h * 0.5)],
+        b.mat(),
+        n=24,
+        stretch=stretch,
+    )
+    b.lathe(
+        [(0.1, h * 0.49), (0.43, h * 0.61), (0.47, h * 0.74)],
+        "plastic_7a1230",
+        n=24,
+        stretch=stretch,
+        part="wine",
+        solid=False,
+    )

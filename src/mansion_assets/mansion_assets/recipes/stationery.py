@@ -18,20 +18,10 @@ def paper_stack(b: Builder) -> None:
         color = "paper_white" if k % 2 == 0 else "paper_d5d5d0"
         z = (h * k / count, h * (k + 1) / count)
         b.box((-w * 0.455 + x, w * 0.455 + x), (-d * 0.47 + y, d * 0.47 + y), z, color, "sheets")
-    x, y = -w * 0.045, -d * 0.03
-    b.box(
-        (x - w * 0.34, x + w * 0.1), (y + d * 0.34, y + d * 0.39), (h, h * 1.01), "plastic_black", "print", solid=False
-    )
+    b.box((-w * 0.1, w * 0.34), (-d * 0.4, -d * 0.35), (h, h * 1.01), "plastic_black", "heading", solid=False)
     for k in range(11):
-        row = y + d * (0.26 - 0.058 * k)
-        b.box(
-            (x - w * 0.34, x + w * (0.34 if k % 4 != 3 else 0.1)),
-            (row, row + d * 0.018),
-            (h, h * 1.01),
-            "plastic_grey",
-            "print",
-            solid=False,
-        )
+        row, end = d * (-0.27 + 0.058 * k), -w * (0.34 if k % 4 != 3 else 0.1)
+        b.box((end, w * 0.34), (row, row + d * 0.018), (h, h * 1.01), "plastic_grey", "print", solid=False)
 
 
 @recipe("envelope")
@@ -190,9 +180,9 @@ def mobile_phone(b: Builder) -> None:
     )
     for k in range(20):
         row, column = divmod(k, 4)
-        x, y = w * (-0.32 + 0.213 * column), d * (0.3 - 0.125 * row)
+        x, y = w * (0.32 - 0.213 * column), d * (-0.3 + 0.125 * row)
         if row == 4:
-            y = -d * 0.38
+            y = d * 0.38
         side = w * 0.075
         b.box(
             (x - side, x + side),
@@ -202,7 +192,7 @@ def mobile_phone(b: Builder) -> None:
             "icons",
             solid=False,
         )
-    b.box((-w * 0.14, w * 0.14), (d * 0.42, d * 0.445), (h * 1.03, h * 1.06), "plastic_black", "speaker", solid=False)
+    b.box((-w * 0.14, w * 0.14), (-d * 0.445, -d * 0.42), (h * 1.03, h * 1.06), "plastic_black", "speaker", solid=False)
 
 
 @recipe("compact_disc")

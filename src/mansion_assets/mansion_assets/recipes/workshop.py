@@ -240,7 +240,7 @@ def starting_block(b: Builder) -> None:
         ((-0.1, 0.1), (0.4, 0.43)),
         ((-0.1, 0.1), (0.24, 0.27)),
         ((-0.1, 0.1), (0.08, 0.11)),
-        ((0.07, 0.1), (0.08, 0.43)),
+        ((-0.1, -0.07), (0.08, 0.43)),
     ):
         b.box(
             (w * span[0], w * span[1]),
@@ -259,3 +259,138 @@ def starting_block(b: Builder) -> None:
             "number",
             solid=False,
         )
+
+
+@recipe("kiln")
+def kiln(b: Builder) -> None:
+    """A potter's kiln: eight-sided, of pale brick in steel hoops, with a raised lid, a control box and peep holes."""
+    w, d, h = b.w, b.d, b.h
+    legs, top = h * 0.16, h * 0.84
+    octagon = [
+        (0.5 * math.cos(math.pi / 8 + k * math.pi / 4), 0.5 * math.sin(math.pi / 8 + k * math.pi / 4)) for k in range(8)
+    ]
+    for x, y in octagon[::2]:
+        b.cyl(x * w * 0.84, y * d * 0.84, (0, legs), 0.025, "metal_dark", "legs", n=8)
+    for z0, z1, share, color in (
+        (legs, top, 0.96, "stone_d9c39a"),
+        (legs, legs + h * 0.05, 1.0, b.mat()),
+        (h * 0.48, h * 0.53, 1.0, b.mat()),
+        (top - h * 0.05, top, 1.0, b.mat()),
+        (h * 0.9, h * 0.98, 1.0, b.mat()),
+    ):
+        b.prism([(x * w * share, y * d * share) for x, y in octagon], (z0, z1), color, "z", "shell")
+    b.prism([(x * w * 0.94, y * d * 0.94) for x, y in octagon], (top, h * 0.9), "light_f0702a", "z", "glow")
+    b.rod((0, d * 0.4, h * 0.94), (0, d / 2, h * 0.94), 0.02, "wood_oak", "grip")
+    b.box((w * 0.4, w / 2), (-d * 0.16, d * 0.16), (h * 0.24, h * 0.74), "metal_dark", "control")
+    b.box(
+        (w * 0.5 - 0.002, w * 0.5 + 0.002),
+        (-d * 0.1, d * 0.1),
+        (h * 0.58, h * 0.68),
+        "screen_green",
+        "control",
+        solid=False,
+    )
+    for z in (0.36, 0.66):
+        b.rod((0, d * 0.43, h * z), (0, d * 0.47, h * z), 0.03, "light_f0702a", "peep_holes", 12)
+    b.rod((0, -d * 0.4, h * 0.97), (0, -d * 0.4, h), 0.03, "metal_dark", "hinge")
+
+
+@recipe("dough_mixer")
+def dough_mixer(b: Builder) -> None:
+    """A column behind with a head over a round steel bowl of dough, a hook that reaches into it, and a switch."""
+    w, d, h = b.w, b.d, b.h
+    y, rim = d * 0.14, h * 0.58
+    b.box((-w * 0.42, w * 0.42), (-d / 2, d * 0.44), (0, h * 0.1), "paint_white", "foot")
+    b.cushion((-w * 0.36, w * 0.36), (-d / 2, -d * 0.22), (h * 0.06, h), "paint_white", "column", 0.25)
+    b.cushion((-w * 0.34, w * 0.34), (-d / 2, d * 0.36), (h * 0.78, h), "paint_white", "head", 0.4)
+    bowl = [
+        (0.2, h * 0.14),
+        (0.38, h * 0.24),
+        (0.48, rim),
+        (0.5, rim),
+        (0.5, rim + 0.02),
+        (0.46, rim + 0.02),
+        (0.4, h * 0.34),
+    ]
+    b.lathe(bowl, b.mat(), (0, y), "bowl", 28, (w, d * 0.72))
+    b.ball((0, y, rim - h * 0.06), (w * 0.4, d * 0.28, h * 0.1), "food_f0ddb0", "dough", 14)
+    b.cyl(0, y, (h * 0.1, h * 0.16), w * 0.24, "metal_dark", "drive")
+    b.path(
+        [(0, y, h * 0.8), (0, y, h * 0.7), (w * 0.12, y, h * 0.64), (0, y + d * 0.06, h * 0.54)],
+        w * 0.04,
+        "metal_chrome",
+        "hook",
+    )
+    b.box((w * 0.32, w * 0.35), (-d * 0.44, -d * 0.28), (h * 0.5, h * 0.66), "plastic_dark", "switch", solid=False)
+    b.rod((w * 0.34, -d * 0.36, h * 0.6), (w * 0.37, -d * 0.36, h * 0.6), 0.025, "paint_red", "switch", 10)
+
+
+@recipe("tyre_changer")
+def tyre_changer(b: Builder) -> None:
+    """A cabinet with a turntable on which a wheel lies, and a column behind with an arm and a tool down to its rim."""
+    w, d, h = b.w, b.d, b.h
+    deck = h * 0.5
+    b.box((-w * 0.4, w * 0.4), (-d * 0.4, d * 0.4), (h * 0.06, deck - 0.03), b.mat(), "case")
+    b.box((-w * 0.42, w * 0.42), (-d * 0.42, d * 0.42), (0, h * 0.06), "metal_dark", "foot")
+    b.cyl(0, d * 0.06, (deck - 0.03, deck), w * 0.26, "metal_steel", "turntable", n=24)
+    r = min(w, d) * 0.42
+    tyre = [
+        (r * 0.62, deck),
+        (r * 0.94, deck + 0.01),
+        (r, deck + 0.05),
+        (r, deck + 0.14),
+        (r * 0.94, deck + 0.18),
+        (r * 0.6, deck + 0.19),
+        (r * 0.58, deck + 0.12),
+    ]
+    b.lathe(tyre, "rubber_black", (0, d * 0.06), "tyre", 28)
+    b.cyl(0, d * 0.06, (deck + 0.02, deck + 0.15), r * 0.58, "metal_light", "rim", n=24)
+    for k in range(5):
+        a = k * 2 * math.pi / 5
+        b.cyl(
+            r * 0.34 * math.cos(a),
+            d * 0.06 + r * 0.34 * math.sin(a),
+            (deck + 0.14, deck + 0.152),
+            r * 0.12,
+            "plastic_dark",
+            "rim",
+            n=10,
+        )
+    b.box((-w * 0.07, w * 0.07), (-d / 2, -d * 0.36), (h * 0.06, h), b.mat(), "column")
+    b.box((-w * 0.05, w * 0.05), (-d * 0.4, d * 0.12), (h * 0.9, h * 0.97), b.mat(), "arm")
+    b.rod((0, d * 0.1, h * 0.92), (0, d * 0.1, deck + 0.2), 0.022, "metal_chrome", "tool")
+    b.box((-0.04, 0.04), (d * 0.06, d * 0.16), (deck + 0.17, deck + 0.22), "metal_dark", "tool")
+    for k in range(3):
+        x = (k - 1) * w * 0.2
+        b.box((x - 0.04, x + 0.04), (d * 0.4, d / 2), (h * 0.06, h * 0.09), "metal_dark", "pedals")
+    b.box((-w / 2, -w * 0.4), (-d * 0.3, d * 0.3), (h * 0.14, h * 0.2), "paint_yellow", "bead_breaker")
+    b.box((w * 0.4, w / 2), (-d * 0.16, d * 0.16), (h * 0.14, h * 0.4), "paint_yellow", "bead_breaker")
+
+
+@recipe("sandbox")
+def sandbox(b: Builder) -> None:
+    """A square of boards with seats in its corners, full of sand, with a castle, a bucket and a spade."""
+    w, d, h = b.w, b.d, b.h
+    t, sand = 0.05, h * 0.45
+    b.box((-w / 2 + t, w / 2 - t), (-d / 2 + t, d / 2 - t), (0, sand), "food_e2c98a", "sand")
+    for side in (-1, 1):
+        x, y = sorted((side * w / 2, side * (w / 2 - t))), sorted((side * d / 2, side * (d / 2 - t)))
+        b.box((x[0], x[1]), (-d / 2, d / 2), (0, h * 0.65), b.mat(), "boards")
+        b.box((-w / 2, w / 2), (y[0], y[1]), (0, h * 0.65), b.mat(), "boards")
+        for other in (-1, 1):
+            corner = [(side * w / 2, other * d / 2), (side * w * 0.28, other * d / 2), (side * w / 2, other * d * 0.28)]
+            b.prism(corner, (h * 0.62, h * 0.7), b.mat(), "z", "seats")
+    for k, (u, v) in enumerate(((-0.16, -0.1), (0.04, -0.1), (-0.16, 0.1), (0.04, 0.1), (-0.06, 0.0))):
+        high = h if k == 4 else h * 0.85
+        b.cyl(w * u, d * v, (sand, high), w * 0.055, "food_d3b36a", "castle", w * 0.04, n=12)
+    b.box((-w * 0.16, w * 0.04), (-d * 0.1, d * 0.1), (sand, h * 0.66), "food_d3b36a", "castle")
+    b.lathe(
+        [(0.06, sand), (0.09, sand + h * 0.4), (0.08, sand + h * 0.4), (0.05, sand + h * 0.1)],
+        "plastic_red",
+        (w * 0.24, d * 0.1),
+        "bucket",
+        16,
+        (w, w),
+    )
+    b.rod((w * 0.1, d * 0.3, sand + 0.015), (w * 0.26, d * 0.26, sand + 0.015), 0.014, "wood_oak", "spade")
+    b.box((w * 0.02, w * 0.11), (d * 0.26, d * 0.34), (sand, sand + 0.015), "plastic_3a7bc8", "spade")
