@@ -10,7 +10,7 @@ __all__: list[str] = []
 
 @recipe("backpack")
 def backpack(b: Builder) -> None:
-    """A rounded bag with a lid, a front pocket with a zip, side pockets, a loop on top and two shoulder straps behind."""
+    """A rounded bag with a lid, a front pocket with a zip, side pockets, a loop on top and two straps behind."""
     w, d, h = b.w, b.d, b.h
     b.cushion((-w * 0.42, w * 0.42), (-d * 0.34, d * 0.3), (0, h * 0.94), b.mat(), "body", 0.6, 14)
     b.cushion((-w * 0.36, w * 0.36), (d * 0.2, d / 2), (h * 0.04, h * 0.5), b.mat(), "pocket", 0.6, 12)

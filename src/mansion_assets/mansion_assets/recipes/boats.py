@@ -1,5 +1,7 @@
 """What has the outline of a hull or of a coffin: bodies that taper to their ends."""
 
+import numpy as np
+
 from mansion_assets.builder import Builder
 from mansion_assets.registry import recipe
 
@@ -24,12 +26,12 @@ def rowing_boat(b: Builder) -> None:
         for strake, color in enumerate((b.mat(), b.mat(), "paint_white")):
             lower, upper = strake / 3, (strake + 1) / 3
             for side in (-1, 1):
-                quad = []
-                for y, half, keel, top in ((y0, half0, keel0, rim[k]), (y1, half1, keel1, rim[k + 1])):
-                    for share in (lower, upper):
-                        quad.append(
-                            (side * w * half * (0.5 + 0.5 * share**0.6), y * d, h * (keel + (top - keel) * share))
-                        )
+                ends = ((y0, half0, keel0, rim[k]), (y1, half1, keel1, rim[k + 1]))
+                quad = [
+                    (side * w * half * (0.5 + 0.5 * share**0.6), y * d, h * (keel + (top - keel) * share))
+                    for y, half, keel, top in ends
+                    for share in (lower, upper)
+                ]
                 _plank(b, quad, side, w * 0.03, color)
         floor = [
             (-w * half0 * 0.52, y0 * d),
@@ -55,8 +57,6 @@ def rowing_boat(b: Builder) -> None:
 
 def _plank(b: Builder, quad: list[tuple[float, float, float]], side: int, thick: float, color: str) -> None:
     """Add a plank: four corners of its outer face, lower and upper at one station and at the next."""
-    import numpy as np
-
     outer = np.array([quad[0], quad[1], quad[3], quad[2]])
     inner = outer - np.array([side * thick, 0.0, 0.0])
     faces = [(0, 1, 2), (0, 2, 3), (4, 6, 5), (4, 7, 6)]

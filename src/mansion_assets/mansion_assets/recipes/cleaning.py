@@ -10,7 +10,7 @@ __all__: list[str] = []
 
 @recipe("scrub_brush")
 def scrub_brush(b: Builder) -> None:
-    """A brush that stands on its bristles: a broad block of bristles in tufts, and a long handle that leans a little."""
+    """A brush that stands on its bristles: tufts under a broad block, and a long, upright handle."""
     w, d, h = b.w, b.d, b.h
     tuft, block = h * 0.16, h * 0.24
     for i in range(6):

@@ -4,6 +4,7 @@ import math
 
 from mansion_assets.builder import Builder
 from mansion_assets.registry import recipe
+from mansion_assets.solids import Vec3
 
 __all__: list[str] = []
 
@@ -257,7 +258,7 @@ def register(b: Builder) -> None:
 
 @recipe("game_console")
 def game_console(b: Builder) -> None:
-    """A flat case with a slot and a light, and on it a controller with two sticks, a cross and four coloured buttons."""
+    """A flat case with a slot and a light; on it a controller with two sticks, a cross and four coloured buttons."""
     w, d, h = b.w, b.d, b.h
     case = h * 0.42
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, case), b.mat(), "case")
@@ -288,17 +289,7 @@ def portable_radio(b: Builder) -> None:
     top, front = h * 0.62, d / 2
     b.cushion((-w / 2, w / 2), (-d / 2, front - 0.004), (0, top), b.mat(), "case", 0.2)
     b.box((-w * 0.46, w * 0.46), (front - 0.006, front - 0.003), (top * 0.08, top * 0.92), "plastic_e9dfc8", "face")
-    x, r = -w * 0.22, top * 0.36
-    b.rod((x, front - 0.004, top / 2), (x, front - 0.001, top / 2), r, "metal_dark", "loudspeaker", 24)
-    for share in (0.75, 0.5, 0.25):
-        b.rod(
-            (x, front - 0.002, top / 2),
-            (x, front - 0.001 + 0.002 * (1 - share), top / 2),
-            r * share,
-            ("metal_light", "metal_dark")[share == 0.5],
-            "loudspeaker",
-            20,
-        )
+    _loudspeaker(b, (-w * 0.22, front, top / 2), top * 0.36)
     b.box(
         (w * 0.08, w * 0.42),
         (front - 0.003, front - 0.001),
@@ -331,6 +322,14 @@ def portable_radio(b: Builder) -> None:
         "handle",
     )
     b.rod((w * 0.42, -d * 0.3, top * 0.95), (w * 0.2, -d * 0.3, h), 0.003, "metal_chrome", "aerial")
+
+
+def _loudspeaker(b: Builder, at: Vec3, r: float) -> None:
+    """Add a round, pierced front whose middle is `at`, in rings."""
+    x, y, z = at
+    b.rod((x, y - 0.004, z), (x, y - 0.001, z), r, "metal_dark", "loudspeaker", 24)
+    for share, color in ((0.75, "metal_light"), (0.5, "metal_dark"), (0.25, "metal_light")):
+        b.rod((x, y - 0.002, z), (x, y + 0.001 - 0.002 * share, z), r * share, color, "loudspeaker", 20)
 
 
 @recipe("battery")

@@ -1,4 +1,4 @@
-"""Single pieces of a house that have a face of their own: long-case clock, umbrella stand, rice cooker, ball, crayons."""
+"""Single pieces with a face of their own: long-case clock, umbrella stand, rice cooker, football, crayons."""
 
 import math
 
@@ -80,7 +80,7 @@ def umbrella_stand(b: Builder) -> None:
 
 @recipe("rice_cooker")
 def rice_cooker(b: Builder) -> None:
-    """A round pot with a domed lid, a steam vent and a bow handle, a switch with a lamp in front, and a spoon beside."""
+    """A round pot with a domed lid, a knob and a steam vent, two ears, and a switch with lamps in front."""
     w, d, h = b.w, b.d, b.h
     b.lathe([(0.42, 0), (0.48, h * 0.06), (0.5, h * 0.5), (0.48, h * 0.62)], b.mat(), n=28, stretch=(w, d))
     b.lathe(

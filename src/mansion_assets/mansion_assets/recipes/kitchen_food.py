@@ -185,6 +185,12 @@ def salad_bar(b: Builder) -> None:
                 6,
                 solid=False,
             )
+    _sneeze_guard(b, deck, heap)
+
+
+def _sneeze_guard(b: Builder, deck: float, heap: float) -> None:
+    """Panes of glass that slope down by `heap` on both sides of a lamp on two posts."""
+    w, d, h = b.w, b.d, b.h
     guard = h - 0.04
     for x in (-w * 0.47, w * 0.47):
         b.rod((x, 0, deck), (x, 0, guard), 0.018, "metal_chrome", "posts")
@@ -229,35 +235,25 @@ def deep_fryer(b: Builder) -> None:
     b.box((-w / 2, w / 2), (-d / 2, -d * 0.38), (deck - 0.02, h), b.mat(), "splash_back")
     for side in (-1, 1):
         x0, x1 = sorted((side * t, side * (w / 2 - t * 1.4)))
-        b.box((x0 - 0.01, x1 + 0.01), (-d * 0.38, d * 0.36), (deck - 0.02, deck - 0.01), "food_c08a1e", "oil")
-        for y in (-d * 0.3, d * 0.3):
-            b.box((x0, x1), (y - 0.006, y + 0.006), (deck, deck + depth * 0.5), "metal_dark", "baskets")
-        for x in (x0, x1):
-            b.box((x - 0.004, x + 0.004), (-d * 0.3, d * 0.3), (deck, deck + depth * 0.5), "metal_dark", "baskets")
-        middle = (x0 + x1) / 2
-        b.path(
-            [(middle, d * 0.3, deck + depth * 0.5), (middle, d * 0.46, deck + depth * 0.8)],
-            0.008,
-            "metal_dark",
-            "handles",
-        )
-        b.rod(
-            (middle, d * 0.4, deck + depth * 0.7),
-            (middle, d / 2, deck + depth * 0.95),
-            0.016,
-            "plastic_black",
-            "handles",
-        )
-        for k in range(16):
-            x, y = x0 + (x1 - x0) * (0.12 + 0.25 * (k % 4)), -d * 0.22 + d * 0.14 * (k // 4)
-            b.rod(
-                (x, y, deck),
-                (x + w * 0.04 * (k % 3 - 1), y + d * 0.05, deck + depth * 0.5),
-                0.012,
-                "food_f2c54a",
-                "fries",
-                4,
-            )
+        _fry_basket(b, (x0, x1), deck, depth)
+
+
+def _fry_basket(b: Builder, x: tuple[float, float], deck: float, depth: float) -> None:
+    """Oil across the span of `x`, and in it a wire basket of fries with its handle to the front."""
+    w, d = b.w, b.d
+    middle, wide, high = (x[0] + x[1]) / 2, x[1] - x[0], (deck, deck + depth * 0.5)
+    b.box((x[0] - 0.01, x[1] + 0.01), (-d * 0.38, d * 0.36), (deck - 0.02, deck - 0.01), "food_c08a1e", "oil")
+    for y in (-d * 0.3, d * 0.3):
+        b.box(x, (y - 0.006, y + 0.006), high, "metal_dark", "baskets")
+    for side in x:
+        b.box((side - 0.004, side + 0.004), (-d * 0.3, d * 0.3), high, "metal_dark", "baskets")
+    b.rod((middle, d * 0.3, high[1]), (middle, d * 0.46, deck + depth * 0.8), 0.008, "metal_dark", "handles")
+    grip = ((middle, d * 0.4, deck + depth * 0.7), (middle, d / 2, deck + depth * 0.95))
+    b.rod(*grip, 0.016, "plastic_black", "handles")
+    for k in range(16):
+        u, y = x[0] + wide * (0.12 + 0.25 * (k % 4)), -d * 0.22 + d * 0.14 * (k // 4)
+        end = (u + w * 0.04 * (k % 3 - 1), y + d * 0.05, high[1])
+        b.rod((u, y, deck), end, 0.012, "food_f2c54a", "fries", 4)
 
 
 @recipe("cutting_board")

@@ -28,6 +28,12 @@ def infant_incubator(b: Builder) -> None:
     b.box((-w * 0.48, w * 0.48), (-d * 0.48, d * 0.48), (base - 0.03, base), "plastic_3a7bc8", "tray")
     b.box((-w * 0.4, w * 0.4), (-d * 0.38, d * 0.38), (base, base + 0.03), "fabric_white", "mattress")
     _baby(b, base + 0.03, w, d)
+    _clear_hood(b, base)
+
+
+def _clear_hood(b: Builder, base: float) -> None:
+    """Clear panes with light edges over the tray at `base`, and two round ports in front."""
+    w, d, h = b.w, b.d, b.h
     hood = [
         (-d * 0.47, base),
         (d * 0.47, base),
@@ -123,15 +129,21 @@ def dryer_hood(b: Builder) -> None:
         "metal_chrome",
         "arm",
     )
-    low, top = h * 0.68, h
+    _hood(b, h * 0.68)
+    _chair(b, w, d, h)
+
+
+def _hood(b: Builder, low: float) -> None:
+    """A dome that is open below, with a rim, a grille and a control box at its side."""
+    w, d, h = b.w, b.d, b.h
     b.lathe(
         [
             (0.4, low + 0.02),
             (0.42, low),
             (0.46, low),
-            (0.46, low + (top - low) * 0.45),
-            (0.38, low + (top - low) * 0.8),
-            (0.16, top),
+            (0.46, low + (h - low) * 0.45),
+            (0.38, low + (h - low) * 0.8),
+            (0.16, h),
         ],
         b.mat(),
         (0, 0),
@@ -160,7 +172,6 @@ def dryer_hood(b: Builder) -> None:
             "control",
             10,
         )
-    _chair(b, w, d, h)
 
 
 def _chair(b: Builder, w: float, d: float, h: float) -> None:

@@ -124,6 +124,12 @@ def loom(b: Builder) -> None:
         16,
         solid=True,
     )
+    _weave(b, level, t)
+
+
+def _weave(b: Builder, level: float, t: float) -> None:
+    """Heddles, warp, cloth and treadles of a loom whose beams are at `level`, its timbers `t` thick."""
+    w, d, h = b.w, b.d, b.h
     for y in (-d * 0.1, d * 0.02):
         for z in (level * 0.74, level * 1.32):
             b.box((-w * 0.4, w * 0.4), (y - t * 0.3, y + t * 0.3), (z, z + t), "wood_birch", "heddles")
@@ -181,6 +187,12 @@ def pottery_wheel(b: Builder) -> None:
         28,
         (w, d * 0.84),
     )
+    _clay(b, y, pan)
+
+
+def _clay(b: Builder, y: float, pan: float) -> None:
+    """The wheel head with a bowl on it, a pedal, a sponge, and tools on the rim of the pan."""
+    w, d, h = b.w, b.d, b.h
     b.cyl(0, y, (pan, h * 0.7), w * 0.3, "metal_light", "wheel_head", n=28)
     b.lathe(
         [
