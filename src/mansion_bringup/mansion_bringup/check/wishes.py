@@ -31,7 +31,7 @@ from mansion_msgs_py.wishes import AREA_TOLERANCE, MOST_WORDS, Wish, WishValue
 __all__ = ["check_wishes"]
 
 
-ROOM_TOLERANCE = 0.06
+ROOM_TOLERANCE = 0.1
 """Share by which the area of a room may differ from the one asked for."""
 
 LEAST_TOLERANCE = 0.25
