@@ -12,7 +12,7 @@ from mansion_msgs_py.wishes import Wish
 __all__ = ["ROOM_JUDGES"]
 
 
-_TOLERANCE: Final = 0.06
+_TOLERANCE: Final = 0.1
 """Share by which a finished room may miss the area that is asked for and still have it."""
 _TOLERANCE_OF_PLAN: Final = 0.15
 """The same of a planned room: the solver makes most of them better."""

@@ -16,6 +16,7 @@ from shapely import Polygon
 
 from mansion_bringup.check.fault import Fault
 from mansion_bringup.check.shapes import outline_forms, shared_wall
+from mansion_bringup.check.substances import made_of
 from mansion_knowledge import is_class
 from mansion_knowledge.essentials import needs_of
 from mansion_knowledge.furnished_as import furnished_as
@@ -30,7 +31,7 @@ from mansion_msgs_py.wishes import AREA_TOLERANCE, MOST_WORDS, Wish, WishValue
 __all__ = ["check_wishes"]
 
 
-ROOM_TOLERANCE = 0.06
+ROOM_TOLERANCE = 0.1
 """Share by which the area of a room may differ from the one asked for."""
 
 LEAST_TOLERANCE = 0.25
@@ -44,24 +45,6 @@ NEIGHBOURS = 1.1
 
 PERSON = 2.0
 """Square metres of rooms that one person needs at the least."""
-
-SUBSTANCES = (
-    r"\b(hard)?wood(en)?\b|timber|parquet|\bplanks?\b|laminate|panelling|\bdeck(ing)?\b|herringbone|\b(oak|walnut|pine|maple"
-    r"|birch|bamboo|cherry|ash|beech|mahogany)\b",
-    r"carpet",
-    r"\btile[sd]?\b|ceramic|porcelain|terracotta",
-    r"marble",
-    r"granite",
-    r"\bstone\b|slate|limestone",
-    r"terrazzo",
-    r"concrete|cement",
-    r"vinyl|\blino(leum)?\b",
-    r"rubber",
-    r"resin|epoxy",
-    r"brick",
-    r"plaster|drywall",
-)
-"""Patterns of the words for one substance each."""
 
 CLUTTERED, TIDY = 5.0, 1.5
 """Things to a square metre of furniture: no fewer where clutter is wanted, no more where tidiness is."""
@@ -541,17 +524,8 @@ def _material(wish: Wish, finished: _Finished) -> str:
     surfaces = [
         room.wall_material if wish.value.type == "wall" else room.floor_material for room in _of_type(wish, finished)
     ]
-    fitting = sum(_made_of(surface, wish.value.name) for surface in surfaces)
+    fitting = sum(made_of(surface, wish.value.name) for surface in surfaces)
     return "" if 2 * fitting > len(surfaces) else f"{fitting} of {len(surfaces)} rooms have it"
-
-
-def _made_of(surface: str, wanted: str) -> bool:
-    """Whether one substance, or where no substance is wanted one colour, is in both texts."""
-    here, there = (text.lower().replace("_", " ").replace("gray", "grey") for text in (surface, wanted))
-    named = [pattern for pattern in SUBSTANCES if re.search(pattern, there)]
-    if named:
-        return any(re.search(pattern, here) for pattern in named)
-    return any(re.search(rf"\b{re.escape(word)}\b", here) for word in there.split())
 
 
 def _clutter(wish: Wish, finished: _Finished) -> str:
