@@ -22,6 +22,7 @@ from mansion_bringup.pipeline.executors import export_pool
 from mansion_bringup.verify import floor_faults
 from mansion_export.formats import outputs_of_build
 from mansion_msgs_py.building_folder import BuildingFolder
+from mansion_msgs_py.workers import release_memory
 
 GROWTH: Final = 20.0
 """MB by which the memory may grow."""
@@ -50,6 +51,7 @@ def measured(folders: list[Path], exports: int, worker: ProcessPoolExecutor) -> 
     series = []
     for number, folder in enumerate(itertools.islice(itertools.cycle(folders), exports), start=1):
         export(folder, worker)
+        worker.submit(release_memory)
         series.append(worker.submit(memory).result())
         if number % 10 == 0:
             used = worker.submit(time.process_time).result()

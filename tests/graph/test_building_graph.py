@@ -194,7 +194,7 @@ def test_a_build_is_cancelled_by_its_folder_while_another_goes_on(client: Mansio
 
 
 def test_a_plan_is_given_up_when_its_build_is_cancelled(client: MansionClient, tmp_path: Path) -> None:
-    long_brief = "a house with a kitchen next to the garden room and two bedrooms of 12 m2 upstairs. " * 400
+    long_brief = "a house with a kitchen next to the garden room and two bedrooms of 12 m2 upstairs. " * 200
     ends: list[str] = []
 
     def build() -> None:

@@ -181,7 +181,7 @@ class _Built(NamedTuple):
     joints: tuple[Joint, ...]
 
 
-@lru_cache(maxsize=256)
+@lru_cache(maxsize=640)  # a hotel of seven storeys has 603; each takes some 26 kB
 def _built(look: _Look) -> _Built:
     asset = look.asset
     make = recipe_named(asset.recipe)

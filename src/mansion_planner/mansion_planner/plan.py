@@ -33,7 +33,8 @@ def plan_building(
     knowledge : KnowledgeBase, optional
         The shipped one when absent.
     cancelled : callable
-        Asked between the steps of a long reading, and after each storey, whether the plan is not wanted any more.
+        Asked between the steps of a long reading, before each storey and before each question to a model, whether the
+        plan is not wanted any more.
 
     Returns
     -------
@@ -79,7 +80,7 @@ def _planned(request: BuildRequest, base: KnowledgeBase, cancelled: Callable[[],
         with importing:
             from mansion_planner.llm.planner import plan_with_model
 
-        return plan_with_model(request, base, building_id)
+        return plan_with_model(request, base, building_id, cancelled=cancelled)
     check_length(request.description)
     try:
         facts = read_brief(request.description, base, cancelled=cancelled)

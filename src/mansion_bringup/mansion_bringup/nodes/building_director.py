@@ -24,10 +24,14 @@ from mansion_msgs_py.nodes.shell import JsonPublisher, add_json_service, add_jso
 from mansion_msgs_py.request import BuildRequest, identified
 from mansion_msgs_py.running_calls import RunningCalls
 from mansion_msgs_py.stages import BuildInWork, BuildJob, BuildReply, CancelBuild, CanceledBuilds, CancelPlan
+from mansion_msgs_py.workers import release_memory
 
 __all__ = ["BuildingDirector", "main"]
 
 MAX_BUILDS = 4
+
+EXPORTERS = min(os.cpu_count() or 1, MAX_BUILDS)
+"""Processes for the exports of all builds."""
 
 
 class BuildingDirector(MansionNode):
@@ -97,12 +101,12 @@ class BuildingDirector(MansionNode):
             if error.code in (ErrorCode.CANCELED, ErrorCode.TIMEOUT):
                 self._give_up_plan(work.building_id)
             raise
+        finally:
+            self._release_memory()
         self.get_logger().info(f"wrote {result.path}")
         return BuildReply(building=result.building, path=str(result.path))
 
-    def _built(
-        self, job: BuildJob, request: BuildRequest, output: Path, cancelled: Callable[[], bool]
-    ) -> BuildResult:
+    def _built(self, job: BuildJob, request: BuildRequest, output: Path, cancelled: Callable[[], bool]) -> BuildResult:
         timeout = self.get_parameter("stage_timeout").value or 120.0
         return build_building(
             request,
@@ -140,6 +144,12 @@ class BuildingDirector(MansionNode):
                 self._exporter = _exports()
             return self._exporter
 
+    def _release_memory(self) -> None:
+        """Have the export processes give back what the last build took."""
+        with self._guard, suppress(BrokenExecutor, RuntimeError):
+            for _ in range(EXPORTERS):
+                self._exporter.submit(release_memory)
+
     def _output(self, job: BuildJob, request: BuildRequest) -> Path:
         """Return the folder of a building, which lies where this node may write."""
         if job.output is not None:
@@ -172,7 +182,7 @@ def _expanded(name: str) -> Path:
 
 
 def _exports() -> ProcessPoolExecutor:
-    return export_pool(min(os.cpu_count() or 1, MAX_BUILDS))
+    return export_pool(EXPORTERS)
 
 
 def main(args: Sequence[str] | None = None) -> None:

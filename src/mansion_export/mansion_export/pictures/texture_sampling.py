@@ -18,7 +18,7 @@ __all__ = ["Tiles", "base_color", "sampled", "texture_number", "tiles_at"]
 SEEN = 0.02
 """How far a texel is from the mean at least, to be seen."""
 
-_SHRUNK: Final = ArrayCache(most=32_000_000)
+_SHRUNK: Final = ArrayCache(most=48_000_000)
 """Tiles of the latest pictures, of which one shows up to 30 MB; all sets at all scales would be 180 MB."""
 
 
