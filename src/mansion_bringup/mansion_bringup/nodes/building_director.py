@@ -100,9 +100,7 @@ class BuildingDirector(MansionNode):
         self.get_logger().info(f"wrote {result.path}")
         return BuildReply(building=result.building, path=str(result.path))
 
-    def _built(
-        self, job: BuildJob, request: BuildRequest, output: Path, cancelled: Callable[[], bool]
-    ) -> BuildResult:
+    def _built(self, job: BuildJob, request: BuildRequest, output: Path, cancelled: Callable[[], bool]) -> BuildResult:
         timeout = self.get_parameter("stage_timeout").value or 120.0
         return build_building(
             request,

@@ -42,9 +42,7 @@ class ProgramPlannerNode(MansionNode):
         """Plan a building and publish its program."""
         with self._plans.begun(building_id_of(request)) as asked_to_end:
             reply = plan_building(
-                request,
-                knowledge=self.knowledge,
-                cancelled=lambda: asked_to_end.is_set() or not self.context.ok(),
+                request, knowledge=self.knowledge, cancelled=lambda: asked_to_end.is_set() or not self.context.ok()
             )
         self.programs.publish(reply.program)
         return reply

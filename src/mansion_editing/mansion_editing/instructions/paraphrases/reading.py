@@ -32,7 +32,7 @@ def read_in_other_words(text: str, state: SceneState, brief: str = "") -> Instru
     if not first.not_understood:
         return first
     lexicon = Lexicon(state)
-    for number, (plain, remarks) in enumerate(_wordings(text, lexicon, state.floors)):
+    for number, (plain, remarks) in enumerate(_wordings(text, lexicon, tuple(state.floors))):
         if number >= _MOST_READINGS:
             break
         read = read_instruction(plain, state, brief)
