@@ -33,6 +33,12 @@ def test_a_count_is_the_one_that_is_told_last(text: str, count: int) -> None:
     assert [fact.count for fact in _facts(text).rooms if fact.room_type == "bedroom"] == [count]
 
 
+@pytest.mark.parametrize("sign", ["– sorry, counted wrong, six", "(sorry, six)", "– I miscounted, 6"])
+def test_a_miscount_takes_back_a_count_and_no_area(sign: str) -> None:
+    (rooms,) = _facts(f"An office with five private offices of 12 m2 {sign}.").rooms
+    assert (rooms.count, rooms.area) == (6, 12.0)
+
+
 @pytest.mark.parametrize(
     ("text", "area"),
     [

@@ -102,3 +102,16 @@ def test_the_outline_that_is_told_last_holds(text: str, shape: str) -> None:
 
 def test_the_style_that_is_told_last_holds() -> None:
     assert [name for name, _ in read("A modern house - no, rustic - with two bedrooms.").styles] == ["rustic"]
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "a study next to the bedroom - on second thought next to the kitchen",
+        "a study next to the bedroom, sorry, next to the kitchen",
+    ],
+)
+def test_the_neighbour_that_is_told_last_holds(words: str) -> None:
+    facts = read(f"A house with {words}.")
+    assert [(fact.first_name, fact.second_name) for fact in facts.adjacent] == [("study", "kitchen")]
+    assert [room.name for room in facts.rooms] == ["study", "bedroom", "kitchen"]

@@ -51,3 +51,8 @@ def test_words_before_an_area_do_not_part_it_from_its_room(words: str, name: str
 def test_an_ellipsis_goes_on_with_the_sentence() -> None:
     facts = read("A house with a study with a desk... next to the kitchen.")
     assert [(fact.first_name, fact.second_name) for fact in facts.adjacent] == [("study", "kitchen")]
+
+
+def test_some_of_a_number_of_rooms_are_up_and_some_down() -> None:
+    facts = read_brief("A school of two storeys with nine classrooms (four down, five up).", default_knowledge())
+    assert [(room.count, room.floors[0].kind) for room in facts.rooms] == [(4, "number"), (5, "upper")]

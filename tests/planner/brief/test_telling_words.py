@@ -34,6 +34,7 @@ def kind_of(brief: str, name: str) -> tuple[str, list[str]]:
         ("A textile workshop with a dyeing room.", "dyeing_room", "workshop"),
         ("A rowing club with a boat hall and changing rooms.", "boat_hall", "warehouse"),
         ("A dairy with a pasteurising room and a shop.", "pasteurising_room", "commercial_kitchen"),
+        ("A school with a nurse's room.", "nurse_room", "nurse_office"),
         ("A fire station with a vehicle hall.", "vehicle_hall", "apparatus_bay"),
         ("A recording studio with two lounges and a vocal booth.", "vocal_booth", "recording_studio"),
     ],

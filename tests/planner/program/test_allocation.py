@@ -37,6 +37,10 @@ def test_rooms_that_each_of_a_group_has_are_not_added_to(brief: str, kind: str, 
     assert types(brief).count(kind) == count
 
 
+def test_a_brewery_with_offices_of_its_own_has_no_office_floor() -> None:
+    assert "open_office" not in types("A brewery of two storeys, 700 m2, with a brewing hall, a cold store and offices")
+
+
 def storeys_of(brief: str, *kinds: str) -> set[int]:
     program = plan_building(BuildRequest(description=brief)).program
     return {floor.index for floor in program.floors for room in floor.rooms if room.room_type in kinds}

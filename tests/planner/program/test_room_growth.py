@@ -62,3 +62,10 @@ def test_bedrooms_with_bathrooms_of_their_own_leave_place_for_a_guest_toilet_and
     rooms = planned("A villa of 380 m2 on two floors with five bedrooms with their own bathrooms and a library")
     assert sum(room.room_type == "toilet" for room in rooms) == 1
     assert sum(room.room_type == "bathroom" for room in rooms) == 5
+
+
+@pytest.mark.parametrize(("room", "most"), [("bar", 22.0), ("hobby room", 26.0), ("music room", 29.0)])
+def test_rooms_that_other_buildings_have_for_many_are_small_in_a_home(room: str, most: float) -> None:
+    rooms = planned(f"A house of 200 m2 with a {room}, a living room, a kitchen and three bedrooms")
+    [own] = [each for each in rooms if each.id == room.replace(" ", "_")]
+    assert own.area_estimate <= most

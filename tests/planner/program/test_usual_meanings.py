@@ -62,15 +62,34 @@ def test_the_kitchen_of_a_house_stays_one() -> None:
 
 
 @pytest.mark.parametrize(
-    ("brief", "guests"),
+    ("brief", "guests", "count"),
     [
-        ("A hotel of four storeys with twenty bedrooms and a restaurant.", "hotel_room"),
-        ("A care home of two floors with nine bedrooms on each floor.", "resident_room"),
-        ("A hospital of two storeys with eight bedrooms upstairs.", "patient_room"),
+        ("A hotel of four storeys with twenty bedrooms and a restaurant.", "hotel_room", 20),
+        ("A care home of two floors with nine bedrooms on each floor.", "resident_room", 18),
+        ("A hospital of two storeys with eight bedrooms upstairs.", "patient_room", 8),
     ],
 )
-def test_the_bedrooms_that_are_counted_are_all_that_guests_have(brief: str, guests: str) -> None:
-    assert guests not in {room.room_type for floor in floors(brief) for room in floor.rooms}
+def test_the_bedrooms_that_are_counted_are_all_that_guests_have(brief: str, guests: str, count: int) -> None:
+    kinds = [room.room_type for floor in floors(brief) for room in floor.rooms]
+    assert sum(kind in ("bedroom", guests) for kind in kinds) == count
+
+
+def test_bedrooms_of_a_hotel_have_bathrooms_unless_guests_share_them() -> None:
+    own, shared = (
+        [
+            room.room_type
+            for floor in floors(f"A lodge with a dining room, eight bedrooms{baths}")
+            for room in floor.rooms
+        ]
+        for baths in ("", " and three bathrooms")
+    )
+    assert own.count("bathroom") == 8
+    assert (shared.count("bedroom"), shared.count("bathroom")) == (8, 3)
+
+
+def test_the_hall_of_a_community_centre_is_where_people_meet() -> None:
+    rooms = [room for floor in floors("A community centre with a hall, a cafe and a workshop") for room in floor.rooms]
+    assert [room.id for room in rooms if room.room_type == "assembly_hall"] == ["hall"]
 
 
 def test_bedrooms_of_staff_leave_the_guests_their_rooms() -> None:

@@ -4,6 +4,7 @@ import math
 
 from mansion_assets.builder import Builder
 from mansion_assets.registry import recipe
+from mansion_assets.solids import Vec3
 
 __all__: list[str] = []
 
@@ -84,20 +85,23 @@ def laptop(b: Builder) -> None:
 
 @recipe("keyboard")
 def keyboard(b: Builder) -> None:
-    """Rows of keys on a plate."""
+    """Single keys in rows on a plate, a space bar, arrows and a block of figures."""
     w, d, h = b.w, b.d, b.h
+    dark = b.mat() == "plastic_black"
+    keys, special = ("plastic_light", "plastic_grey") if dark else ("plastic_white", "plastic_grey")
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, h * 0.6), b.mat(), "case")
-    for row in range(5):
-        y = -d * 0.42 + row * d * 0.175
-        b.box(
-            (-w * 0.48, w * 0.3),
-            (y, y + d * 0.14),
-            (h * 0.6, h),
-            "plastic_dark" if b.mat() == "plastic_black" else "plastic_light",
-            "keys",
-            solid=False,
+    for row in range(6):
+        y = d * 0.44 - row * d * 0.145 - (d * 0.03 if row == 5 else 0.0)
+        spans = (
+            [(x, 1) for x in range(15)]
+            if row
+            else [(0, 1), (1, 1), (2, 1), (3, 6), (9, 1), (10, 1), (11, 1), (12, 1), (13, 1), (14, 1)]
         )
-        b.box((w * 0.33, w * 0.48), (y, y + d * 0.14), (h * 0.6, h), "plastic_dark", "keys", solid=False)
+        for first, count in (*spans, (16, 1), (17, 1), (18, 1)):
+            x = w * 0.48 - first * w * 0.0505
+            color = special if count == 1 and (first in (0, 13, 14) or row in (0, 5)) else keys
+            key = ((x - w * (0.0505 * count - 0.008), x), (y - d * 0.12, y), (h * 0.6, h))
+            b.box(*key, color, "keys", solid=False)
 
 
 @recipe("phone")
@@ -211,22 +215,30 @@ def kiosk(b: Builder) -> None:
 
 @recipe("dock")
 def dock(b: Builder) -> None:
-    """Charging station: back panel, ramp, contacts, a light."""
+    """Charging station: a panel with a lightning bolt on it, a ramp, and a round robot that stands at its contacts."""
     w, d, h = b.w, b.d, b.h
-    b.box((-w / 2, w / 2), (-d / 2, -d / 2 + 0.1), (0, h), b.mat(), "panel")
-    b.prism(
-        [(-d / 2, 0), (d / 2, 0), (d / 2, 0.006), (-d / 2 + 0.1, 0.03)], (-w / 2, w / 2), "plastic_dark", part="ramp"
+    face = -d / 2 + 0.06
+    b.box((-w * 0.4, w * 0.4), (-d / 2, face), (0, h), b.mat(), "panel")
+    b.prism([(-d / 2, 0), (d / 2, 0), (d / 2, 0.006), (face, 0.02)], (-w / 2, w / 2), "plastic_dark", part="ramp")
+    for side in (-1, 1):
+        b.box((side * 0.06 - 0.015, side * 0.06 + 0.015), (face, face + 0.012), (0.05, 0.08), "metal_brass", "contacts")
+    middle, r = h * 0.68, h * 0.24
+    bolt = ((0.1, 1.0), (-0.55, -0.15), (0.0, -0.1), (-0.15, -1.0), (0.55, 0.2), (0.0, 0.15))
+    for part in ((0, 1, 2, 5), (2, 3, 4, 5)):
+        outline = [(bolt[k][0] * r, middle + bolt[k][1] * r) for k in part]
+        b.prism(outline, (face, face + 0.006), "light_e5b920", "y", "sign", solid=False)
+    reach = min(w * 0.42, (d / 2 - face) * 0.5)
+    y = d / 2 - reach
+    b.lathe([(reach, 0.02), (reach, h * 0.2), (reach * 0.94, h * 0.24)], "plastic_dark", (0, y), "robot", 28)
+    b.cyl(0, y, (h * 0.24, h * 0.27), reach * 0.3, "metal_light", "robot", n=20)
+    b.box(
+        (-reach * 0.12, reach * 0.12),
+        (y + reach * 0.5, y + reach * 0.7),
+        (h * 0.24, h * 0.25),
+        "light_green",
+        "robot",
+        solid=False,
     )
-    for sx in (-1, 1):
-        b.box(
-            (sx * 0.06 - 0.015, sx * 0.06 + 0.015),
-            (-d / 2 + 0.1, -d / 2 + 0.112),
-            (0.08, 0.13),
-            "metal_brass",
-            "contacts",
-            solid=False,
-        )
-    b.box((-w * 0.2, w * 0.2), (-d / 2 + 0.1, -d / 2 + 0.103), (h * 0.8, h * 0.84), "light_green", "light", solid=False)
 
 
 @recipe("register")
@@ -242,3 +254,141 @@ def register(b: Builder) -> None:
     )
     b.box((-w * 0.35, w * 0.35), (-d * 0.4, -d * 0.3), (h * 0.6, h), "plastic_black", "display")
     b.box((-w * 0.32, w * 0.32), (-d * 0.3, -d * 0.29), (h * 0.68, h * 0.96), "screen_green", "display", solid=False)
+
+
+@recipe("game_console")
+def game_console(b: Builder) -> None:
+    """A flat case with a slot and a light; on it a controller with two sticks, a cross and four coloured buttons."""
+    w, d, h = b.w, b.d, b.h
+    case = h * 0.42
+    b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, case), b.mat(), "case")
+    b.box((-w * 0.4, w * 0.1), (d / 2, d / 2 + 0.001), (case * 0.5, case * 0.64), "plastic_grey", "slot", solid=False)
+    b.box((w * 0.3, w * 0.36), (d / 2, d / 2 + 0.001), (case * 0.4, case * 0.7), "light_blue", "lamp", solid=False)
+    z, face = (case, h * 0.84), h * 0.84
+    b.cushion((-w * 0.34, w * 0.34), (-d * 0.26, d * 0.12), z, "plastic_white", "controller", 0.6)
+    for side in (-1, 1):
+        lo, hi = sorted((side * w * 0.4, side * w * 0.18))
+        b.cushion((lo, hi), (-d * 0.3, d * 0.36), z, "plastic_white", "controller", 0.8)
+        b.cyl(side * w * 0.12, d * 0.06, (face - 0.004, h), w * 0.055, "plastic_black", "sticks", n=14)
+    x, y = -w * 0.27, -d * 0.1
+    b.box(
+        (x - w * 0.06, x + w * 0.06), (y - d * 0.025, y + d * 0.025), (face - 0.004, h * 0.93), "plastic_black", "cross"
+    )
+    b.box(
+        (x - w * 0.02, x + w * 0.02), (y - d * 0.075, y + d * 0.075), (face - 0.004, h * 0.93), "plastic_black", "cross"
+    )
+    spots = ((0.05, 0.0, "red"), (-0.05, 0.0, "blue"), (0.0, 0.065, "yellow"), (0.0, -0.065, "green"))
+    for u, v, color in spots:
+        b.cyl(w * (0.27 + u), y + d * v, (face - 0.004, h * 0.93), w * 0.026, f"plastic_{color}", "buttons", n=12)
+
+
+@recipe("portable_radio")
+def portable_radio(b: Builder) -> None:
+    """A case with a round, pierced loudspeaker, a dial with a needle, two knobs, a handle and a drawn aerial."""
+    w, d, h = b.w, b.d, b.h
+    top, front = h * 0.62, d / 2
+    b.cushion((-w / 2, w / 2), (-d / 2, front - 0.004), (0, top), b.mat(), "case", 0.2)
+    b.box((-w * 0.46, w * 0.46), (front - 0.006, front - 0.003), (top * 0.08, top * 0.92), "plastic_e9dfc8", "face")
+    _loudspeaker(b, (-w * 0.22, front, top / 2), top * 0.36)
+    b.box(
+        (w * 0.08, w * 0.42),
+        (front - 0.003, front - 0.001),
+        (top * 0.56, top * 0.82),
+        "paper_white",
+        "dial",
+        solid=False,
+    )
+    for k in range(7):
+        u = w * (0.1 + 0.048 * k)
+        b.box(
+            (u, u + w * 0.008), (front - 0.001, front), (top * 0.66, top * 0.78), "plastic_black", "dial", solid=False
+        )
+    b.box(
+        (w * 0.24, w * 0.255),
+        (front - 0.001, front + 0.001),
+        (top * 0.57, top * 0.81),
+        "paint_red",
+        "dial",
+        solid=False,
+    )
+    for u in (0.15, 0.35):
+        b.rod(
+            (w * u, front - 0.003, top * 0.28), (w * u, front + 0.004, top * 0.28), w * 0.06, "metal_steel", "knobs", 16
+        )
+    b.path(
+        [(-w * 0.4, 0, top), (-w * 0.36, 0, top * 1.25), (w * 0.3, 0, top * 1.25), (w * 0.34, 0, top)],
+        h * 0.025,
+        "leather_brown",
+        "handle",
+    )
+    b.rod((w * 0.42, -d * 0.3, top * 0.95), (w * 0.2, -d * 0.3, h), 0.003, "metal_chrome", "aerial")
+
+
+def _loudspeaker(b: Builder, at: Vec3, r: float) -> None:
+    """Add a round, pierced front whose middle is `at`, in rings."""
+    x, y, z = at
+    b.rod((x, y - 0.004, z), (x, y - 0.001, z), r, "metal_dark", "loudspeaker", 24)
+    for share, color in ((0.75, "metal_light"), (0.5, "metal_dark"), (0.25, "metal_light")):
+        b.rod((x, y - 0.002, z), (x, y + 0.001 - 0.002 * share, z), r * share, color, "loudspeaker", 20)
+
+
+@recipe("battery")
+def battery(b: Builder) -> None:
+    """A dry cell: a black case with a copper end, a plus on its side, and a button at its pole."""
+    w, d, h = b.w, b.d, b.h
+    for profile, color in (
+        (((0.5, 0), (0.5, 0.62)), b.mat()),
+        (((0.5, 0.62), (0.5, 0.9), (0.47, 0.92)), "metal_copper"),
+        (((0.4, 0.9), (0.4, 0.93)), "metal_light"),
+        (((0.18, 0.92), (0.18, 1.0)), "metal_chrome"),
+    ):
+        b.lathe([(r, z * h) for r, z in profile], color, n=24, stretch=(w, d), part="cell")
+    for half in ((w * 0.13, h * 0.03), (w * 0.045, h * 0.09)):
+        b.box(
+            (-half[0], half[0]),
+            (d * 0.44, d * 0.505),
+            (h * 0.76 - half[1], h * 0.76 + half[1]),
+            "plastic_black",
+            "sign",
+            solid=False,
+        )
+        b.box(
+            (w * 0.44, w * 0.505),
+            (-half[0], half[0]),
+            (h * 0.76 - half[1], h * 0.76 + half[1]),
+            "plastic_black",
+            "sign",
+            solid=False,
+        )
+    bolt = [
+        (w * 0.02, h * 0.56),
+        (-w * 0.12, h * 0.32),
+        (w * 0.02, h * 0.34),
+        (-w * 0.02, h * 0.1),
+        (w * 0.14, h * 0.38),
+        (0.0, h * 0.36),
+    ]
+    b.prism([bolt[0], bolt[1], bolt[2], bolt[5]], (d * 0.44, d * 0.505), "paint_yellow", "y", "sign", solid=False)
+    b.prism([bolt[2], bolt[3], bolt[4], bolt[5]], (d * 0.44, d * 0.505), "paint_yellow", "y", "sign", solid=False)
+
+
+@recipe("computer_mouse")
+def computer_mouse(b: Builder) -> None:
+    """A rounded back with two buttons parted by a wheel, and a cable that leaves in front."""
+    w, d, h = b.w, b.d, b.h
+    body = d * 0.3
+    b.cushion((-w / 2, w / 2), (-d / 2, body), (0, h), b.mat(), "body", 0.95, 16)
+    b.box((-w * 0.015, w * 0.015), (-d * 0.02, body * 0.86), (h * 0.5, h * 0.97), "plastic_grey", "seam", solid=False)
+    b.box((-w * 0.4, w * 0.4), (-d * 0.05, -d * 0.03), (h * 0.5, h * 0.99), "plastic_grey", "seam", solid=False)
+    b.rod((-w * 0.07, d * 0.12, h * 0.84), (w * 0.07, d * 0.12, h * 0.84), h * 0.22, "plastic_light", "wheel", 12)
+    b.path(
+        [
+            (0, body * 0.96, h * 0.3),
+            (0, d * 0.38, h * 0.12),
+            (w * 0.1, d * 0.44, h * 0.08),
+            (w * 0.06, d / 2, h * 0.08),
+        ],
+        h * 0.06,
+        "plastic_grey",
+        "cable",
+    )

@@ -44,7 +44,7 @@ def _room(wish: Wish, state: JudgedBuilding) -> Verdict:
             return Verdict("partly", f"storey {listed(short)} has {listed([counts[f] for f in short])}", ids)
     elif wanted is None and len(rooms) < 2:
         return Verdict("partly", "one room where several are asked for", ids)
-    elif wanted is not None and (len(rooms) < wanted or (len(rooms) > wanted and not wish.scope.room)):
+    elif wanted is not None and (len(rooms) < wanted or (len(rooms) > wanted and not _may_be_more(wish))):
         return Verdict("partly", f"{len(rooms)} of {wanted}", ids)
     owners = state.called(wish.scope.room, wish.scope.room_type, floors) if wish.scope.room else []
     bare = [owner.full_id for owner in owners if not any(state.near(owner, room) for room in rooms)]
@@ -61,6 +61,11 @@ def _room(wish: Wish, state: JudgedBuilding) -> Verdict:
             return Verdict("partly", f"{sizes} m2 instead of {_BOUNDS[value.limit]}{value.area:.3g} m2", ids)
     lack = _unusable(rooms, state)
     return met_if(not lack, lack, partly=True, rooms=ids)
+
+
+def _may_be_more(wish: Wish) -> bool:
+    """Whether a building may have more of a room than asked for: ways on other storeys, or what others have too."""
+    return bool(wish.scope.room) or (wish.value.type in _WAYS and not wish.scope.floors)
 
 
 def _unusable(rooms: Sequence[JudgedRoom], state: JudgedBuilding) -> str:

@@ -318,7 +318,9 @@ def _room(wish: Wish, finished: _Finished) -> str:
         if len(numbers) < len(alike) and len(rooms) < 2:
             return "there is one"
         missing = sum(numbers) - len(rooms)
-        if len(numbers) == len(alike) and (missing > 0 or (missing < 0 and not wish.scope.room)):
+        if len(numbers) == len(alike) and (
+            missing > 0 or (missing < 0 and not (wish.scope.room or (value.type in PASSAGES and not floors)))
+        ):
             return f"there are {len(rooms)}"
     if wish.scope.room:
         for owner_floor, owner in finished.meant(wish.scope.room, wish.scope.room_type, floors):

@@ -10,12 +10,21 @@ from mansion_language.units import AREA
 
 __all__ = ["FILLERS", "PAUSES", "WEAK", "corrected_numbers", "sign_at", "taken_back_by"]
 
+_MISCOUNTED = (
+    ("i", "counted", "wrong"),
+    ("counted", "wrong"),
+    ("i", "miscounted"),
+    ("miscounted",),
+    ("wrong", "count"),
+)
+"""Signs that take back a count, not an area."""
 _SIGNS = (
     ("make", "that"), ("make", "it"), ("i", "mean"), ("or", "rather"), ("or", "better"), ("scratch", "that"),
     ("strike", "that"), ("no", "wait"), ("hold", "on"), ("wait",), ("sorry",), ("pardon",), ("oop",), ("no",),
     ("correction",), ("actually",), ("rather",), ("i", "meant"), ("better",), ("well",),
     ("excuse", "me"), ("scrap", "that"), ("forget", "that"), ("cancel", "that"), ("on", "second", "thought"),
-    ("second", "thought"), ("my", "mistake"), ("my", "bad"),
+    ("second", "thought"), ("my", "mistake"), ("my", "bad"), *_MISCOUNTED,
+    ("let", "go", "with"), ("let", "make", "it"), ("let", "take"), ("go", "with"), ("settle", "on"),
 )  # fmt: skip
 """What is said to take back a number, several of them one after the other at times."""
 WEAK = frozenset({("no",), ("well",), ("better",), ("rather",), ("actually",), ("make", "it"), ("wait",)})
@@ -65,15 +74,16 @@ def _word(tokens: list[Token], index: int) -> str:
 def _correction(tokens: list[Token], before: list[Token], index: int) -> tuple[int, int, int] | None:
     """Return which earlier number is taken back at a token, the token of the later one, and where that ends."""
     at, ended = _after_marks(tokens, index)
-    paused, first, weak, signs = at > index, at, True, 0
+    paused, first, weak, signs, counts = at > index, at, True, 0, False
     while (sign := sign_at(tokens, at)) is not None:
-        weak, signs = weak and sign in WEAK, signs + 1
+        weak, signs, counts = weak and sign in WEAK, signs + 1, counts or sign in _MISCOUNTED
         at, _ = _after_marks(tokens, at + len(sign))
     if at == first or (weak and not paused) or at >= len(tokens) or tokens[at].kind != "number":
         return None
     if ended and weak and signs < 2:
         return None  # "Two bedrooms. No 3D cinema."
-    earlier = _taken_back(tokens, before, at)
+    spelt = tokens[at].text.isalpha() and _word(tokens, at + 1) not in AREA  # nobody spells an area without its unit
+    earlier = _taken_back(tokens, before, at, counts=counts or spelt)
     return None if earlier is None else (earlier, at, _end(tokens, before, earlier, at, opened=_word(tokens, index)))
 
 
@@ -109,7 +119,7 @@ def sign_at(tokens: list[Token], index: int) -> tuple[str, ...] | None:
     return next((s for s in _SIGNS if tuple(t.text for t in tokens[index : index + len(s)]) == s), None)
 
 
-def _taken_back(tokens: list[Token], before: list[Token], number: int) -> int | None:
+def _taken_back(tokens: list[Token], before: list[Token], number: int, *, counts: bool) -> int | None:
     """Return the last number before that is of the same thing as a later one; of anything where that stands alone."""
     of = _word(tokens, number + 1)
     for at in range(len(before) - 1, max(len(before) - _REACH, 0) - 1, -1):
@@ -117,6 +127,8 @@ def _taken_back(tokens: list[Token], before: list[Token], number: int) -> int | 
         if token.text in (";", "\n") or (token.text == "." and _word(before, at - 1) != "." != _word(before, at + 1)):
             return None
         if token.kind != "number" or (token.text == "one" and _word(before, at - 1) in _POINTING):
+            continue
+        if counts and _word(before, at + 1) in AREA:
             continue
         if of in _ENDS or at == len(before) - 1:
             return at

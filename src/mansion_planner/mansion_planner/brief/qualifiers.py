@@ -61,6 +61,7 @@ _SETTINGS = frozenset(
     campus model sample demo fantasy imaginary typical traditional style styled type cum look inspired themed storey
     multifamily family-run group test pilot future small-town mixed use multi generation generational cute pretty lovely
     tower mini walk ish rise mid slim youth boy girl student staff health charming
+    run owned managed occupied
     stunning spectacular magnificent superb impressive exclusive prestigious
     unique exceptional head stylish fancy posh custom grand stately luxury luxurious budget starter ideal
     """.split()

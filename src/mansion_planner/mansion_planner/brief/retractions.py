@@ -6,11 +6,12 @@ What is named last takes the place of the first, with its number where it has no
 from collections.abc import Sequence
 from dataclasses import replace
 
-from mansion_planner.brief.corrections import FILLERS, PAUSES, WEAK, sign_at
+from mansion_planner.brief.corrections import FILLERS, PAUSES, WEAK, sign_at, taken_back_by
 from mansion_planner.brief.phrase import Phrase
 from mansion_planner.brief.reading import Reading
+from mansion_planner.brief.relation_rooms import Relation
 
-__all__ = ["without_retractions"]
+__all__ = ["without_retractions", "without_taken_back"]
 
 _KINDS = {"room": "place", "building": "place", "object": "thing", "unknown": "thing"}
 _ARTICLES = frozenset({"a", "an", "the", "one"})
@@ -152,3 +153,22 @@ def _after_pauses(reading: Reading, index: int) -> int:
     while reading.word(index) in PAUSES | FILLERS or (dots and reading.word(index) == "."):
         index += 1
     return index
+
+
+def without_taken_back(reading: Reading, phrases: Sequence[Phrase], relations: Sequence[Relation]) -> list[Relation]:
+    """Return the relations without those that the next one takes the place of.
+
+    "A kitchen next to the boardroom - on second thought next to the reception" lies beside the reception.
+    """
+    found: list[Relation] = []
+    for relation in relations:
+        before = found[-1] if found else None
+        end = max((phrases[n].last for n in before.rights), default=0) if before is not None else 0
+        sign = taken_back_by(reading.tokens, end, relation.first) if 0 < end < relation.first else None
+        named = any(end <= phrase.first < relation.first for phrase in phrases)
+        if before is not None and sign is not None and not named:
+            found.pop()
+            reading.take(before.first, relation.first)
+            relation = replace(relation, lefts=before.lefts)
+        found.append(relation)
+    return found

@@ -17,6 +17,8 @@ _PAUSES = frozenset({",", "-", "–", ":"})
 _APART = frozenset("a an its their his her own separate single proper distinct closed independent two three of".split())
 """Words of "as a separate room", "as two rooms of their own" before the noun."""
 _ROOMS = frozenset({"room", "space"})
+_UP_AND_DOWN = {"up": "upstairs", "down": "downstairs"}
+_AFTER = frozenset({",", ".", ")", ";", "and", "\n", ""})
 _HEDGES = (("let", "say"), ("let", "us", "say"), ("shall", "we", "say"), ("say",), ("i", "guess"), ("i", "think"))
 """What is said between commas before a number that is not meant exactly."""
 
@@ -42,9 +44,20 @@ def spoken_turns(tokens: list[Token]) -> list[Token]:
         elif hedge:
             index += hedge
         else:
-            result.append(tokens[index])
+            result.append(_storey_of_some(tokens, index))
             index += 1
     return result
+
+
+def _storey_of_some(tokens: list[Token], index: int) -> Token:
+    """Return a token, "down" and "up" after a number as "downstairs" and "upstairs": "four down, five up"."""
+    where = _UP_AND_DOWN.get(tokens[index].text)
+    counted = where and index > 1 and tokens[index - 1].kind == "number" and tokens[index - 2].text not in _ENDS
+    return (
+        replace(tokens[index], text=where)
+        if where and counted and _word(tokens, index + 1) in _AFTER
+        else tokens[index]
+    )
 
 
 def _word(tokens: list[Token], index: int) -> str:

@@ -130,6 +130,12 @@ def _says_no_more(reading: Reading, index: int) -> bool:
         return True
     if reading.word(index - 1) in _AFTER_LEAD.get(token.text, ()):
         return True
+    if token.text == "step" and reading.word(index - 1) in ("no", "without", "any") and _on_one_level(reading):
+        return True  # "everything on one level, no steps"
+    if token.text == "over" and reading.word(index + 1) == "all" and _has_measure(reading, index):
+        return True  # "150 m2 over all"
+    if token.text == "quiet" and reading.word(index - 1) in ("need", "want", "like", "love"):
+        return True  # "I need quiet" is a reason
     if token.text == "flat" and is_figurative(reading, index, index + 1):
         return True  # "Flat, no stairs!"
     if token.text == "young" and reading.word(index + 1) in _HOUSEHOLD:
@@ -147,6 +153,10 @@ def _says_no_more(reading: Reading, index: int) -> bool:
         return True  # "a clinic in a building of 170 m2", "an entire seven-storey building"
     around = reading.word(index + 1) in ("around", "round") and reading.word(index + 2) in ("a", "an", "the", "one")
     return token.text in _LAID and around and bool(_YARDS & set(reading.words(index + 2, index + 6)))
+
+
+def _on_one_level(reading: Reading) -> bool:
+    return any(quantity.value == 1 for quantity in reading.facts.floors)
 
 
 def _places(reading: Reading, index: int) -> bool:

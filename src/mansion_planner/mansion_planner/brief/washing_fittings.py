@@ -17,7 +17,7 @@ _LISTING = frozenset({":", "(", "-", "–", "="})
 _HOLDING = frozenset("with has have having containing contain including include incl hold get".split())
 _BESIDE = frozenset("of about approx each and it that which fitted equipped must should to , . ) m2".split())
 """Words between a bathroom and what leads to its fittings, besides its area."""
-_JOINTS = frozenset({",", "and", "&", "plus", "+", "/", "also"})
+_JOINTS = frozenset({",", "and", "&", "plus", "+", "/", "also", "both"})
 _FURTHEST = 6
 """Tokens between a bathroom and what leads to its fittings, at most."""
 
@@ -36,7 +36,7 @@ def read_washing_fittings(reading: Reading, phrases: list[Phrase]) -> None:
         for at in range(number + 1, len(phrases) if start else 0):
             thing = phrases[at]
             gap = set(reading.words(last, thing.first))
-            if not gap <= (_JOINTS if at > number + 1 else {"also"}) or thing.areas:
+            if not gap <= (_JOINTS if at > number + 1 else {"also", "both"}) or thing.areas:
                 break
             if thing.head == "room":
                 own = thing.determiner and at > number + 1 and "," in gap and thing.name not in _WET

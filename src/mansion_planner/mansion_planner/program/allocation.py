@@ -181,12 +181,12 @@ def _settled_types(facts: Iterable[RoomFact], decisions: Decisions, knowledge: K
         if not fact.unit:
             settled.update(child.room_type for child in fact.suite if not knowledge.room(child.room_type).wet)
         kind = knowledge.room(fact.room_type)
+        if kind.name == "private_office" and decisions.building.family != "office":
+            settled.add("open_office")  # a factory with offices of its own has no office floor
         one_of_several = fact.count == 1 and (kind.common or kind.name == "master_suite")
         if fact.count is not None and not one_of_several:
             settled.update(name for name, other in knowledge.rooms.items() if other.counts_as == kind.counts_as)
             settled.update(next((group for group in _SAME_USE if kind.name in group), ()))
-            if kind.name == "private_office" and decisions.building.family != "office":
-                settled.add("open_office")  # a factory with two offices has no third one
             if fact.count > 1:
                 settled.update(_same_head(fact.name, knowledge))
                 settled.update(_LEAVES_OUT.get(kind.name, ()))

@@ -1,12 +1,13 @@
 """How far rooms grow into the area that a building has to spare before it gets rooms that nobody asked for."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Final
 
 from mansion_knowledge import BuildingType, RoomType
 from mansion_planner.program.model import PlannedRoom
 
-__all__ = ["growth_weight", "is_described", "is_needed", "reach"]
+__all__ = ["at_home", "growth_weight", "is_described", "is_needed", "reach"]
 
 _NEEDED: Final = frozenset(
     """
@@ -24,6 +25,24 @@ _FLEXIBLE, _OTHERS, _SERVING = 2.2, 1.6, 1.25
 
 _UNASKED: Final = 0.85
 """Of that, what a room of the type's own list grows to."""
+
+
+_AT_HOME: Final = {
+    "bar": 12.0, "workshop": 14.0, "music_room": 16.0, "art_room": 16.0, "dance_studio": 22.0, "yoga_studio": 16.0,
+    "photo_studio": 16.0, "recording_studio": 14.0, "greenhouse": 15.0, "spa": 20.0,
+}  # fmt: skip
+"""Usual square metres in a home of rooms that other buildings have for many: a bar for a household and its guests."""
+
+_LEAST_AT_HOME, _MOST_AT_HOME = 0.7, 1.8
+"""Of those, what they have at least and at most."""
+
+
+def at_home(kind: RoomType) -> RoomType:
+    """Return a type of room with the sizes that it has in a home."""
+    usual = _AT_HOME.get(kind.name)
+    if usual is None:
+        return kind
+    return replace(kind, least=min(kind.least, _LEAST_AT_HOME * usual), usual=usual, most=_MOST_AT_HOME * usual)
 
 
 def is_described(asked: Sequence[PlannedRoom], capacity: float) -> bool:

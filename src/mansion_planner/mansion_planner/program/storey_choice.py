@@ -124,9 +124,14 @@ _FOLLOWERS = frozenset({"bar", "sound_control_room", "dressing_room", "judges_ch
 """Rooms that no one serves in, and that belong to others as those of service do."""
 
 
+_ANYWHERE = frozenset({"corridor", "lobby", "storage", "restroom"})
+"""Rooms of every storey, beside which others lie without belonging to them."""
+
+
 def _follows(kind: RoomType) -> bool:
     """Whether a room belongs on the storey of those that it serves: a kitchen, a changing room, a cold store."""
-    return bool(kind.near) and not kind.toilet and (kind.zone == "service" or kind.name in _FOLLOWERS)
+    serves = kind.zone == "service" or kind.name in _FOLLOWERS
+    return serves and not kind.toilet and not _ANYWHERE.issuperset(kind.near)
 
 
 def _with_partners(
@@ -139,15 +144,16 @@ def _with_partners(
     kind = knowledge.room(fact.room_type)
     if not _follows(kind):
         return []
+    served = {*kind.near} - _ANYWHERE
     asked = [
         floor for floor, facts in sorted(wanted.items())
-        if any(other.room_type in kind.near and (other.floors or kind.storey == "any") for other in facts)
+        if any(other.room_type in served and (other.floors or kind.storey == "any") for other in facts)
     ]  # fmt: skip
     if asked or kind.storey != "any":
         return asked
     return [
         storey.index for storey in storeys
-        if storey.index >= 1 and _types_of(storey) & {*kind.near}
+        if storey.index >= 1 and _types_of(storey) & served
     ]  # fmt: skip
 
 

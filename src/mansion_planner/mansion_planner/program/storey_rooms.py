@@ -10,7 +10,7 @@ from mansion_planner.program.allocation import Allocation
 from mansion_planner.program.household import STUDIO, use_of
 from mansion_planner.program.model import PlannedRoom, Storey
 from mansion_planner.program.planned_rooms import planned_room
-from mansion_planner.program.room_growth import growth_weight, is_described, is_needed, reach
+from mansion_planner.program.room_growth import at_home, growth_weight, is_described, is_needed, reach
 from mansion_planner.program.storeys import entries_of
 
 __all__ = [
@@ -36,11 +36,19 @@ def base_rooms(storey: Storey, allocation: Allocation, knowledge: KnowledgeBase)
         if fact.room_type == storey.hub.name and fact.count == 1:
             continue
         kind = knowledge.room(fact.room_type)
+        kind = at_home(kind) if storey.use.family == "home" and fact.size != "large" else kind
         placed = fact.name in allocation.places
         area = max(kind.least if placed else kind.usual, allocation.furniture.get(fact.name, 0.0))
         room = planned_room(kind, knowledge, area=area, fact=fact)
-        rooms.append(room if placed or fact.size else _as_in_its_building(room, storey))
+        if not fact.known and fact.name.endswith("_room"):
+            rooms.append(room if room.fixed else msgspec.structs.replace(room, most=min(room.most, _MOST_LIKE * area)))
+        else:
+            rooms.append(room if placed or fact.size else _as_in_its_building(room, storey))
     return rooms
+
+
+_MOST_LIKE = 1.6
+"""Of a type's usual area, what a room has at most that is only like it: the instrument room like a laboratory."""
 
 
 _LEAST_LISTED = 0.6

@@ -13,7 +13,8 @@ _MEANT = {
     "private_room": ("resident_room", "patient_room"), "single_room": ("resident_room", "patient_room"),
     "child_room": ("childrens_area",), "kid_room": ("childrens_area",), "lounge": ("living_room",),
     "showroom": ("car_showroom",), "kitchenette": ("kitchen",), "sleeping_area": ("bedroom",),
-    "guest_room": ("hotel_room",), "gym": ("home_gym",), "dressing_room": ("walk_in_closet",),
+    "hall": ("assembly_hall", "conference_hall"), "guest_room": ("hotel_room",), "bedroom": ("hotel_room",),
+    "gym": ("home_gym",), "dressing_room": ("walk_in_closet",),
     "library": ("library_room",), "cinema_hall": ("home_theater",), "library_room": ("reading_room",),
 }  # fmt: skip
 """Plain names of rooms, and what they are where a building has that for its guests, the likeliest first."""
@@ -23,6 +24,12 @@ _BY_TYPE = frozenset({"guest_room", "gym", "dressing_room", "library", "cinema_h
 
 _OF_EVERY_HOME = frozenset({"kitchen", "bedroom", "home_gym", "walk_in_closet", "library_room", "home_theater"})
 """What a home has for those who live there, even where its usual rooms are fewer."""
+
+_SHARED_BATHS = frozenset({"bathroom", "restroom", "shower_area", "toilet"})
+"""Rooms that guests share where a brief asks for them: their bedrooms have none of their own."""
+
+_OF_GUESTS = frozenset({"bedroom", "bathroom"})
+"""Rooms that guests of a hotel have as well."""
 
 _PRIVATE = frozenset({"bedroom", "master_bedroom", "living_room", "bathroom"})
 
@@ -136,7 +143,10 @@ def _meanings_in(building: BuildingType, facts: BriefFacts) -> _Meanings | None:
     stated = {room.room_type for room in facts.rooms}
     kinds = {plain: next((kind for kind in found if kind in own), "") for plain, found in _MEANT.items()}
     meant = {plain: kind for plain, kind in kinds.items() if kind and kind not in stated}
-    at_home = {room.floors for room in facts.rooms if room.room_type in _PRIVATE}
+    if stated & _SHARED_BATHS:
+        meant.pop("bedroom", "")
+    private = _PRIVATE - _OF_GUESTS if building.family == "lodging" else _PRIVATE
+    at_home = {room.floors for room in facts.rooms if room.room_type in private}
     shared = building.family != "home" and any(room.name in meant and room.floors in at_home for room in facts.rooms)
     if not meant or shared:
         return None

@@ -6,7 +6,7 @@ from mansion_editing.editor import SceneEditor
 from mansion_editing.instructions.instruct import instruct
 from mansion_editing.instructions.paraphrases.reading import read_in_other_words
 from mansion_editing.instructions.sentences.reader import read_instruction
-from mansion_editing.instructions.statements import Mention, Statement
+from mansion_editing.instructions.statements import Add, Ensure, Keep, Mention, Statement
 from mansion_editing.state import SceneState
 
 
@@ -61,3 +61,32 @@ def test_what_is_added_up_to_a_total_takes_nothing_away(editor: SceneEditor) -> 
     report = instruct(editor, "Add one more chair so that there are two.")
     assert not report.done
     assert "already" in report.message
+
+
+def test_nothing_that_remains_is_taken_away(furnished_state: SceneState) -> None:
+    read = read_in_other_words("Make sure that no plate remains on the dining table in the kitchen.", furnished_state)
+    assert [s.things.amount.kind for s in read.statements if isinstance(s, Ensure)] == ["none"]
+
+
+def test_none_that_is_moved_stays(furnished_state: SceneState) -> None:
+    read = read_in_other_words(
+        "None of the chairs in the hall are to be moved; a fourth one must be added.", furnished_state
+    )
+    kept, added = read.statements
+    assert isinstance(kept, Keep)
+    assert kept.things.amount.kind == "all"
+    assert isinstance(added, Add)
+    assert added.things.amount.kind == "more"
+    assert added.place.rooms is not None
+    assert added.place.rooms.same
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "Could we fit a piano into the hall, what do you think?",
+        "Fold the whole house in half and stuff it into the kitchen.",
+    ],
+)
+def test_neither_questions_nor_orders_are_left_out(furnished_state: SceneState, said: str) -> None:
+    assert read_in_other_words(said, furnished_state).not_understood

@@ -230,11 +230,23 @@ def _describes(rest: Sequence[Word], lexicon: Lexicon) -> bool:
     return not ({"no", "not"} & {*texts} and _names(rest, lexicon))
 
 
+_DAYS: Final = frozenset("day time night week season hour".split())
+_ASKED: Final = frozenset("what how why who where which do does did is are can could would should".split())
+"""Words of questions, which may be what is asked."""
+
+
 def _is_call(words: Sequence[Word], lexicon: Lexicon) -> bool:
     """Whether a few words without a verb call something out that is no thing: ``Story time``, ``Big day tomorrow``."""
-    if not 2 <= len(words) <= 6 or _names(words, lexicon) or any(word.kind != "word" for word in words):
-        return False
     texts = {word.text for word in words}
+    if len(words) == 2 and words[1].text in _DAYS:  # "Laundry day"
+        return True
+    if (
+        texts & (_ASKED | DETERMINERS)
+        or not 2 <= len(words) <= 6
+        or _names(words, lexicon)
+        or any(word.kind != "word" for word in words)
+    ):
+        return False
     if texts & (STATE_WORDS.keys() | {"away", "out", "not", "no"} | _PRONOUNS | _WISHING):
         return False
     return verb_at(words, 0, lexicon) is None and words[0].text not in PREPOSITIONS

@@ -41,6 +41,8 @@ from mansion_editing.instructions.sentences.refinement import (
     exactly,
     in_place_of,
     must_contain,
+    of_none,
+    one_more_there,
     sets_as_one,
     sparing_what_goes,
     turned_by_list,
@@ -127,7 +129,8 @@ class _Reader(
             Mention(quote=s.quote) if self._introduces(s, self.statements[number + 1 :]) else s
             for number, s in enumerate(self.statements)
         ]
-        self.statements = [s for one in self.statements for s in [self._told_later(one)]]
+        self.statements = [of_none(self._told_later(one)) for one in self.statements]
+        self.statements = [one_more_there(s, self.statements[:number]) for number, s in enumerate(self.statements)]
         self.unknown += [s.quote for s in self.statements if '"noun":"one"' in msgspec.json.encode(s).decode()]
         self.unknown += self._instead_of_nothing() + self._complained_in_vain()
         self.unknown += [s.quote for s in self.statements if isinstance(s, Mention) and _FOR_ALL.match(s.quote)]

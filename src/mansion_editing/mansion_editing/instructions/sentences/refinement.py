@@ -16,6 +16,7 @@ from mansion_editing.instructions.statements import (
     Ensure,
     Furnish,
     Keep,
+    Mention,
     Move,
     Place,
     Remove,
@@ -46,6 +47,8 @@ __all__ = [
     "moves_it",
     "must_contain",
     "narrowed",
+    "of_none",
+    "one_more_there",
     "only_brings_it",
     "placed_at_last",
     "removes_all_of_it",
@@ -447,6 +450,32 @@ def left_where_brought(statement: Keep, last: Statement | None) -> Move | None:
     if not (is_only_fetched(last) and bare) or things.place is None:
         return None
     return Move(things=msgspec.structs.replace(things, place=None), place=things.place, quote=statement.quote)
+
+
+def of_none(statement: Statement) -> Statement:
+    """Return what is said of none as what it means: ``no beer remains in the fridge``, ``none of them are moved``."""
+    if not isinstance(statement, Keep | Move) or statement.things.amount.kind != "none":
+        return statement
+    things, quote = statement.things, statement.quote
+    if isinstance(statement, Keep):
+        place = things.place
+        return (
+            statement
+            if place is None
+            else Ensure(things=msgspec.structs.replace(things, place=None), place=place, quote=quote)
+        )
+    where = things.place or (statement.place if statement.place != Place() else None)
+    whole = Amount(kind="all", number=0)
+    return Keep(things=msgspec.structs.replace(things, amount=whole, definite=True, place=where), quote=quote)
+
+
+def one_more_there(statement: Statement, before: Sequence[Statement]) -> Statement:
+    """Return one more of what was mentioned before, told without a place, as one in the room that was mentioned."""
+    asked = any(not isinstance(other, Mention) for other in before)
+    bare = isinstance(statement, Add) and statement.things.amount.kind == "more" and statement.place == Place()
+    if not (asked and bare) or not re.search(r"\bone\b", statement.quote, re.IGNORECASE):
+        return statement
+    return msgspec.structs.replace(statement, place=Place(rooms=Rooms(same=True)))
 
 
 def must_contain(reader: ClauseReader, at: int) -> bool:
