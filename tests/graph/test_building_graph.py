@@ -167,6 +167,51 @@ def test_a_node_killed_in_the_middle_is_reported_and_the_next_build_works(
     assert client.build("a six-storey office", seed=2, output=str(tmp_path / "office")).building
 
 
+def test_a_build_is_cancelled_by_its_folder_while_another_goes_on(client: MansionClient, tmp_path: Path) -> None:
+    ends: dict[str, str] = {}
+
+    def build(name: str, brief: str) -> None:
+        try:
+            ends[name] = client.build(brief, output=str(tmp_path / name), building_id=name).path
+        except MansionError as error:
+            ends[name] = error.code
+
+    begun = threading.Event()
+    client.listen("progress", lambda text: begun.set() if decode(Progress, text).building_id == "tower" else None)
+    briefs = {"tower": "a sixteen-storey office with an elevator", "flat": FLAT}
+    threads = [threading.Thread(target=build, args=entry) for entry in briefs.items()]
+    for thread in threads:
+        thread.start()
+    assert begun.wait(60.0)
+    reply = client.call("cancel_build", {"output": str(tmp_path / "tower")})
+    assert reply == {"builds": [{"building_id": "tower", "path": str(tmp_path / "tower")}]}
+    for thread in threads:
+        thread.join(timeout=120.0)
+    assert ends == {"tower": ErrorCode.CANCELED, "flat": str(tmp_path / "flat")}
+    assert not (tmp_path / "tower").exists()
+    assert client.call("cancel_build", {}) == {"builds": []}
+    assert client.build(FLAT, output=str(tmp_path / "tower"), building_id="tower").building.floors
+
+
+def test_a_plan_is_given_up_when_its_build_is_cancelled(client: MansionClient, tmp_path: Path) -> None:
+    long_brief = "a house with a kitchen next to the garden room and two bedrooms of 12 m2 upstairs. " * 200
+    ends: list[str] = []
+
+    def build() -> None:
+        with pytest.raises(MansionError) as ended:
+            client.build(long_brief, output=str(tmp_path / "house"), building_id="long")
+        ends.append(f"{ended.value.code} {ended.value.stage}")
+
+    building = threading.Thread(target=build)
+    building.start()
+    assert wait_until(lambda: client.call("cancel_build", {"building_id": "long"})["builds"])
+    building.join(timeout=60.0)
+    assert ends == [f"{ErrorCode.CANCELED} plan_program"]
+    # The planner is free for others: it plans one building after the other.
+    assert client.call("plan_program", BuildRequest(description=FLAT), timeout=60.0)
+    assert client.call("cancel_plan", {}) == {"plans": []}
+
+
 def test_the_robot_rides_the_lift_through_services(client: MansionClient, tmp_path: Path) -> None:
     built = client.build("a three-storey office with an elevator", output=str(tmp_path / "office"))
     client.call("load_building", {"path": built.path})

@@ -23,6 +23,8 @@ def numbers(text: str) -> list[float]:
         ("20 000 m²", 20000, "m2"),
         ("32 square metres", 32, "m2"),
         ("140 qm", 140, "m2"),
+        ("60 kvm", 60, "m2"),
+        ("90mq", 90, "m2"),
         ("2,5 m", 2.5, "m"),
     ],
 )

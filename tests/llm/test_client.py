@@ -14,7 +14,7 @@ from mansion_llm.prompt import picture_digest, quoted_data
 from mansion_llm.secret import Secret
 from mansion_llm.store import CacheFolder, StoredAnswer
 from mansion_llm.structured import answer_schema
-from mansion_msgs_py.errors import MansionError
+from mansion_msgs_py.errors import ErrorCode, MansionError
 
 KEY = "sk-very-secret-0123456789"
 PROMPT = Prompt("shape", "You count.", "How many floors?")
@@ -127,6 +127,16 @@ def test_busy_and_failing_endpoints_are_asked_again_later(chat: ModuleType) -> N
         assert mine.ask(PROMPT, Shape).good
     assert sleep.slept == [7.0, 2.0, 4.0]
     assert mine.usage.retries == 3
+
+
+def test_nothing_is_asked_once_the_answers_are_not_wanted_any_more(chat: ModuleType) -> None:
+    with chat.ChatServer(chat.in_turn(chat.Reply("no"), good(chat))) as server:
+        settings = LlmSettings(base_url=server.url, model="m", api_key=Secret(KEY), timeout=5.0)
+        mine = LlmClient(settings, cancelled=lambda: len(server.requests) > 0)
+        with pytest.raises(MansionError) as caught:
+            mine.ask(PROMPT, Shape, positive)
+    assert caught.value.code == ErrorCode.CANCELED
+    assert len(server.requests) == 1
 
 
 def test_a_slow_endpoint_runs_into_the_timeout(chat: ModuleType) -> None:

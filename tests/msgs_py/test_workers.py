@@ -1,6 +1,8 @@
-"""No worker outlives the process that made it."""
+"""No worker outlives the process that made it, and none keeps memory that it needs no more."""
 
+import ctypes
 import os
+import resource
 import signal
 import subprocess
 import sys
@@ -8,6 +10,8 @@ import time
 from pathlib import Path
 
 import pytest
+
+from mansion_msgs_py.workers import release_memory
 
 SCRIPT = """
 import os, sys, time
@@ -86,3 +90,18 @@ def test_an_interrupt_while_workers_start_is_left_to_their_owner(tmp_path: Path,
         capture_output=True, text=True, timeout=60, check=False, start_new_session=True,
     )  # fmt: skip
     assert (done.stdout, done.stderr) == ("0 1 2 3\n", "")
+
+
+@pytest.mark.skipif(not hasattr(ctypes.CDLL(None), "malloc_trim"), reason="a C library that cannot")
+def test_memory_that_was_freed_is_given_back() -> None:
+    def resident() -> float:
+        pages = int(Path("/proc/self/statm").read_text().split()[1])
+        return pages * resource.getpagesize() / 1e6
+
+    blocks = [bytearray(80_000) for _ in range(4_000)]
+    kept = blocks[::50]
+    del blocks
+    before = resident()
+    release_memory()
+    assert len(kept) == 80
+    assert resident() < before - 200.0

@@ -254,6 +254,8 @@ def _services(fuzzer: Fuzzer, stock: Stock) -> list[_Target]:
         "solve_floor": (2.0, LocalStages().solve),
         "furnish_floor": (1.0, LocalStages().furnish),
         "build_building": (0.1, lambda job: _build(fuzzer, job)),
+        "cancel_build": (0.1, lambda arguments: arguments),
+        "cancel_plan": (0.1, lambda arguments: arguments),
         "load_building": (3.0, lambda arguments: fuzzer.engine.load(arguments)),
         "skills/cancel": (0.5, lambda arguments: fuzzer.engine.cancel(arguments)),
         "skills/take_control": (0.3, lambda arguments: _controlled(fuzzer, arguments)),

@@ -2,6 +2,8 @@
 
 from typing import Literal
 
+import msgspec
+
 from mansion_msgs_py.wishes import Scope, Wish, WishStatus, WishValue
 from wish_house import wish
 
@@ -60,6 +62,15 @@ CASES: list[tuple[str, Wish, WishStatus]] = [
     ("area at most a little less", wish("total_area", WishValue(area=80.0, limit="most")), "not_met"),
     ("area at least that", wish("total_area", WishValue(area=150.0, limit="least")), "met"),
     ("storeys at least that large", wish("floor_area", WishValue(area=90.0, limit="least")), "not_met"),
+    ("area above ground", wish("total_area", WishValue(area=160.0), Scope(floors=[1, 2])), "met"),
+    ("area of some storeys", wish("total_area", WishValue(area=160.0), Scope(floors=[1])), "not_met"),
+    (
+        "neighbours without a door",
+        wish("adjacent", msgspec.structs.replace(_pair("kitchen", "dining_room"), door=True)),
+        "partly",
+    ),
+    ("room a little smaller", _room("kitchen", area=16.9), "met"),
+    ("room smaller than asked", _room("kitchen", area=17.3), "partly"),
     ("area of a storey", wish("floor_area", WishValue(area=85.0)), "met"),
     ("large storey", wish("floor_area", WishValue(area=200.0)), "not_met"),
     ("rectangle", wish("outline", WishValue(name="rectangle")), "met"),
@@ -89,6 +100,21 @@ CASES: list[tuple[str, Wish, WishStatus]] = [
     ("bedrooms at least that large", wish("room", _bound("bedroom", 2, 12.0, "least")), "met"),
     ("bedrooms at most that large", wish("room", _bound("bedroom", 2, 12.0, "most")), "partly"),
     ("soundproof kitchen", wish("room", _with("kitchen", "soundproof")), "partly"),
+    (
+        "a stool for a sofa",
+        msgspec.structs.replace(_thing("sofa", "sofa", 1, "living_room"), reason="a sofa stands for it"),
+        "partly",
+    ),
+    (
+        "a bed that is no double bed",
+        wish("object", WishValue(name="bed", type="bed", count=1, unheeded=["double"])),
+        "partly",
+    ),
+    (
+        "a bed that is a single bed",
+        wish("object", WishValue(name="bed", type="bed", count=1, unheeded=["single"])),
+        "met",
+    ),
     ("red sofa", wish("object", WishValue(name="sofa", type="sofa", count=1, unheeded=["red"])), "partly"),
     ("larger bedrooms", _room("bedroom", 2, 25.0), "partly"),
     ("hallway on each storey", _room("hallway", 1, floors=[1, 2], each=True), "met"),
@@ -113,6 +139,7 @@ CASES: list[tuple[str, Wish, WishStatus]] = [
     ("no more desks", _thing("desks", "desk", 2, "pottery_room", "study_room", exact=True), "met"),
     ("more desks than asked for", _thing("desk", "desk", 1, "pottery_room", "study_room", exact=True), "partly"),
     ("a coffee table is a table", _thing("tables", "dining_table", 1, "living_room"), "met"),
+    ("a table more of another kind", _thing("tables", "dining_table", 1, "living_room", exact=True), "met"),
     ("it is no dining table", _thing("dining_tables", "dining_table", 1, "living_room"), "not_met"),
     ("beds anywhere", _thing("beds", "bed", 3), "met"),
     ("a bed in each", _thing("bed", "bed", 1, "bedroom", each=True), "met"),

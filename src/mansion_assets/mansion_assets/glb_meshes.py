@@ -105,7 +105,7 @@ def _stamp(path: Path) -> tuple[int, int]:
     return status.st_mtime_ns, status.st_size
 
 
-@lru_cache(maxsize=1024)
+@lru_cache(maxsize=256)
 def _pieces(path: str, stamp: tuple[int, int]) -> tuple[PieceRecord, ...]:
     return tuple(read_payload(list[PieceRecord], Path(path), "convex pieces of an asset"))
 

@@ -114,7 +114,7 @@ def collision_pieces(asset: Asset) -> tuple[Convex, ...]:
     return _closed_pieces(_look(asset))
 
 
-@lru_cache(maxsize=1024)
+@lru_cache(maxsize=256)
 def _closed_pieces(look: _Look) -> tuple[Convex, ...]:
     asset = look.asset
     bodies = [body.shape for body in _built(look).bodies if not body.hidden]
@@ -144,7 +144,7 @@ def links(asset: Asset) -> tuple[Link, ...]:
     return _linked(_look(asset))
 
 
-@lru_cache(maxsize=1024)
+@lru_cache(maxsize=256)
 def _linked(look: _Look) -> tuple[Link, ...]:
     asset, built = look.asset, _built(look)
     if not built.joints:
@@ -181,7 +181,7 @@ class _Built(NamedTuple):
     joints: tuple[Joint, ...]
 
 
-@lru_cache(maxsize=1024)
+@lru_cache(maxsize=640)  # a hotel of seven storeys has 603; each takes some 26 kB
 def _built(look: _Look) -> _Built:
     asset = look.asset
     make = recipe_named(asset.recipe)

@@ -130,6 +130,7 @@ class MansionClient(Closing):
         reply: type[T] | Any = Any,
         timeout: float | None = None,
         wait: float = 5.0,
+        cancelled: Callable[[], bool] = lambda: False,
     ) -> Any:
         """Call a service by its name below the namespace and return the decoded reply.
 
@@ -144,11 +145,14 @@ class MansionClient(Closing):
             Seconds for the answer.
         wait : float
             Seconds for the service to appear.
+        cancelled : callable
+            Asked a few times a second whether the answer is not wanted any more.
 
         Raises
         ------
         MansionError
-            What the service answered, ``UNAVAILABLE`` when no node serves it or its node is gone, or ``TIMEOUT``.
+            What the service answered, ``UNAVAILABLE`` when no node serves it or its node is gone, ``TIMEOUT``, or
+            ``CANCELED``.
 
         Notes
         -----
@@ -164,7 +168,9 @@ class MansionClient(Closing):
             request.load_namespace = encode({} if arguments is None else arguments)
         deadline = time.monotonic() + (limit := self.timeout if timeout is None else timeout)
         again = name in _KNOWN and _KNOWN[name].repeatable
-        while (response := self._answer(client, request, deadline)) is None:
+        while (response := self._answer(client, request, deadline, cancelled)) is None:
+            if cancelled():
+                raise MansionError(ErrorCode.CANCELED, f"{client.service_name}: the call was cancelled")
             if time.monotonic() >= deadline:
                 details = {"service": client.service_name}
                 text = f"{client.service_name}: no answer in {limit:g} s"
@@ -186,8 +192,8 @@ class MansionClient(Closing):
         found = self.node.get_node_names_and_namespaces()
         return (name, self.node.get_namespace()) in found
 
-    def _answer(self, client: Client, request: Any, deadline: float) -> Any:
-        """Return the response to a request; ``None`` where the time is over or all nodes that it went to are gone."""
+    def _answer(self, client: Client, request: Any, deadline: float, cancelled: Callable[[], bool]) -> Any:
+        """Return the response to a request; ``None`` where it is cancelled, late, or all nodes that got it are gone."""
         future = client.call_async(request)
         answered = threading.Event()
         future.add_done_callback(lambda _: answered.set())
@@ -198,7 +204,7 @@ class MansionClient(Closing):
             now = time.monotonic()
             if client.service_is_ready() and (not asked or asked & self._running_servers(client)):
                 there = now
-            if now >= deadline or now - there > GONE:
+            if now >= deadline or now - there > GONE or cancelled():
                 client.remove_pending_request(future)
                 return None
         return future.result()

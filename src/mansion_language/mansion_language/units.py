@@ -16,7 +16,7 @@ _SQUARE = r"(?:square|sq)\b[.]?[ ]?"
 AREA_PATTERN = (
     rf"(?P<m2>{_SQUARE}m(?:et(?:er|re)s?|trs?|ts?)?\b|m(?:ts?|trs?)?(?:²|\^?2\b|[ ]2(?=[ .,;:)]|$))"
     r"|m(?:et(?:er|re)s?)?[ ]square[sd]?\b(?![ ]?(?:room|garden|court|table|plan|building|hall))"
-    r"|㎡|sqm\b|qm\b|sq[.]m\b|m[.]?sq\b)"
+    r"|㎡|(?:sqm|qm|kvm|mq)\b|sq[.]m\b|m[.]?sq\b)"
     rf"|(?P<ft2>{_SQUARE}f(?:ee|oo)?t\b|(?:ft|f)(?:²|\^?2\b)|sqft\b|sf\b|sq[.]ft\b)"
 )
 LENGTH_PATTERN = r"(?P<cm>cm\b)|(?P<m>m(?:et(?:er|re)s?|trs?)?\b)|(?P<ft>f(?:ee|oo)?t\b)"

@@ -79,6 +79,8 @@ class LlmClient:
         For tests.
     otherwise : str
         What the user can do without a model, for messages.
+    cancelled : callable
+        Asked before each request whether the answers are not wanted any more; a question is ``CANCELED`` then.
 
     Raises
     ------
@@ -94,9 +96,10 @@ class LlmClient:
         sleep: Callable[[float], None] = time.sleep,
         clock: Callable[[], float] = time.perf_counter,
         otherwise: str = WITHOUT_MODEL,
+        cancelled: Callable[[], bool] = lambda: False,
     ) -> None:
         settings.require_endpoint(otherwise)
-        self.settings, self._otherwise = settings, otherwise
+        self.settings, self._otherwise, self._cancelled = settings, otherwise, cancelled
         self._sleep, self._clock = sleep, clock
         self._stores: list[AnswerStore] = []
         recording = Recording(settings.replay) if settings.replay is not None else None
@@ -119,10 +122,14 @@ class LlmClient:
 
     @classmethod
     def from_environment(
-        cls, environment: Mapping[str, str] | None = None, *, otherwise: str = WITHOUT_MODEL
+        cls,
+        environment: Mapping[str, str] | None = None,
+        *,
+        otherwise: str = WITHOUT_MODEL,
+        cancelled: Callable[[], bool] = lambda: False,
     ) -> "LlmClient":
         """Return the client that the environment and the configuration file describe."""
-        return cls(load_settings(environment), otherwise=otherwise)
+        return cls(load_settings(environment), otherwise=otherwise, cancelled=cancelled)
 
     @property
     def usage(self) -> LlmUsage:
@@ -159,8 +166,8 @@ class LlmClient:
         Raises
         ------
         MansionError
-            ``UNAVAILABLE`` when the key, the model or the address is refused, or a recording lacks the answer. A
-            busy or broken endpoint gives an `Answer` without value and the reason instead.
+            ``UNAVAILABLE`` when the key, the model or the address is refused, or a recording lacks the answer;
+            ``CANCELED``. A busy or broken endpoint gives an `Answer` without value and the reason instead.
         """
         schema = answer_schema(kind)
         messages = prompt.messages()
@@ -231,6 +238,8 @@ class LlmClient:
             raise TransportError("unreachable", "the endpoint failed too often and is no longer asked")
         waits = 0
         while True:
+            if self._cancelled():
+                raise MansionError(ErrorCode.CANCELED, f"the {name} question was cancelled")
             try:
                 reply = self._once(name, messages, schema)
             except TransportError as error:

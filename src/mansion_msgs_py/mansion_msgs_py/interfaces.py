@@ -54,7 +54,16 @@ from mansion_msgs_py.program import BuildingProgram
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.scene import FloorScene
 from mansion_msgs_py.skills import CameraNames, Control, ControlArgs, Loaded, SessionArgs
-from mansion_msgs_py.stages import BuildJob, BuildReply, FurnishRequest, PlanReply
+from mansion_msgs_py.stages import (
+    BuildJob,
+    BuildReply,
+    CancelBuild,
+    CanceledBuilds,
+    CanceledPlans,
+    CancelPlan,
+    FurnishRequest,
+    PlanReply,
+)
 from mansion_msgs_py.world import LiftRequest, LiftState, Progress, RobotState, SkillProgress, SkillResult, WorldEvent
 
 __all__ = [
@@ -293,6 +302,24 @@ _BUILD_SERVICES: tuple[ServiceInterface, ...] = (
         BuildJob,
         BuildReply,
         '{"description": "a small flat", "output": "/tmp/flat"}',
+        repeatable=True,
+    ),
+    ServiceInterface(
+        "cancel_build",
+        "building_director",
+        "End builds in work, whose calls are answered with `CANCELED`.",
+        CancelBuild,
+        CanceledBuilds,
+        '{"output": "/tmp/flat"}',
+        repeatable=True,
+    ),
+    ServiceInterface(
+        "cancel_plan",
+        "program_planner",
+        "Give up the plan in work, whose call is answered with `CANCELED`.",
+        CancelPlan,
+        CanceledPlans,
+        "{}",
         repeatable=True,
     ),
 )

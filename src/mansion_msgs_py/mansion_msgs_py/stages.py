@@ -13,7 +13,17 @@ from mansion_msgs_py.shapes import BuildingId, PathText
 from mansion_msgs_py.topology import FloorTopology
 from mansion_msgs_py.usage import LlmUsage
 
-__all__ = ["BuildJob", "BuildReply", "FurnishRequest", "PlanReply"]
+__all__ = [
+    "BuildInWork",
+    "BuildJob",
+    "BuildReply",
+    "CancelBuild",
+    "CancelPlan",
+    "CanceledBuilds",
+    "CanceledPlans",
+    "FurnishRequest",
+    "PlanReply",
+]
 
 FormatName: TypeAlias = Annotated[str, msgspec.Meta(max_length=100)]
 
@@ -109,3 +119,43 @@ class BuildReply(msgspec.Struct, frozen=True, kw_only=True):
 
     building: Building
     path: str
+
+
+class CancelPlan(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """Arguments of ``cancel_plan``: the plan of which building to give up; the one in work when absent."""
+
+    building_id: BuildingId | None = None
+
+
+class CanceledPlans(msgspec.Struct, frozen=True, kw_only=True):
+    """Reply of ``cancel_plan``: the building ids of the plans that were asked to end; empty where none was in work."""
+
+    plans: list[str]
+
+
+class CancelBuild(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """Arguments of ``cancel_build``: which builds to end; all in work where neither is given.
+
+    Attributes
+    ----------
+    building_id : str, optional
+        As ``progress`` tells it.
+    output : str, optional
+        Folder that the building was to go to, as its ``build_building`` named it.
+    """
+
+    building_id: BuildingId | None = None
+    output: PathText | None = None
+
+
+class BuildInWork(msgspec.Struct, frozen=True, kw_only=True):
+    """A build, and the folder that it was to write."""
+
+    building_id: str
+    path: str
+
+
+class CanceledBuilds(msgspec.Struct, frozen=True, kw_only=True):
+    """Reply of ``cancel_build``: the builds that were asked to end; empty where none of them was in work."""
+
+    builds: list[BuildInWork]

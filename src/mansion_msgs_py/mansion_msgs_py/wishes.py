@@ -69,6 +69,8 @@ class WishValue(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True):
         Words that say how it is to be ("soundproof"), and that nothing is made of.
     limit : {"", "most", "least"}
         The area is a bound: no more, or no less, is wanted.
+    door : bool
+        A door or an opening is to join the two rooms of a relation.
     """
 
     name: str = ""
@@ -83,6 +85,7 @@ class WishValue(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True):
     exact: bool = False
     unheeded: list[str] = []
     limit: Literal["", "most", "least"] = ""
+    door: bool = False
 
 
 class Scope(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True):

@@ -8,10 +8,12 @@ from collections.abc import Callable
 from mansion_geometry.randomness import item_generator
 from mansion_geometry.stair_landings import with_landings
 from mansion_knowledge import KnowledgeBase, default_knowledge
-from mansion_msgs_py.errors import MansionError
+from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.late_imports import importing
+from mansion_msgs_py.layout import FloorProblem
 from mansion_msgs_py.request import BuildRequest, building_id_of
 from mansion_msgs_py.stages import PlanReply
+from mansion_msgs_py.topology import FloorTopology
 from mansion_planner.brief import read_brief
 from mansion_planner.brief_checks import check_length, check_size, check_there, check_understood
 from mansion_planner.program.building import plan_program
@@ -31,7 +33,8 @@ def plan_building(
     knowledge : KnowledgeBase, optional
         The shipped one when absent.
     cancelled : callable
-        Asked between the steps of a long reading whether the plan is not wanted any more.
+        Asked between the steps of a long reading, before each storey and before each question to a model, whether the
+        plan is not wanted any more.
 
     Returns
     -------
@@ -77,7 +80,7 @@ def _planned(request: BuildRequest, base: KnowledgeBase, cancelled: Callable[[],
         with importing:
             from mansion_planner.llm.planner import plan_with_model
 
-        return plan_with_model(request, base, building_id)
+        return plan_with_model(request, base, building_id, cancelled=cancelled)
     check_length(request.description)
     try:
         facts = read_brief(request.description, base, cancelled=cancelled)
@@ -86,11 +89,15 @@ def _planned(request: BuildRequest, base: KnowledgeBase, cancelled: Callable[[],
         check_size(planned.program)
     except MansionError as error:
         raise error.at_stage("program") from None
-    topologies = [floor_topology(planned, storey, base) for storey in planned.storeys]
-    problems = [
-        floor_problem(planned, storey, topology, request.seed) for storey, topology in zip(planned.storeys, topologies)
-    ]
-    fallbacks = [fallback_problem(problem, planned, storey) for problem, storey in zip(problems, planned.storeys)]
+    topologies: list[FloorTopology] = []
+    problems: list[FloorProblem] = []
+    fallbacks: list[FloorProblem | None] = []
+    for storey in planned.storeys:
+        if cancelled():
+            raise MansionError(ErrorCode.CANCELED, "the plan was cancelled").at_stage("topology")
+        topologies.append(floor_topology(planned, storey, base))
+        problems.append(floor_problem(planned, storey, topologies[-1], request.seed))
+        fallbacks.append(fallback_problem(problems[-1], planned, storey))
     return PlanReply(
         program=with_landings(planned.program),
         topologies=topologies,

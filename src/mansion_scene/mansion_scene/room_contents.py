@@ -163,11 +163,11 @@ class RoomFurnisher:
         room = msgspec.structs.replace(room, room_type=kind)
         net = Polygon(room.net_polygon, room.net_holes)
         slept_in = slept_in_as(room, self._structure.rooms, self._building_type)
-        room = msgspec.structs.replace(room, room_type=slept_in)
+        usual, room = room, msgspec.structs.replace(room, room_type=slept_in)
         items = None if self._chooser is None else self._chooser(room, net.area, _extent(net))
         objects, left = self._furnished(room, standing, items, asked)
         # What a model chooses is not overruled; the receipt tells what such a room lacks.
-        needs = essentials_of(room, asked) if items is None else []
+        needs = (essentials_of(room, asked) or essentials_of(usual, asked)) if items is None else []
         short = lacking(needs, [*standing, *objects])
         for frugality in range(3) if short else ():
             trial, trial_left = self._furnished_usably(room, standing, asked, needs, frugality)

@@ -1,14 +1,18 @@
 """``mansion check`` finds nothing in a sound building and each kind of planted fault."""
 
+import math
 import shutil
 from collections.abc import Iterator
 from pathlib import Path
 
+import msgspec
 import pytest
 
+from mansion_bringup.check.rooms import GAP, REACH, check_walls
 from mansion_bringup.exporting import format_named, write_export
 from mansion_bringup.pipeline.build import build_building
 from mansion_bringup.verify import verify_building
+from mansion_msgs_py.building_folder import BuildingFolder
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.request import BuildRequest
 from planted_faults import PLANTED, Json, Plant, change, plant_in, standing
@@ -45,6 +49,18 @@ def test_a_sound_building_has_no_fault(sound: Path) -> None:
 def test_a_planted_fault_is_found(building: Path, plant: Plant, kind: str) -> None:
     plant_in(building, plant)
     assert kind in kinds(building)
+
+
+def test_each_wall_that_is_taken_away_leaves_a_gap(sound: Path) -> None:
+    storey = BuildingFolder(sound).scene(2)
+    cores = {core.id for core in storey.cores}
+    assert any(wall.exterior and cores & {wall.left, wall.right} for wall in storey.walls)
+    for wall in storey.walls:
+        # What is left of a shorter one lies within reach of the walls at its ends.
+        if math.dist(*wall.segment) > 2 * REACH + GAP:
+            others = [other for other in storey.walls if other is not wall]
+            found = {fault.kind for fault in check_walls(msgspec.structs.replace(storey, walls=others))}
+            assert found == {"WALL_GAP"}, wall
 
 
 def test_sixty_kinds_of_faults_are_planted() -> None:

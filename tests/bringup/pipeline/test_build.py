@@ -16,6 +16,7 @@ from mansion_bringup.pipeline.floors import solve
 from mansion_bringup.pipeline.stages import LocalStages
 from mansion_bringup.verify import verify_building
 from mansion_msgs_py.building import BuildingReport
+from mansion_msgs_py.building_folder import BuildingFolder
 from mansion_msgs_py.codec import decode
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.layout import FloorLayout, FloorProblem, LayoutRoom
@@ -89,6 +90,27 @@ def test_the_places_of_the_sketch_are_taken_where_a_layout_misses_the_areas(
     problem, fallback = (msgspec.structs.replace(plan.problems[0], plan_id=share) for share in (loose, sketched))
     plan = msgspec.structs.replace(plan, problems=[problem], fallbacks=[fallback])
     assert solve(_Solver(), plan, 0).plan_id == taken
+
+
+def test_a_floor_without_a_sketch_is_drawn_anew_where_its_layout_misses_the_areas() -> None:
+    plan = plan_building(BuildRequest(description="a shop of one storey"))
+    problem = msgspec.structs.replace(plan.problems[0], plan_id="0.5")
+    plan = msgspec.structs.replace(plan, problems=[problem], fallbacks=[None])
+
+    class OtherDraws(_Solver):
+        def solve(self, problem: FloorProblem) -> FloorLayout:
+            share = "0.5" if problem.seed == plan.problems[0].seed else "1.0"
+            return super().solve(msgspec.structs.replace(problem, plan_id=share))
+
+    assert solve(OtherDraws(), plan, 0).plan_id == "1.0"
+
+
+def test_each_bedroom_of_a_flat_has_a_bed(tmp_path: Path) -> None:
+    text = "Grandparents, parents and a baby share this flat: three bedrooms, a nursery and two bathrooms."
+    build_building(BuildRequest(description=text, floor_area=108.0, floors=1, seed=2083577693649823), tmp_path / "flat")
+    folder = BuildingFolder(tmp_path / "flat")
+    told = [wish.status for wish in folder.building.wishes if wish.text == "three bedrooms"]
+    assert told == ["met"]
 
 
 def test_a_killed_worker_ends_the_build_with_a_line_and_the_next_build_goes_on(tmp_path: Path) -> None:

@@ -85,3 +85,23 @@ def test_where_somebody_lives_or_works_is_the_building_where_no_other_is_named(b
 
 def test_where_somebody_lives_is_not_the_building_that_they_want() -> None:
     assert [name for name, _ in read("We live in a flat. We want a house with three bedrooms.").building] == ["house"]
+
+
+@pytest.mark.parametrize(
+    ("brief", "kind"),
+    [
+        ("We are a small theatre company. Please plan a theatre of 800 m2 with a foyer.", "theater"),
+        ("We are a bank. We need an office building with 3 floors and a canteen.", "office"),
+        ("We are a volunteer fire brigade. Please plan a two-storey fire station of 960 m2.", "fire_station"),
+        ("We are a hotel. We need a restaurant with a kitchen.", "restaurant_building"),
+        ("Our library is too small. Draw a new library of 900 m2.", "library_building"),
+    ],
+)
+def test_who_asks_for_a_building_is_not_another_one_and_no_room(brief: str, kind: str) -> None:
+    facts = read(brief)
+    assert facts.building[0][0] == kind
+    assert {room.room_type for room in facts.rooms} <= {"lobby", "cafeteria", "kitchen"}
+
+
+def test_who_writes_is_the_building_where_no_other_is_asked_for() -> None:
+    assert read("We are a hotel. Two storeys, with a restaurant.").building[0][0] == "hotel"

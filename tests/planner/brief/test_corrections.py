@@ -22,12 +22,21 @@ def _facts(text: str) -> BriefFacts:
         ("A house with five bedrooms - correction: 6 bedrooms - and a bath", 6),
         ("A house with two bedrooms... no wait, one bedroom, and a kitchen", 1),
         ("A house with two or rather three bedrooms", 3),
+        ("A house with two bedrooms. Make that three. And a study.", 3),
+        ("A house with two bedrooms. No, wait: three bedrooms.", 3),
+        ("A house with two bedrooms. No 3D cinema.", 2),
         ("A house with two bedrooms, no 3 garages", 2),
         ("A house with two bedrooms, make it 3 storeys", 2),
     ],
 )
 def test_a_count_is_the_one_that_is_told_last(text: str, count: int) -> None:
     assert [fact.count for fact in _facts(text).rooms if fact.room_type == "bedroom"] == [count]
+
+
+@pytest.mark.parametrize("sign", ["– sorry, counted wrong, six", "(sorry, six)", "– I miscounted, 6"])
+def test_a_miscount_takes_back_a_count_and_no_area(sign: str) -> None:
+    (rooms,) = _facts(f"An office with five private offices of 12 m2 {sign}.").rooms
+    assert (rooms.count, rooms.area) == (6, 12.0)
 
 
 @pytest.mark.parametrize(

@@ -11,6 +11,8 @@ from mansion_planner.brief.reader import read_brief
     [
         ("A hotel with 40 rooms.", "hotel_room"),
         ("A hospital with 12 rooms.", "patient_room"),
+        ("A shared flat with 6 rooms.", "bedroom"),
+        ("A hostel with 2 double rooms.", "hotel_room"),
         ("A flat with one chamber and a kitchen.", "bedroom"),
         ("An office with one chamber and a kitchen.", "meeting_room"),
     ],

@@ -40,3 +40,78 @@ def test_a_building_is_taken_back() -> None:
 def test_furniture_is_taken_back_and_the_place_after_it_holds() -> None:
     facts = read("A flat with a bedroom and a sofa, make that an armchair, in the living room.")
     assert [(thing.category, thing.room) for thing in facts.objects] == [("armchair", "living_room")]
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "a sauna. Scrap that, a gym instead",
+        "a sauna (forget that), a gym",
+        "a sauna, on second thought, a gym",
+        "a sauna... hmm, no, a gym",
+    ],
+)
+def test_what_is_named_instead_in_spoken_words_holds(words: str) -> None:
+    facts = read(f"A house with {words}. Three bedrooms.")
+    assert [room.name for room in facts.rooms] == ["gym", "bedroom"]
+    assert facts.unread == []
+
+
+def test_what_is_taken_back_with_nothing_instead_is_left_out() -> None:
+    assert [room.name for room in read("A house with a sauna (scrap that) and a study.").rooms] == ["study"]
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "a cafe (scrap the cafe)",
+        "a cafe; forget the cafe",
+        "a cafe - never mind the cafe -",
+        "a cafe. Actually, no cafe",
+    ],
+)
+def test_a_room_that_is_withdrawn_by_name_is_not_wanted(words: str) -> None:
+    facts = read(f"An office with {words}. Two meeting rooms.")
+    assert [room.name for room in facts.rooms] == ["meeting_room"]
+    assert [name for name, _ in facts.excluded] == ["cafe"]
+    assert facts.unread == []
+
+
+def test_a_thing_that_is_withdrawn_by_name_asks_for_nothing() -> None:
+    facts = read("An office with a study with a piano... (never mind the piano) next to the kitchen.")
+    assert facts.objects == []
+    assert [(fact.first_name, fact.second_name) for fact in facts.adjacent] == [("study", "kitchen")]
+
+
+def test_what_must_not_be_forgotten_is_wanted() -> None:
+    facts = read("A house. Do not forget the pantry.")
+    assert ([room.name for room in facts.rooms], facts.excluded, facts.unread) == (["pantry"], [], [])
+
+
+@pytest.mark.parametrize(
+    ("text", "shape"),
+    [
+        ("A U-shaped school - no, L-shaped - with six classrooms.", "L"),
+        ("A clinic, H-shaped if possible... hmm, no, keep it a plain rectangle.", "rectangle"),
+    ],
+)
+def test_the_outline_that_is_told_last_holds(text: str, shape: str) -> None:
+    facts = read(text)
+    assert ([name for name, _ in facts.shapes], facts.unread) == ([shape], [])
+
+
+def test_the_style_that_is_told_last_holds() -> None:
+    assert [name for name, _ in read("A modern house - no, rustic - with two bedrooms.").styles] == ["rustic"]
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "a study next to the bedroom - on second thought next to the kitchen",
+        "a study next to the bedroom, sorry, next to the kitchen",
+    ],
+)
+def test_the_neighbour_that_is_told_last_holds(words: str) -> None:
+    facts = read(f"A house with {words}.")
+    assert [(fact.first_name, fact.second_name) for fact in facts.adjacent] == [("study", "kitchen")]
+    assert [room.name for room in facts.rooms] == ["study", "bedroom", "kitchen"]

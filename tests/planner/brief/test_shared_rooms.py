@@ -42,3 +42,16 @@ def test_a_flat_of_one_room_has_no_bedroom_beside() -> None:
     kinds = [room.room_type for floor in program.floors for room in floor.rooms]
     assert "studio_room" in kinds
     assert not {"bedroom", "living_room"} & set(kinds)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A primary school with four classrooms and a hall of 150 m2 used both for gym and for assemblies.",
+        "A community centre with a hall that is also used as a cinema and theatre, and four classrooms.",
+    ],
+)
+def test_what_a_room_is_used_for_is_no_room(text: str) -> None:
+    facts = read_brief(text, default_knowledge())
+    assert {room.room_type for room in facts.rooms} <= {"classroom", "assembly_hall", "hallway"}
+    assert not facts.unread

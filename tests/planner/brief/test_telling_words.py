@@ -14,7 +14,8 @@ from mansion_planner.plan import plan_building
 def kind_of(brief: str, name: str) -> tuple[str, list[str]]:
     """Return the type of the room of that name, and what the receipt calls unmet."""
     program = plan_building(BuildRequest(description=brief)).program
-    kinds = {room.room_type for floor in program.floors for room in floor.rooms if room.id.startswith(name)}
+    rooms = [room for floor in program.floors for room in floor.rooms]
+    kinds = {room.room_type for room in rooms if name in (room.id, room.name.replace(" ", "_"))}
     (wish,) = [wish for wish in program.wishes if wish.kind == "room" and wish.value.name == name]
     return kinds.pop(), wish.value.type
 
@@ -27,6 +28,14 @@ def kind_of(brief: str, name: str) -> tuple[str, list[str]]:
         ("A brewery with a bottling hall and an office.", "bottling_hall", "production_hall"),
         ("A school with a movement room.", "movement_room", "yoga_studio"),
         ("A data centre with a UPS room.", "ups_room", "electrical_room"),
+        ("A warehouse with a forklift charging room.", "forklift_charging_room", "electrical_room"),
+        ("A research institute with a spectrometer room.", "spectrometer_room", "laboratory"),
+        ("A swimming club with a pool and a filter room.", "filter_room", "mechanical_room"),
+        ("A textile workshop with a dyeing room.", "dyeing_room", "workshop"),
+        ("A rowing club with a boat hall and changing rooms.", "boat_hall", "warehouse"),
+        ("A dairy with a pasteurising room and a shop.", "pasteurising_room", "commercial_kitchen"),
+        ("A school with a nurse's room.", "nurse_room", "nurse_office"),
+        ("A fire station with a vehicle hall.", "vehicle_hall", "apparatus_bay"),
         ("A recording studio with two lounges and a vocal booth.", "vocal_booth", "recording_studio"),
     ],
 )

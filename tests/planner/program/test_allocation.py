@@ -35,3 +35,46 @@ def test_rooms_that_others_have_for_themselves_are_not_added_again() -> None:
 )
 def test_rooms_that_each_of_a_group_has_are_not_added_to(brief: str, kind: str, count: int) -> None:
     assert types(brief).count(kind) == count
+
+
+def test_a_brewery_with_offices_of_its_own_has_no_office_floor() -> None:
+    assert "open_office" not in types("A brewery of two storeys, 700 m2, with a brewing hall, a cold store and offices")
+
+
+def storeys_of(brief: str, *kinds: str) -> set[int]:
+    program = plan_building(BuildRequest(description=brief)).program
+    return {floor.index for floor in program.floors for room in floor.rooms if room.room_type in kinds}
+
+
+@pytest.mark.parametrize(
+    "brief",
+    [
+        "A two-storey primary school of 1,600 m2 with eight classrooms, a canteen, a kitchen and a gym",
+        "Spa hotel with three storeys: restaurant with kitchen, bar, sauna, pool and eighteen double rooms",
+        "Nursing home on two levels, 1,600 m2, with a dining room, a commercial kitchen and a physiotherapy room",
+    ],
+)
+def test_a_kitchen_is_on_the_storey_of_those_who_eat(brief: str) -> None:
+    tables = storeys_of(brief, "cafeteria", "restaurant", "dining_room")
+    assert tables
+    assert storeys_of(brief, "commercial_kitchen") == tables
+
+
+def test_a_kitchen_follows_a_restaurant_that_the_brief_puts_upstairs() -> None:
+    brief = "A four-storey hotel of 1,600 m2 with a kitchen, and a restaurant on the top floor"
+    assert storeys_of(brief, "restaurant") == {4}
+    assert 4 in storeys_of(brief, "commercial_kitchen")
+
+
+@pytest.mark.parametrize(
+    ("brief", "kind"),
+    [
+        ("A four-storey hotel with thirty rooms, a restaurant and a bar", "restaurant"),
+        ("A small brewery of two storeys, 700 m2, with offices, a cold store and a brewing hall", "production_hall"),
+        ("A two-storey furniture store of 1,000 m2 with a showroom, offices and a stock room", "stock_room"),
+        ("A wellness hotel of three storeys with twenty rooms, a bar, a gym and a pool", "indoor_pool"),
+        ("A house of two storeys with three bedrooms and a wine cellar", "wine_cellar"),
+    ],
+)
+def test_what_guests_goods_and_weights_come_to_lies_on_the_ground(brief: str, kind: str) -> None:
+    assert storeys_of(brief, kind) == {1}

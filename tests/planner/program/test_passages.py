@@ -29,7 +29,6 @@ def test_the_rooms_of_a_flat_are_reached_from_the_passage_that_the_brief_asks_fo
 @pytest.mark.parametrize(
     "brief",
     [
-        "A one-storey restaurant of 200 m2 with a dining hall, a kitchen, two toilets and a store.",
         "A shop of 240 m2 with a sales area of 120 m2, a store and an office.",
         "A warehouse of 700 m2 on one storey, with a storage hall of 400 m2, an office and a canteen.",
     ],

@@ -17,7 +17,7 @@ from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.stages import PlanReply
 from mansion_planner.plan import plan_building
-from mansion_planner.program.blocks import widened
+from mansion_planner.program.widths import widened
 from mansion_planner.solver import solve_floor
 
 CORPUS = json.loads((Path(__file__).parents[2] / "briefs" / "briefs.json").read_text())

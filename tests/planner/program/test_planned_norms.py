@@ -28,6 +28,20 @@ def test_a_shop_without_a_toilet_in_its_list_has_one_for_everybody() -> None:
     assert toilets("a bakery") == ["accessible_toilet"]
 
 
+@pytest.mark.parametrize("seed", [1, 2])
+def test_people_are_counted_in_rooms_as_large_as_they_are_drawn(seed: int) -> None:
+    [floor] = plan_building(BuildRequest(description="a post office", seed=seed)).program.floors
+    assert sum(room.room_type in ("restroom", "accessible_toilet") for room in floor.rooms) >= 2
+
+
+def test_a_long_corridor_without_a_room_for_visitors_at_its_end_leads_out_there() -> None:
+    reply = plan_building(BuildRequest(description="a car workshop", seed=1))
+    edge = max(y for _, y in reply.program.floors[0].outline)
+    corridor = next(node for node in reply.problems[0].nodes if node.id == "corridor_1")
+    assert corridor.seed_box is not None
+    assert corridor.seed_box.y[1] == pytest.approx(edge)
+
+
 def test_toilets_of_the_brief_stay_as_they_are() -> None:
     assert toilets("a restaurant with one restroom") == ["restroom"]
     counted = toilets("a library with four restrooms on the ground floor")

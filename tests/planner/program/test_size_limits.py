@@ -1,11 +1,15 @@
 """A brief for more than can be built is refused with the limit."""
 
+from collections.abc import Iterator, Sequence
+
 import pytest
 
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.layout import FloorProblem, ProblemNode
 from mansion_msgs_py.request import BuildRequest
 from mansion_planner.plan import plan_building
+from mansion_planner.program import home_orders
+from mansion_planner.program.bands import Segment
 from mansion_planner.solver.solve import solve_floor
 
 
@@ -75,3 +79,19 @@ def test_an_area_that_no_outline_has_is_refused_with_one_that_is_built(
     plan = plan_building(BuildRequest(description=description, **{name: float(accepted)}))
     floors = [floor.gross_floor_area for floor in plan.program.floors]
     assert (sum(floors) if name == "area" else floors[0]) == pytest.approx(accepted)
+
+
+def test_the_rooms_of_a_large_home_change_places_no_more_often_than_those_of_a_small_one(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    drawn: list[list[Segment]] = []
+
+    def counted(segments: Sequence[Segment]) -> Iterator[list[Segment]]:
+        for order in exchanged(segments):
+            drawn.append(order)
+            yield order
+
+    exchanged = home_orders._exchanged
+    monkeypatch.setattr(home_orders, "_exchanged", counted)
+    plan_building(BuildRequest(description="a house with 60 bedrooms"))
+    assert len(drawn) < 1_000

@@ -62,15 +62,34 @@ def test_the_kitchen_of_a_house_stays_one() -> None:
 
 
 @pytest.mark.parametrize(
-    ("brief", "guests"),
+    ("brief", "guests", "count"),
     [
-        ("A hotel of four storeys with twenty bedrooms and a restaurant.", "hotel_room"),
-        ("A care home of two floors with nine bedrooms on each floor.", "resident_room"),
-        ("A hospital of two storeys with eight bedrooms upstairs.", "patient_room"),
+        ("A hotel of four storeys with twenty bedrooms and a restaurant.", "hotel_room", 20),
+        ("A care home of two floors with nine bedrooms on each floor.", "resident_room", 18),
+        ("A hospital of two storeys with eight bedrooms upstairs.", "patient_room", 8),
     ],
 )
-def test_the_bedrooms_that_are_counted_are_all_that_guests_have(brief: str, guests: str) -> None:
-    assert guests not in {room.room_type for floor in floors(brief) for room in floor.rooms}
+def test_the_bedrooms_that_are_counted_are_all_that_guests_have(brief: str, guests: str, count: int) -> None:
+    kinds = [room.room_type for floor in floors(brief) for room in floor.rooms]
+    assert sum(kind in ("bedroom", guests) for kind in kinds) == count
+
+
+def test_bedrooms_of_a_hotel_have_bathrooms_unless_guests_share_them() -> None:
+    own, shared = (
+        [
+            room.room_type
+            for floor in floors(f"A lodge with a dining room, eight bedrooms{baths}")
+            for room in floor.rooms
+        ]
+        for baths in ("", " and three bathrooms")
+    )
+    assert own.count("bathroom") == 8
+    assert (shared.count("bedroom"), shared.count("bathroom")) == (8, 3)
+
+
+def test_the_hall_of_a_community_centre_is_where_people_meet() -> None:
+    rooms = [room for floor in floors("A community centre with a hall, a cafe and a workshop") for room in floor.rooms]
+    assert [room.id for room in rooms if room.room_type == "assembly_hall"] == ["hall"]
 
 
 def test_bedrooms_of_staff_leave_the_guests_their_rooms() -> None:
@@ -96,3 +115,48 @@ def test_the_lounge_of_a_hotel_stays_one() -> None:
 ])  # fmt: skip
 def test_cars_stand_in_the_showroom_of_who_sells_cars(text: str, kind: str) -> None:
     assert kind in [room.room_type for room in floors(text)[0].rooms]
+
+
+@pytest.mark.parametrize(
+    ("brief", "hub", "name"),
+    [
+        ("A warehouse of 1,400 m2 with a storage hall, two offices and a break room", "warehouse", "storage hall"),
+        ("A restaurant of 200 m2 with a dining hall, a kitchen and a store", "restaurant", "dining hall"),
+    ],
+)
+def test_the_hall_that_a_building_is_there_for_is_one_under_any_name(brief: str, hub: str, name: str) -> None:
+    [floor] = floors(brief)
+    assert (floor.rooms[0].room_type, floor.rooms[0].name) == (hub, name)
+    assert sum(room.room_type == hub for room in floor.rooms) == 1
+
+
+def test_a_hall_of_a_stated_area_is_a_room_beside_others() -> None:
+    [floor] = floors("A warehouse of 700 m2 on one storey, with a storage hall of 400 m2 and an office")
+    assert floor.rooms[0].room_type == "lobby"
+
+
+@pytest.mark.parametrize(
+    ("brief", "name", "kind"),
+    [
+        (
+            "A three-storey hotel with eight en-suite guest rooms on each upper floor",
+            "ensuite_guest_room",
+            "hotel_room",
+        ),
+        ("A villa of 300 m2 with a gym, four bedrooms and two bathrooms", "gym", "home_gym"),
+        (
+            "A duplex of 130 m2: upstairs two bedrooms, a dressing room and a bathroom",
+            "dressing_room",
+            "walk_in_closet",
+        ),
+    ],
+)
+def test_rooms_of_guests_and_of_a_household_are_of_their_size(brief: str, name: str, kind: str) -> None:
+    found = [room.room_type for floor in floors(brief) for room in floor.rooms if room.id.startswith(name)]
+    assert found
+    assert set(found) == {kind}
+
+
+def test_counted_guest_rooms_are_all_that_a_hotel_has() -> None:
+    _, *upper = floors("A three-storey hotel of 1,000 m2 with eight en-suite guest rooms on each upper floor")
+    assert [sum(room.room_type == "hotel_room" for room in floor.rooms) for floor in upper] == [8, 8]

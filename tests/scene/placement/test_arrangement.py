@@ -130,3 +130,40 @@ def test_chairs_that_find_no_side_of_their_table_are_left_out(seed: int) -> None
         assert chair.shape.distance(table.shape) <= 0.2
         assert abs((ahead - table.centre) @ table.u) < table.width / 2 + 0.12
         assert abs((ahead - table.centre) @ table.v) < table.depth / 2 + 0.12
+
+
+@pytest.mark.parametrize("seed", range(2))
+@pytest.mark.parametrize(("width", "depth"), [(4.0, 5.0), (6.0, 4.0), (8.0, 6.0)])
+def test_a_reception_desk_looks_towards_the_way_in_with_its_chair_behind_it(
+    width: float, depth: float, seed: int
+) -> None:
+    asked = room(
+        rectangle(width, depth),
+        [((0.2, 0.0), (width - 0.2, 0.0))],
+        [
+            item("reception_desk", (1.8, 0.8, 1.1), 1, "middle"),
+            item("office_chair", (0.6, 0.6, 1.0), 1, near="reception_desk"),
+        ],
+        kind="reception",
+    )
+    result = place_room(asked, seed=seed)
+    (desk,), (chair,) = pieces(result, "reception_desk"), pieces(result, "office_chair")
+    assert desk.v[1] < -0.9
+    assert (chair.centre - desk.centre) @ desk.v < 0.0
+
+
+def test_seats_at_short_sides_of_restaurant_tables_are_in_their_middle() -> None:
+    asked = room(
+        rectangle(9.0, 7.0),
+        [((6.6, 7.0), (8.4, 7.0))],
+        [
+            item("restaurant_table", (0.8, 0.8, 0.75), 9, "middle"),
+            item("chair", (0.45, 0.5, 0.9), 36, around="restaurant_table"),
+        ],
+        kind="restaurant",
+    )
+    result = place_room(asked, seed=0)
+    tables, chairs = (np.array([piece.centre for piece in pieces(result, n)]) for n in ("restaurant_table", "chair"))
+    away = np.abs(chairs[:, None] - tables[None])
+    nearest = away[np.arange(len(chairs)), np.hypot(*away.transpose(2, 0, 1)).argmin(axis=1)]
+    assert np.mean(nearest.min(axis=1) < 0.05) > 0.7

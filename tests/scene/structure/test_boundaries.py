@@ -69,6 +69,13 @@ def test_structural_walls_mark_exactly_the_boundaries_on_them(sample_floors: Mod
     ] == [(3.5, False), (2.5, True)]
 
 
+def test_a_structural_wall_that_ends_between_two_rooms_leaves_room_for_their_door(sample_floors: ModuleType) -> None:
+    rooms = {"a": ("office", sample_floors.box(0, 0, 4, 1.8)), "b": ("office", sample_floors.box(4, 0, 8, 1.8))}
+    request = sample_floors.request(rooms, [("a", "b")])
+    (shared,) = [s for s in boundaries_of(request, [((4.0, 1.0), (4.0, 1.8))]) if s.right]
+    assert (shared.length, shared.structural) == (1.8, True)
+
+
 def test_a_courtyard_is_outside(sample_floors: ModuleType) -> None:
     ring = [
         ("south", sample_floors.box(0, 0, 9, 3)),

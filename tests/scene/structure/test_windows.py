@@ -63,3 +63,20 @@ def test_windows_stand_on_the_same_lines_on_storeys_with_other_rooms(sample_floo
         assert len(found) >= 4
         assert all(abs(middle / 0.6 - round(middle / 0.6)) < 1e-3 for middle in found)
     assert len(set.intersection(*storeys)) >= 2
+
+
+def test_a_shop_shows_its_goods_in_large_windows_beside_the_entrance(sample_floors: ModuleType) -> None:
+    def sills(kind: str) -> dict[str, float]:
+        rooms = {"left": (kind, sample_floors.box(0, 0, 12, 9)), "right": ("office", sample_floors.box(12, 0, 16, 9))}
+        structure = build_structure(sample_floors.request(rooms, [("left", "right")]))
+        entrances = [door.segment for door in structure.doors if door.kind == "entrance"]
+        front = max(entrances, key=lambda segment: math.dist(*segment))
+        axis = 1 if front[0][1] == front[1][1] else 0
+        return {
+            "front" if w.segment[0][axis] == w.segment[1][axis] == front[0][axis] else "elsewhere": w.sill
+            for w in structure.windows
+            if w.room.endswith("left")
+        }
+
+    assert sills("shop")["front"] < 0.4 < sills("shop")["elsewhere"]
+    assert sills("gym")["front"] > 0.4

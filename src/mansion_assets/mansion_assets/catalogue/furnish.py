@@ -1,5 +1,6 @@
 """The furnishing of a room by its type and area: which objects, how many, with what constraints."""
 
+import itertools
 import math
 from collections.abc import Collection, Sequence
 
@@ -21,6 +22,8 @@ from mansion_assets.catalogue.quantities import (
 from mansion_assets.catalogue.records import Arrangement, HangItem, Item, MatrixShape
 from mansion_assets.catalogue.requested_furniture import AskedProgram, asked_counts, with_requested, without_small
 from mansion_geometry.randomness import item_generator
+from mansion_knowledge.object_kinds import answers
+from mansion_knowledge.object_qualities import has_quality
 from mansion_msgs_py.placement import (
     GlobalConstraint,
     MatrixStructure,
@@ -185,6 +188,7 @@ def furnish_request(
     )
     card = asked.card
     draft = _Draft(catalogue, asked, area, extent, rng, _Style(seed, style), compact=compact)
+    draft.wanted_looks = {r.category: r.words.split() for r in requested if r.words}
     for item in card.floor:
         draft.add(item)
     floor, assets, alternatives = draft.finished()
@@ -253,6 +257,7 @@ class _Draft:
         self.catalogue, self.card, self.area, self.rng, self.style = (catalogue, card, area, rng, style)
         self.asked, self.compact = asked, compact
         self.rests: dict[str, list[str]] = {}
+        self.wanted_looks: dict[str, list[str]] = {}
         self.extent = room_extent(area, extent)
         self.left = area * card.cover * min(1.0, 0.7 + 0.3 * area / 12.0)
         self.entries: dict[str, _Entry] = {}
@@ -428,12 +433,20 @@ class _Draft:
 
         Those that are preferred come first, as long as one fits the room and the share.
         """
-        choices = self.catalogue.choose_from(item.category, item.extent)
+        choices = self._looking_so(item, self.catalogue.choose_from(item.category, item.extent))
         own = [a for a in choices if a.key in self.catalogue.preferred]
         first = self._drawn(item, wanted, own) if own else None
         if first is not None and (item.name in self.asked.least or first.footprint <= max(self.left, 0.0)):
             return first
         return self._drawn(item, wanted, choices)
+
+    def _looking_so(self, item: Item, assets: list[Asset]) -> list[Asset]:
+        """Return the assets that are as the brief says ("double bed", "leather sofa"), word by word where any is."""
+        names = [item.category] if isinstance(item.category, str) else item.category
+        asked = (words for category, words in self.wanted_looks.items() if any(answers(category, n) for n in names))
+        for word in itertools.chain.from_iterable(asked):
+            assets = [a for a in assets if has_quality(a.category, a.size, a.material, word)] or assets
+        return assets
 
     def _drawn(self, item: Item, wanted: int, assets: list[Asset]) -> Asset | None:
         """Draw one of `assets`; None where none goes into the room."""

@@ -39,6 +39,8 @@ def _total_area(wish: Wish, state: JudgedBuilding) -> Verdict:
     wanted = wish.value.area or 0.0
     above = sum(floor.gross_floor_area for floor in state.program.floors if floor.index >= 1)
     whole = sum(floor.gross_floor_area for floor in state.program.floors)
+    if wish.scope.floors:  # "without the basement"
+        above = whole = sum(f.gross_floor_area for f in state.program.floors if f.index in wish.scope.floors)
     if wish.value.limit:
         return met_if(keeps_to(wish, above) or keeps_to(wish, whole), f"the building has {whole:.0f} m2")
     off = min(abs(above - wanted), abs(whole - wanted)) / max(wanted, 1.0)

@@ -6,8 +6,9 @@ from collections.abc import Mapping, Sequence
 from typing import Final
 
 from mansion_bringup.building.judged_building import JudgedBuilding, JudgedRoom
-from mansion_bringup.building.verdicts import Judge, Verdict, met_if, spoken
+from mansion_bringup.building.verdicts import Judge, Verdict, listed, met_if, spoken
 from mansion_knowledge.object_kinds import answers
+from mansion_knowledge.object_qualities import has_quality
 from mansion_msgs_py.wishes import Wish, WishStatus
 
 __all__ = ["INTERIOR_JUDGES"]
@@ -56,14 +57,32 @@ def _object(wish: Wish, state: JudgedBuilding) -> Verdict:
     most = _of_that_noun(wish, having) if wish.value.exact and wish.scope.room else 0
     if status == "met" and most > wanted:
         status, reason = "partly", f"{most} instead of {wanted} are there{where}"
+    lost = [word for word in wish.value.unheeded if not _all_are(wish, rooms, word, wanted, planned=state.planned)]
+    if status == "met" and lost:
+        status, reason = "partly", f"nothing was made of {listed([repr(word) for word in lost])}"
     return Verdict(status, reason, [room.full_id for room in having], found)
+
+
+def _all_are(wish: Wish, rooms: Sequence[JudgedRoom], word: str, wanted: int, *, planned: bool) -> bool:
+    """Whether as many objects as are wanted are as a word says, in each place where the count is for each."""
+    there: Counter[object] = Counter()
+    fitting: Counter[object] = Counter()
+    for room in rooms:
+        place = (room.full_id if wish.scope.room else room.floor) if wish.scope.each else ""
+        for category, looks in room.looks.items():
+            if _is(category, wish):
+                there[place] += len(looks)
+                fitting[place] += sum(has_quality(category, size, material, word) for size, material in looks)
+    if planned:
+        return any(fitting.values())  # the catalogue has such things
+    return all(fitting[place] >= min(wanted, count) for place, count in there.items() if count)
 
 
 def _of_that_noun(wish: Wish, rooms: Sequence[JudgedRoom]) -> int:
     """Return how many objects are called by the wish's noun: in all rooms, or the most in one for a count of each."""
     noun = wish.value.type.rpartition("_")[2]
     counts = [
-        sum(n for category, n in room.objects.items() if _is(category, wish) and category.rpartition("_")[2] == noun)
+        sum(n for c, n in room.objects.items() if answers(wish.value.type, c) and c.rpartition("_")[2] == noun)
         for room in rooms
     ]
     return max(counts, default=0) if wish.scope.each else sum(counts)
@@ -79,12 +98,16 @@ def _count(wish: Wish, room: JudgedRoom) -> int:
 
 
 def _is(category: str, wish: Wish) -> bool:
-    """Whether objects of a category are what a wish calls so: an office desk is a desk, a reading table a table."""
+    """Whether objects of a category are what a wish calls so: an office desk is a desk, a reading table a table.
+
+    Where the wish's own kind is a special one, what has its noun is so too: a coffee table is a table, but a high chair
+    for a child is none of the chairs.
+    """
     kind, name = wish.value.type, wish.value.name
     if not kind:
         return False
     last = category.rpartition("_")[2]
-    return answers(kind, category) or category.endswith(f"_{kind}") or name in (last, f"{last}s", f"{last}es")
+    return answers(kind, category) or ("_" in kind and name in (last, f"{last}s", f"{last}es"))
 
 
 def _object_rooms(wish: Wish, state: JudgedBuilding) -> list[JudgedRoom]:

@@ -16,14 +16,16 @@ from shapely.geometry import Polygon
 
 from mansion_assets.catalogue import load_catalogue
 from mansion_assets.catalogue.piece_counts import pieces
+from mansion_knowledge import is_class
 from mansion_knowledge.essentials import Need, needs_of, pieces_there, still_wanted
 from mansion_knowledge.furnished_as import furnished_as
-from mansion_msgs_py.program import BuildingProgram
+from mansion_knowledge.object_kinds import added_for
+from mansion_msgs_py.program import GROUND_FLOOR, BuildingProgram
 from mansion_msgs_py.scene import FloorScene, SceneObject, SceneRoom
 from mansion_msgs_py.topology import FloorTopology
 from mansion_scene.structure.floor_structure import ceiling_height
 
-__all__ = ["Equipment", "JudgedBuilding", "JudgedRoom", "equipment_of", "finished_building", "planned_building"]
+__all__ = ["Equipment", "JudgedBuilding", "JudgedRoom", "Look", "equipment_of", "finished_building", "planned_building"]
 
 
 @dataclass(frozen=True)
@@ -37,11 +39,14 @@ class Equipment:
         Category and width of each object, metres.
     reasons : mapping of str to str
         By name of a need, why the room was left without it.
+    shut_in : bool
+        Vehicles are to drive into the room, and no door leads there from outside.
     """
 
     needs: Sequence[Need] = ()
     objects: Sequence[tuple[str, float]] = ()
     reasons: Mapping[str, str] | None = None
+    shut_in: bool = False
 
     def lack(self, unwanted: Iterable[str] = ()) -> str:
         """Say what the room cannot be used without and has not; empty where it has all.
@@ -57,7 +62,7 @@ class Equipment:
                 why = (self.reasons or {}).get(need.name, "")
                 amount = f"{have} of {need.count} x {need.name}" if have else f"no {need.name}"
                 return f"has {amount}" + (f": {why}" if why else "")
-        return ""
+        return "has no door to the outside" if self.shut_in else ""
 
 
 def equipment_of(scene: FloorScene, room: SceneRoom, objects: Iterable[SceneObject]) -> Equipment:
@@ -68,11 +73,18 @@ def equipment_of(scene: FloorScene, room: SceneRoom, objects: Iterable[SceneObje
         needs_of(kind, (room.name, *room.aliases)),
         [(thing.category, thing.size[0]) for thing in objects],
         {lost.name: lost.reason for lost in scene.discarded if lost.room == room.id},
+        shut_in=scene.floor == GROUND_FLOOR
+        and is_class(room.room_type, "vehicle")
+        and (room.id, None) not in {door.rooms for door in scene.doors},
     )
 
 
 _SHARED = 1.1
 """Metres of straight wall that neighbours share at least: a door and its frame, and a little."""
+
+
+Look: TypeAlias = tuple[Sequence[float], str]
+"""Size and main material of an object."""
 
 
 @dataclass(frozen=True)
@@ -81,6 +93,12 @@ class JudgedRoom:
 
     Attributes
     ----------
+    objects : Counter of str
+        Pieces by category; of a plan those that are asked for.
+    object_ids : mapping of str to sequence of str
+        By category; empty in a plan.
+    looks : mapping of str to sequence of Look
+        Of each object by category; in a plan of all that the catalogue has of a category.
     things, receptacles : float
         How many objects lie on or in its receptacles, and the square metres of floor that these stand on.
     """
@@ -94,6 +112,7 @@ class JudgedRoom:
     surfaces: Mapping[str, str] = field(default_factory=dict)
     objects: Counter[str] = field(default_factory=Counter)
     object_ids: Mapping[str, Sequence[str]] = field(default_factory=dict)
+    looks: Mapping[str, Sequence[Look]] = field(default_factory=dict)
     equipment: Equipment = field(default_factory=Equipment)
     things: float = 0.0
     receptacles: float = 0.0
@@ -106,13 +125,20 @@ class JudgedRoom:
 
 @dataclass(frozen=True)
 class JudgedBuilding:
-    """A building as far as its wishes go: rooms, and the pairs of their full ids that share a wall."""
+    """A building as far as its wishes go: rooms, and the pairs of their full ids that share a wall.
+
+    Attributes
+    ----------
+    planned : bool
+        Nothing of it is finished: its areas are those that its rooms are going to have.
+    """
 
     program: BuildingProgram
     rooms: Sequence[JudgedRoom]
     touching: frozenset[tuple[str, str]]
     doors: frozenset[tuple[str, str]] = frozenset()
     hubs: frozenset[str] = frozenset()
+    planned: bool = False
 
     def called(self, name: str, kind: str, floors: Sequence[int] = ()) -> list[JudgedRoom]:
         """Return the rooms of a name; where none has it, those of a type."""
@@ -144,6 +170,10 @@ class JudgedBuilding:
             (first.full_id, second.full_id) in self.touching or (second.full_id, first.full_id) in self.touching
         )
 
+    def joined(self, first: JudgedRoom, second: JudgedRoom) -> bool:
+        """Whether a door or an opening leads from one room into another."""
+        return (first.full_id, second.full_id) in self.doors or (second.full_id, first.full_id) in self.doors
+
 
 def finished_building(program: BuildingProgram, scenes: Sequence[FloorScene]) -> JudgedBuilding:
     """Return a building as its finished floors are."""
@@ -169,6 +199,7 @@ def planned_building(program: BuildingProgram, topologies: Sequence[FloorTopolog
             ceiling_height(floor.height),
             {"floor": room.floor_material, "wall": room.wall_material},
             Counter({entry.category: entry.count for entry in room.objects}),
+            looks={entry.category: _looks(entry.category) for entry in room.objects},
             things=_PLANNED_THINGS.get(room.clutter, 0.0),
             receptacles=1.0,
         )
@@ -187,7 +218,12 @@ def planned_building(program: BuildingProgram, topologies: Sequence[FloorTopolog
         if edge.kind == "access"
     )
     hubs = frozenset(f"F{graph.floor}/{node.id}" for graph in topologies for node in graph.nodes if node.type == "main")
-    return JudgedBuilding(program, rooms, edges, doors, hubs)
+    return JudgedBuilding(program, rooms, edges, doors, hubs, planned=True)
+
+
+def _looks(category: str) -> list[Look]:
+    """Return what all assets look like that a room may get for a category."""
+    return [(asset.size, asset.material) for asset in load_catalogue().by_category(added_for(category))]
 
 
 _PLANNED_THINGS: Mapping[object, float] = {"dense": math.inf, "sparse": 0.0}
@@ -217,10 +253,12 @@ def _finished_room(scene: FloorScene, number: int) -> JudgedRoom:
     room = scene.rooms[number]
     short = room.id.removeprefix(f"F{scene.floor}/")
     things: dict[str, list[str]] = {}
+    looks: dict[str, list[Look]] = {}
     numbers: Counter[str] = Counter()
     objects = [entry for entry in scene.objects if entry.room == room.id]
     for entry in objects:
         things.setdefault(entry.category, []).append(entry.id)
+        looks.setdefault(entry.category, []).append((entry.size, entry.material))
         numbers[entry.category] += _pieces(entry)
     return JudgedRoom(
         scene.floor,
@@ -232,6 +270,7 @@ def _finished_room(scene: FloorScene, number: int) -> JudgedRoom:
         {"floor": room.floor_material, "wall": room.wall_material},
         numbers,
         things,
+        looks,
         equipment_of(scene, room, objects),
         sum(entry.parent is not None for entry in objects),
         sum(entry.size[0] * entry.size[1] for entry in objects if entry.receptacle and entry.parent is None),

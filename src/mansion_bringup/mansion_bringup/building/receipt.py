@@ -43,10 +43,10 @@ def _judged(wish: Wish, state: JudgedBuilding) -> Wish:
         return msgspec.structs.replace(wish, status="not_understood")
     verdict = _JUDGES[wish.kind](wish, state)
     reason = verdict.reason
-    if verdict.status != "not_met" and wish.reason and wish.kind in ("room", "building_type"):
+    if verdict.status != "not_met" and wish.reason and wish.kind in ("room", "building_type", "object"):
         reason = f"{wish.reason}; {reason}" if reason else wish.reason
         verdict = Verdict("partly", reason, verdict.rooms, verdict.objects)
-    elif verdict.status == "met" and wish.value.unheeded:
+    elif verdict.status == "met" and wish.value.unheeded and wish.kind != "object":
         reason = f"nothing was made of {listed([repr(word) for word in wish.value.unheeded])}"
         verdict = Verdict("partly", reason, verdict.rooms, verdict.objects)
     return msgspec.structs.replace(

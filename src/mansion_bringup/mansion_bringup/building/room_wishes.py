@@ -7,9 +7,17 @@ from typing import Final
 
 from mansion_bringup.building.judged_building import JudgedBuilding, JudgedRoom
 from mansion_bringup.building.verdicts import Judge, Verdict, keeps_to, listed, met_if, spoken
-from mansion_msgs_py.wishes import AREA_TOLERANCE, Wish
+from mansion_msgs_py.wishes import Wish
 
 __all__ = ["ROOM_JUDGES"]
+
+
+_TOLERANCE: Final = 0.06
+"""Share by which a finished room may miss the area that is asked for and still have it."""
+_TOLERANCE_OF_PLAN: Final = 0.15
+"""The same of a planned room: the solver makes most of them better."""
+_SMALLEST: Final = 0.25
+"""Square metres by which any room may miss it: the thickness of a wall."""
 
 
 def _room(wish: Wish, state: JudgedBuilding) -> Verdict:
@@ -36,7 +44,7 @@ def _room(wish: Wish, state: JudgedBuilding) -> Verdict:
             return Verdict("partly", f"storey {listed(short)} has {listed([counts[f] for f in short])}", ids)
     elif wanted is None and len(rooms) < 2:
         return Verdict("partly", "one room where several are asked for", ids)
-    elif wanted is not None and (len(rooms) < wanted or (len(rooms) > wanted and not wish.scope.room)):
+    elif wanted is not None and (len(rooms) < wanted or (len(rooms) > wanted and not _may_be_more(wish))):
         return Verdict("partly", f"{len(rooms)} of {wanted}", ids)
     owners = state.called(wish.scope.room, wish.scope.room_type, floors) if wish.scope.room else []
     bare = [owner.full_id for owner in owners if not any(state.near(owner, room) for room in rooms)]
@@ -44,13 +52,20 @@ def _room(wish: Wish, state: JudgedBuilding) -> Verdict:
         return Verdict("partly", f"{listed(bare[:3])} has none beside it", ids)
     if value.area is not None:
         close = [
-            room for room in rooms if (keeps_to(wish, room.area) if value.limit else _close(room.area, value.area))
+            room
+            for room in rooms
+            if (keeps_to(wish, room.area) if value.limit else _close(room.area, value.area, state))
         ]
         if len(close) < min(_of_that_area(wish, state, len(rooms)), len(rooms)):
-            sizes = ", ".join(f"{room.area:.0f}" for room in rooms[:4])
-            return Verdict("partly", f"{sizes} m2 instead of {_BOUNDS[value.limit]}{value.area:.0f} m2", ids)
+            sizes = ", ".join(f"{room.area:.3g}" for room in rooms[:4])
+            return Verdict("partly", f"{sizes} m2 instead of {_BOUNDS[value.limit]}{value.area:.3g} m2", ids)
     lack = _unusable(rooms, state)
     return met_if(not lack, lack, partly=True, rooms=ids)
+
+
+def _may_be_more(wish: Wish) -> bool:
+    """Whether a building may have more of a room than asked for: ways on other storeys, or what others have too."""
+    return bool(wish.scope.room) or (wish.value.type in _WAYS and not wish.scope.floors)
 
 
 def _unusable(rooms: Sequence[JudgedRoom], state: JudgedBuilding) -> str:
@@ -95,10 +110,10 @@ def _held(wish: Wish, state: JudgedBuilding) -> Verdict:
         ids += [room.full_id for room in rooms]
         if len(rooms) != wanted and (wanted is not None or len(rooms) < 2):
             other.append(f"{owner.full_id} has {len(rooms)}")
-        close = [room for room in rooms if _close(room.area, wish.value.area)]
+        close = [room for room in rooms if _close(room.area, wish.value.area, state)]
         needed = len(rooms) if len(_alike(wish, state)) < 2 else min(wish.value.count or 1, len(rooms))
         if len(close) < needed:
-            small.append(f"{owner.full_id} has {listed([f'{room.area:.0f}' for room in rooms])} m2")
+            small.append(f"{owner.full_id} has {listed([f'{room.area:.3g}' for room in rooms])} m2")
     if other:
         return Verdict("partly" if ids else "not_met", listed(other[:3]), ids)
     held = [room for room in state.rooms if room.full_id in ids]
@@ -106,9 +121,10 @@ def _held(wish: Wish, state: JudgedBuilding) -> Verdict:
     return met_if(not lack, lack, partly=True, rooms=ids)
 
 
-def _close(area: float, wanted: float | None) -> bool:
+def _close(area: float, wanted: float | None, state: JudgedBuilding) -> bool:
     """Whether a room has the area that is asked for, if any is."""
-    return wanted is None or abs(area - wanted) <= AREA_TOLERANCE * 1.5 * wanted
+    share = _TOLERANCE_OF_PLAN if state.planned else _TOLERANCE
+    return wanted is None or abs(area - wanted) <= max(share * wanted, _SMALLEST) + 1e-6
 
 
 def _wanted(wish: Wish, state: JudgedBuilding) -> int | None:
@@ -158,6 +174,8 @@ def _adjacent(wish: Wish, state: JudgedBuilding) -> Verdict:
     lonely = [a.full_id for a in firsts if a.full_id not in {first.full_id for first, _ in pairs}]
     if wish.scope.each and pairs and lonely:
         return Verdict("partly", f"{listed(lonely[:3])} lies beside none", ids)
+    if wish.value.door and pairs and not any(state.joined(a, b) for a, b in pairs):
+        return Verdict("partly", "no door or opening joins them", ids)
     same = any(a.floor == b.floor for a in firsts for b in seconds)
     return met_if(bool(pairs), "they share no wall" if same else "they are on different storeys", rooms=ids)
 

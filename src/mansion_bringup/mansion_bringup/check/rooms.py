@@ -1,8 +1,8 @@
-"""Checks that the rooms partition their floor, and that every boundary of a room is walled or a declared opening."""
+"""Checks that the rooms partition their floor, and that rooms and cores are walled all around but for openings."""
 
 from collections.abc import Iterator
 
-from shapely import LineString, STRtree
+from shapely import LineString, Polygon, STRtree
 from shapely.ops import unary_union
 
 from mansion_bringup.check.fault import Fault
@@ -50,13 +50,14 @@ GAP = 0.10
 
 
 def check_walls(scene: FloorScene) -> Iterator[Fault]:
-    """Yield a fault for each room whose boundary has a gap in its walls."""
+    """Yield a fault for each room and each core whose boundary has a gap in its walls."""
     lines = [LineString(wall.segment) for wall in scene.walls]
     lines += [LineString(door.segment) for door in scene.doors if door.kind == "open"]
     walled = unary_union([line.buffer(REACH) for line in lines])
-    for room in scene.rooms:
-        if room.kind in ("stair", "elevator"):
-            continue
-        bare = room_area(room).boundary.difference(walled).length
+    rooms = (room for room in scene.rooms if room.kind not in ("stair", "elevator"))
+    enclosed = [(room.id, room_area(room)) for room in rooms]
+    enclosed += [(f"{core.id} on floor {scene.floor}", Polygon(core.polygon)) for core in scene.cores]
+    for where, shape in enclosed:
+        bare = shape.boundary.difference(walled).length
         if bare > GAP:
-            yield Fault("WALL_GAP", room.id, f"{bare:.2f} m of its boundary have no wall")
+            yield Fault("WALL_GAP", where, f"{bare:.2f} m of its boundary have no wall")

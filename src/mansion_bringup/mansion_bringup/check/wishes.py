@@ -16,19 +16,25 @@ from shapely import Polygon
 
 from mansion_bringup.check.fault import Fault
 from mansion_bringup.check.shapes import outline_forms, shared_wall
+from mansion_knowledge import is_class
 from mansion_knowledge.essentials import needs_of
 from mansion_knowledge.furnished_as import furnished_as
 from mansion_knowledge.object_kinds import answers, seats_of_row
+from mansion_knowledge.object_qualities import has_quality
 from mansion_msgs_py.building import Building
 from mansion_msgs_py.layout import FloorLayout
+from mansion_msgs_py.program import GROUND_FLOOR
 from mansion_msgs_py.scene import FloorScene, SceneRoom
 from mansion_msgs_py.wishes import AREA_TOLERANCE, MOST_WORDS, Wish, WishValue
 
 __all__ = ["check_wishes"]
 
 
-ROOM_TOLERANCE = 0.15
+ROOM_TOLERANCE = 0.06
 """Share by which the area of a room may differ from the one asked for."""
+
+LEAST_TOLERANCE = 0.25
+"""Square metres by which that of any room may."""
 
 CEILING_TOLERANCE = 0.10
 """Metres by which a ceiling may differ from the height asked for."""
@@ -197,10 +203,10 @@ def _status(wish: Wish, finished: _Finished) -> Iterator[Fault]:
 
 def _taken_for(wish: Wish, finished: _Finished) -> str:
     """Say that something known stands for what is not, or which words are not heeded: it is met in part at best."""
-    if wish.value.unheeded:
+    if wish.value.unheeded and wish.kind != "object":
         return f"it is not {' and '.join(wish.value.unheeded)}"
     stands_in = any(entry.id == wish.id and entry.reason for entry in finished.ledger)
-    return "something else stands for it" if stands_in and wish.kind in ("room", "building_type") else ""
+    return "something else stands for it" if stands_in and wish.kind in ("room", "building_type", "object") else ""
 
 
 def _building_type(wish: Wish, finished: _Finished) -> str:
@@ -223,8 +229,10 @@ def _basements(wish: Wish, finished: _Finished) -> str:
 
 
 def _total_area(wish: Wish, finished: _Finished) -> str:
-    totals = [sum(_gross(scene) for scene in scenes) for scenes in (finished.above, finished.scenes)]
-    return "" if any(_fits(total, wish.value) for total in totals) else f"it has {totals[1]:.1f} m2"
+    counted = [[scene for scene in finished.scenes if scene.floor in wish.scope.floors]]
+    counted = counted if wish.scope.floors else [finished.above, list(finished.scenes)]
+    totals = [sum(map(_gross, scenes)) for scenes in counted]
+    return "" if any(_fits(total, wish.value) for total in totals) else f"it has {totals[-1]:.1f} m2"
 
 
 def _floor_area(wish: Wish, finished: _Finished) -> str:
@@ -310,7 +318,9 @@ def _room(wish: Wish, finished: _Finished) -> str:
         if len(numbers) < len(alike) and len(rooms) < 2:
             return "there is one"
         missing = sum(numbers) - len(rooms)
-        if len(numbers) == len(alike) and (missing > 0 or (missing < 0 and not wish.scope.room)):
+        if len(numbers) == len(alike) and (
+            missing > 0 or (missing < 0 and not (wish.scope.room or (value.type in PASSAGES and not floors)))
+        ):
             return f"there are {len(rooms)}"
     if wish.scope.room:
         for owner_floor, owner in finished.meant(wish.scope.room, wish.scope.room_type, floors):
@@ -346,6 +356,9 @@ def _idle(finished: _Finished, rooms: Sequence[tuple[int, SceneRoom]]) -> str:
                 continue
             if sum(need.pieces(thing.category, thing.size[0]) for thing in objects) < need.count:
                 return f"{room.id} cannot be used without {need.count} x {need.name}"
+        driven_into = floor == GROUND_FLOOR and is_class(room.room_type, "vehicle")
+        if driven_into and not any(None in door.rooms and room.id in door.rooms for door in scene.doors):
+            return f"nobody drives into {room.id}"
     return ""
 
 
@@ -390,7 +403,7 @@ def _covers(entry: Wish, finished: _Finished, floor: int, room: SceneRoom) -> bo
 
 
 def _as_large(area: float, wanted: float) -> bool:
-    return abs(area - wanted) <= ROOM_TOLERANCE * wanted + 1e-6
+    return abs(area - wanted) <= max(ROOM_TOLERANCE * wanted, LEAST_TOLERANCE) + 1e-6
 
 
 def _no_room(wish: Wish, finished: _Finished) -> str:
@@ -404,7 +417,20 @@ def _adjacent(wish: Wish, finished: _Finished) -> str:
     beside = set(_sides(wish, finished))
     if wish.scope.each and any(room.id not in beside for _, room in finished.meant(wish.value.name, wish.value.type)):
         return "not every such room shares a wall with one"
+    if beside and wish.value.door and not _is_entered(wish, finished):
+        return "no door leads from one into the other"
     return "" if beside else "no two such rooms share a wall"
+
+
+def _is_entered(wish: Wish, finished: _Finished) -> bool:
+    """Whether a door has a room of either kind of a relation on each side."""
+    first = {room.id for _, room in finished.meant(wish.value.name, wish.value.type)}
+    second = {room.id for _, room in finished.meant(wish.value.other, wish.value.other_type)}
+    sides = [set(door.rooms) for scene in finished.scenes for door in scene.doors]
+    return any(
+        len(side) == 2 and any({one, other} == side for one in first & side for other in second & side)
+        for side in sides
+    )
 
 
 def _apart(wish: Wish, finished: _Finished) -> str:
@@ -448,8 +474,24 @@ def _object(wish: Wish, finished: _Finished) -> str:
     if wish.value.exact and wish.scope.room:
         named = _things(wish, finished, noun=wish.value.type.split("_")[-1]).values()
         there = max(named) if wish.scope.each else sum(named)
-        return f"{there} are there, more than {wanted}" if there > wanted else ""
-    return ""
+        if there > wanted:
+            return f"{there} are there, more than {wanted}"
+    return next((f"not as many are {word}" for word in wish.value.unheeded if not _are_so(wish, finished, word)), "")
+
+
+def _are_so(wish: Wish, finished: _Finished, word: str) -> bool:
+    """Whether enough of the things of a wish are as a word says; in every place where the count is for each."""
+    scope = wish.scope
+    rooms = {room.id for _, room in finished.meant(scope.room, scope.room_type, scope.floors)} if scope.room else None
+    numbers: dict[str, list[bool]] = defaultdict(list)
+    for scene in finished.scenes:
+        for thing in scene.objects:
+            here = thing.room in rooms if rooms is not None else _on(scene.floor, scope.floors)
+            if here and wish.value.type and _called_so(thing.category, wish.value):
+                place = (thing.room if scope.room else str(scene.floor)) if scope.each else ""
+                numbers[place].append(has_quality(thing.category, thing.size, thing.material, word))
+    wanted = 2 if wish.value.count is None else wish.value.count
+    return all(sum(fitting) >= min(wanted, len(fitting)) for fitting in numbers.values())
 
 
 def _no_object(wish: Wish, finished: _Finished) -> str:
@@ -466,7 +508,7 @@ def _things(wish: Wish, finished: _Finished, *, noun: str = "") -> dict[str, int
     placed: Counter[str] = Counter()
     for scene in finished.scenes:
         for thing in scene.objects:
-            if noun and thing.category.split("_")[-1] != noun:
+            if noun and not (thing.category.split("_")[-1] == noun and answers(wish.value.type, thing.category)):
                 continue
             if wish.value.type and _called_so(thing.category, wish.value):
                 placed[thing.room] += seats_of_row(thing.category, thing.size[0])
@@ -480,13 +522,11 @@ def _things(wish: Wish, finished: _Finished, *, noun: str = "") -> dict[str, int
 
 
 def _called_so(category: str, value: WishValue) -> bool:
-    """Whether the words or the kind of a wish are the last ones of a category."""
-    words, kind = category.split("_"), value.type.split("_")
-    return (
-        answers(value.type, category)
-        or words[-len(kind) :] == kind
-        or re.fullmatch(rf"{re.escape(words[-1])}(e?s)?", value.name) is not None
-    )
+    """Whether a category is of a wish's kind, or of its noun where that kind is a special one of the noun."""
+    if answers(value.type, category):
+        return True
+    noun = re.escape(category.split("_")[-1])
+    return "_" in value.type and re.fullmatch(rf"{noun}(e?s)?", value.name) is not None
 
 
 def _height(wish: Wish, finished: _Finished) -> str:

@@ -2,8 +2,9 @@
 
 import os
 import threading
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from concurrent.futures import BrokenExecutor, ProcessPoolExecutor
+from contextlib import suppress
 from pathlib import Path
 
 from rcl_interfaces.msg import FloatingPointRange, IntegerRange, ParameterDescriptor
@@ -11,7 +12,7 @@ from rclpy.callback_groups import ReentrantCallbackGroup
 
 from mansion_bringup.client import MansionClient
 from mansion_bringup.graph.resident_client import ResidentClient
-from mansion_bringup.pipeline.build import build_building
+from mansion_bringup.pipeline.build import BuildResult, build_building
 from mansion_bringup.pipeline.executors import export_pool
 from mansion_bringup.pipeline.stages import RemoteStages
 from mansion_msgs_py.errors import ErrorCode, MansionError
@@ -21,11 +22,16 @@ from mansion_msgs_py.nodes.node import MansionNode
 from mansion_msgs_py.nodes.run import run_node
 from mansion_msgs_py.nodes.shell import JsonPublisher, add_json_service, add_json_subscription, run_handler
 from mansion_msgs_py.request import BuildRequest, identified
-from mansion_msgs_py.stages import BuildJob, BuildReply
+from mansion_msgs_py.running_calls import RunningCalls
+from mansion_msgs_py.stages import BuildInWork, BuildJob, BuildReply, CancelBuild, CanceledBuilds, CancelPlan
+from mansion_msgs_py.workers import release_memory
 
 __all__ = ["BuildingDirector", "main"]
 
 MAX_BUILDS = 4
+
+EXPORTERS = min(os.cpu_count() or 1, MAX_BUILDS)
+"""Processes for the exports of all builds."""
 
 
 class BuildingDirector(MansionNode):
@@ -63,10 +69,11 @@ class BuildingDirector(MansionNode):
         self._progress = JsonPublisher(self, topic("progress"))
         self._guard = threading.Lock()
         self._exporter = _exports()
-        self._slots = threading.BoundedSemaphore(MAX_BUILDS)
+        self._builds = RunningCalls[BuildInWork]("builds", MAX_BUILDS)
         self._stages = MansionClient(domain_id=self.context.get_domain_id(), namespace=self.get_namespace())
         group = ReentrantCallbackGroup()
         add_json_service(self, service("build_building"), self.build, callback_group=group)
+        add_json_service(self, service("cancel_build"), self.cancel, callback_group=group)
         add_json_subscription(self, topic("build_requests"), self._build_from_topic, callback_group=group)
         self._resident: ResidentClient | None = None
         if self.get_parameter("lend_client").value:
@@ -84,25 +91,49 @@ class BuildingDirector(MansionNode):
 
     def build(self, job: BuildJob) -> BuildReply:
         """Build one building; at most `MAX_BUILDS` at the same time."""
-        if not self._slots.acquire(blocking=False):
-            raise MansionError(ErrorCode.CONFLICT, f"{MAX_BUILDS} builds are running; ask again when one is done")
+        request = identified(job.request())
+        output = self._output(job, request)
+        work = BuildInWork(building_id=request.building_id or "", path=os.path.abspath(output))
         try:
-            request = identified(job.request())
-            result = build_building(
-                request,
-                self._output(job, request),
-                stages=RemoteStages(self._stages, self.get_parameter("stage_timeout").value or 120.0),
-                exporter=self._working_exporter(),
-                jobs=self.get_parameter("floors_at_once").value or 1,
-                report=self._progress.publish,
-                formats=job.formats,
-                force=job.force,
-                cancelled=lambda: not self.context.ok(),
-            )
+            with self._builds.begun(work) as asked_to_end:
+                result = self._built(job, request, output, lambda: asked_to_end.is_set() or not self.context.ok())
+        except MansionError as error:
+            if error.code in (ErrorCode.CANCELED, ErrorCode.TIMEOUT):
+                self._give_up_plan(work.building_id)
+            raise
         finally:
-            self._slots.release()
+            self._release_memory()
         self.get_logger().info(f"wrote {result.path}")
         return BuildReply(building=result.building, path=str(result.path))
+
+    def _built(self, job: BuildJob, request: BuildRequest, output: Path, cancelled: Callable[[], bool]) -> BuildResult:
+        timeout = self.get_parameter("stage_timeout").value or 120.0
+        return build_building(
+            request,
+            output,
+            stages=RemoteStages(self._stages, timeout, cancelled=cancelled),
+            exporter=self._working_exporter(),
+            jobs=self.get_parameter("floors_at_once").value or 1,
+            report=self._progress.publish,
+            formats=job.formats,
+            force=job.force,
+            cancelled=cancelled,
+        )
+
+    def cancel(self, arguments: CancelBuild) -> CanceledBuilds:
+        """Ask the builds of a building id, into a folder, or all that are in work, to end."""
+        path = None if arguments.output is None else os.path.abspath(_expanded(arguments.output))
+
+        def chosen(build: BuildInWork) -> bool:
+            return arguments.building_id in (None, build.building_id) and path in (None, build.path)
+
+        return CanceledBuilds(builds=self._builds.cancel(chosen))
+
+    def _give_up_plan(self, building_id: str) -> None:
+        """Have the planner give up a plan that no build waits for any more."""
+        if self.context.ok() and not self._builds.any(lambda build: build.building_id == building_id):
+            with suppress(MansionError):
+                self._stages.call("cancel_plan", CancelPlan(building_id=building_id), timeout=1.0, wait=0.0)
 
     def _working_exporter(self) -> ProcessPoolExecutor:
         """Return the export processes, restarted if one of them was killed: the pool refuses all work then."""
@@ -112,6 +143,12 @@ class BuildingDirector(MansionNode):
             except BrokenExecutor:
                 self._exporter = _exports()
             return self._exporter
+
+    def _release_memory(self) -> None:
+        """Have the export processes give back what the last build took."""
+        with self._guard, suppress(BrokenExecutor, RuntimeError):
+            for _ in range(EXPORTERS):
+                self._exporter.submit(release_memory)
 
     def _output(self, job: BuildJob, request: BuildRequest) -> Path:
         """Return the folder of a building, which lies where this node may write."""
@@ -145,7 +182,7 @@ def _expanded(name: str) -> Path:
 
 
 def _exports() -> ProcessPoolExecutor:
-    return export_pool(min(os.cpu_count() or 1, MAX_BUILDS))
+    return export_pool(EXPORTERS)
 
 
 def main(args: Sequence[str] | None = None) -> None:

@@ -56,8 +56,8 @@ def distinct_floors(plan: PlanReply) -> list[int]:
 def solve(stages: Stages, plan: PlanReply, index: int) -> FloorLayout:
     """Lay out the floor at position `index` (Algorithm 1, line 8).
 
-    A floor whose sketch could not give what is asked is solved freely, and the sketch and other draws are tried where
-    that misses areas or relations, on every floor where a room is cut off; the layout that meets most is taken.
+    Where the layout misses areas or relations or cuts a room off, the sketch of a floor that is solved freely because
+    its sketch could not give what is asked, and other draws, are tried; the layout that meets most is taken.
     """
     problem = plan.problems[index]
 
@@ -67,7 +67,7 @@ def solve(stages: Stages, plan: PlanReply, index: int) -> FloorLayout:
     layout = laid_out(problem)
     fallback = plan.fallbacks[index] if plan.fallbacks else None
     best = (shortfall(plan, index, layout), layout)
-    tolerated = _MISSED_SHARE * sum(node.area or 0.0 for node in problem.nodes) if fallback else float("inf")
+    tolerated = _MISSED_SHARE * sum(node.area or 0.0 for node in problem.nodes)
     for other in (*filter(None, [fallback]), *reseeded(problem)):
         if best[0] <= (False, tolerated):
             break

@@ -1,6 +1,7 @@
 """The three stages of Algorithm 1 behind one interface: function calls in this process, or services of a node graph."""
 
 import time
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, Final, Protocol, TypeVar
 
 from mansion_msgs_py.interfaces import service
@@ -72,12 +73,21 @@ class RemoteStages:
         Seconds that one stage of one floor may take; ``TIMEOUT`` after that.
     discovery : float
         Seconds for a running node to be found; ``UNAVAILABLE`` after that.
+    cancelled : callable
+        Asked while a stage runs whether its result is not wanted any more; the stage is ``CANCELED`` then.
     """
 
-    def __init__(self, client: "MansionClient", timeout: float, discovery: float = 5.0) -> None:
+    def __init__(
+        self,
+        client: "MansionClient",
+        timeout: float,
+        discovery: float = 5.0,
+        cancelled: Callable[[], bool] = lambda: False,
+    ) -> None:
         self._client = client
         self._timeout = timeout
         self._discovery = discovery
+        self._cancelled = cancelled
 
     def plan(self, request: BuildRequest) -> PlanReply:
         """See `Stages.plan`."""
@@ -93,7 +103,9 @@ class RemoteStages:
 
     def _call(self, name: str, request: Any, reply: type[T]) -> T:
         self._await_loading(name)
-        answer: T = self._client.call(name, request, reply=reply, timeout=self._timeout, wait=0.0)
+        answer: T = self._client.call(
+            name, request, reply=reply, timeout=self._timeout, wait=0.0, cancelled=self._cancelled
+        )
         return answer
 
     def _await_loading(self, name: str) -> None:
@@ -102,5 +114,5 @@ class RemoteStages:
             return
         deadline = time.monotonic() + self._timeout
         while self._client.sees_node(service(name).node) and time.monotonic() < deadline:
-            if self._client.wait_served(name, LOOK):
+            if self._cancelled() or self._client.wait_served(name, LOOK):
                 return

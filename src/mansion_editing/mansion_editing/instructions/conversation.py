@@ -9,7 +9,7 @@ from mansion_editing.editor import Answered, SceneEditor
 from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.descriptions import rooms_of
 from mansion_editing.instructions.meaning.room_words import room_order
-from mansion_editing.instructions.sentences.reader import read_instruction
+from mansion_editing.instructions.paraphrases.reading import read_in_other_words
 from mansion_editing.instructions.statements import (
     Add,
     Amount,
@@ -144,7 +144,7 @@ def _earlier(editor: SceneEditor) -> list[Statement]:
     log = editor.store.edit_log
     landed = log.landed_by(editor.who)
     for number in reversed(landed[-MOST_STEPS_BACK:]):
-        read = read_instruction(log.transaction(number).what, editor.state, brief_of(editor))
+        read = read_in_other_words(log.transaction(number).what, editor.state, brief_of(editor))
         asked: list[Statement] = [s for s in read.statements if not isinstance(s, Mention)]
         if asked and not read.not_understood and not any(isinstance(s, History) for s in asked):
             return asked

@@ -26,10 +26,10 @@ def instruct(editor: SceneEditor, instruction: str, planner: str = "rules", *, p
     if planner == "rules":
         with importing:
             from mansion_editing.instructions.conversation import brief_of
+            from mansion_editing.instructions.paraphrases.reading import read_in_other_words
             from mansion_editing.instructions.run import carry_out
-            from mansion_editing.instructions.sentences.reader import read_instruction
 
-        read = read_instruction(instruction, editor.state, brief_of(editor))
+        read = read_in_other_words(instruction, editor.state, brief_of(editor))
         return carry_out(editor, read, instruction, partly=partly)
     if planner == "llm":
         with importing:

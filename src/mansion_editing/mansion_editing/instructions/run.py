@@ -150,6 +150,7 @@ def statement_policy(editor: SceneEditor, instruction: Instruction, *, partly: b
     replies = [*course.replies, *(f"not done: {reason}" for reason in course.missed)]
     passed = [s.quote for s in instruction.statements if isinstance(s, Mention) and s.passed_over]
     replies += [f"not acted on: {quote!r}" for quote in passed]
+    replies += [f"read as: {instruction.read_as!r}"] if instruction.read_as else []
     told = f" (ignored, as scenes do not record it: {', '.join(instruction.ignored)})" if instruction.ignored else ""
     return Verdict("; ".join(replies) + told, replies)
 

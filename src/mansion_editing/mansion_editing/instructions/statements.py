@@ -486,8 +486,11 @@ class Instruction(msgspec.Struct, frozen=True, kw_only=True):
         Words that belong to none.
     ignored : list of str
         Adjectives that are understood but that no scene describes ("clean").
+    read_as : str
+        The words that it was put in, where it was not understood as it stands.
     """
 
     statements: list[Statement]
     not_understood: list[str] = []
     ignored: list[str] = []
+    read_as: str = ""

@@ -14,7 +14,7 @@ from mansion_export.meshes.model import Material, Surface
 __all__ = ["asset_surfaces", "part_surfaces"]
 
 
-@lru_cache(maxsize=4096)
+@lru_cache(maxsize=256)  # quickly made again: the recipes' solids are kept too
 def asset_surfaces(key: str, catalogue: Catalogue, color: str = "", picture: str = "") -> tuple[Surface, ...]:
     """Return the surfaces of an asset's mesh.
 

@@ -131,7 +131,7 @@ def assemblies(scene: FloorScene, nodes: Mapping[str, Node], catalogue: Catalogu
     return found
 
 
-@lru_cache(maxsize=4096)
+@lru_cache(maxsize=256)
 def _links(key: str, catalogue: Catalogue) -> tuple[Link, ...]:
     return links(catalogue.asset(key))
 

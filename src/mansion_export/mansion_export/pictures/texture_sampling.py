@@ -3,11 +3,13 @@
 import io
 from dataclasses import dataclass
 from functools import cache
+from typing import Final
 
 import numpy as np
 
 from mansion_assets.materials import material_set, set_names, texture_set
 from mansion_export.meshes.model import Material
+from mansion_geometry.array_cache import ArrayCache
 from mansion_geometry.compiled import Floats, Ints, kernel
 
 __all__ = ["Tiles", "base_color", "sampled", "texture_number", "tiles_at"]
@@ -15,6 +17,9 @@ __all__ = ["Tiles", "base_color", "sampled", "texture_number", "tiles_at"]
 
 SEEN = 0.02
 """How far a texel is from the mean at least, to be seen."""
+
+_SHRUNK: Final = ArrayCache(most=48_000_000)
+"""Tiles of the latest pictures, of which one shows up to 30 MB; all sets at all scales would be 180 MB."""
 
 
 @cache
@@ -75,9 +80,12 @@ def tiles_at(numbers: Ints, scale: float) -> Tiles:
     return Tiles(np.concatenate(parts) if parts else np.ones((1, 3)), frames, sizes)
 
 
-@cache
 def _shrunk(name: str, halved_across: int, halved_down: int) -> Floats:
     """Return a set's texels, (rows, columns, 3), halved some times each way."""
+    return _SHRUNK.get((name, halved_across, halved_down), lambda: _halved(name, halved_across, halved_down))
+
+
+def _halved(name: str, halved_across: int, halved_down: int) -> Floats:
     tile = _texels(name)
     rows, columns = tile.shape[:2]
     down, across = min(2**halved_down, rows), min(2**halved_across, columns)

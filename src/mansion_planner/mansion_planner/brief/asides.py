@@ -41,7 +41,7 @@ def aside_tokens(reading: Reading) -> set[int]:
         if word in _REASONS:
             found |= _reason(reading, index)
         elif word in _LEADS:
-            found |= _purpose(reading, index)
+            found |= _purpose(reading, index) | _client(reading, index)
         elif word in _TRYING and _is_tried_there(reading, index):
             found |= _trial(reading, index)
         if word in ROBOTS or is_person(word):
@@ -105,6 +105,24 @@ def _purpose(reading: Reading, index: int) -> set[int]:
             break
         end += 1
     return set(range(index, end)) if not TRIALS.isdisjoint(reading.words(index + 1, end)) else set()
+
+
+_CLIENT = 4
+"""Tokens of who a building is for, at most."""
+
+
+def _client(reading: Reading, index: int) -> set[int]:
+    """Return the tokens of who the building is for, right after its name: "headquarters for a maritime consultancy"."""
+    names = [span for _, span in reading.facts.building if span.words] + reading.facts.building_span
+    follows = index > 0 and reading.tokens[index - 1].end in {span.end for span in names}
+    end = index + 2
+    while end - index - 2 < _CLIENT and reading.kind(end) == "word" and end not in reading.taken:
+        if reading.word(end) in FUNCTION_WORDS or says_how(reading.word(end)):
+            break
+        end += 1
+    closed = reading.breaks(end) or reading.word(end) in (",", ":", "(", "with", "on", "in", "over")
+    led = reading.word(index) == "for" and reading.word(index + 1) in ("a", "an", "our", "the", "my")
+    return set(range(index, end)) if follows and led and closed and end > index + 2 else set()
 
 
 def _is_tried_there(reading: Reading, index: int) -> bool:

@@ -13,7 +13,15 @@ from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
 from mansion_planner.brief.room_names import CONTRASTS
 from mansion_planner.brief.similarity import HEAD_TYPES
 
-__all__ = ["MADE_INTO", "building_phrase", "is_compound", "own_building_name", "unknown_building"]
+__all__ = [
+    "MADE_INTO",
+    "building_phrase",
+    "is_asked_for",
+    "is_compound",
+    "is_the_writer",
+    "own_building_name",
+    "unknown_building",
+]
 
 _OPENERS = frozenset(
     """
@@ -52,9 +60,14 @@ def building_phrase(reading: Reading, phrases: list[Phrase], places: list[Place]
 
 
 def _is_dwelt_in(candidate: "_Candidate") -> bool:
-    """Whether the phrase is where a brief's first sentence says somebody lives or works: "we live in a townhouse"."""
+    """Whether the phrase is where a brief's first sentence says somebody lives or works: "we live in a townhouse".
+
+    So is what closes a list of rooms: "two bedrooms and a kitchen, in a flat".
+    """
     indefinite = candidate.phrase.determiner in ("a", "an", "our", "my")
-    dwelt = candidate.lead in ("in", "inside") and candidate.before[-2:-1] and candidate.before[-2] in _DWELLING
+    ends = candidate.reading.breaks(candidate.phrase.last)
+    verb = candidate.before[-2:-1]
+    dwelt = candidate.lead in ("in", "inside") and verb and (verb[0] in _DWELLING or (verb[0] == "," and ends))
     return candidate.sentence == 0 and indefinite and bool(dwelt) and not (candidate.phrase.plural or candidate.placed)
 
 
@@ -160,6 +173,8 @@ def _is_told_as_part(candidate: _Candidate) -> bool:
         return True  # "converting a church into a climbing centre"
     if any(_are_told_apart(phrase, other) for other in candidate.phrases):
         return True  # "big studio ... small studio"
+    if is_the_writer(reading, phrase.first) and _asks_for_another(candidate):
+        return True  # "We are a theatre company. Please plan a theatre"
     if phrase.building == "office" and _has_owner(reading, phrase):
         offices = (other for other in candidate.phrases if other is not phrase and other.building == "office")
         if any(_has_owner(reading, other) for other in offices):
@@ -168,6 +183,36 @@ def _is_told_as_part(candidate: _Candidate) -> bool:
         return True  # "6 styling stations"
     # "two kitchens, a meat one and a dairy one"
     return reading.word(phrase.last) == "one" and candidate.lead in ("a", "the", "and")
+
+
+def is_the_writer(reading: Reading, index: int) -> bool:
+    """Whether a noun phrase that begins at a token says who writes: "we are a bank", "our library is too small"."""
+    start = reading.sentence.index(reading.sentence[index])
+    before = reading.words(start, index)
+    return before[:2] in _WE_ARE or (not before and reading.word(index) == "our") or before == ("our",)
+
+
+def _asks_for_another(candidate: _Candidate) -> bool:
+    """Whether a later sentence asks for a building."""
+    reading, first = candidate.reading, candidate.phrase.first
+    return any(
+        other.building and other.first > first and is_asked_for(reading, other.first)
+        for other in candidate.phrases
+        if reading.sentence[other.first] > candidate.sentence
+    )
+
+
+def is_asked_for(reading: Reading, index: int) -> bool:
+    """Whether the noun phrase that begins at a token is the first that a verb of its sentence asks for."""
+    at = index - 1
+    while reading.word(at) in _BEFORE_ASKED or reading.kind(at) == "number":
+        at -= 1
+    return reading.sentence[index] == reading.sentence[at] and reading.word(at) in _ASKING if at >= 0 else False
+
+
+_WE_ARE = frozenset({("we", "are"), ("i", "am"), ("we", "run"), ("i", "run"), ("we", "operate")})
+_BEFORE_ASKED = frozenset({"a", "an", "new", "-", "storey", "story", "floor", "level"})
+_ASKING = frozenset("plan design draw build need want generate create make imagine like".split())
 
 
 def _conversion_before(reading: Reading, index: int) -> bool:
@@ -351,10 +396,14 @@ def unknown_building(reading: Reading, places: Sequence[Place]) -> tuple[str, st
     return max(found, key=lambda entry: (entry[0], -entry[1][2]))[1] if found else None
 
 
+_PARTS_OF_BUILDINGS = frozenset({"building", "wing", "block", "annex", "annexe", "extension", "pavilion"})
+"""Nouns after that of a building, which is of the same kind as a whole."""
+
+
 def _kind_by_head(reading: Reading, first: int, last: int) -> str:
     """Return the kind of building that a name's last noun is most like, of "canteen building" the noun before."""
     heads = _heads(reading)
-    plain = reading.word(last - 1) == "building" and last - 1 > first
+    plain = reading.word(last - 1) in _PARTS_OF_BUILDINGS and last - 1 > first
     return (plain and heads.get(reading.word(last - 2), "")) or heads.get(reading.word(last - 1), "")
 
 

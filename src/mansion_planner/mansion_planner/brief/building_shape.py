@@ -3,6 +3,7 @@
 from dataclasses import replace
 from typing import TypeAlias
 
+from mansion_planner.brief.corrections import taken_back_by
 from mansion_planner.brief.facts import BriefFacts, CopyFact, FloorRef, Shape
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
 from mansion_planner.brief.sizes import is_size, size_of
@@ -21,12 +22,18 @@ _EQUAL = frozenset(
 
 def read_shape(reading: Reading) -> None:
     """Read the outline's shape: "L-shaped", "in the form of a U", "around a courtyard", "rectangular"."""
+    after, shapes = 0, reading.facts.shapes
     for index in range(len(reading.tokens)):
         found = _shape_at(reading, index)
         if found is not None:
             shape, first, last, end = found
-            reading.facts.shapes.append((shape, reading.span(first, last)))
+            sign = taken_back_by(reading.tokens, after, first) if shapes else None
+            if sign is not None:
+                shapes.pop()  # "H-shaped - no, L-shaped"
+                reading.take(sign, first)
+            shapes.append((shape, reading.span(first, last)))
             reading.take(min(first, index), end)
+            after = end
 
 
 _Found: TypeAlias = tuple[Shape, int, int, int]

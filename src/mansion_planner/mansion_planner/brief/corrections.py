@@ -8,19 +8,31 @@ from dataclasses import replace
 from mansion_language import Token
 from mansion_language.units import AREA
 
-__all__ = ["PAUSES", "WEAK", "corrected_numbers", "sign_at"]
+__all__ = ["FILLERS", "PAUSES", "WEAK", "corrected_numbers", "sign_at", "taken_back_by"]
 
+_MISCOUNTED = (
+    ("i", "counted", "wrong"),
+    ("counted", "wrong"),
+    ("i", "miscounted"),
+    ("miscounted",),
+    ("wrong", "count"),
+)
+"""Signs that take back a count, not an area."""
 _SIGNS = (
     ("make", "that"), ("make", "it"), ("i", "mean"), ("or", "rather"), ("or", "better"), ("scratch", "that"),
     ("strike", "that"), ("no", "wait"), ("hold", "on"), ("wait",), ("sorry",), ("pardon",), ("oop",), ("no",),
     ("correction",), ("actually",), ("rather",), ("i", "meant"), ("better",), ("well",),
-    ("excuse", "me"),
+    ("excuse", "me"), ("scrap", "that"), ("forget", "that"), ("cancel", "that"), ("on", "second", "thought"),
+    ("second", "thought"), ("my", "mistake"), ("my", "bad"), *_MISCOUNTED,
+    ("let", "go", "with"), ("let", "make", "it"), ("let", "take"), ("go", "with"), ("settle", "on"),
 )  # fmt: skip
 """What is said to take back a number, several of them one after the other at times."""
 WEAK = frozenset({("no",), ("well",), ("better",), ("rather",), ("actually",), ("make", "it"), ("wait",)})
 """Signs that take something back only after a comma, a bracket or a dash."""
-PAUSES = frozenset({",", "(", "-", "–", "…", ":"})
+PAUSES = frozenset({",", "(", "-", "–", "—", "…", ":", "?"})
 """Marks that set apart what takes something back."""
+FILLERS = frozenset({"hmm", "hm", "um", "uh", "er", "erm", "ah", "oh"})
+"""What is said while one thinks again."""
 _ENDS = frozenset({"", ",", ".", ")", ";", "-", "–", "\n", "and", "with", "in", "on", "plus", "!"})
 _POINTING = frozenset({"another", "this", "that", "the", "no", "which", "other"})
 """Words before "one" where it stands for a noun: "the board approved another one"."""
@@ -61,21 +73,45 @@ def _word(tokens: list[Token], index: int) -> str:
 
 def _correction(tokens: list[Token], before: list[Token], index: int) -> tuple[int, int, int] | None:
     """Return which earlier number is taken back at a token, the token of the later one, and where that ends."""
-    at, paused = index, False
-    while _word(tokens, at) in PAUSES or _word(tokens, at) == _word(tokens, at + 1) == "." or (
-        at > index and _word(tokens, at) == _word(tokens, at - 1) == "."
-    ):  # fmt: skip
-        at, paused = at + 1, True
-    first, weak = at, True
+    at, ended = _after_marks(tokens, index)
+    paused, first, weak, signs, counts = at > index, at, True, 0, False
     while (sign := sign_at(tokens, at)) is not None:
-        weak = weak and sign in WEAK
-        at += len(sign)
-        while _word(tokens, at) in PAUSES:
-            at += 1
+        weak, signs, counts = weak and sign in WEAK, signs + 1, counts or sign in _MISCOUNTED
+        at, _ = _after_marks(tokens, at + len(sign))
     if at == first or (weak and not paused) or at >= len(tokens) or tokens[at].kind != "number":
         return None
-    earlier = _taken_back(tokens, before, at)
+    if ended and weak and signs < 2:
+        return None  # "Two bedrooms. No 3D cinema."
+    spelt = tokens[at].text.isalpha() and _word(tokens, at + 1) not in AREA  # nobody spells an area without its unit
+    earlier = _taken_back(tokens, before, at, counts=counts or spelt)
     return None if earlier is None else (earlier, at, _end(tokens, before, earlier, at, opened=_word(tokens, index)))
+
+
+def _after_marks(tokens: list[Token], index: int) -> tuple[int, bool]:
+    """Return where pauses and fillers from a token on end, and whether one full stop was among them."""
+    at = index
+    while _word(tokens, at) in PAUSES | FILLERS | {"."}:
+        at += 1
+    words = [token.text for token in tokens[index:at]]
+    return at, words.count(".") == 1
+
+
+def taken_back_by(tokens: list[Token], first: int, last: int) -> int | None:
+    """Return the token from which on words between two statements take the first back; none where they do not.
+
+    Parameters
+    ----------
+    first, last : int
+        Tokens between the statements, `last` exclusive: ", no, ", "... hmm, no, keep it a plain".
+    """
+    for index in range(first, min(last, first + _REACH)):
+        sign = sign_at(tokens, index)
+        paused = _word(tokens, index - 1) in PAUSES | FILLERS | {"."}
+        if sign is not None and (sign not in WEAK or paused):
+            return index
+        if _word(tokens, index) in ("\n", ";"):
+            return None
+    return None
 
 
 def sign_at(tokens: list[Token], index: int) -> tuple[str, ...] | None:
@@ -83,7 +119,7 @@ def sign_at(tokens: list[Token], index: int) -> tuple[str, ...] | None:
     return next((s for s in _SIGNS if tuple(t.text for t in tokens[index : index + len(s)]) == s), None)
 
 
-def _taken_back(tokens: list[Token], before: list[Token], number: int) -> int | None:
+def _taken_back(tokens: list[Token], before: list[Token], number: int, *, counts: bool) -> int | None:
     """Return the last number before that is of the same thing as a later one; of anything where that stands alone."""
     of = _word(tokens, number + 1)
     for at in range(len(before) - 1, max(len(before) - _REACH, 0) - 1, -1):
@@ -91,6 +127,8 @@ def _taken_back(tokens: list[Token], before: list[Token], number: int) -> int | 
         if token.text in (";", "\n") or (token.text == "." and _word(before, at - 1) != "." != _word(before, at + 1)):
             return None
         if token.kind != "number" or (token.text == "one" and _word(before, at - 1) in _POINTING):
+            continue
+        if counts and _word(before, at + 1) in AREA:
             continue
         if of in _ENDS or at == len(before) - 1:
             return at

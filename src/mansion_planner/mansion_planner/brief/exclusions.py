@@ -26,6 +26,9 @@ _PHRASES = (
     ("anything", "but"),
     ("rule", "out"),
     ("ruled", "out"),
+    ("never", "mind"),
+    ("forget", "about"),
+    *[(verb,) for verb in ("forget", "scrap", "scratch", "cancel", "strike")],
     ("nobody", "want"),
     ("nobody", "need"),
     ("nobody", "get"),
@@ -129,6 +132,8 @@ _CONTRASTS = frozenset(
 MOTIONS = frozenset({"get", "go", "come", "walk", "pass", "look", "see", "wander", "run", "lead"})
 """Verbs of who must not go somewhere."""
 _REFUSALS = frozenset("veto vetoe reject refuse dislike hate detest replace".split())
+_NO_REFUSALS = frozenset({"more", "exceed", "mind", "sure", "far", "necessarily", "forget"})
+"""Words soon after "not" that make no refusal of it: "do not forget the pantry"."""
 _TIGHT = frozenset("narrow small low tight short slim steep little cramped poor".split())
 _COMPARISONS = frozenset(
     """
@@ -176,8 +181,9 @@ def _refusing_words(reading: Reading, last: int) -> tuple[str, ...]:
     word, following = reading.words(last, last + 2)
     if word == "no" and (reading.breaks(last + 1) or following == ","):
         return ("no",)  # "stairs yes, lift no"
-    if (word, following) == (",", "no") and reading.breaks(last + 2):
-        return (",", "no")  # "lift, yes; cafe, no"
+    asked = last < len(reading.tokens) and reading.text[reading.tokens[last].start] == "?"
+    if (word, following) == (",", "no") and (asked or reading.breaks(last + 2)):
+        return (",", "no")  # "lift, yes; cafe, no", "a lift? No, stairs"
     if (word, following) in (("not", "need"), ("no", "need")):
         closes = reading.breaks(last + 2) or reading.word(last + 2) in (",", "and", ")", "either")
         return ("not", "need") if closes else ()  # "cafe don't need"
@@ -263,7 +269,7 @@ def _negation(reading: Reading, index: int) -> int:
     if index in reading.taken:
         return 0
     for words in _PHRASES:
-        if reading.words(index, index + len(words)) == words:
+        if reading.words(index, index + len(words)) == words and reading.word(index - 1) != "not":
             return len(words)
     if reading.word(index) in ("nothing", "none"):
         return _nothing_like(reading, index)
@@ -297,9 +303,7 @@ def _negation(reading: Reading, index: int) -> int:
         "yet",
     ):
         return 0
-    if reading.word(index) == "not" and any(
-        reading.word(i) in ("more", "exceed", "mind", "sure", "far", "necessarily") for i in range(index + 1, index + 4)
-    ):
+    if reading.word(index) == "not" and any(reading.word(i) in _NO_REFUSALS for i in range(index + 1, index + 4)):
         return 0
     return 1
 

@@ -148,6 +148,8 @@ class AdjacencyFact:
         The user's own names, where the rooms have some.
     each : bool
         Several rooms are spoken of, and every one of them is to lie so.
+    door : bool
+        One is to be entered from the other.
     """
 
     first: str
@@ -156,6 +158,7 @@ class AdjacencyFact:
     first_name: str = ""
     second_name: str = ""
     each: bool = False
+    door: bool = False
 
 
 @dataclass(frozen=True)
@@ -275,6 +278,8 @@ class BriefFacts:
         Words that no fact was read from.
     unheeded : list of Span
         Words within other facts' that say how something is to be, and that nothing is made of.
+    above_ground : list of Span
+        Areas of the storeys above ground alone: "240 m2 without the basement".
     combined : list of str
         Room types that a room of several uses stands for: none of them is added.
     corrections : list of Span
@@ -315,5 +320,6 @@ class BriefFacts:
     only_on: list[tuple[Span, tuple[FloorRef, ...]]] = field(default_factory=list)
     unread: list[Span] = field(default_factory=list)
     unheeded: list[Span] = field(default_factory=list)
+    above_ground: list[Span] = field(default_factory=list)
     combined: list[str] = field(default_factory=list)
     corrections: list[Span] = field(default_factory=list)

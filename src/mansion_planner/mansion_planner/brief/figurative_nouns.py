@@ -19,7 +19,7 @@ def is_figurative(reading: Reading, begin: int, end: int) -> bool:
         return True  # "a lift is present"
     if noun == "snug" and (lead in _COPULAS or (lead in ("and", ",") and reading.word(begin - 2) in PLAIN)):
         return True  # "the bedrooms should be warm and snug"
-    if noun == "flat" and not reading.plural(begin) and _is_level(reading, end):
+    if noun == "flat" and not reading.plural(begin) and (_is_level(reading, end) or _has_no_steps(reading, begin)):
         return True
     if noun in _PICTURES and reading.word(end) in ("for", "of") and not reading.plural(begin):
         first = begin - (lead in ("a", "an", "the", "our", "my"))
@@ -39,6 +39,20 @@ def _is_level(reading: Reading, index: int) -> bool:
     return reading.word(at) in _LEVEL_THINGS
 
 
+def _has_no_steps(reading: Reading, index: int) -> bool:
+    """Whether "flat" alone says that a building is level: "Flat, no stairs!", "all flat, without steps"."""
+    lead, at = reading.word(index - 1), index + 1
+    alone = reading.breaks(index - 1) or lead in _COPULAS | _QUITE | {","}
+    marked = reading.word(at) in (",", "(", "-", "–", ":") or reading.word(at) in ("and", "so", "with")
+    return alone and marked and reading.words(at + 1, at + 3) in _STEPLESS
+
+
+_QUITE = frozenset("all completely totally entirely everything fully absolutely".split())
+_STEPS = frozenset({"stair", "step", "staircase", "threshold", "storey", "level", "lift"})
+_STEPLESS = frozenset((no, noun) for no in ("no", "without", "not") for noun in _STEPS) | {
+    ("all", "on"), ("one", "level"), ("one", "floor"), ("step", "free"), ("on", "one"), ("single", "storey"),
+}  # fmt: skip
+"""What is said of a building that is called flat because nobody climbs in it."""
 _LEVEL_THINGS = frozenset("plan roof site plot ground land terrain layout meadow country facade".split())
 """What can be flat."""
 _MODALS = frozenset({"can", "could", "will", "would", "may", "might", "shall", "cannot"})

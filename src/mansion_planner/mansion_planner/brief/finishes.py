@@ -1,5 +1,6 @@
 """Read what a brief says of style and materials."""
 
+from mansion_planner.brief.corrections import taken_back_by
 from mansion_planner.brief.facts import MaterialFact
 from mansion_planner.brief.lexicon import Mention
 from mansion_planner.brief.phrase import FUNCTION_WORDS
@@ -129,6 +130,7 @@ def read_style(reading: Reading, *, named: bool) -> None:
             continue
         if not called and (mention.room or mention.building or terrace or reading.word(mention.first) == "green"):
             continue
+        _replace_style(reading, mention.first)
         reading.facts.styles.append((mention.style, reading.span(mention.first, mention.last)))
         reading.take(mention.first, mention.last)
         lead = mention.first - 1
@@ -140,6 +142,17 @@ def read_style(reading: Reading, *, named: bool) -> None:
     reading.facts.styles.sort(
         key=lambda style: (is_property(style[1].words.lower()), reading.knowledge.styles[style[0]].like == "")
     )
+
+
+def _replace_style(reading: Reading, index: int) -> None:
+    """Leave out the style before a token if the words between take it back: "modern - no, rustic"."""
+    styles = reading.facts.styles
+    ends = {token.end: at + 1 for at, token in enumerate(reading.tokens[:index])}
+    before = ends.get(styles[-1][1].end) if styles else None
+    sign = taken_back_by(reading.tokens, before, index) if before is not None else None
+    if sign is not None:
+        styles.pop()
+        reading.take(sign, index)
 
 
 _CLAIMS = frozenset({"bright", "green", "sustainable"})

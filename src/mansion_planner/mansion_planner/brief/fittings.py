@@ -57,6 +57,9 @@ def read_fittings(reading: Reading, phrases: list[Phrase]) -> None:
             reading.taken.difference_update(range(phrase.begin, phrase.last))
             phrases[number] = replace(phrase, head="unknown", room_type="")
             continue
+        if phrase.head == "elevator" and number and _is_lift_of_bay(reading, phrases[number - 1], phrase):
+            phrases[number] = replace(phrase, head="object", category="car_lift")
+            continue
         workplaces = phrase.name == "workplace" and phrase.counted
         if (phrase.head != "room" and not workplaces) or phrase.areas:
             continue
@@ -81,6 +84,12 @@ def _goes_on_furniture(reading: Reading, before: Phrase, phrase: Phrase) -> bool
         and before.head == "object"
         and reading.words(before.last, phrase.begin) in (("and", "a"), ("and", "an"))
     )
+
+
+def _is_lift_of_bay(reading: Reading, room: Phrase, phrase: Phrase) -> bool:
+    """Whether a lift is what cars are raised on: "four bays, each with a lift"."""
+    gap = set(reading.words(room.last, phrase.first))
+    return room.room_type == "car_workshop" and "with" in gap and gap <= {",", "each", "every", "with", "a", "one"}
 
 
 _DOUBTFUL = frozenset({"wash", "post", "pool", "booth", "station"})

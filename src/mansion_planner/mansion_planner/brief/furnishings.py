@@ -325,7 +325,7 @@ def _passes_by(reading: Reading, phrases: list[Phrase], number: int) -> bool:
         if phrase.category in _VEHICLES:  # "an entrance for ambulances" is about who comes there
             reading.taken.difference_update(range(phrase.first, phrase.last))
             return True
-    if phrase.category == "wheelchair" and not phrase.counted:  # it is who uses one that the text speaks of
+    if phrase.category in ("wheelchair", "walker") and not phrase.counted:  # it is who uses one that the text speaks of
         reading.taken.difference_update(range(phrase.first, phrase.last))
         return True
     before = phrases[number - 1] if number else None

@@ -3,6 +3,7 @@
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
+from mansion_knowledge.object_kinds import answers
 from mansion_language import singular
 from mansion_msgs_py.late_imports import importing
 
@@ -15,6 +16,8 @@ __all__ = ["furniture_of", "furniture_vocabulary", "own_furniture_of", "usually_
 def furniture_of(words: tuple[str, ...]) -> tuple[str, int]:
     """Return the category of the asset catalogue that a phrase ends with, and of how many words; empty for none.
 
+    A thing before another that it is a kind of tells the kind: "recliner armchairs".
+
     Examples
     --------
     >>> furniture_of(("grand", "piano")), furniture_of(("big", "sofa")), furniture_of(("dream",))
@@ -23,8 +26,12 @@ def furniture_of(words: tuple[str, ...]) -> tuple[str, int]:
     table = _furniture()
     for size in range(min(4, len(words)), 0, -1):
         category = table.get(words[-size:])
-        if category is not None:
-            return category, size if category else 0
+        if category is None:
+            continue
+        kind = table.get(words[-size - 1 : -size], "")
+        if category and kind and kind != category and answers(category, kind):
+            return kind, size + 1
+        return category, size if category else 0
     return "", 0
 
 
@@ -90,12 +97,18 @@ _MEANT = {
     "press": "",
     "fan": "",
     "scale": "",
-    "rack": "shelving_unit",
+    "rack": "metal_shelf",
     "couch": "sofa",
     "settee": "sofa",
     "cooker": "stove",
     "oven": "stove",
-    "shelf": "bookshelf",
+    "shelf": "shelving_unit",
+    "glass": "",
+    "brick": "",
+    "plaster": "",
+    "lime": "",
+    "range": "stove",
+    "remote": "",
     "book case": "bookshelf",
     "shoe box": "shoe_rack",
     "bookcase": "bookshelf",

@@ -102,6 +102,8 @@ def _placed_later(
         if earlier is not None:
             attached[earlier] = Attachment(attached[number].refs)
             same[number] = earlier
+            if phrase.areas and not phrases[earlier].areas:
+                phrases[earlier] = replace(phrases[earlier], areas=phrase.areas, limit=phrase.limit)
 
 
 def _is_later_mention(reading: Reading, room: Phrase, phrase: Phrase) -> bool:

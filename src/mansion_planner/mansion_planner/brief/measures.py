@@ -28,8 +28,32 @@ def find_measures(reading: Reading) -> list[Measure]:
         if reading.words(measure.last, measure.last + 2) == ("each", "one"):
             reading.take(measure.last + 1, measure.last + 2)
         found.append(replace(measure, limit=limit_of(reading, measure.first, measure.last)))
-        index = measure.last
+        index = _leave_out_basement(reading, measure)
     return found
+
+
+_LEAVING_OUT = (
+    ("without",), ("excluding",), ("excl",), ("excl", "."), ("exclusive", "of"), ("not", "including"), ("plus",),
+    ("not", "counting"), ("without", "counting"), ("not", "incl"), ("besides",), ("apart", "from"),
+)  # fmt: skip
+"""Words between an area and the basement that is no part of it."""
+
+
+def _leave_out_basement(reading: Reading, measure: Measure) -> int:
+    """Record and take "without the basement" after an area; return where the next one may begin."""
+    start = measure.last + (reading.word(measure.last) in (",", "("))
+    for words in sorted(_LEAVING_OUT, key=len, reverse=True):
+        at = start + len(words)
+        at += reading.word(at) in ("the", "a", "its")
+        if reading.words(start, start + len(words)) != words or reading.word(at) not in ("basement", "cellar"):
+            continue
+        counted = words == ("without",) and reading.word(at - 1) != "the"
+        if counted or reading.kind(at + 1) in ("number", "unit"):
+            break  # "200 m2 without basement" has none
+        reading.take(measure.last, at + 1)
+        reading.facts.above_ground.append(reading.span(measure.first, at + 1))
+        return at + 1
+    return measure.last
 
 
 def _measure_at(reading: Reading, index: int) -> Measure | None:

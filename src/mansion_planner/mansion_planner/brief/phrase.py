@@ -57,7 +57,7 @@ FUNCTION_WORDS = frozenset(
     upstair downstair throughout everywhere anywhere elsewhere neither
     exclusively solely purely
     either incl avoid omit exclude hate dislike detest leaving fleeing escaping standing ditto idem likewise half
-    itself themselves ought
+    itself themselves ought sorry oops pardon hmm hm um uh erm
     """.split()
 )
 """Words that no noun phrase of a room goes across."""

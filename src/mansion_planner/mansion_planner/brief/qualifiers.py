@@ -7,6 +7,7 @@ that anybody could look up, and words of a kind's own name ("cold room", "shared
 
 from collections.abc import Sequence
 
+from mansion_knowledge.object_kinds import of_one_kind
 from mansion_planner.brief.facts import BriefFacts, Span
 from mansion_planner.brief.furniture_words import furniture_of
 from mansion_planner.brief.phrase import FUNCTION_WORDS, PLAIN, UNITS_OF_ROOMS, Phrase
@@ -60,6 +61,7 @@ _SETTINGS = frozenset(
     campus model sample demo fantasy imaginary typical traditional style styled type cum look inspired themed storey
     multifamily family-run group test pilot future small-town mixed use multi generation generational cute pretty lovely
     tower mini walk ish rise mid slim youth boy girl student staff health charming
+    run owned managed occupied
     stunning spectacular magnificent superb impressive exclusive prestigious
     unique exceptional head stylish fancy posh custom grand stately luxury luxurious budget starter ideal
     """.split()
@@ -200,7 +202,35 @@ def _is_own(reading: Reading, phrase: Phrase, index: int) -> bool:
         return not phrase.size and not _is_measured(reading, phrase)
     if phrase.head == "building" and reading.word(index) in _ORIGINS:
         return True
+    if phrase.head == "object" and _tells_kind(reading, phrase, index):
+        return True
     return is_property(reading.word(index), things=phrase.head == "object")
+
+
+_FORMS_OF_THINGS = frozenset(
+    """
+    recliner reclining rocking swivel folding extendable extending convertible canopy poster sectional freestanding
+    hanging mounted stacking telescopic roll rolling wheeled tilting adjustable heated upholstered padded
+    """.split()
+)
+"""Words for the form of furniture, of which assets have none but their category's."""
+_USUAL = {
+    "table": frozenset("kitchen dining breakfast family guest farmhouse lunch dinner eating restaurant cafe".split()),
+    "bed": frozenset("guest child kid family hotel parent visitor twin sleeping".split()),
+}
+"""What tables and beds that are like any other are for, by the noun."""
+
+
+def _tells_kind(reading: Reading, phrase: Phrase, index: int) -> bool:
+    """Whether a word before a thing's name tells a kind of it that its category does not: "a treatment table"."""
+    word, noun = reading.word(index), reading.word(phrase.noun_end - 1)
+    if word in _FORMS_OF_THINGS:
+        return True
+    category, _ = furniture_of((word,))
+    if category and category != phrase.category and of_one_kind(category, phrase.category):
+        return True
+    plain = word in FUNCTION_WORDS | PLAIN | {"size", "sized"} or is_size(word) or word.endswith("ly")
+    return noun in _USUAL and _core(reading, phrase) == phrase.noun_end - 1 and not plain and word not in _USUAL[noun]
 
 
 def _is_measured(reading: Reading, phrase: Phrase) -> bool:

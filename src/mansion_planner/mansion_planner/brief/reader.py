@@ -16,7 +16,13 @@ from mansion_planner.brief.area_words import Measure
 from mansion_planner.brief.background_phrases import without_bystanders
 from mansion_planner.brief.bare_areas import with_bare_areas
 from mansion_planner.brief.blocks import with_blocks
-from mansion_planner.brief.building import building_phrase, own_building_name, unknown_building
+from mansion_planner.brief.building import (
+    building_phrase,
+    is_asked_for,
+    is_the_writer,
+    own_building_name,
+    unknown_building,
+)
 from mansion_planner.brief.building_again import leave_out_other_names
 from mansion_planner.brief.building_shape import give_rooms_to_copies, read_copies, read_massing, read_shape, read_sizes
 from mansion_planner.brief.clutter import read_clutter_words, read_things_about
@@ -41,6 +47,7 @@ from mansion_planner.brief.households import read_households
 from mansion_planner.brief.later_mentions import give_areas_of_mentions, place_by_mentions, tell_rooms_within
 from mansion_planner.brief.measures import find_measures, give_measures
 from mansion_planner.brief.named_rooms import desks_as_places, rooms_by_name
+from mansion_planner.brief.niches import read_niches
 from mansion_planner.brief.noun_phrases import noun_phrases
 from mansion_planner.brief.occupants import read_occupants, tell_users
 from mansion_planner.brief.one_sized import with_one_sized
@@ -49,7 +56,7 @@ from mansion_planner.brief.qualifiers import unheeded_words
 from mansion_planner.brief.reading import Place, Reading, start_reading
 from mansion_planner.brief.relation_facts import state_relations
 from mansion_planner.brief.relations import read_relations
-from mansion_planner.brief.retractions import without_retractions
+from mansion_planner.brief.retractions import without_retractions, without_taken_back
 from mansion_planner.brief.room_facts import RoomStatements
 from mansion_planner.brief.room_names import told_by_its_words
 from mansion_planner.brief.rooms_by_building import room_for_building
@@ -70,6 +77,7 @@ from mansion_planner.brief.units import are_units, is_type_of_flat
 from mansion_planner.brief.unread_words import leave_unread
 from mansion_planner.brief.vertical_facts import read_stairs_and_lifts
 from mansion_planner.brief.washing_and_resting import by_what_else_is_named
+from mansion_planner.brief.washing_fittings import read_washing_fittings
 
 __all__ = ["read_brief"]
 
@@ -165,6 +173,8 @@ class _Reader:
     def _find_groups(self) -> None:
         """Find what belongs together: late counts, what each flat holds, what only holds or furnishes another room."""
         reading = self.reading
+        read_washing_fittings(reading, self.phrases)
+        read_niches(reading, self.phrases, self.building)
         read_late_counts(reading, self.phrases)
         read_counts_by_room(reading, self.phrases)
         self.phrases, self.households = read_households(reading, self.phrases, self.places, self.building)
@@ -177,7 +187,8 @@ class _Reader:
     def _join(self) -> None:
         """Find what joins the phrases: relations, negations, and the storeys that they are on."""
         reading = self.reading
-        self.relations = read_relations(reading, self.phrases, set() if self.building is None else {self.building})
+        relations = read_relations(reading, self.phrases, set() if self.building is None else {self.building})
+        self.relations = without_taken_back(reading, self.phrases, relations)
         self.negated = negated_phrases(reading, self.phrases)
         self.attached = attach_units(reading, self.places, self.phrases, self.building, self.households)
         for number, phrase in enumerate(self.phrases):
@@ -255,7 +266,9 @@ class _Reader:
         if opening is not None:
             rooms_before = any(p.begin < opening[2] for p in phrases if p.head == "room")
             known = number is not None and reading.sentence[phrases[number].first] <= reading.sentence[opening[2]]
-            if known or rooms_before or not (number is None or opening[1]):
+            wanted = number is not None and is_asked_for(reading, phrases[number].first)
+            asked = wanted and is_the_writer(reading, opening[2])
+            if known or asked or rooms_before or not (number is None or opening[1]):
                 opening = None
         if opening is not None and opening[0] in BARE_BUILDINGS:
             reading.take(opening[2], opening[3])
@@ -269,6 +282,7 @@ class _Reader:
         if number is None:
             read_sizes(reading, 0, 0)
             return None
+        number = self._without_the_writer(phrases, number)
         phrase = phrases[number]
         name = "apartment_building" if phrase.building == "flat" and phrase.plural else phrase.building
         self.facts.building.append((name, self.reading.span(phrase.begin, phrase.noun_end)))
@@ -279,6 +293,17 @@ class _Reader:
             self.facts.building[-1] = (name, self.reading.span(phrase.begin, phrase.noun_end))
             return None  # "two flats side by side" are a building and its rooms
         return number
+
+    def _without_the_writer(self, phrases: list[Phrase], number: int) -> int:
+        """Leave out who asks for the building: "We are a bank. We need an office"; return its number then."""
+        reading, building = self.reading, phrases[number]
+        if not is_asked_for(reading, building.first):
+            return number
+        writers = [p for p in phrases[:number] if p.building and is_the_writer(reading, p.first)]
+        for phrase in writers:
+            reading.take(phrase.first, phrase.last)
+        phrases[:] = [p for p in phrases if p not in writers]
+        return phrases.index(building)
 
     def _place_with(self, others: dict[int, int]) -> None:
         """Put a room that is told by its size, whose storey is not said, where the others of its kind are."""

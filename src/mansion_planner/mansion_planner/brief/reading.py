@@ -12,10 +12,13 @@ from mansion_planner.brief.count_forms import count_forms
 from mansion_planner.brief.facts import BriefFacts, FloorRef, Quantity, Span
 from mansion_planner.brief.flat_types import flat_types
 from mansion_planner.brief.furniture_words import furniture_vocabulary
+from mansion_planner.brief.labelled_rooms import labelled_rooms
 from mansion_planner.brief.lexicon import Mention, lexicon_of
+from mansion_planner.brief.paired_nouns import paired_nouns
 from mansion_planner.brief.relative_areas import relative_areas
 from mansion_planner.brief.shortened_nouns import shortened_nouns
 from mansion_planner.brief.spelling import corrected
+from mansion_planner.brief.spoken_turns import spoken_turns
 from mansion_planner.brief.stacked_flats import stacked_flats
 from mansion_planner.brief.storey_forms import storey_forms
 from mansion_planner.brief.storey_tables import storey_tables
@@ -143,7 +146,21 @@ class Reading:
 
     def breaks(self, index: int) -> bool:
         """Whether a token ends a sentence (or lies outside the brief)."""
-        return not 0 <= index < len(self.tokens) or (self.word(index) in _BREAKS and not self._abbreviated(index))
+        if not 0 <= index < len(self.tokens):
+            return True
+        return self.word(index) in _BREAKS and not self._abbreviated(index) and not self._goes_on(index)
+
+    def _goes_on(self, index: int) -> bool:
+        """Whether a full stop is one of several after which the sentence goes on: "with glass... next to the hall"."""
+        if self.word(index) != "." or "." not in (self.word(index - 1), self.word(index + 1)):
+            return False
+        last = index
+        while self.word(last + 1) == ".":
+            last += 1
+        after = last + 1
+        return index < last or (
+            after < len(self.tokens) and not self.tokens[after].capital and self.word(after) != "\n"
+        )
 
     def _abbreviated(self, index: int) -> bool:
         """Whether a full stop belongs to an abbreviation: "approx.", "sq.m. each"."""
@@ -192,7 +209,8 @@ class Reading:
 def start_reading(text: str, knowledge: KnowledgeBase, cancelled: Callable[[], bool] = lambda: False) -> Reading:
     """Tokenise `text`, correct misspelt words and find the phrases of the knowledge base."""
     lexicon = lexicon_of(knowledge)
-    tokens, corrections = corrected_numbers(shortened_nouns(tokenize(text.replace("@", "à"))))
+    tokens, corrections = corrected_numbers(spoken_turns(shortened_nouns(tokenize(text.replace("@", "à")))))
+    tokens = labelled_rooms(paired_nouns(tokens))
     tokens = storey_tables(abbreviated_storeys(text, decades(tokens)), FLOOR_WORDS)
     tokens = flat_types(count_forms(storeys_by_use(storey_forms(text, tokens), FLOOR_WORDS)))
     tokens = compounds(corrected(tokens, lexicon.words, furniture_vocabulary()), lexicon.words)

@@ -10,6 +10,13 @@ from mansion_planner.brief.room_facts import identifier
 
 __all__ = ["state_relations"]
 
+_THROUGH = frozenset(
+    """
+    open opening lead leading connected connect connecting linked joined link access accessed accessible reached entered
+    communicate communicating attached passage
+    """.split()
+)
+"""Words of relations between rooms of which one is entered from the other."""
 _CLOSE = 8
 _WORDS = 12
 """Tokens between a relation and a room that its statement names, and of a statement, at most."""
@@ -47,6 +54,7 @@ def state_relations(
                     identifier(first.name),
                     identifier(second.name),
                     each=pair[0] != pair[1] and (first.count or 2) > 1 and not relation.apart,
+                    door=not relation.apart and not _THROUGH.isdisjoint(reading.words(relation.first, relation.last)),
                 )
             )
         if len(held) == many:

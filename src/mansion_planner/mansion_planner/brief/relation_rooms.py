@@ -79,7 +79,7 @@ def is_negated(reading: Reading, phrases: list[Phrase], rooms: list[int], index:
         if reading.word(start) in NEGATIONS - {"nor"}:
             break
     window = range(start, index)
-    hits = [i for i in window if reading.word(i) in NEGATIONS]
+    hits = [i for i in window if reading.word(i) in NEGATIONS and reading.words(i, i + 2) != ("never", "mind")]
     if not hits:
         return False
     # "no lift next to the stairs" negates the lift; "must not be next to" and "neither A nor B" the relation.

@@ -26,7 +26,12 @@ def room_for_building(reading: Reading, phrase: Phrase) -> Phrase:
     if named is not None and not itself:
         return replace(phrase, head="room", building="", room_type=named, known=True)
     lodging = _PLAIN.get(kind) or _PLAIN.get(like)
-    if lodging and phrase.room_type == "hotel_room" and phrase.name.partition("_")[0] in _BEDS:
+    if (
+        lodging
+        and lodging != "hostel_dorm"
+        and phrase.room_type == "hotel_room"
+        and phrase.name.partition("_")[0] in _BEDS
+    ):
         return replace(phrase, room_type=lodging, known=True)  # "twelve double rooms" of a dormitory
     own = None if itself else _by_family(reading, phrase, family)
     if own is not None:
@@ -37,6 +42,7 @@ def room_for_building(reading: Reading, phrase: Phrase) -> Phrase:
         return replace(phrase, known=False)
     hall = phrase.name.split("_")[0] == "hall" and phrase.room_type == "hallway"
     big = not _BIG.isdisjoint(reading.words(phrase.first, phrase.noun_end)) and family not in _DWELT_IN
+    big = big or (reading.word(phrase.last) == "for" and reading.value(phrase.last + 1) >= _CROWD)
     if hall and (big or sum(phrase.areas[:1]) >= 40.0):
         return replace(phrase, room_type="assembly_hall")
     if phrase.head != "room" or phrase.name not in ("room", "guest_room") or not phrase.counted:
@@ -81,6 +87,8 @@ def _by_family(reading: Reading, phrase: Phrase, family: str) -> Phrase | None:
 
 _BIG = frozenset({"big", "large", "main", "great", "huge", "grand", "tall", "public"})
 """What is said of a hall where people meet; a hall that leads to other rooms is not told of so."""
+_CROWD = 20
+"""People from which on a hall is for them to meet in."""
 _DWELT_IN = frozenset({"home", "lodging"})
 """Families of buildings whose cabins are to sleep in."""
 
@@ -104,5 +112,6 @@ _PLAIN = {
     "hospital": "patient_room",
     "hostel": "hostel_dorm",
     "student_dormitory": "dorm_room",
+    "flat_share": "bedroom",
     "nursing_home": "resident_room",
 }

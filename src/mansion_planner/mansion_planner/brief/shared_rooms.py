@@ -24,10 +24,14 @@ _JOINTS = frozenset({"and", ",", "&", "/", "+", "as", "well"})
 _ONE = frozenset({"combined", "joint", "joined", "merged", "mixed"})
 _SERVES = frozenset({"serve", "serves", "serving", "double", "doubles", "doubling", "used", "act", "acts", "function"})
 _STUDIO = frozenset({"living", "sleeping"})
+_BEFORE_USE = frozenset("of that which is are can be will to also , ( )".split())
+_USE_WORDS = frozenset("for as and or both a an the also alternately & either".split())
+_MOST_BEFORE_USE, _MOST_OF_USES = 6, 10
 
 
 def rooms_of_several_uses(reading: Reading, phrases: list[Phrase]) -> list[Phrase]:
     """Return the phrases with each such room as one; what names its further uses is no phrase by itself."""
+    phrases = _without_what_rooms_are_used_for(reading, phrases)
     found: list[Phrase] = []
     number = 0
     while number < len(phrases):
@@ -48,6 +52,38 @@ def rooms_of_several_uses(reading: Reading, phrases: list[Phrase]) -> list[Phras
         while number < len(phrases) and phrases[number].first < shared.last:
             number += 1
     return found
+
+
+def _without_what_rooms_are_used_for(reading: Reading, phrases: list[Phrase]) -> list[Phrase]:
+    """Return the phrases without the uses of a room: "a hall of 150 m2 used both for gym and for assemblies"."""
+    dropped: set[int] = set()
+    begins = {phrase.first: number for number, phrase in enumerate(phrases)}
+    for number, phrase in enumerate(phrases):
+        first = _use_begins(reading, phrase) if phrase.head == "room" and number not in dropped else 0
+        at, inside = first, []
+        while at and at - first < _MOST_OF_USES:
+            if at in begins and not phrases[begins[at]].counted:
+                inside.append(begins[at])
+                at = phrases[begins[at]].last
+            elif reading.word(at) in _USE_WORDS or reading.word(at - 1) in ("for", "as"):
+                at += 1
+            else:
+                break
+        if any(phrases[use].head == "room" and phrases[use].room_type in _TYPES for use in inside):
+            continue  # "a lounge used as a bedroom" is both
+        if first:
+            dropped.update(inside)
+            reading.take(first - 1, at)
+    return [phrase for number, phrase in enumerate(phrases) if number not in dropped]
+
+
+def _use_begins(reading: Reading, phrase: Phrase) -> int:
+    """Return the token after "used" and the like, which say of a room what it is for; 0 where they do not."""
+    at = phrase.last
+    while reading.word(at) in _BEFORE_USE or reading.kind(at) in ("number", "unit"):
+        at += 1
+    several = reading.word(at + 1) in ("both", "for", "as") or reading.words(at + 1, at + 3) == ("alternately", "for")
+    return at + 1 if at - phrase.last <= _MOST_BEFORE_USE and reading.word(at) in _SERVES and several else 0
 
 
 def as_studio_flat(reading: Reading, phrases: list[Phrase]) -> None:

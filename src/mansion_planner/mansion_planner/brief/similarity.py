@@ -104,7 +104,14 @@ def told_room_type(name: str, knowledge: KnowledgeBase) -> str:
     if singular(head) not in _GENERAL_HEADS:
         return ""
     told = (knowledge.telling.get(word) or knowledge.telling.get(singular(word)) for word in reversed(before))
-    return next((kind for kind in told if kind), "")
+    kind = next((kind for kind in told if kind), "")
+    if singular(head) == "hall" and kind and knowledge.room(kind).usual < _LEAST_HALL:
+        return "warehouse" if knowledge.room(kind).zone == "service" else ""
+    return kind
+
+
+_LEAST_HALL = 13.0
+"""Square metres that a kind of room usually has so that one of them can be a hall; halls for boats are warehouses."""
 
 
 def similar_room_type(name: str, knowledge: KnowledgeBase) -> str:

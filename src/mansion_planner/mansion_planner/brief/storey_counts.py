@@ -118,8 +118,8 @@ class StoreyCounts:
     def _labelled_count(self, index: int) -> int:
         """Read "floors: 3", "Storeys = 3", "number of floors: 3", "basement: none"."""
         reading = self.reading
-        if reading.word(index) in FLOOR_WORDS | {"basement"} and reading.word(index + 1) in (":", "="):
-            below = reading.word(index) == "basement"
+        if reading.word(index) in FLOOR_WORDS | {"basement", "cellar"} and reading.word(index + 1) in (":", "="):
+            below = reading.word(index) in ("basement", "cellar")
             if reading.kind(index + 2) == "number" and reading.word(index + 3) in CLOSERS | {"and"}:
                 self._state(reading.value(index + 2), index, index + 3, below=below)
                 return index + 3

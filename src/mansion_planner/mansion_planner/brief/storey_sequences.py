@@ -19,6 +19,10 @@ _MORE = frozenset({"also", "likewise", "too", "additionally", "further", "furthe
 _BOTTOM = frozenset({"bottom", "ground", "base"})
 
 
+_JOINS = frozenset({"to", "through", "until", "up", "-", "–", "and", ",", "&"})
+"""Words between the ordinals of several storeys."""
+
+
 class StoreySequence:
     """Follows a brief from storey to storey.
 
@@ -122,6 +126,8 @@ class StoreySequence:
         opens = reading.kind(index) == "ordinal" and reading.starts(index) and index not in reading.taken
         if base is None or base.kind != "number" or not opens or reading.word(index + 1) in FLOOR_WORDS:
             return None
+        if reading.word(index + 1) in _JOINS and "ordinal" in (reading.kind(index + 2), reading.kind(index + 3)):
+            return None  # "Second to fourth floor: ..."
         value = int(reading.value(index))
         follows = value == base.last + 1 and value <= floors
         return ([FloorRef("number", value, value)], index + 1) if follows else None

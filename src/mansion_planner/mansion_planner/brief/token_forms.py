@@ -313,7 +313,8 @@ def upward_ranges(tokens: list[Token], floor_words: frozenset[str]) -> list[Toke
     for index, token in enumerate(tokens):
         following = [other.text for other in tokens[index + 1 : index + 3]]
         final = index + 2 + (following[1:] == ["the"])
-        up = token.text == "up" and following[:1] == ["to"] and names_storey(index - 1)
+        first = names_storey(index - 1) or (index > 0 and tokens[index - 1].kind == "ordinal")
+        up = token.text == "up" and following[:1] == ["to"] and first
         if not (up and final < len(tokens) and (names_storey(final) or tokens[final].kind == "number")):
             result.append(token)
     return result

@@ -2,6 +2,7 @@
 
 from mansion_planner.brief.asides import aside_tokens
 from mansion_planner.brief.exclusions import MOTIONS
+from mansion_planner.brief.figurative_nouns import is_figurative
 from mansion_planner.brief.phrase import FUNCTION_WORDS, PLAIN, PREDICATES
 from mansion_planner.brief.qualifiers import is_property
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
@@ -46,7 +47,7 @@ _REQUESTS = frozenset(
     design generate imagine think thank suppose assume kindly hereby attach attached regards turn convert converting
     furnish bought dream dreaming wanting requiring requirement help mean means call enter coming map
     wished wishing renovate refurbish redesign naturally course completely strictly oh whatever latter thereabouts
-    utmost provided outgrown premises
+    utmost provided outgrown premises actually hmm hm um uh erm scrap wait sorry oops
     """.split()
 )
 """Words that ask for a building and say nothing of it."""
@@ -77,6 +78,14 @@ _ASKING = {
     "restoring": frozenset({"a", "an", "the", "our", "my"}),
 }
 """Verbs that ask for a building where one of these words follows: "we are looking for a flat", "plan a clinic"."""
+
+_AFTER_LEAD = {
+    "mind": frozenset({"in"}),
+    "possible": frozenset({"if", "where", "when", "as"}),
+    "thought": frozenset({"second"}),
+    "forget": frozenset({"not"}),
+}
+"""Words that ask for nothing after one of these: "I have a studio flat in mind", "if possible", "do not forget"."""
 
 _FORMS = frozenset({"form", "plan", "shape", "format", "layout", "outline"})
 """Nouns of an outline that is read from the words beside them: "an L-shaped plan", "in form of U"."""
@@ -119,8 +128,16 @@ def _says_no_more(reading: Reading, index: int) -> bool:
         return True
     if reading.word(index + 1) in _ASKING.get(token.text, ()):
         return True
-    if token.text == "mind" and reading.word(index - 1) == "in":
-        return True  # "I have a studio flat in mind"
+    if reading.word(index - 1) in _AFTER_LEAD.get(token.text, ()):
+        return True
+    if token.text == "step" and reading.word(index - 1) in ("no", "without", "any") and _on_one_level(reading):
+        return True  # "everything on one level, no steps"
+    if token.text == "over" and reading.word(index + 1) == "all" and _has_measure(reading, index):
+        return True  # "150 m2 over all"
+    if token.text == "quiet" and reading.word(index - 1) in ("need", "want", "like", "love"):
+        return True  # "I need quiet" is a reason
+    if token.text == "flat" and is_figurative(reading, index, index + 1):
+        return True  # "Flat, no stairs!"
     if token.text == "young" and reading.word(index + 1) in _HOUSEHOLD:
         return True
     if token.text in _SIZES and _has_measure(reading, index):
@@ -136,6 +153,10 @@ def _says_no_more(reading: Reading, index: int) -> bool:
         return True  # "a clinic in a building of 170 m2", "an entire seven-storey building"
     around = reading.word(index + 1) in ("around", "round") and reading.word(index + 2) in ("a", "an", "the", "one")
     return token.text in _LAID and around and bool(_YARDS & set(reading.words(index + 2, index + 6)))
+
+
+def _on_one_level(reading: Reading) -> bool:
+    return any(quantity.value == 1 for quantity in reading.facts.floors)
 
 
 def _places(reading: Reading, index: int) -> bool:

@@ -38,6 +38,8 @@ def read_stairs_and_lifts(reading: Reading, phrases: list[Phrase], negated: Mapp
         only = "only" in (reading.word(phrase.last), reading.word(phrase.first - 1))
         if enough or (only and not phrase.counted):  # "only one lift" is a number
             reading.facts.vertical.append(("no_elevator" if phrase.head == "stair" else "no_stair", span))
+            only_at = phrase.last if reading.word(phrase.last) == "only" else phrase.first - 1
+            reading.take(only_at, only_at + (reading.word(only_at) == "only"))
         reading.facts.vertical.append((phrase.head, span))
         if phrase.counted and phrase.count is not None and phrase.determiner not in ("the", "both"):
             held = reading.facts.stairs if phrase.head == "stair" else reading.facts.lifts

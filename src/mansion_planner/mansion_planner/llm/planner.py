@@ -1,6 +1,7 @@
 """Lines 1 to 7 of Algorithm 1 with a language model: each piece by the model where its answer holds, else by rules."""
 
 import dataclasses
+from collections.abc import Callable
 
 import msgspec
 
@@ -35,7 +36,11 @@ WORST_AREAS = 0.3
 
 
 def plan_with_model(
-    request: BuildRequest, knowledge: KnowledgeBase, building_id: str, client: LlmClient | None = None
+    request: BuildRequest,
+    knowledge: KnowledgeBase,
+    building_id: str,
+    client: LlmClient | None = None,
+    cancelled: Callable[[], bool] = lambda: False,
 ) -> PlanReply:
     """Plan a building with a language model.
 
@@ -47,6 +52,8 @@ def plan_with_model(
     ----------
     client : LlmClient, optional
         The configured one when absent.
+    cancelled : callable
+        Asked by the configured client before each request whether the plan is not wanted any more.
 
     Returns
     -------
@@ -58,7 +65,7 @@ def plan_with_model(
     MansionError
         As `mansion_planner.plan.plan_building`, and ``UNAVAILABLE`` when no model is configured or it refuses its key.
     """
-    client = client or LlmClient.from_environment()
+    client = client or LlmClient.from_environment(cancelled=cancelled)
     context = Context(client, knowledge, request.description)
     try:
         if request.footprint is not None:

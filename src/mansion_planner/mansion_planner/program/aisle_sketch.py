@@ -9,7 +9,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from mansion_planner.program.bands import Segment, fill_segments, front_order, with_rows
-from mansion_planner.program.blocks import Block, group_blocks, lay_block
+from mansion_planner.program.blocks import Block, group_blocks, lay_block, passage_of
 from mansion_planner.program.massing import MassingWish, corridor_width
 from mansion_planner.program.model import (
     LIFT,
@@ -193,7 +193,7 @@ def _sketch(
     end, rest = _end_room(massing, storey.rooms)
     stop = massing.length - (end.gross / massing.depth if end else 0.0)
     band = max(aisles.outer, aisles.inner)
-    blocks = group_blocks(front_order(rest), band, pairs)
+    blocks = group_blocks(front_order(rest), band, pairs, passages=True)
     large = [block for block in blocks if block.gross > through * band**2] if through else []
     halls, placed = _halls(massing, stop, large)
     open_segments = [*_half_bands(massing, stop), *_inner_bands(massing, stop, halls, whole=not through)]
@@ -301,12 +301,20 @@ def _assembled(
             box = segment.world((0.0, 0.0, segment.length, segment.depth), segment.begin, massing)
             corridors[owner] = replace(corridors[owner], boxes=[*corridors[owner].boxes, box])
             continue
-        bearing.setdefault(segment.front, []).append((segment.begin, segment.end))
+        begin = segment.begin
         for block, x0, x1 in segment.laid():
+            passage = passage_of(block, x1 - x0, segment.depth)
+            if passage:
+                owner = next(k for k, corridor in enumerate(corridors) if corridor.id == segment.bar)
+                box = segment.world(passage, x0, massing)
+                corridors[owner] = replace(corridors[owner], boxes=[*corridors[owner].boxes, box])
+                bearing.setdefault(segment.front, []).append((begin, x0 + passage[0]))
+                begin = x0 + passage[2]
             for room, boxes in lay_block(block, x1 - x0, segment.depth):
                 world = [segment.world(box, x0, massing) for box in boxes]
                 parent = next((p.id for p in block.host.each() if any(c is room for c in p.suite)), segment.bar)
                 rooms.append(Placement(room, world, parent))
+        bearing.setdefault(segment.front, []).append((begin, segment.end))
     if end is not None:
         middle = _corridor_name(len(_aisles(massing).lines) // 2 - 1, east=True)
         rooms.append(Placement(end, [(stop, 0.0, massing.length, massing.depth)], middle))

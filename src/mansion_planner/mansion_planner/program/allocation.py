@@ -4,7 +4,7 @@ from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
-from mansion_knowledge import KnowledgeBase, RoomEntry, RoomType
+from mansion_knowledge import KnowledgeBase, RoomEntry
 from mansion_msgs_py.program import TraceEntry
 from mansion_planner.brief.facts import RoomFact
 from mansion_planner.brief_checks import check_number
@@ -15,6 +15,7 @@ from mansion_planner.program.model import PlannedRoom, Storey
 from mansion_planner.program.people_rooms import people_rooms, place_rooms, professional_rooms
 from mansion_planner.program.planned_rooms import planned_room
 from mansion_planner.program.step_record import Record
+from mansion_planner.program.storey_choice import floors_for, in_order, is_free_bathroom, number_of
 from mansion_planner.program.storeys import entries_of, floors_of
 
 __all__ = ["MANY", "Allocation", "allocate"]
@@ -132,13 +133,16 @@ def allocate(decisions: Decisions, knowledge: KnowledgeBase, storeys: Sequence[S
         *(fact for fact, _ in professional),
         *(fact for fact, _ in for_furniture if fact not in decisions.facts.rooms),
     ]
-    for fact in sorted(asked, key=lambda fact: _is_free_bathroom(fact, decisions)):  # once bedrooms have their storeys
-        check_number(fact.name, _number_of(fact), len(storeys))
-        floors, where = _floors_for(fact, knowledge, decisions, storeys, wanted)
+    for fact in in_order(asked, decisions, knowledge):
+        check_number(fact.name, number_of(fact), len(storeys))
+        floors, where = floors_for(fact, knowledge, decisions, storeys, wanted)
         for floor, number in Counter(floors).items():
             check_number(fact.name, number, 1)
             wanted[floor] += [fact] * number
-        note(trace, fact.span, f"{fact.name} x{_number_of(fact)}{where}")
+        note(trace, fact.span, f"{fact.name} x{number_of(fact)}{where}")
+    rank = {id(fact): number for number, fact in enumerate(asked)}
+    for rooms in wanted.values():
+        rooms.sort(key=lambda fact: (is_free_bathroom(fact, decisions), rank[id(fact)]))
     places = place_rooms(decisions, storeys, wanted)
     if places is not None:
         fact, area, on = places
@@ -172,16 +176,17 @@ def _settled_types(facts: Iterable[RoomFact], decisions: Decisions, knowledge: K
     refused -= asked
     settled = refused.union(*(group for group in _REFUSED_TOGETHER if group & refused)) - asked
     for fact in facts:
-        settled.update(*(_LEAVES_OUT.get(child.room_type, ()) for child in fact.suite))
+        if decisions.building.family != "home":  # guests of a home use no bathroom of a bedroom
+            settled.update(*(_LEAVES_OUT.get(child.room_type, ()) for child in fact.suite))
         if not fact.unit:
             settled.update(child.room_type for child in fact.suite if not knowledge.room(child.room_type).wet)
         kind = knowledge.room(fact.room_type)
+        if kind.name == "private_office" and decisions.building.family != "office":
+            settled.add("open_office")  # a factory with offices of its own has no office floor
         one_of_several = fact.count == 1 and (kind.common or kind.name == "master_suite")
         if fact.count is not None and not one_of_several:
             settled.update(name for name, other in knowledge.rooms.items() if other.counts_as == kind.counts_as)
             settled.update(next((group for group in _SAME_USE if kind.name in group), ()))
-            if kind.name == "private_office" and decisions.building.family != "office":
-                settled.add("open_office")  # a factory with two offices has no third one
             if fact.count > 1:
                 settled.update(_same_head(fact.name, knowledge))
                 settled.update(_LEAVES_OUT.get(kind.name, ()))
@@ -210,6 +215,7 @@ _SAME_USE = (
     frozenset({"cinema_hall", "auditorium"}),
     frozenset({"toilet", "restroom"}),
     frozenset({"classroom", "training_room"}),
+    frozenset({"teachers_room", "break_room"}),
     frozenset({"dorm_room", "hostel_dorm", "bunk_room", "holding_cell"}),
 )
 """Room types that stand for each other: a stated number of one leaves no room for another."""
@@ -248,109 +254,3 @@ def _same_head(name: str, knowledge: KnowledgeBase) -> set[str]:
 
 _HEADS_ALIKE = (frozenset({"lab", "laboratory"}),)
 """Nouns that mean the same at the end of a room's name."""
-
-
-def _number_of(fact: RoomFact) -> int:
-    return fact.count if fact.count is not None else 2
-
-
-def _floors_for(
-    fact: RoomFact,
-    knowledge: KnowledgeBase,
-    decisions: Decisions,
-    storeys: Sequence[Storey],
-    wanted: Mapping[int, Sequence[RoomFact]],
-) -> tuple[list[int], str]:
-    """Return the storeys of a fact's rooms, one entry for each room, and where the brief itself puts them, in words.
-
-    Parameters
-    ----------
-    wanted : mapping of int to sequence of RoomFact
-        What the storeys have so far: a room that the brief leaves free goes to the emptiest.
-    """
-    above = [storey.index for storey in storeys if storey.index >= 1]
-    count = _number_of(fact)
-    if fact.floors:
-        chosen = [f for f in floors_of(fact.floors, decisions) if f in wanted] or [above[-1]]
-        found: list[int] = []
-        for number, floor in enumerate(chosen):
-            found += [floor] * (count if fact.each else count // len(chosen) + (number < count % len(chosen)))
-        return found, f" on storey {', '.join(str(floor) for floor in chosen)}"
-    if fact.each:
-        return [floor for floor in above for _ in range(count)], " on every storey"
-    floors = _preferred(knowledge.room(fact.room_type), decisions, storeys)
-    if _is_free_bathroom(fact, decisions):
-        return _by_bedrooms(count, floors, wanted, knowledge), ""
-    beside = _beside(fact, decisions, wanted)
-    if beside and count == 1:
-        floors = beside
-    return _emptiest(fact, count, floors, wanted), ""
-
-
-def _emptiest(fact: RoomFact, count: int, floors: Sequence[int], wanted: Mapping[int, Sequence[RoomFact]]) -> list[int]:
-    """Return a storey for each of `count` rooms: the one where the brief asks for the least area so far."""
-    areas = {floor: [other.area or _USUAL for other in wanted[floor]] for floor in floors}
-    found = []
-    for _ in range(count):
-        floor = min(floors, key=lambda f: (sum(areas[f]), f))
-        areas[floor].append(fact.area or _USUAL)
-        found.append(floor)
-    return found
-
-
-def _is_free_bathroom(fact: RoomFact, decisions: Decisions) -> bool:
-    """Whether a bathroom of a home is for the planner to put on a storey."""
-    beside = any(fact.name in (a.first_name, a.second_name) for a in decisions.facts.adjacent)
-    free = not fact.floors and not fact.each and not beside
-    return free and fact.room_type == "bathroom" and decisions.building.family == "home"
-
-
-_BY_DAY = 1.5
-"""Bedrooms that a storey without any counts for when bathrooms are shared out over the storeys of a home."""
-
-
-def _by_bedrooms(
-    count: int, floors: Sequence[int], wanted: Mapping[int, Sequence[RoomFact]], knowledge: KnowledgeBase
-) -> list[int]:
-    """Return a storey for each of `count` bathrooms: the one with the most bedrooms for each bathroom there."""
-
-    def number(floor: int, kind: str) -> int:
-        return sum(knowledge.room(fact.room_type).counts_as == kind for fact in wanted[floor])
-
-    bathrooms = {floor: number(floor, "bathroom") for floor in floors}
-    found: list[int] = []
-    for _ in range(count):
-        floor = max(floors, key=lambda f: ((number(f, "bedroom") or _BY_DAY) / (bathrooms[f] + 1), -f))
-        bathrooms[floor] += 1
-        found.append(floor)
-    return found
-
-
-_USUAL = 14.0
-"""Square metres that a room without a stated area counts for when rooms are shared out over storeys."""
-
-
-def _beside(fact: RoomFact, decisions: Decisions, wanted: Mapping[int, Sequence[RoomFact]]) -> list[int]:
-    """Return the storeys of the rooms that this one is to stand beside, once they have theirs."""
-    names = {a.second_name if a.first_name == fact.name else a.first_name for a in decisions.facts.adjacent
-             if fact.name in (a.first_name, a.second_name)}  # fmt: skip
-    return [floor for floor, facts in sorted(wanted.items()) if any(other.name in names for other in facts)]
-
-
-def _preferred(kind: RoomType, decisions: Decisions, storeys: Sequence[Storey]) -> list[int]:
-    above = [storey.index for storey in storeys if storey.index >= 1]
-    below = [storey.index for storey in storeys if storey.index < 1]
-    home = decisions.building.family == "home"
-    if kind.storey == "basement" and below:
-        return below
-    if kind.name in ("bathroom", "toilet") and home:
-        return above[1:] + above[:1] if len(above) > 1 else above
-    if kind.storey == "ground":
-        if kind.name in ("classroom", "shop"):
-            return above
-        return above[:1]
-    if kind.storey == "upper":
-        return above[1:] or above
-    if kind.storey == "top":
-        return above[-1:]
-    return above

@@ -399,7 +399,8 @@ def _rooms(
     most = most_fronts(form) if hall else MOST_ROOMS
     filled = fill_storey(storey, allocation, knowledge, room, hub_share=share, most_rooms=most)
     filled = with_kitchen(filled, storey, allocation, knowledge, share)
-    chosen = with_public_toilets(storey, filled, allocation, knowledge, share, others)
+    grows_to = 0.0 if hall else room
+    chosen = with_public_toilets(storey, filled, allocation, knowledge, share, others, grows_to)
     chosen = behind_staff_rooms(for_sleepers(chosen, storey), storey, _named(decisions))
     if hall and stated:
         room -= share

@@ -4,8 +4,9 @@ from collections.abc import Sequence
 
 import msgspec
 
-from mansion_planner.program.blocks import Block, widened
+from mansion_planner.program.blocks import Block
 from mansion_planner.program.model import Box, Massing, PlannedRoom, Wing
+from mansion_planner.program.widths import widened
 
 __all__ = ["Segment", "bring_together", "fill_segments", "front_order", "misfit_of_exchange", "with_rows"]
 

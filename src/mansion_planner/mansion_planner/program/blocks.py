@@ -1,4 +1,7 @@
-"""Blocks of rooms along a corridor: a room of a band's depth with small rooms in its front corner, or a suite."""
+"""Blocks of rooms along a corridor: a room of a band's depth with small rooms in its front corner, or a suite.
+
+Small rooms that want no window lie around a passage of their own where there are enough of them.
+"""
 
 from collections.abc import Sequence
 
@@ -8,8 +11,10 @@ from mansion_knowledge import RoomType
 from mansion_knowledge.norms import Norm, load_norms
 from mansion_planner.program.model import Box, PlannedRoom
 from mansion_planner.program.plan_quality import STRIP
+from mansion_planner.program.side_passages import Cluster, Wish, cluster_layout, cluster_width
+from mansion_planner.program.widths import widened
 
-__all__ = ["DOOR", "LEAST_FRONT", "Block", "group_blocks", "lay_block", "least_sides", "needs_outer_wall", "widened"]
+__all__ = ["DOOR", "LEAST_FRONT", "Block", "group_blocks", "lay_block", "least_sides", "needs_outer_wall", "passage_of"]
 
 DOOR = 1.5
 """Least contact of a room with what it is reached from, with a margin over the 1.20 m of a door, metres."""
@@ -46,18 +51,6 @@ def _is_wide(room: PlannedRoom) -> bool:
     return room.kind.name in load_norms().rules["accessible_toilet_size"].rooms
 
 
-def widened(widths: list[float], least: list[float]) -> list[float]:
-    """Raise widths to their least; those that have more to spare give it, in proportion.
-
-    The sum stays; widths that cannot all have their least stay as they are.
-    """
-    need = sum(max(low - width, 0.0) for width, low in zip(widths, least))
-    spare = sum(max(width - low, 0.0) for width, low in zip(widths, least))
-    if need <= 0.0 or spare <= need:
-        return widths
-    return [low if width < low else width - (width - low) * need / spare for width, low in zip(widths, least)]
-
-
 class Block(msgspec.Struct, frozen=True):
     """A room of full depth with small rooms cut from its front corner.
 
@@ -68,16 +61,20 @@ class Block(msgspec.Struct, frozen=True):
         Rooms too small for the band's depth, also reached from the corridor.
     least : float
         Metres of front that its place asks for.
+    passage : float
+        Square metres of the passage around which host and small rooms lie, rectangles all; 0 where the small rooms are
+        cut from the host's corner.
     """
 
     host: PlannedRoom
     smalls: tuple[PlannedRoom, ...] = ()
     least: float = 0.0
+    passage: float = 0.0
 
     @property
     def gross(self) -> float:
-        """Area of the host with its suite and the small rooms."""
-        return self.host.gross + sum(room.area for room in self.smalls)
+        """Area of the host with its suite, the small rooms and their passage."""
+        return self.host.gross + sum(room.area for room in self.smalls) + self.passage
 
     @property
     def fixed(self) -> bool:
@@ -105,18 +102,29 @@ def _front_depth(area: float, depth: float) -> float:
     return float(min(max((area * 1.25) ** 0.5, 1.8), max(depth - 1.8, 0.55 * depth)))
 
 
-def group_blocks(rooms: Sequence[PlannedRoom], depth: float, pairs: Sequence[tuple[str, str]]) -> list[Block]:
-    """Give each room that is too small for a band of `depth` to a larger neighbour as its front corner."""
+def group_blocks(
+    rooms: Sequence[PlannedRoom], depth: float, pairs: Sequence[tuple[str, str]], *, passages: bool = False
+) -> list[Block]:
+    """Give each room that is too small for a band of `depth` to a larger neighbour as its front corner.
+
+    With `passages`, those that want no window first form clusters around a passage.
+    """
     bright = [_wide_enough(room, depth) for room in rooms]
     narrow = [room for room in bright if not room.suite and _is_narrow(room, depth) and _fits_in_front(room, depth)]
     narrow.sort(key=lambda room: -room.area)
-    blocks = [Block(room) for room in bright if not any(room is other for other in narrow)]
+    clusters = (
+        _clusters(narrow, [room for room in bright if room.area <= _MOST_SERVICE], depth, pairs) if passages else []
+    )
+    placed = [room for block in clusters for room in block.fronts()]
+    narrow = [room for room in narrow if not any(room is other for other in placed)]
+    blocks = _in_order(bright, clusters, narrow)
     for room in narrow:
         width = max(room.area / _front_depth(room.area, depth), least_sides(room)[0] if _is_wide(room) else 0.0)
         hosts = [
             number
             for number, block in enumerate(blocks)
             if not block.host.suite
+            and not block.passage
             and len(block.smalls) < 3
             and _spare_front(block, depth) + room.area / depth >= width + _HOST_FRONT
         ]
@@ -126,6 +134,102 @@ def group_blocks(rooms: Sequence[PlannedRoom], depth: float, pairs: Sequence[tup
         else:
             blocks.append(Block(room))
     return blocks
+
+
+def _in_order(rooms: Sequence[PlannedRoom], clusters: Sequence[Block], narrow: Sequence[PlannedRoom]) -> list[Block]:
+    """Return a block for each room that is not narrow, and each cluster where the first of its rooms is."""
+    blocks: list[Block] = []
+    for room in rooms:
+        cluster = next((block for block in clusters if any(room is other for other in block.fronts())), None)
+        if cluster is not None:
+            blocks += [cluster] if not any(cluster is block for block in blocks) else []
+        elif not any(room is other for other in narrow):
+            blocks.append(Block(room))
+    return blocks
+
+
+_MOST_AT_PASSAGE = 4
+"""Rooms around one passage."""
+
+_LONGEST_AT_PASSAGE = 3.2
+"""Long side to the short one that the rooms around a passage have at most."""
+
+
+def _clusters(
+    narrow: Sequence[PlannedRoom], rooms: Sequence[PlannedRoom], depth: float, pairs: Sequence[tuple[str, str]]
+) -> list[Block]:
+    """Return blocks of small rooms around passages: of all ways to divide them, wet ones first, the one of least price.
+
+    A narrow room that is left alone goes with a wider one of `rooms`. Rooms that want a window, or that a brief wants
+    beside another, form no cluster.
+    """
+    dark = [
+        room for room in rooms
+        if not room.kind.daylight and not room.suite and not room.kind.open
+        and not any(room.called(name) for pair in pairs for name in pair)
+    ]  # fmt: skip
+    free = [room for room in dark if any(room is other for other in narrow)]
+    wider = [room for room in dark if not any(room is other for other in free)]
+    free.sort(key=lambda room: (not room.kind.wet, -room.area))
+    best: list[tuple[float, list[list[PlannedRoom]]]] = [(0.0, [])]
+    for end in range(1, len(free) + 1):
+        ways = [(best[end - 1][0] + _ALONE, [*best[end - 1][1], [free[end - 1]]])]
+        for begin in range(max(end - _MOST_AT_PASSAGE, 0), end - 1):
+            priced = _cluster(free[begin:end], depth)
+            if priced is not None:
+                ways.append((best[begin][0] + priced[0], [*best[begin][1], free[begin:end]]))
+        best.append(min(ways, key=lambda way: way[0]))
+    blocks = []
+    for group in best[-1][1]:
+        found = [_cluster(group, depth)] if len(group) > 1 else [_cluster([*group, room], depth) for room in wider]
+        taken = min((each for each in found if each is not None), key=lambda each: each[0], default=None)
+        if taken is not None:
+            blocks.append(taken[1])
+            wider = [room for room in wider if not any(room is other for other in taken[1].fronts())]
+    return blocks
+
+
+_MOST_SERVICE = 24.0
+"""Square metres of a room that may lie at a side passage at most."""
+
+_ALONE = 4.0
+"""Price of a room that is left for the corner of another, in units of a room's long side to its short one."""
+
+
+def _cluster(rooms: Sequence[PlannedRoom], depth: float) -> tuple[float, Block] | None:
+    """Return a block of rooms around a passage and its price; none where one would be too long or narrow."""
+    host, *smalls = sorted(rooms, key=lambda room: -room.area)
+    block = Block(host, tuple(smalls))
+    width = cluster_width(_wishes(block), depth)
+    laid = cluster_layout(_wishes(block), width, depth)
+    if laid.price > _LONGEST_AT_PASSAGE:
+        return None
+    passage = width * depth - sum(room.area for room in rooms)
+    return laid.price, msgspec.structs.replace(block, passage=passage, least=0.9 * width)
+
+
+def _wishes(block: Block) -> tuple[Wish, ...]:
+    """Return what the rooms around a passage ask for."""
+    wishes = []
+    for room in block.fronts():
+        short, long = sorted(least_sides(room))
+        if not _is_wide(room):
+            short = max(short, min(_SHORT_SIDE, (room.area / 1.6) ** 0.5))
+        wishes.append(Wish(round(room.area, 6), short, long))
+    return tuple(wishes)
+
+
+_SHORT_SIDE = 1.6
+"""Least short side of a room at a passage, metres; of a very small one less."""
+
+
+def passage_of(block: Block, width: float, depth: float) -> Box | None:
+    """Return the passage of a block in ``width x depth``, in the local frame; none where it has none."""
+    return _laid_cluster(block, width, depth).passage if block.passage else None
+
+
+def _laid_cluster(block: Block, width: float, depth: float) -> Cluster:
+    return cluster_layout(_wishes(block), round(width, 9), round(depth, 9))
 
 
 _NARROW = 1.9
@@ -203,6 +307,9 @@ def lay_block(block: Block, width: float, depth: float) -> list[tuple[PlannedRoo
     list of (PlannedRoom, list of Box)
         Boxes that make up each room, in the local frame.
     """
+    if block.passage:
+        rooms = _laid_cluster(block, width, depth).rooms
+        return [(room, [box]) for room, box in zip(block.fronts(), rooms)]
     scale = width * depth / block.gross
     placed: list[tuple[PlannedRoom, list[Box]]] = []
     x = 0.0

@@ -7,8 +7,8 @@ from dataclasses import replace
 import msgspec
 
 from mansion_knowledge.norms import load_norms
-from mansion_planner.program.bands import Segment, fill_segments, front_order
-from mansion_planner.program.blocks import DOOR, group_blocks, lay_block
+from mansion_planner.program.bands import Segment, fill_segments, front_order, with_rows
+from mansion_planner.program.blocks import DOOR, group_blocks, lay_block, passage_of
 from mansion_planner.program.home_orders import best_sketch, home_price
 from mansion_planner.program.model import (
     Box,
@@ -26,12 +26,16 @@ from mansion_planner.program.model import (
 )
 from mansion_planner.program.plan_quality import fill
 from mansion_planner.program.separation import keep_apart
+from mansion_planner.program.side_passages import SidePassage, with_passages
 
 __all__ = ["capacity", "sketch_storey"]
 
 
 HUB_CHILDREN = 8
 """Rooms that a corridor serves before it is divided."""
+
+_Front = tuple[str, PlannedRoom, float, float]
+"""A room at a corridor: its bar, the room, and where its front, or the passage that it lies at, begins and ends."""
 
 _AT_END = "@end"
 """Stands for the last piece of the main corridor until the corridors are known."""
@@ -62,8 +66,8 @@ def sketch_storey(
     segments = _segments(massing, stop, lobby_length(massing, storey))
     segments = _with_floor_behind_lifts(massing, storey, segments)
     depth = max(segment.depth for segment in segments)
-    blocks = group_blocks(front_order(rest), depth, pairs)
-    filled = keep_apart(fill_segments(segments, blocks, pairs), apart, pairs)
+    blocks = group_blocks(front_order(rest), depth, pairs, passages=storey.use.family != "home")
+    filled = _room_beside_lifts(keep_apart(fill_segments(segments, blocks, pairs), apart, pairs))
     if storey.use.family != "home":
         return _assemble(massing, storey, hub_id, filled, ends, stop, length)
     return best_sketch(
@@ -152,20 +156,13 @@ def _with_empty_bands(massing: Massing, corridors: list[Corridor], segments: lis
 
 
 def _corridors_of(
-    massing: Massing,
-    hub_id: str,
-    fronts: list[tuple[str, PlannedRoom, float, float]],
-    stop: float,
-    lobby: float,
-    *,
-    ended: bool,
+    massing: Massing, hub_id: str, fronts: list[_Front], stop: float, lobby: float, *, ended: bool
 ) -> list[Corridor]:
     """Return the corridors, the hub first: the main one in pieces, one in each wing, and that of the far bar.
 
     Parameters
     ----------
-    fronts : list of (str, PlannedRoom, float, float)
-        Bar of each front room, the room, and where its front begins and ends along the bar, metres.
+    fronts : list of _Front
     stop : float
         Where the main corridor ends.
     lobby : float
@@ -227,7 +224,7 @@ def _wing_corridors(massing: Massing, corridors: list[Corridor]) -> list[Corrido
     return found
 
 
-def _ways_to_kitchens(fronts: Sequence[tuple[str, PlannedRoom, float, float]]) -> list[tuple[float, float]]:
+def _ways_to_kitchens(fronts: Sequence[_Front]) -> list[tuple[float, float]]:
     """Return the stretches of the main corridor from the middle of a dining room to that of its nearest kitchen."""
     rule = load_norms().rules["kitchen_of_dining"]
     middles = [(room.kind.name, (x0 + x1) / 2) for bar, room, x0, x1 in fronts if bar == "main"]
@@ -260,9 +257,7 @@ def _cut_positions(
     return sorted(cuts)
 
 
-def _with_parents(
-    rooms: list[Placement], corridors: list[Corridor], fronts: list[tuple[str, PlannedRoom, float, float]]
-) -> list[Placement]:
+def _with_parents(rooms: list[Placement], corridors: list[Corridor], fronts: list[_Front]) -> list[Placement]:
     """Return the rooms, each front room reached from the corridor that it touches most."""
     mains = [c for c in corridors if _is_main(c)]
     owners: dict[int, str] = {}
@@ -298,7 +293,7 @@ def _closed(
     if closing is None:
         return unchanged
     x = closing.boxes[0][0]
-    if x - x0c < 3.0:
+    if x - x0c < 3.0 or any(box[2] > x + 0.01 for box in last.boxes[1:]):
         return unchanged
     for placement in rooms:
         if placement is closing or placement.parent != last.id:
@@ -311,6 +306,20 @@ def _closed(
     shortened = replace(last, boxes=[(x0c, low, x, high), *last.boxes[1:]])
     widened = msgspec.structs.replace(closing, boxes=[(x0, low, x1, y1)])
     return [shortened if c is last else c for c in corridors], [widened if p is closing else p for p in rooms]
+
+
+def _leads_out(massing: Massing, storey: Storey, rooms: Sequence[Placement], length: float) -> bool:
+    """Whether the far end of the corridor is to be an exit.
+
+    It is on an entrance storey that reaches farther than one exit is enough for, and has no room for visitors in its
+    far half that a second exit could lead out of.
+    """
+    rule = load_norms().rules["single_exit_travel"]
+    asked = rule.holds_for(storey.use.family) and storey.role in ("ground", "single") and not massing.wings
+    if not asked or length <= rule.limit(storey.use.name, storey.use.family):
+        return False
+    far = (box for room in rooms if room.room.kind.zone == "public" for box in room.boxes)
+    return not any(box[2] > length / 2 for box in far)
 
 
 def _is_open_to(corridors: list[Corridor], stop: float) -> bool:
@@ -456,6 +465,15 @@ def _with_floor_behind_lifts(massing: Massing, storey: Storey, segments: list[Se
     ]
 
 
+def _room_beside_lifts(segments: Sequence[Segment]) -> list[Segment]:
+    """Return the segments, with no passage at the beginning of one whose first room has the floor behind the lifts."""
+    rows = []
+    for segment in segments:
+        whole = [block for block in segment.blocks if not block.passage][:1] if segment.behind else []
+        rows.append([*whole, *(block for block in segment.blocks if not any(block is first for first in whole))])
+    return with_rows(segments, rows)
+
+
 def _end_rooms(
     massing: Massing, rooms: Sequence[PlannedRoom], length: float
 ) -> tuple[list[PlannedRoom], list[PlannedRoom]]:
@@ -528,17 +546,7 @@ def _assemble(
     stop: float,
     length: float,
 ) -> Sketch:
-    fronts: list[tuple[str, PlannedRoom, float, float]] = []
-    rooms: list[Placement] = []
-    for segment in segments:
-        for block, x0, x1 in segment.laid():
-            for room, boxes in lay_block(block, x1 - x0, segment.depth):
-                world = [segment.world(box, x0, massing) for box in boxes]
-                parent = next((p.id for p in block.host.each() if any(c is room for c in p.suite)), "")
-                rooms.append(Placement(room, world, parent))
-                if not parent:
-                    span = [box for box in boxes if box[1] < 0.01]
-                    fronts.append((segment.bar, room, x0 + min(b[0] for b in span), x0 + max(b[2] for b in span)))
+    rooms, fronts, passages = _placed(massing, segments)
     x = stop
     for room in ends:
         wide = (length - stop) * room.gross / sum(end.gross for end in ends)
@@ -546,13 +554,39 @@ def _assemble(
         x += wide
     lobby = lobby_length(massing, storey)
     corridors = _corridors_of(massing, hub_id, fronts, stop, lobby, ended=bool(ends))
+    corridors = with_passages(corridors, [c for c in corridors if _is_main(c)], passages)
     rooms, corridors = _with_niche(_behind_lifts(massing, storey), rooms, corridors)
     rooms = _with_parents(_with_pocket(massing, rooms), corridors, fronts)
     if not ends:
-        corridors, rooms = _closed(massing, corridors, rooms, stop)
+        if not _leads_out(massing, storey, rooms, length):
+            corridors, rooms = _closed(massing, corridors, rooms, stop)
         if storey.use.family == "home" and _is_open_to(corridors, stop):
             corridors, rooms = _turned_in(massing, corridors, rooms, stop)
     corridors = _with_empty_bands(massing, corridors, segments)
     bearing = _bearing_lines(massing, corridors, segments, lobby, stop, home=storey.use.family == "home")
+    for passage in passages:
+        if passage.bar == "main":
+            bearing[passage.front] = _without(bearing[passage.front], passage.x0, passage.x1)
     closing = ends[0].id if ends and far_stair(massing) else ""
     return Sketch(corridors, rooms, _core_parents(massing, corridors, closing), bearing=bearing)
+
+
+def _placed(massing: Massing, segments: Sequence[Segment]) -> tuple[list[Placement], list[_Front], list[SidePassage]]:
+    """Return the places of the rooms of all stretches, which of them front a corridor, and the passages."""
+    rooms: list[Placement] = []
+    fronts: list[_Front] = []
+    passages: list[SidePassage] = []
+    for segment in segments:
+        for block, x0, x1 in segment.laid():
+            passage = passage_of(block, x1 - x0, segment.depth)
+            if passage:
+                box = segment.world(passage, x0, massing)
+                passages.append(SidePassage(segment.bar, segment.front, x0 + passage[0], x0 + passage[2], box))
+            for room, boxes in lay_block(block, x1 - x0, segment.depth):
+                world = [segment.world(box, x0, massing) for box in boxes]
+                parent = next((p.id for p in block.host.each() if any(c is room for c in p.suite)), "")
+                rooms.append(Placement(room, world, parent))
+                if not parent:
+                    span = [passage] if passage else [box for box in boxes if box[1] < 0.01]
+                    fronts.append((segment.bar, room, x0 + min(b[0] for b in span), x0 + max(b[2] for b in span)))
+    return rooms, fronts, passages

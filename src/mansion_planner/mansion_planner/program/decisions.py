@@ -16,8 +16,9 @@ from mansion_planner.program.called_sizes import called_size, within_called
 from mansion_planner.program.footprint import check_footprint, is_rectangle
 from mansion_planner.program.master_suites import with_master_suite
 from mansion_planner.program.program_size import ProgramSize, size_of_program
+from mansion_planner.program.room_parts import with_room_parts
 from mansion_planner.program.shape_sizes import most_storeys
-from mansion_planner.program.usual_meanings import as_meant_in
+from mansion_planner.program.usual_meanings import as_meant_in, with_main_room
 
 __all__ = ["AREA_CAP", "Decisions", "MOST_FLOORS", "conflict", "decide", "note", "quoted"]
 
@@ -105,6 +106,7 @@ def decide(
     stated, facts = facts, _settled(facts, given_way)
     building = _building(facts, knowledge, trace)
     stated, facts = as_meant_in(building, stated), as_meant_in(building, facts)
+    facts = with_room_parts(building, with_main_room(building, facts))
     facts = with_master_suite(facts) if building.family == "home" else facts
     sized = request.floors or request.area or request.floor_area or request.footprint or facts.floors
     size = None if sized else size_of_program(facts, building, knowledge)
@@ -327,6 +329,7 @@ def _settle_area(
         decisions.area_stated = True
     elif request.area is not None or total is not None:
         whole = request.area if request.area is not None else _kept(total)  # type: ignore[arg-type]
+        storeys = decisions.floors if facts.above_ground and request.area is None else storeys
         decisions.area = whole / storeys
         decisions.area_span = quoted(total.span) if total else f"$.area = {whole:g}"
         note(trace, total.span if total else None, f"{whole:.0f} m2 over {counted(storeys, 'storey')}, as stated")

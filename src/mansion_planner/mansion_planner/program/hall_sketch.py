@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import msgspec
 
 from mansion_planner.program.bands import Segment, bring_together, front_order
-from mansion_planner.program.blocks import LEAST_FRONT, Block, group_blocks, lay_block, least_sides, widened
+from mansion_planner.program.blocks import LEAST_FRONT, Block, group_blocks, lay_block, least_sides
 from mansion_planner.program.model import (
     DOOR_WALL,
     Box,
@@ -23,6 +23,7 @@ from mansion_planner.program.model import (
     short_edges,
 )
 from mansion_planner.program.separation import keep_apart
+from mansion_planner.program.widths import widened
 
 __all__ = ["most_fronts", "sketch_hall"]
 

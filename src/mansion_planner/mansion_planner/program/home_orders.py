@@ -31,6 +31,9 @@ _WIDEST = 3
 _ROUNDS = 4
 """Times that two blocks change places at most."""
 
+_MOST_BLOCKS = 27
+"""Blocks of a storey beyond which none change places: the time for it grows with their third power, and more."""
+
 Price = tuple[float, float, float]
 
 
@@ -50,7 +53,8 @@ def best_sketch(
     """
     tried = [(price(sketch), order, sketch) for order in home_orders(segments) for sketch in [lay(order)]]
     paid, order, best = min(tried, key=lambda entry: entry[0])
-    for _ in range(_ROUNDS):
+    rounds = _ROUNDS if sum(len(segment.blocks) for segment in segments) <= _MOST_BLOCKS else 0
+    for _ in range(rounds):
         if not any(paid[:2]):
             break
         tried = [(price(sketch), other, sketch) for other in _exchanged(order) for sketch in [lay(other)]]

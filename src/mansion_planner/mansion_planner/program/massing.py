@@ -126,7 +126,7 @@ def storey_area(
         return least, Record(downgrades=(_outgrown(decisions, storeys, allocation, fullest, least),))
     asked = (need + fixed) / (1.0 - share) * 1.02
     usual = decisions.area
-    if decisions.building.parti != "spine":
+    if decisions.building.parti != "spine" or _is_counted(storeys, allocation):
         typical = _typical(decisions, storeys, allocation, knowledge, fixed, share)
         called = called_size(decisions.facts)
         usual = typical * 0.85 if called == "small" else min(typical, 1.5 * usual)
@@ -141,6 +141,17 @@ def storey_area(
     if result > AREA_CAP:
         note(trace, None, f"above {AREA_CAP:.0f} m2 a storey, for the rooms asked for")
     return result, Record(tuple(trace))
+
+
+def _is_counted(storeys: Sequence[Storey], allocation: Allocation) -> bool:
+    """Whether the brief says how many there are of all that storeys would be filled up with, as guest rooms of a hotel.
+
+    Such a building is as large as what it holds, and not as large as others of its kind.
+    """
+    repeated = {entry.room_type for storey in storeys for entry in entries_of(storey) if entry.repeat}
+    return bool(repeated) and not any(
+        allocation.adds(name, storey.index) for name in repeated for storey in storeys if storey.index >= 1
+    )
 
 
 def _outgrown(

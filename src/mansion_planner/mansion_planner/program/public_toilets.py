@@ -11,6 +11,7 @@ from mansion_knowledge.norms import load_norms
 from mansion_planner.program.allocation import Allocation
 from mansion_planner.program.model import PlannedRoom, Storey
 from mansion_planner.program.planned_rooms import planned_room
+from mansion_planner.program.storey_rooms import fit_areas
 
 __all__ = ["TOILETS", "Served", "served_by", "with_public_toilets"]
 
@@ -41,6 +42,9 @@ _MOST_SHARE = 0.15
 _TURNING = 10.0
 """Square metres of a restroom from which a wheelchair turns between its fixtures."""
 
+_DRAWN = 1.05
+"""People whom rooms hold as they are drawn, to those of the planned areas: walls give and take a little."""
+
 TOILETS = ("restroom", "toilet", "accessible_toilet")
 """Types of rooms that "the toilets" of a building may be."""
 
@@ -59,9 +63,8 @@ class Served:
 
 def served_by(storey: Storey, hub: float, knowledge: KnowledgeBase) -> Served:
     """Return the people of a storey with its rooms and a hub of `hub` square metres, and what its toilets hold."""
-    norms, every = load_norms(), [room for top in storey.rooms for room in top.each()]
-    people = norms.people(storey.hub.name, hub, knowledge)
-    people += sum(norms.people(room.kind.name, room.area, knowledge) for room in every)
+    every = [room for top in storey.rooms for room in top.each()]
+    people = load_norms().people(storey.hub.name, hub, knowledge) + _people_in(storey.rooms, knowledge)
     toilets = [room.area - _WALLS for room in every if room.kind.name in TOILETS]
     closets, basins = (sum(max(1, int(area / each)) for area in toilets) for each in (_STALL, _BASIN))
     return Served(people, closets, basins)
@@ -74,6 +77,7 @@ def with_public_toilets(
     knowledge: KnowledgeBase,
     hub: float,
     others: Served = Served(),
+    capacity: float = 0.0,
 ) -> list[PlannedRoom]:
     """Return the rooms of a storey of a public building with the toilets of the rules.
 
@@ -86,6 +90,8 @@ def with_public_toilets(
         Square metres of the storey's hub, where it is its main room.
     others : Served
         The building's other storeys.
+    capacity : float
+        Square metres to which the rooms grow together, and with them the number of people; 0 where they keep theirs.
     """
     kept = list(rooms)
     own = [room for room in kept if room.kind.name in TOILETS]
@@ -94,7 +100,8 @@ def with_public_toilets(
     if settled or storey.role == "basement" or not (own or entrance):
         return kept
     before, whole = sum(room.gross for room in own), sum(room.gross for room in kept)
-    need = _need_of(storey, kept, knowledge, hub, others if entrance else Served())
+    grown = fit_areas(kept, capacity) if capacity else kept
+    need = _need_of(storey, kept, grown, knowledge, hub, others if entrance else Served())
     roomy = sum(room.gross for room in kept if not room.fixed) > _LOOSE * whole
     choices = _choices(need, kept, knowledge, accessible=entrance, roomy=roomy) if need is not None else []
     for number, wanted in enumerate(choices):
@@ -129,15 +136,24 @@ class _Need:
 
 
 def _need_of(
-    storey: Storey, rooms: Sequence[PlannedRoom], knowledge: KnowledgeBase, hub: float, others: Served
+    storey: Storey,
+    rooms: Sequence[PlannedRoom],
+    grown: Sequence[PlannedRoom],
+    knowledge: KnowledgeBase,
+    hub: float,
+    others: Served,
 ) -> _Need | None:
-    """Return what a storey needs for its own people, and of the building's for whom the others have too few."""
+    """Return what a storey needs for its own people, and of the building's for whom the others have too few.
+
+    Toilets grow with the other rooms, so that their fixtures are counted for `rooms` as they are chosen; whether men
+    and women have their own depends on how many people the `grown` rooms hold.
+    """
     norms, family, kind = load_norms(), storey.use.family, storey.use.name
     rule = norms.rules["separate_toilets"]
     if not rule.holds_for(family):
         return None
-    here = norms.people(storey.hub.name, hub, knowledge)
-    here += sum(norms.people(room.kind.name, room.area, knowledge) for top in rooms for room in top.each())
+    passing = norms.people(storey.hub.name, hub, knowledge)
+    here, later = (passing + _people_in(each, knowledge) for each in (rooms, grown))
     people = here + others.people
     limits = {name: norms.rules[f"water_closets_{name}"].limit(kind, family) for name in ("men", "women")}
     closets = {
@@ -147,7 +163,13 @@ def _need_of(
     basins = people / norms.rules["washbasins"].limit(kind, family) - others.basins
     one_each = all(people / 2 <= limit for limit in limits.values())
     children = any(room.kind.name in _CHILDRENS for top in rooms for room in top.each())
-    return _Need(closets, basins, people > rule.limit(kind, family), one_each, children)
+    separate = round(_DRAWN * max(here, later) + others.people) > rule.limit(kind, family)
+    return _Need(closets, basins, separate, one_each, children)
+
+
+def _people_in(rooms: Sequence[PlannedRoom], knowledge: KnowledgeBase) -> float:
+    norms = load_norms()
+    return sum(norms.people(room.kind.name, room.area, knowledge) for top in rooms for room in top.each())
 
 
 def _choices(

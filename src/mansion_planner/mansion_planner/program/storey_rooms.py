@@ -10,6 +10,7 @@ from mansion_planner.program.allocation import Allocation
 from mansion_planner.program.household import STUDIO, use_of
 from mansion_planner.program.model import PlannedRoom, Storey
 from mansion_planner.program.planned_rooms import planned_room
+from mansion_planner.program.room_growth import at_home, growth_weight, is_described, is_needed, reach
 from mansion_planner.program.storeys import entries_of
 
 __all__ = [
@@ -35,10 +36,36 @@ def base_rooms(storey: Storey, allocation: Allocation, knowledge: KnowledgeBase)
         if fact.room_type == storey.hub.name and fact.count == 1:
             continue
         kind = knowledge.room(fact.room_type)
-        least = kind.least if fact.name in allocation.places else kind.usual
-        area = max(least, allocation.furniture.get(fact.name, 0.0))
-        rooms.append(planned_room(kind, knowledge, area=area, fact=fact))
+        kind = at_home(kind) if storey.use.family == "home" and fact.size != "large" else kind
+        placed = fact.name in allocation.places
+        area = max(kind.least if placed else kind.usual, allocation.furniture.get(fact.name, 0.0))
+        room = planned_room(kind, knowledge, area=area, fact=fact)
+        if not fact.known and fact.name.endswith("_room"):
+            rooms.append(room if room.fixed else msgspec.structs.replace(room, most=min(room.most, _MOST_LIKE * area)))
+        else:
+            rooms.append(room if placed or fact.size else _as_in_its_building(room, storey))
     return rooms
+
+
+_MOST_LIKE = 1.6
+"""Of a type's usual area, what a room has at most that is only like it: the instrument room like a laboratory."""
+
+
+_LEAST_LISTED = 0.6
+"""Of the usual area of its kind, what a room of the brief has at least where its building usually has a small one."""
+
+
+def _as_in_its_building(room: PlannedRoom, storey: Storey) -> PlannedRoom:
+    """Return a room as large as the building type's own list has it: the kitchen of a villa, a clinic's laboratory."""
+    areas = [
+        entry.area for entries in storey.use.storeys.values() for entry in entries
+        if entry.room_type == room.kind.name and entry.area
+    ]  # fmt: skip
+    area = max([*areas, _LEAST_LISTED * room.kind.usual])
+    own = room.area == room.kind.usual and not room.kind.toilet
+    if room.fixed or not areas or not (own or area > room.area):
+        return room
+    return msgspec.structs.replace(room, area=area, most=max(room.most, area))
 
 
 def listed_area(storey: Storey, allocation: Allocation, knowledge: KnowledgeBase) -> float:
@@ -86,23 +113,42 @@ def fill_storey(
     most_rooms : int
         From so many rooms on, none is added that only fills up.
     """
-    rooms = base_rooms(storey, allocation, knowledge)
     budget = capacity - hub_share
+    rooms = _with_main_room(base_rooms(storey, allocation, knowledge), storey, budget)
     needed = _needed_entries(storey, allocation, knowledge)
     for entry in needed:
         kind = knowledge.room(entry.room_type)
         if sum(room.least for top in rooms for room in top.each()) + kind.least <= _CROWDED * budget:
             rooms.append(allocation.added(entry, knowledge))
+    described = is_described(rooms, budget)
     rooms = _with_listed(storey, allocation, knowledge, rooms, budget, needed=needed, beside_hub=not hub_share)
     used = sum(room.gross for room in rooms)
     for entry in (entry for entry in entries_of(storey) if entry.repeat and entry not in needed):
         while allocation.adds(entry.room_type, storey.index) and len(rooms) < most_rooms:
             room = allocation.added(entry, knowledge)
-            if used + 0.72 * room.gross > budget:
+            if used + 0.72 * room.gross > budget or (described and reach(rooms) >= budget):
                 break
             rooms.append(room)
             used += room.gross
-    return _topped_up(storey, allocation, knowledge, rooms, budget, most_rooms)
+    return _topped_up(storey, allocation, knowledge, rooms, budget, most_rooms, described=described)
+
+
+_MAIN, _MOST_MAIN = 0.45, 0.8
+"""Of the area for rooms, what the main room of a public building's type takes where it is not the hub, and at most."""
+
+
+def _with_main_room(rooms: Sequence[PlannedRoom], storey: Storey, budget: float) -> list[PlannedRoom]:
+    """Return the rooms asked for, the one that the type is there for as large as the others let it be.
+
+    The storage hall of a warehouse, which has a name of its own, so that it is not the hub.
+    """
+    main = [room for room in rooms if room.kind.name == storey.use.hub and not room.fixed and not room.suite]
+    if storey.use.family == "home" or len(main) != 1 or not main[0].kind.flexible:
+        return list(rooms)
+    others = sum(room.gross for room in rooms) - main[0].area
+    area = max(main[0].area, min(_MAIN * budget, budget - others))
+    grown = msgspec.structs.replace(main[0], area=area, most=max(main[0].most, _MOST_MAIN * budget))
+    return [grown if room is main[0] else room for room in rooms]
 
 
 def _with_listed(
@@ -117,6 +163,8 @@ def _with_listed(
 ) -> list[PlannedRoom]:
     """Return the rooms with those of the storey's list that still fit, each as often as the list says.
 
+    Where the brief describes the storey and its rooms can fill it, it gets those alone that serve them.
+
     Parameters
     ----------
     needed : sequence of RoomEntry
@@ -127,8 +175,13 @@ def _with_listed(
     filled = list(rooms)
     present = {fact.room_type for fact in allocation.wanted[storey.index]}
     used = sum(room.gross for room in filled)
+    described = is_described(rooms, budget)
     for entry in (entry for entry in entries_of(storey) if entry not in needed):
         kind = knowledge.room(entry.room_type)
+        if described and not is_needed(kind, storey.use) and reach(filled) >= budget:
+            continue
+        if kind.name == "bathroom" and _has_baths(filled):
+            continue
         if not allocation.adds(kind.name, storey.index) or kind.name == storey.hub.name:
             continue
         for _ in range(0 if entry.repeat else max(entry.count - (kind.name in present), 0)):
@@ -139,6 +192,12 @@ def _with_listed(
                 filled.append(room)
                 used += room.gross
     return filled
+
+
+def _has_baths(rooms: Sequence[PlannedRoom]) -> bool:
+    """Whether each of several bedrooms of a storey has a bathroom for itself."""
+    slept_in = [room for room in rooms if room.kind.sleeping]
+    return len(slept_in) > 1 and all(any(child.kind.wet for child in room.suite) for room in slept_in)
 
 
 _MOST_OF_A_STOREY = 0.5
@@ -195,14 +254,20 @@ def _topped_up(
     rooms: Sequence[PlannedRoom],
     budget: float,
     most: int,
+    *,
+    described: bool,
 ) -> list[PlannedRoom]:
-    """Return the rooms, with others of general use where the brief settles the number of those that would fill up."""
+    """Return the rooms, with others of general use where the brief settles the number of those that would fill up.
+
+    A storey that the brief describes gets none as soon as its rooms can grow to fill it.
+    """
     filled = list(rooms)
     if storey.hub.zone == "service" or storey.hub.name == STUDIO:
         return filled  # a hall for cars, goods or machines takes what is left, and so does a studio
     names = storey.use.filler or knowledge.groups.filler_of(storey.use.family)
     home = storey.use.family == "home"
-    turn = 0 if home else max(storey.index - 1, 0) % len(names)  # storeys of one kind do not all get the same
+    once = storey.use.family in ("home", "lodging")
+    turn = 0 if once else max(storey.index - 1, 0) % len(names)  # storeys of one kind do not all get the same
     kinds = [knowledge.room(name) for name in names[turn:] + names[:turn]]
     stated = {fact.room_type for facts in allocation.wanted.values() for fact in facts}
     there = {room.kind.name for room in filled}
@@ -210,16 +275,16 @@ def _topped_up(
         kind
         for kind in kinds
         if allocation.adds(kind.name, storey.index)
+        and not (kind.storey == "ground" and storey.index >= 2)
         and kind.name not in stated
-        and not (kind.name in _ONE_A_STOREY and kind.name in there)
+        and not ((home or kind.name in _ONE_A_STOREY) and kind.name in there)
     ]
     if home and storey.index >= 2:
         kinds.sort(key=lambda kind: kind.storey != "upper")
     enough = _ENOUGH_FOR_GUESTS if storey.use.family == "lodging" else _ENOUGH
-    once = storey.use.family in ("home", "lodging")
     for kind in kinds + ([] if once else [kind for kind in kinds if kind.name not in _ONE_A_STOREY] * 2):
         used = sum(room.gross for room in filled)
-        if used >= enough * budget or len(filled) >= most:
+        if used >= enough * budget or len(filled) >= most or (described and reach(filled) >= budget):
             break
         if used + 0.8 * kind.usual <= budget:
             filled.append(planned_room(kind, knowledge))
@@ -254,7 +319,7 @@ def fit_areas(rooms: Sequence[PlannedRoom], capacity: float) -> tuple[PlannedRoo
 def _scaled(room: PlannedRoom, area: float, factor: float, *, limited: bool) -> float:
     if not limited:
         return max(area * factor, 1.0)
-    strength = factor if not room.kind.flexible or factor < 1.0 else factor * 1.05
+    strength = factor if factor < 1.0 else 1.0 + (factor - 1.0) * growth_weight(room)
     return min(max(area * strength, room.least), room.most)
 
 

@@ -27,7 +27,7 @@ def make_storeys(decisions: Decisions, knowledge: KnowledgeBase) -> tuple[list[S
             hub = knowledge.room(_upper_hub(use))
         lead = None
         if use.parti == "hall" and not hall and role != "basement":
-            led = entrance or use.family != "home"
+            led = entrance or _upper_hub(use) == use.hub
             excluded = any(name == use.hub for name, _ in decisions.facts.excluded)
             lead = knowledge.room(use.hub) if led and not excluded else None
             hub = knowledge.room(_passage_hub(decisions, entrance=entrance))

@@ -6,18 +6,30 @@ from dataclasses import dataclass, replace
 from mansion_knowledge import BuildingType
 from mansion_planner.brief.facts import AdjacencyFact, BriefFacts, ObjectFact, RoomFact
 
-__all__ = ["as_meant_in"]
+__all__ = ["as_meant_in", "with_main_room"]
 
 _MEANT = {
     "kitchen": ("commercial_kitchen",), "open_kitchen": ("commercial_kitchen",), "dining_room": ("restaurant",),
     "private_room": ("resident_room", "patient_room"), "single_room": ("resident_room", "patient_room"),
     "child_room": ("childrens_area",), "kid_room": ("childrens_area",), "lounge": ("living_room",),
     "showroom": ("car_showroom",), "kitchenette": ("kitchen",), "sleeping_area": ("bedroom",),
+    "hall": ("assembly_hall", "conference_hall"), "guest_room": ("hotel_room",), "bedroom": ("hotel_room",),
+    "gym": ("home_gym",), "dressing_room": ("walk_in_closet",),
+    "library": ("library_room",), "cinema_hall": ("home_theater",), "library_room": ("reading_room",),
 }  # fmt: skip
 """Plain names of rooms, and what they are where a building has that for its guests, the likeliest first."""
 
-_OF_EVERY_HOME = frozenset({"kitchen", "bedroom"})
+_BY_TYPE = frozenset({"guest_room", "gym", "dressing_room", "library", "cinema_hall", "library_room"})
+"""Those of them that mean so under any name: the "en-suite guest room" of a hotel, the "fitness room" of a villa."""
+
+_OF_EVERY_HOME = frozenset({"kitchen", "bedroom", "home_gym", "walk_in_closet", "library_room", "home_theater"})
 """What a home has for those who live there, even where its usual rooms are fewer."""
+
+_SHARED_BATHS = frozenset({"bathroom", "restroom", "shower_area", "toilet"})
+"""Rooms that guests share where a brief asks for them: their bedrooms have none of their own."""
+
+_OF_GUESTS = frozenset({"bedroom", "bathroom"})
+"""Rooms that guests of a hotel have as well."""
 
 _PRIVATE = frozenset({"bedroom", "master_bedroom", "living_room", "bathroom"})
 
@@ -55,6 +67,35 @@ def as_meant_in(building: BuildingType, facts: BriefFacts) -> BriefFacts:
     )
 
 
+def with_main_room(building: BuildingType, facts: BriefFacts) -> BriefFacts:
+    """Return facts in which the only room of the kind that a public hall is there for is that hall, whatever its name.
+
+    The "storage hall" of a warehouse is what all else stands around; one of a stated area, or on an upper storey, stays
+    a room beside others.
+    """
+    main = [room for room in facts.rooms if room.room_type == building.hub]
+    if building.family == "home" or building.parti != "hall" or [room.count for room in main] != [1]:
+        return facts
+    own = main[0]
+    if own.name == building.hub or own.area or own.suite or own.each or any(ref.last != 1 for ref in own.floors):
+        return facts
+    hall = replace(own, name=building.hub, label=own.label or own.name.replace("_", " "))
+
+    def name(called: str) -> str:
+        return building.hub if called == own.name else called
+
+    def relation(fact: AdjacencyFact) -> AdjacencyFact:
+        return replace(fact, first_name=name(fact.first_name), second_name=name(fact.second_name))
+
+    return replace(
+        facts,
+        rooms=[hall if room is own else room for room in facts.rooms],
+        adjacent=[relation(fact) for fact in facts.adjacent],
+        apart=[relation(fact) for fact in facts.apart],
+        objects=[replace(fact, room=name(fact.room)) for fact in facts.objects],
+    )
+
+
 @dataclass(frozen=True)
 class _Meanings:
     """What plain names of rooms mean in a building.
@@ -78,10 +119,11 @@ class _Meanings:
         return self.hub if self.hub and self.kind(own) == self.hub else own
 
     def room(self, room: RoomFact) -> RoomFact:
-        if room.name not in self.kinds:
+        plain = room.room_type if room.room_type in _BY_TYPE else room.name
+        if plain not in self.kinds:
             return room
         label = room.label or room.name.replace("_", " ")
-        return replace(room, room_type=self.kind(room.name), name=self.name(room.name), label=label)
+        return replace(room, room_type=self.kind(plain), name=self.name(room.name), label=label)
 
     def relation(self, fact: AdjacencyFact) -> AdjacencyFact:
         first = self.kind(fact.first) if fact.first_name in ("", fact.first) else fact.first
@@ -89,7 +131,7 @@ class _Meanings:
         return replace(fact, first=first, second=second)
 
     def furniture(self, fact: ObjectFact) -> ObjectFact:
-        if fact.room not in ("", fact.room_type):
+        if fact.room not in ("", fact.room_type) and fact.room_type not in _BY_TYPE:
             return fact
         return replace(fact, room_type=self.kind(fact.room_type), room=self.name(fact.room))
 
@@ -101,7 +143,10 @@ def _meanings_in(building: BuildingType, facts: BriefFacts) -> _Meanings | None:
     stated = {room.room_type for room in facts.rooms}
     kinds = {plain: next((kind for kind in found if kind in own), "") for plain, found in _MEANT.items()}
     meant = {plain: kind for plain, kind in kinds.items() if kind and kind not in stated}
-    at_home = {room.floors for room in facts.rooms if room.room_type in _PRIVATE}
+    if stated & _SHARED_BATHS:
+        meant.pop("bedroom", "")
+    private = _PRIVATE - _OF_GUESTS if building.family == "lodging" else _PRIVATE
+    at_home = {room.floors for room in facts.rooms if room.room_type in private}
     shared = building.family != "home" and any(room.name in meant and room.floors in at_home for room in facts.rooms)
     if not meant or shared:
         return None

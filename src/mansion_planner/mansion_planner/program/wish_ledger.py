@@ -5,11 +5,13 @@ from collections.abc import Sequence
 import msgspec
 
 from mansion_knowledge import KnowledgeBase
+from mansion_knowledge.stand_ins import stands_in
 from mansion_language import singular
 from mansion_msgs_py.program import RequestedObject
 from mansion_msgs_py.wishes import Scope, Wish, WishKind, WishValue
 from mansion_planner.brief.bounds import Limit
-from mansion_planner.brief.facts import AdjacencyFact, FloorRef, ObjectFact, RoomFact, Span
+from mansion_planner.brief.facts import AdjacencyFact, BriefFacts, FloorRef, ObjectFact, RoomFact, Span
+from mansion_planner.brief.furniture_words import own_furniture_of
 from mansion_planner.brief.sizes import size_bound
 from mansion_planner.program.allocation import MANY
 from mansion_planner.program.called_sizes import called_bound
@@ -44,7 +46,9 @@ def furniture_of(decisions: Decisions, storeys: Sequence[Storey]) -> dict[tuple[
             continue
         for (storey, room), count in _shared_out(decisions, fact, rooms):
             furniture.setdefault((storey.index, room.id), []).append(
-                RequestedObject(category=fact.category, count=count, words=_noun(fact), exact=fact.exact)
+                RequestedObject(
+                    category=fact.category, count=count, words=_called(decisions.facts, fact), exact=fact.exact
+                )
             )
     for place, request in place_requests(decisions, rooms).items():
         furniture.setdefault(place, []).append(request)
@@ -83,6 +87,13 @@ def _noun(fact: ObjectFact) -> str:
     """Return what the brief calls one piece."""
     first, _, last = fact.noun.lower().rpartition(" ")
     return f"{first} {singular(last)}".strip()
+
+
+def _called(facts: BriefFacts, fact: ObjectFact) -> str:
+    """Return what the brief calls one piece, with the words that say how it is to be: "double bed"."""
+    noun = _noun(fact)
+    inside = [s.words.lower() for s in facts.unheeded if fact.span.start <= s.start and s.end <= fact.span.end]
+    return " ".join([*(word for word in inside if word not in noun and " " not in word), noun])
 
 
 def _matching(
@@ -143,6 +154,27 @@ def wishes_of(decisions: Decisions, knowledge: KnowledgeBase) -> list[Wish]:
 
 _QUALIFIED = frozenset({"total_area", "room", "object", "stair", "elevator", "building_type"})
 """Kinds of wishes for things that can have properties."""
+
+
+def _spaced(name: str) -> str:
+    return name.replace("_", " ")
+
+
+def _stand_in_of(room: RoomFact) -> str:
+    """Say what is planned in the place of a room of which nothing is known, or that is another thing."""
+    if not room.known:
+        return f"no such room is known; planned and furnished like {_spaced(room.room_type)}"
+    only = stands_in("rooms", room.room_type, room.name)
+    return f"planned and furnished like {_spaced(room.room_type)}" if only else ""
+
+
+def _stand_in_for(wanted: ObjectFact) -> str:
+    """Say what stands in the place of a thing that the catalogue has nothing of."""
+    noun = _noun(wanted)
+    only = not wanted.excluded and stands_in("objects", wanted.category, noun)
+    if not only or own_furniture_of(tuple(noun.replace("-", " ").split())):
+        return ""
+    return f"no such thing is in the catalogue; {_spaced(wanted.category)} stands for it"
 
 
 class _Ledger:
@@ -212,10 +244,12 @@ class _Ledger:
         for name, span in facts.building[:1]:
             if span.words:
                 value = WishValue(name=facts.building_name or name, type=name, area=area, limit=limit)
-                self.add("building_type", span, value)
+                only = stands_in("buildings", name, span.words)
+                reason = f"planned and furnished like any {_spaced(name)}" if only else ""
+                self.add("building_type", span, value, reason=reason)
         for span in facts.building_span[:1]:
             kind = decided.building.name
-            reason = f"no such kind of building is known; planned like {kind.replace('_', ' ')}"
+            reason = f"no such kind of building is known; planned like {_spaced(kind)}"
             value = WishValue(name=facts.building_name, type=kind, area=area, limit=limit)
             self.add("building_type", span, value, reason=reason)
         for quantity in facts.floors:
@@ -223,7 +257,10 @@ class _Ledger:
         for quantity in facts.basements:
             self.add("basements", quantity.span, WishValue(count=int(quantity.value)))
         for quantity in facts.area:
-            self.add("total_area", quantity.span, WishValue(area=quantity.value, limit=quantity.limit))
+            above = next((span for span in facts.above_ground if span.start == quantity.span.start), None)
+            scope = Scope(floors=list(range(1, decided.floors + 1))) if above is not None else Scope()
+            value = WishValue(area=quantity.value, limit=quantity.limit)
+            self.add("total_area", above or quantity.span, value, scope)
         for quantity in facts.floor_area:
             self.add("floor_area", quantity.span, WishValue(area=quantity.value, limit=quantity.limit))
 
@@ -272,12 +309,11 @@ class _Ledger:
             self.add(kind, span, WishValue(unwanted=name.startswith("no_"), count=counts.get(span)))
 
     def _room(self, room: RoomFact) -> None:
-        reason = ""
-        if not room.known:
-            reason = f"no such room is known; planned and furnished like {room.room_type.replace('_', ' ')}"
+        reason = _stand_in_of(room)
         whole = room.area is not None and is_whole(room, self.knowledge)
         area, limit = self._area_of(room)
-        value = WishValue(name=room.name, type=room.room_type, count=room.count, area=area, whole=whole, limit=limit)
+        name = self._called(room)
+        value = WishValue(name=name, type=room.room_type, count=room.count, area=area, whole=whole, limit=limit)
         self.add("room", room.span, value, Scope(floors=self.floors(room.floors), each=room.each), reason=reason)
         if room.unit:
             self._unit(room)
@@ -290,13 +326,16 @@ class _Ledger:
             value = WishValue(name=child.name, type=child.room_type, count=many, area=area, limit=limit)
             self.add("room", child.span, value, scope)
 
+    def _called(self, room: RoomFact) -> str:
+        """Return a room's name as the brief has it, also where it is the hall that the building is there for."""
+        renamed = room.name == self.decisions.building.hub and room.label
+        return room.label.lower().replace(" ", "_") if renamed else room.name
+
     def _unit(self, room: RoomFact) -> None:
         """Add what each unit holds."""
         scope = Scope(floors=self.floors(room.floors), unit=room.name, unit_type=room.room_type)
         for child in room.suite:
-            reason = ""
-            if not child.known:
-                reason = f"no such room is known; planned and furnished like {child.room_type.replace('_', ' ')}"
+            reason = _stand_in_of(child)
             area, limit = self._area_of(child)
             value = WishValue(name=child.name, type=child.room_type, count=child.count, area=area, limit=limit)
             self.add("room", child.span, value, scope, reason=reason)
@@ -314,6 +353,7 @@ class _Ledger:
             type=fact.first,
             other=fact.second_name or fact.second,
             other_type=fact.second,
+            door=fact.door,
         )
         self.add(kind, fact.span, value, Scope(each=fact.each))
 
@@ -327,7 +367,7 @@ class _Ledger:
             unwanted=wanted.excluded,
             exact=wanted.exact and not wanted.excluded,
         )
-        self.add(kind, wanted.span, value, self._place_of(wanted))
+        self.add(kind, wanted.span, value, self._place_of(wanted), reason=_stand_in_for(wanted))
 
     def _place_of(self, wanted: ObjectFact) -> Scope:
         """Return where furniture is wanted; in the whole building where its room only names that."""

@@ -42,6 +42,9 @@ _FITMENTS: dict[str, Fitment] = {
 }
 """What stands in the run of a kitchen, by category."""
 
+_STAFFED = frozenset({"reception_desk", "sales_counter"})
+"""What staff stand or sit behind, with visitors before it, by category."""
+
 _ENTRANCE = _set("host hostess reception umbrella coat shoe doormat checkout cashier ticket turnstile")
 
 
@@ -63,17 +66,20 @@ class Role:
         It stands at the head of a bed.
     fitment : Fitment or None
         Its part in the run of a kitchen.
+    staffed : bool
+        Staff are behind it, and visitors come to its front.
     vehicle : bool
         It is driven in and out.
     """
 
     __slots__ = (
         *("bed", "bedside", "centred", "entrance", "exercise", "fitment", "focal"),
-        *("screen", "seat", "sofa", "symmetric", "table", "vehicle"),
+        *("screen", "seat", "sofa", "staffed", "symmetric", "table", "vehicle"),
     )
 
     def __init__(self, words: frozenset[str], category: str = "") -> None:
         self.bedside = category in _BEDSIDE
+        self.staffed = category in _STAFFED
         self.fitment = _FITMENTS.get(category)
         self.seat = bool(words & _SEATS)
         self.sofa = bool(words & _SOFAS)

@@ -58,6 +58,8 @@ def pose_scores(
     if screen is not None:
         score += view(floor, screen, poses)
     score -= _beside_beds(floor, centres, (x1 - x0) / 2, (y1 - y0) / 2)
+    if spec.role.staffed:
+        score += _towards_entrance(floor, poses)
     score += _away_from_doors(floor, poses, spec)
     score += _spread_out(floor, spec, centres)
     score += _aligned(floor, spec, poses)
@@ -171,14 +173,32 @@ def _same_wall(floor: Floor, spec: Spec, poses: Floats) -> Floats:
     return score
 
 
+def _ways_in(floor: Floor) -> Floats:
+    """Return the middles of the widest doors of a room, through which visitors come, shape (n, 2)."""
+    widths = np.array([np.hypot(*(door[2:] - door[:2])) for door in floor.room.doors])
+    return floor.room.door_points[widths >= widths.max() - 0.05]
+
+
+def _towards_entrance(floor: Floor, poses: Floats) -> Floats:
+    """Return a score for counters whose front looks towards the way in."""
+    if not len(floor.room.door_points):
+        return np.zeros(len(poses))
+    ways = _ways_in(floor)[None] - poses[:, None, :2]
+    ahead = (-poses[:, None, 3] * ways[..., 0] + poses[:, None, 2] * ways[..., 1]) / np.hypot(*ways.transpose(2, 0, 1))
+    return np.asarray(_FACING * ahead.max(axis=1))
+
+
+_FACING = 1.5
+"""What a counter counts for that looks straight towards the way in, beside one that looks along the room."""
+
+
 def _away_from_doors(floor: Floor, poses: Floats, spec: Spec) -> Floats:
     """Return a score for distance from doors, which counts more for large objects."""
     doors = floor.room.door_points
     if not len(doors):
         return np.zeros(len(poses))
     if spec.role.entrance:
-        widths = np.array([np.hypot(*(door[2:] - door[:2])) for door in floor.room.doors])
-        doors = doors[widths >= widths.max() - 0.05]  # the way in is the widest
+        doors = _ways_in(floor)
     distance = np.hypot(*(poses[:, None, :2] - doors[None]).transpose(2, 0, 1)).min(axis=1)
     if spec.role.entrance:
         return np.asarray(-0.8 * np.abs(np.minimum(distance, 6.0) - 1.6) / 4.4)

@@ -195,6 +195,27 @@ def _rings(floor: Floor, spec: Spec, unit: Unit) -> Floats:
     return ring_poses(targets, hw, hd, gaps, turned=turned)
 
 
+_ONE_SEAT = 1.15
+"""Length of a table's side below which one seat is at it, in its middle, metres."""
+
+_OFF_MIDDLE = 2.0
+"""What each metre costs by which such a seat is away from the middle."""
+
+
+def _off_middle(poses: Floats, hosts: Floats) -> Floats:
+    """Return how far each pose is from the middle of the side of its host that it is at, metres; 0 at long sides."""
+    q = poses[:, :2] - hosts[:, :2]
+    right = np.abs(q[:, 0] * hosts[:, 2] + q[:, 1] * hosts[:, 3])
+    ahead = np.abs(-q[:, 0] * hosts[:, 3] + q[:, 1] * hosts[:, 2])
+    beside = right - hosts[:, 4] > ahead - hosts[:, 5]
+    length = 2.0 * np.where(beside, hosts[:, 5], hosts[:, 4])
+    return np.asarray(np.where(length < _ONE_SEAT, np.where(beside, ahead, right), 0.0))
+
+
+_BEHIND = 1.2
+"""What a seat counts for behind a counter with staff, rather than before it."""
+
+
 def _belonging(floor: Floor, spec: Spec, unit: Unit, poses: Floats) -> Floats:
     """Members like to be close to a host copy without one yet; seats like to face it."""
     if spec.host < 0:
@@ -212,4 +233,9 @@ def _belonging(floor: Floor, spec: Spec, unit: Unit, poses: Floats) -> Floats:
         q = targets[nearest, :2] - poses[:, :2]
         q /= np.maximum(np.hypot(q[:, 0], q[:, 1]), 1e-6)[:, None]
         score += 0.6 * (-poses[:, 3] * q[:, 0] + poses[:, 2] * q[:, 1])
+        host = targets[nearest]
+        if spec.link == "around":
+            score -= _OFF_MIDDLE * _off_middle(poses, host)
+        if floor.specs[spec.host].role.staffed:
+            score += _BEHIND * (-host[:, 3] * q[:, 0] + host[:, 2] * q[:, 1])
     return np.asarray(score)

@@ -131,6 +131,12 @@ def side_slots(anchor: Size, member: Size, count: int, *, backed: bool, mirrored
     return slots
 
 
+def behind_slots(anchor: Size, member: Size, count: int, *, gap: float) -> list[Slot]:
+    """Return places of up to `count` seats in a row behind the anchor, each facing it."""
+    y = -(anchor[1] + member[1]) / 2 - gap
+    return [((2 * i + 1 - count) * anchor[0] / (2 * count), y, 0.0) for i in range(count)]
+
+
 def near_slots(anchor: Size, member: Size, *, seat: bool, backed: bool, mirrored: bool) -> Iterator[Slot]:
     """Yield places near the anchor, the most usual first: beside it from back to front, then before it."""
     signs = (-1.0, 1.0) if mirrored else (1.0, -1.0)
@@ -291,4 +297,7 @@ def _slots(spec: Spec, size: Size3, child: Spec, count: int, style: UnitStyle, *
     if child.link == "in_front_of":
         touching = child.role.sofa or child.role.symmetric
         return front_slots(anchor, member, count, seat=seat, touching=touching, gap=style.gap)
-    return list(near_slots(anchor, member, seat=seat, backed=backed, mirrored=style.mirrored))
+    slots = list(near_slots(anchor, member, seat=seat, backed=backed, mirrored=style.mirrored))
+    if seat and spec.role.staffed and not backed:
+        return [*behind_slots(anchor, member, count, gap=style.gap), *slots]
+    return slots

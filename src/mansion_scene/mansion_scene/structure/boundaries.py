@@ -12,13 +12,15 @@ from itertools import pairwise
 from shapely.geometry import Polygon
 
 from mansion_msgs_py.shapes import Point, Ring, Segment
-from mansion_scene.structure.dimensions import EXTERIOR_THICKNESS
+from mansion_scene.structure.dimensions import CLEAR_WIDTH, EXTERIOR_THICKNESS, INTERIOR_THICKNESS
 from mansion_scene.structure.regions import FloorRegions, ring_points
 
 __all__ = ["corner_key", "BoundarySegment", "boundary_segments", "reentrant_corners", "usable_part"]
 
 _ANGLE = 1e-4  # radians between lines that count as parallel
 _SNAP = 2e-3  # metres between points, or lines, that count as one
+_DOOR = CLEAR_WIDTH + INTERIOR_THICKNESS
+"""Shortest boundary, on centre lines, that takes a door of full width, metres."""
 
 
 @dataclass(frozen=True)
@@ -161,7 +163,7 @@ def _sweep(line: _Line) -> list[BoundarySegment]:
                 start, end, left, right, exterior=right is None and _OUTLINE in owners, structural=_STRUCTURE in owners
             )
         )
-    return _merge(boundaries)
+    return _joined_for_doors(_merge(boundaries))
 
 
 def _merge(boundaries: Sequence[BoundarySegment]) -> list[BoundarySegment]:
@@ -181,6 +183,24 @@ def _merge(boundaries: Sequence[BoundarySegment]) -> list[BoundarySegment]:
         else:
             merged.append(boundary)
     return merged
+
+
+def _joined_for_doors(boundaries: Sequence[BoundarySegment]) -> list[BoundarySegment]:
+    """Join a structural piece of a wall with its other part where neither takes a door; the whole is structural."""
+    joined: list[BoundarySegment] = []
+    for boundary in boundaries:
+        last = joined[-1] if joined else None
+        if (
+            last is not None
+            and last.right is not None
+            and (last.left, last.right) == (boundary.left, boundary.right)
+            and max(last.length, boundary.length) < _DOOR
+            and math.dist(last.end, boundary.start) < _SNAP
+        ):
+            joined[-1] = replace(last, end=boundary.end, structural=True)
+        else:
+            joined.append(boundary)
+    return joined
 
 
 def boundary_segments(floor: FloorRegions, structural: Sequence[Segment] = ()) -> list[BoundarySegment]:

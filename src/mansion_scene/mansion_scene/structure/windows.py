@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from mansion_knowledge import is_class
+from mansion_msgs_py.program import GROUND_FLOOR
 from mansion_msgs_py.shapes import Segment
 from mansion_scene.structure.boundaries import BoundarySegment, reentrant_corners, usable_part
 from mansion_scene.structure.openings import Opening
@@ -55,6 +56,7 @@ _KINDS: tuple[tuple[str, WindowKind | None], ...] = (
     ("sleeping", WindowKind(1.5, 1.3, 0.9, 1.0, "hung")),
 )
 _DEFAULT = WindowKind(1.5, 1.6, 0.9, 1.0)
+_SHOP = WindowKind(2.4, 2.2, 0.3, 0.25)  # goods and guests are seen from the street
 _NARROWEST = 0.6
 
 
@@ -85,8 +87,9 @@ def place_windows(
     ceiling : float
         Height of the ceilings, metres; windows stay below.
     """
-    if floor.floor < 1:
+    if floor.floor < GROUND_FLOOR:
         return []
+    front = _front(openings) if floor.floor == GROUND_FLOOR else None
     doors: dict[str, list[Segment]] = {}
     for opening in openings:
         if opening.regions[1] is None:
@@ -98,10 +101,24 @@ def place_windows(
         boundary = usable_part(wall, corners)
         if kind is None or boundary is None:
             continue
+        if front is not None and _faces(boundary, front) and is_class(floor.by_id[wall.left].room_type, "shopfront"):
+            kind = _SHOP
         kind = fitting_window(kind, ceiling)
         for low, high in _free(boundary, doors.get(boundary.left, [])):
             windows.extend(_row(boundary, kind, low, high))
     return windows
+
+
+def _front(openings: Sequence[Opening]) -> BoundarySegment | None:
+    """Return the wall of the building's widest entrance, which faces the street."""
+    entrances = [opening for opening in openings if opening.kind.kind == "entrance"]
+    return max(entrances, key=lambda opening: opening.kind.width).boundary if entrances else None
+
+
+def _faces(boundary: BoundarySegment, front: BoundarySegment) -> bool:
+    """Whether a wall looks the way that the front does."""
+    (ax, ay), (bx, by) = boundary.direction, front.direction
+    return ax * bx + ay * by > 1.0 - 1e-6
 
 
 def fitting_window(kind: WindowKind, ceiling: float) -> WindowKind:

@@ -88,7 +88,9 @@ def carry(statement: Statement, state: SceneState, context: Context) -> Generato
         reply = f"{listed(kept)} left as {'it was' if len(kept) == 1 else 'they were'}"
         return Done(reply, context.followed([item.id for item in kept], rooms, statement.things.noun))
     if isinstance(statement, Forbid):
-        return Done(f"no {thing_words(statement.things)} added {place_words(statement.place)}".rstrip(), context)
+        rooms = () if statement.place.rooms is None else tuple(rooms_of(state, statement.place.rooms, context))
+        reply = f"no {thing_words(statement.things)} added {place_words(statement.place)}".rstrip()
+        return Done(reply, context.followed((), rooms, "") if len(rooms) == 1 else context)
     if isinstance(statement, Mention):
         rooms = () if statement.rooms is None else tuple(rooms_of(state, statement.rooms, context))
         return Done("", context.followed((), rooms if len(rooms) == 1 else (), ""))

@@ -22,7 +22,14 @@ from mansion_editing.instructions.meaning.numbers import (
     new_number,
 )
 from mansion_editing.instructions.meaning.targets import Target, places_of
-from mansion_editing.instructions.meaning.wording import bare_words, place_in, place_words, there_were, thing_words
+from mansion_editing.instructions.meaning.wording import (
+    bare_words,
+    counted,
+    place_in,
+    place_words,
+    there_were,
+    thing_words,
+)
 from mansion_editing.instructions.phrases.word_sets import BESIDE_RELATIONS
 from mansion_editing.instructions.statements import Add, Amount, Ensure, Place, Replace, Rooms, Things
 from mansion_editing.provisioning.facts import ObjectDescription, Scope
@@ -424,6 +431,7 @@ def ensure(statement: Ensure, state: SceneState, context: Context) -> Work:
         made = yield from _shared_out(things, max(0, number - had), place, groups, state, context)
         gone: list[str] = []
     else:
+        _refuse_to_take_away(statement, number, groups, state, context)
         had, made, gone = yield from _as_many_in_each(things, number, place, groups, state, context)
     items = live(state, made)
     rooms = tuple(dict.fromkeys([*(i.room for i in items), *(t.room for g in groups for t in g[:1])]))
@@ -431,6 +439,32 @@ def ensure(statement: Ensure, state: SceneState, context: Context) -> Work:
     reply += _changed(had, made, gone) + _brought_to_carry(groups, before) + _passed_over(state, place, context)
     known = made or [i.id for g in groups for t in g for i in at_target(state, things, place, t, context)]
     return Done(reply, context.followed(known, rooms[:1], things.noun))
+
+
+_ADDING: Final = re.compile(
+    r"\b(add|another|additional|extra|(?<!any )(?<!no )(?<!not )more (?!than))\b", re.IGNORECASE
+)
+"""Words by which things come, so that none goes: ``add one more so that there are six``."""
+
+
+def _refuse_to_take_away(
+    statement: Ensure, number: int, groups: Sequence[Sequence[Target]], state: SceneState, context: Context
+) -> None:
+    """Refuse a total that fewer things have than there are already, where words only add.
+
+    Raises
+    ------
+    Unmet
+    """
+    things, place = statement.things, statement.place
+    if things.amount.kind != "exactly" or not _ADDING.search(statement.quote):
+        return
+    for group in groups:
+        there = {item.id for target in group for item in at_target(state, things, place, target, context)}
+        if len(there) > number:
+            raise Unmet(
+                f"there are {counted(len(there), things.noun)} already, more than {number}; say where they shall be"
+            )
 
 
 def _as_many_in_each(

@@ -8,7 +8,14 @@ import msgspec
 from mansion_assets.catalogue.vocabulary import stems
 from mansion_editing.instructions.meaning.context import Context, ambiguous
 from mansion_editing.instructions.meaning.descriptions import all_at, anchors_of, rooms_of, things_of
-from mansion_editing.instructions.meaning.numbers import by_holder, counts_each, is_one, means_one, of_one_kind
+from mansion_editing.instructions.meaning.numbers import (
+    by_holder,
+    counts_each,
+    in_one_room,
+    is_one,
+    means_one,
+    of_one_kind,
+)
 from mansion_editing.instructions.meaning.room_words import room_title
 from mansion_editing.instructions.meaning.wording import (
     at_words,
@@ -186,7 +193,8 @@ def _counted_out(
 ) -> list[SceneObject]:
     """Return as many of the objects that words fit as they say."""
     amount = things.amount
-    found = of_one_kind(found, _number_told(things)) or found
+    told = _number_told(things)
+    found = of_one_kind(found, told) or (in_one_room(found, told) if things.place is None else None) or found
     count = len(found)
     _refuse_other_whole(things, found)
     if amount.kind == "all":

@@ -10,6 +10,7 @@ __all__ = [
     "LEAST_PLURAL",
     "by_holder",
     "counts_each",
+    "in_one_room",
     "is_one",
     "is_one_of_each_room",
     "is_shared_out",
@@ -115,3 +116,12 @@ def of_one_kind(items: Sequence[SceneObject], number: int) -> list[SceneObject] 
         kinds.setdefault(item.category, []).append(item)
     fitting = [group for group in kinds.values() if len(group) == number]
     return fitting[0] if len(fitting) == 1 and number > 1 and len(items) > number else None
+
+
+def in_one_room(items: Sequence[SceneObject], number: int) -> list[SceneObject] | None:
+    """Return those of the only room that has just so many: of ten tables the eight in the cafe."""
+    rooms: dict[str, list[SceneObject]] = {}
+    for item in items:
+        rooms.setdefault(item.room, []).append(item)
+    fitting = [group for group in rooms.values() if len(group) == number]
+    return fitting[0] if len(fitting) == 1 and number > 2 and len(items) > number else None

@@ -157,7 +157,10 @@ def _indefinite(words: Sequence[Word], at: int) -> Amounted:
             whole = number_at(words, place)
             return Amount(number=number, of=whole or 0), False, False, place + (whole is not None)
         return Amount(kind="more" if more else "some", number=number), False, False, place
-    if text_at(words, place) in ("additional", "extra", "further", "second", "third"):
+    further = words[place] if place < len(words) else None
+    if further is not None and (
+        further.kind == "ordinal" or further.text in ("additional", "extra", "further", "second")
+    ):
         return Amount(kind="more", number=1), False, False, place + 1
     return Amount(number=1), False, False, place
 

@@ -152,6 +152,10 @@ _ADVERBIALS: Final = frozenset(
         "or something similar|or something like that|or the like|"
         "or similar|"
         "preferably|if at all possible|while we are at it|where possible|if that is ok|if that is okay|"
+        "if there is room|if there is space|if there is enough room|if there is enough space|if there room|"
+        "if there space|if there still room|if there still space|if there is still room|if there is still space|"
+        "if there enough room|if there enough space|if there is any room left|if there is room left|"
+        "if there is room for it|if there is space for it|if there room for it|if there space for it|if it fits|"
         "if that is possible|if it is not too much trouble|if you get the time"
     ).split("|")
 )

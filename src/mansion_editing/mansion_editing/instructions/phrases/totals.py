@@ -1,4 +1,4 @@
-"""Totals told after what each of several gets: ``a vase on each table, nine in all`` is one on each of the nine."""
+"""Totals told after what comes: ``a vase on each table, nine in all``, ``two more chairs, six in all``."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -12,11 +12,14 @@ _TOTALS: Final = (("in", "all"), ("in", "total"), ("all", "in", "all"), ("altoge
 
 
 def totals_before(words: Sequence[Word]) -> list[Word]:
-    """Return words with a total as the number of places that are each given one."""
+    """Return words with a total as the number of places that are each given one, or of all that there shall be."""
     out = list(words)
     for at in range(len(out) - 1, 2, -1):
         length = _length_of_total(out, at) if at < len(out) else 0
         each = _each_before(out, at - 1) if length else -1
+        if length and each < 0 and _adds(out, at - 1):
+            there = [_plain(out[at - 1], text) for text in ("so", "that", "there", "are")]
+            out = [*out[:at], *there, out[at], *out[at + 1 + length :]]
         if each < 0:
             continue
         end = at + 1 + length
@@ -52,6 +55,12 @@ def _each_before(words: Sequence[Word], at: int) -> int:
         if words[place].text in ("each", "every"):
             return place
     return -1
+
+
+def _adds(words: Sequence[Word], at: int) -> bool:
+    """Whether the words right before a mark bring more: ``two more chairs, six in all``."""
+    begin = next((k + 1 for k in range(at - 1, -1, -1) if words[k].kind == "mark"), 0)
+    return any(word.text in ("more", "another", "additional", "extra") for word in words[begin:at])
 
 
 def _plain(word: Word, text: str) -> Word:

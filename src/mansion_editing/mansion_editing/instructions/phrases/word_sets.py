@@ -111,7 +111,11 @@ PRAISE: Final = frozenset("nice good great lovely fine helpful appreciated perfe
 PEOPLE: Final = frozenset(
     "guest visitor client customer patient person staff user child nurse employee teacher student pupil colleague "
     "manager boss director chef cook waiter tenant neighbour neighbor cleaner receptionist officer family grandma "
-    "grandpa mother father mum dad son daughter doctor".split()
+    "grandpa mother father mum dad son daughter doctor mayor secretary caretaker janitor librarian coach trainer "
+    "instructor baker barista bartender dentist surgeon therapist architect engineer designer developer intern trainee "
+    "apprentice headmaster headmistress principal professor researcher scientist curator landlord landlady owner clerk "
+    "cashier inspector auditor accountant lawyer granny grandad auntie aunt uncle cousin husband wife partner toddler "
+    "teenager team crew lodger flatmate housemate roommate".split()
 )
 SOMEBODY: Final = frozenset("robot agent i we one guest visitor people everyone whoever someone subject".split())
 

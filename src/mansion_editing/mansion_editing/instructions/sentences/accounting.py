@@ -47,6 +47,8 @@ _DENYING: Final = (Remove, Clear, Forbid, Keep, SetState, Ask, Reach, Swap, Repl
 _LIMITING: Final = frozenset(["none", "at_most", "at_least", "exactly", "all_but"])
 _ALTERNATIVES: Final = frozenset(["or", "either", "whichever"])
 _WHOLE: Final = frozenset("each every both".split())
+_EVERYBODY: Final = frozenset("everybody everyone".split())
+_LEAST_SEVERAL: Final = 2
 _SPOTS: Final = frozenset("wall corner window door".split())
 _NEAR_SPOTS: Final = frozenset("opposite by at near beside against next in to".split())
 _PLACING: Final = (Add, Ensure, Move)
@@ -135,6 +137,8 @@ def _is_left_out(said: Sequence[Word], at: int, group: Sequence[Statement], told
     if text in _WHOLE:
         several = told.flags & {"each", "every"} or told.kinds & {"all", "all_but", "none", "half"}
         return not (several or (text == "both" and (2.0 in told.numbers or len(group) > 1)) or len(group) > 1)
+    if text in _EVERYBODY and text_at(said, at - 1) == "for" and any(isinstance(s, _PLACING) for s in group):
+        return not told.flags & {"each", "every"} and max(told.numbers, default=0) < _LEAST_SEVERAL
     if text in _OTHERS:
         turned = text_at(said, at + 1) in ("way", "direction") and 180.0 in told.numbers
         return not turned and not (

@@ -41,6 +41,8 @@ from mansion_editing.instructions.sentences.refinement import (
     exactly,
     in_place_of,
     must_contain,
+    of_none,
+    one_more_there,
     sets_as_one,
     sparing_what_goes,
     turned_by_list,
@@ -71,6 +73,8 @@ __all__ = ["read_instruction"]
 
 
 _MISSING: Final = re.compile(r"\b(too few|short)\b", re.IGNORECASE)
+_FOR_ALL: Final = re.compile(r"for (everybody|everyone)\b", re.IGNORECASE)
+"""A share for each person: how many that are is not told."""
 _TOO_MANY: Final = re.compile(r"\btoo (many|much)\b", re.IGNORECASE)
 
 
@@ -125,9 +129,11 @@ class _Reader(
             Mention(quote=s.quote) if self._introduces(s, self.statements[number + 1 :]) else s
             for number, s in enumerate(self.statements)
         ]
-        self.statements = [s for one in self.statements for s in [self._told_later(one)]]
+        self.statements = [of_none(self._told_later(one)) for one in self.statements]
+        self.statements = [one_more_there(s, self.statements[:number]) for number, s in enumerate(self.statements)]
         self.unknown += [s.quote for s in self.statements if '"noun":"one"' in msgspec.json.encode(s).decode()]
         self.unknown += self._instead_of_nothing() + self._complained_in_vain()
+        self.unknown += [s.quote for s in self.statements if isinstance(s, Mention) and _FOR_ALL.match(s.quote)]
         if not self.unknown:
             self.unknown = unaccounted(self.text, self.words, self.statements, self.lexicon) or self._asks_in_vain()
         self.statements += self._told_to_be_missing()
@@ -192,6 +198,8 @@ class _Reader(
             if not isinstance(statement, Mention) or not self._begins_with_order(statement.quote, ("take", "bring")):
                 continue
             following = next((s for s in self.statements[number + 1 :] if not isinstance(s, Mention)), statement)
+            if isinstance(following, Keep) and statement.quote.lower().split()[-1] in ("out", "away", "off"):
+                return [statement.quote]
             said = msgspec.json.encode(following).decode()
             words = {word.text for word in self._words_of(statement.quote)}
             taken = [word for word in words if self.lexicon.is_object((word,)) and not self.lexicon.is_room((word,))]

@@ -16,6 +16,7 @@ from mansion_editing.instructions.statements import (
     Ensure,
     Furnish,
     Keep,
+    Mention,
     Move,
     Place,
     Remove,
@@ -46,6 +47,8 @@ __all__ = [
     "moves_it",
     "must_contain",
     "narrowed",
+    "of_none",
+    "one_more_there",
     "only_brings_it",
     "placed_at_last",
     "removes_all_of_it",
@@ -380,6 +383,8 @@ def _replaced(value: Any, noun: str, place: Place) -> Any:
 
 def narrowed(statement: Statement, place: Place) -> Statement:
     """Return the last statement at a place that the next sentence tells of ("it is on the second floor")."""
+    if isinstance(statement, Move) and _tells_where_it_is_now(statement, place):
+        return msgspec.structs.replace(statement, things=with_place(statement.things, place))
     if isinstance(statement, Ensure | Move) or hasattr(statement, "place"):
         own = getattr(statement, "place", None)
         if isinstance(own, Place):
@@ -388,6 +393,14 @@ def narrowed(statement: Statement, place: Place) -> Statement:
     if isinstance(things, Things):
         return msgspec.structs.replace(statement, things=with_place(things, place))
     return statement
+
+
+def _tells_where_it_is_now(statement: Move, place: Place) -> bool:
+    """Whether a place is another room than the one that a thing goes to: ``it is in the hall at the moment``."""
+    things, goal = statement.things, statement.place.rooms
+    told = place.rooms is not None and bool(place.rooms.words) and place == Place(rooms=place.rooms)
+    elsewhere = goal is not None and bool(goal.words) and place.rooms is not None and goal.words != place.rooms.words
+    return told and elsewhere and things.definite and not things.refers and things.place is None
 
 
 def is_everything(things: Things) -> bool:
@@ -437,6 +450,32 @@ def left_where_brought(statement: Keep, last: Statement | None) -> Move | None:
     if not (is_only_fetched(last) and bare) or things.place is None:
         return None
     return Move(things=msgspec.structs.replace(things, place=None), place=things.place, quote=statement.quote)
+
+
+def of_none(statement: Statement) -> Statement:
+    """Return what is said of none as what it means: ``no beer remains in the fridge``, ``none of them are moved``."""
+    if not isinstance(statement, Keep | Move) or statement.things.amount.kind != "none":
+        return statement
+    things, quote = statement.things, statement.quote
+    if isinstance(statement, Keep):
+        place = things.place
+        return (
+            statement
+            if place is None
+            else Ensure(things=msgspec.structs.replace(things, place=None), place=place, quote=quote)
+        )
+    where = things.place or (statement.place if statement.place != Place() else None)
+    whole = Amount(kind="all", number=0)
+    return Keep(things=msgspec.structs.replace(things, amount=whole, definite=True, place=where), quote=quote)
+
+
+def one_more_there(statement: Statement, before: Sequence[Statement]) -> Statement:
+    """Return one more of what was mentioned before, told without a place, as one in the room that was mentioned."""
+    asked = any(not isinstance(other, Mention) for other in before)
+    bare = isinstance(statement, Add) and statement.things.amount.kind == "more" and statement.place == Place()
+    if not (asked and bare) or not re.search(r"\bone\b", statement.quote, re.IGNORECASE):
+        return statement
+    return msgspec.structs.replace(statement, place=Place(rooms=Rooms(same=True)))
 
 
 def must_contain(reader: ClauseReader, at: int) -> bool:

@@ -1,0 +1,1 @@
+"""Instructions that are not understood as they stand, put in other words."""

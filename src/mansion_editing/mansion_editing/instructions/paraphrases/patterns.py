@@ -1,0 +1,98 @@
+"""Rules that put a stretch of text in plain words: patterns in which ``{np}`` stands for a noun phrase, and so on."""
+
+import re
+import tomllib
+from functools import cache
+from importlib.resources import files
+from typing import Final, NamedTuple
+
+__all__ = ["CLAUSE_START", "DETERMINERS", "in_plain_words", "in_running_text"]
+
+_NUMBERS: Final = r"one|two|three|four|five|six|seven|eight|nine|ten|eleven|twelve|\d+"
+DETERMINERS: Final = (
+    "the|an?|another|some|any|our|my|your|his|her|their|its|this|that|these|those|both|all|every|each|half|" + _NUMBERS
+)
+CLAUSE_START: Final = r"(?:^|(?<=[.!?;:,(] )|(?<=- )|(?<=\n)|(?<=\band )|(?<=\bbut )|(?<=\bso )|(?<=\bplease ))"
+
+_FURTHER_WORDS: Final = r"(?: (?!(?:and|or|but)\b)[\w'-]+){1,9}?"
+_MACROS: Final = {
+    "^": CLAUSE_START,
+    "$": r"(?=\s*(?:[.!?;,:)\n]|- |$))",
+    "end": r"(?=\s*(?:[.!?;\n]|$))",
+    "np": rf"(?:(?:{DETERMINERS})\b{_FURTHER_WORDS})",
+    "new": rf"(?:(?:an?|another|some|{_NUMBERS})\b{_FURTHER_WORDS})",
+    "known": rf"(?:(?:the|our|my|this|that|these|those|both|all|every|her|his|their)\b{_FURTHER_WORDS})",
+    "determiner": DETERMINERS,
+    "num": f"(?:{_NUMBERS})",
+    "I": "(?:I|we)",
+    "be": "(?:is|are|was|were|am|be)",
+    "on": "(?:in|on|at|into|onto|by|under|beside|behind|near|next to|in front of|inside|outside|against|between)",
+    "state": "(?:on|off|open|closed|shut|running|switched on|switched off|lit)",
+    "rest": r"[^.!?;\n]+?",
+    "lead": r"[^.!?;:\n]+?",
+}
+_CONTRACTED: Final = (
+    (r"\bcan't\b", "cannot"), (r"\bwon't\b", "will not"), (r"\bshan't\b", "shall not"), (r"n't\b", " not"),
+    (r"(?<=\w)'d\b", " would"), (r"(?<=\w)'m\b", " am"), (r"(?<=\w)'re\b", " are"), (r"(?<=\w)'ve\b", " have"),
+    (r"(?<=\w)'ll\b", " will"), (r"\blet's\b", "let us"),
+    (r"\b(it|that|there|what|who|here|he|she|everything|nothing|whatever|where|one|two|which)'s\b", r"\1 is"),
+    (r"\bit is got\b", "it has got"),
+)  # fmt: skip
+_MARKS: Final = (
+    ("[‘’`]", "'"), ("[“”„]", '"'), (r"\s*(?:\.\.\.|…)\s*", " - "), (r"\s+(?:--|[–—-])\s+", " - "),
+    (r"\bi\. ?e\. ?", "that is "), (r"\be\. ?g\. ?", "for example "), (r"[ \t]+", " "),
+)  # fmt: skip
+
+
+class _Rule(NamedTuple):
+    pattern: re.Pattern[str]
+    plain: str
+
+
+def in_plain_words(text: str) -> str:
+    r"""Return a text with each rule of ``data/plain_words.toml`` applied in turn, wherever its pattern is found.
+
+    Examples
+    --------
+    >>> in_plain_words("a trio of chairs")
+    'three chairs'
+    """
+    for group in _groups():
+        for rule in group:
+            text = rule.pattern.sub(rule.plain, text)
+        text = _tidied(text)
+    return text
+
+
+def in_running_text(text: str) -> str:
+    """Return a text with plain marks and without contractions."""
+    for pattern, plain in (*_MARKS, *_CONTRACTED):
+        text = re.sub(pattern, plain, text, flags=re.IGNORECASE)
+    return text.strip()
+
+
+@cache
+def _groups() -> tuple[tuple[_Rule, ...], ...]:
+    """Return the rules in the order of the file, compiled."""
+    data = tomllib.loads(files(__package__).joinpath("data/plain_words.toml").read_text(encoding="utf-8"))
+    words = data.pop("words")
+    return tuple(
+        tuple(_compiled(pattern, plain, words) for pattern, plain in group["rules"]) for group in data.values()
+    )
+
+
+def _compiled(pattern: str, plain: str, words: dict[str, str]) -> _Rule:
+    """Return a rule with the words that its pattern names written out."""
+    for name, written in (*words.items(), *_MACROS.items()):
+        pattern = pattern.replace("{" + name + "}", written)
+    return _Rule(re.compile(pattern, re.IGNORECASE), plain)
+
+
+def _tidied(text: str) -> str:
+    """Return a text without the marks and spaces that what was left out leaves behind."""
+    text = re.sub(r"\s+([.!?;,:)])", r"\1", text)
+    text = re.sub(r"\(\s*\)", "", text)
+    text = re.sub(r",(?:\s*,)+", ",", text)
+    text = re.sub(r"(^|[.!?;\n])\s*(?:[,:]|- )+\s*", r"\1 ", text)
+    text = re.sub(r"(?:,| -)+\s*([.!?;]|$)", r"\1", text)
+    return re.sub(r"[ \t]+", " ", text).strip()

@@ -1,0 +1,65 @@
+"""Read an instruction; one that is not understood as it stands, in other words and without what only tells."""
+
+from collections.abc import Iterator
+
+import msgspec
+
+from mansion_editing.instructions.paraphrases.patterns import in_plain_words, in_running_text
+from mansion_editing.instructions.paraphrases.remarks import without_remarks
+from mansion_editing.instructions.paraphrases.strange_verbs import with_known_verbs
+from mansion_editing.instructions.phrases.lexicon import Lexicon
+from mansion_editing.instructions.sentences.reader import read_instruction
+from mansion_editing.instructions.statements import Instruction, Mention
+from mansion_editing.state import SceneState
+
+__all__ = ["read_in_other_words", "reworded"]
+
+_MOST_REMARKS = 2
+_MOST_READINGS = 14
+"""How often one instruction is read."""
+
+
+def read_in_other_words(text: str, state: SceneState, brief: str = "") -> Instruction:
+    """Read what an instruction says, in other words where it is not understood as it stands.
+
+    Returns
+    -------
+    Instruction
+        With `read_as` where it was put in other words, and a passed-over `Mention` of each clause that was left out;
+        where no wording is understood, what was read of the instruction's own.
+    """
+    first = read_instruction(text, state, brief)
+    if not first.not_understood:
+        return first
+    lexicon = Lexicon(state)
+    for number, (plain, remarks) in enumerate(_wordings(text, lexicon, state.floors)):
+        if number >= _MOST_READINGS:
+            break
+        read = read_instruction(plain, state, brief)
+        if not read.not_understood:
+            left = [Mention(quote=remark, passed_over=True) for remark in remarks]
+            return msgspec.structs.replace(read, statements=[*read.statements, *left], read_as=plain)
+    return first
+
+
+def reworded(text: str, lexicon: Lexicon) -> str:
+    """Return a text in the plain words of what it asks for."""
+    return with_known_verbs(in_plain_words(in_running_text(text)), lexicon)
+
+
+def _wordings(text: str, lexicon: Lexicon, floors: tuple[int, ...]) -> Iterator[tuple[str, tuple[str, ...]]]:
+    """Yield an instruction in other words, then also without one remark, and without two."""
+    plain = reworded(text, lexicon)
+    if plain != text:
+        yield plain, ()
+    known = {plain}
+    shorter: list[tuple[str, tuple[str, ...]]] = [(plain, ())]
+    for _ in range(_MOST_REMARKS):
+        longer, shorter = shorter, []
+        for said, remarks in longer[:_MOST_READINGS]:
+            for left in without_remarks(said, lexicon, floors):
+                again = reworded(left.text, lexicon)
+                if again not in known:
+                    known.add(again)
+                    shorter.append((again, (*remarks, left.remark)))
+                    yield shorter[-1]

@@ -1,0 +1,48 @@
+"""Names in whose place another thing that is known is built: a sofa for a sofa bed, a garage for a carport."""
+
+from functools import cache
+from importlib.resources import files
+from typing import Literal, TypeAlias
+
+import msgspec
+
+from mansion_msgs_py.codec import prepared
+
+__all__ = ["StandInKind", "stands_in"]
+
+StandInKind: TypeAlias = Literal["rooms", "buildings", "objects"]
+
+
+class _StandIns(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    rooms: dict[str, list[str]]
+    buildings: dict[str, list[str]]
+    objects: dict[str, list[str]]
+
+
+@cache
+def _stand_ins() -> _StandIns:
+    text = files("mansion_knowledge").joinpath("data", "stand_ins.toml").read_bytes()
+    return msgspec.toml.decode(text, type=prepared(_StandIns))
+
+
+def stands_in(kind: StandInKind, type_: str, name: str) -> bool:
+    """Whether a type only stands in the place of what a name says.
+
+    Parameters
+    ----------
+    kind : {"rooms", "buildings", "objects"}
+    type_ : str
+        Room type, building type or category of objects.
+    name : str
+        What people call it, in the singular, in snake case or words.
+
+    Examples
+    --------
+    >>> stands_in("objects", "sofa", "corner sofa"), stands_in("objects", "sofa", "couch")
+    (True, False)
+    >>> stands_in("rooms", "garage", "double_carport"), stands_in("rooms", "garage", "garage")
+    (True, False)
+    """
+    words = name.lower().replace("_", " ").replace("-", " ").split()
+    known: dict[str, list[str]] = getattr(_stand_ins(), kind)
+    return any(words[-len(other.split()) :] == other.split() for other in known.get(type_, ()))

@@ -1,0 +1,104 @@
+"""Bring turns of spoken English into written ones, which the readers know: answered questions, "let's say", "too"."""
+
+from dataclasses import replace
+
+from mansion_language import Token
+
+__all__ = ["spoken_turns"]
+
+_DENIALS = (
+    ("no", "thank", "you"), ("no", "thank"), ("no", "need"), ("not", "need"), ("not", "needed"), ("not", "required"),
+    ("not", "necessary"), ("rather", "not"), ("better", "not"), ("not", "really"), ("not", "at", "all"), ("nope",),
+    ("no",),
+)  # fmt: skip
+"""Answers that do not want what was asked about."""
+_ENDS = frozenset({".", "!", ";", "\n", ")", ""})
+_PAUSES = frozenset({",", "-", "–", ":"})
+_APART = frozenset("a an its their his her own separate single proper distinct closed independent two three of".split())
+"""Words of "as a separate room", "as two rooms of their own" before the noun."""
+_ROOMS = frozenset({"room", "space"})
+_UP_AND_DOWN = {"up": "upstairs", "down": "downstairs"}
+_AFTER = frozenset({",", ".", ")", ";", "and", "\n", ""})
+_HEDGES = (("let", "say"), ("let", "us", "say"), ("shall", "we", "say"), ("say",), ("i", "guess"), ("i", "think"))
+"""What is said between commas before a number that is not meant exactly."""
+
+
+def spoken_turns(tokens: list[Token]) -> list[Token]:
+    """Return the tokens with the writer's own questions as statements, and without what comes between noun and area.
+
+    "A cellar? No." becomes "a cellar: no.", "a diner? No - two rooms" becomes "a diner, no - two rooms"; "of, let's
+    say, 45 m2" becomes "of 45 m2", "a reading corner as a separate room of 18 m2" and "a bedroom too, 7 m2" lose the
+    words that only say that there is such a room.
+    """
+    result: list[Token] = []
+    index = 0
+    while index < len(tokens):
+        answer = _answer(tokens, index) if tokens[index].text == "?" else 0
+        hedge = 0 if answer else _hedge(tokens, index) or _own_room(tokens, index) or _also(tokens, index)
+        if answer:
+            end = index + 1 + answer
+            closed = _word(tokens, end) in _ENDS
+            result.append(replace(tokens[index], text=":" if closed else ","))
+            result.append(replace(tokens[index + 1], text="no", end=tokens[end - 1].end))
+            index = end
+        elif hedge:
+            index += hedge
+        else:
+            result.append(_storey_of_some(tokens, index))
+            index += 1
+    return result
+
+
+def _storey_of_some(tokens: list[Token], index: int) -> Token:
+    """Return a token, "down" and "up" after a number as "downstairs" and "upstairs": "four down, five up"."""
+    where = _UP_AND_DOWN.get(tokens[index].text)
+    counted = where and index > 1 and tokens[index - 1].kind == "number" and tokens[index - 2].text not in _ENDS
+    return (
+        replace(tokens[index], text=where)
+        if where and counted and _word(tokens, index + 1) in _AFTER
+        else tokens[index]
+    )
+
+
+def _word(tokens: list[Token], index: int) -> str:
+    return tokens[index].text if 0 <= index < len(tokens) else ""
+
+
+def _answer(tokens: list[Token], index: int) -> int:
+    """Return of how many tokens a denial after a question mark is, if a pause or an end follows it."""
+    for words in _DENIALS:
+        end = index + 1 + len(words)
+        if tuple(token.text for token in tokens[index + 1 : end]) != words:
+            continue
+        return len(words) if _word(tokens, end) in _ENDS or (words == ("no",) and _word(tokens, end) in _PAUSES) else 0
+    return 0
+
+
+def _hedge(tokens: list[Token], index: int) -> int:
+    """Return of how many tokens a hedge with its commas is, if a number follows it."""
+    if _word(tokens, index) != ",":
+        return 0
+    for words in _HEDGES:
+        end = index + 1 + len(words)
+        said = tuple(token.text for token in tokens[index + 1 : end]) == words
+        if said and _word(tokens, end) == "," and end + 1 < len(tokens) and tokens[end + 1].kind == "number":
+            return len(words) + 2
+    return 0
+
+
+def _own_room(tokens: list[Token], index: int) -> int:
+    """Return of how many tokens "as a separate room", "as two rooms" is; 0 where there is none."""
+    if _word(tokens, index) != "as" or not index or tokens[index - 1].kind != "word":
+        return 0
+    end = index + 1
+    while end - index < 5 and _word(tokens, end) in _APART:
+        end += 1
+    return end + 1 - index if end > index + 1 and _word(tokens, end) in _ROOMS else 0
+
+
+def _also(tokens: list[Token], index: int) -> int:
+    """Return 1 for "too" and "separate" between a noun and the comma or bracket before its area; else 0."""
+    after = index + 1 < len(tokens) and tokens[index + 1].text in (",", "(", ":")
+    measured = index + 3 < len(tokens) and tokens[index + 2].kind == "number" and tokens[index + 3].kind == "unit"
+    noun = index > 0 and tokens[index - 1].kind == "word"
+    return int(noun and after and measured and _word(tokens, index) in ("too", "separate", "also"))

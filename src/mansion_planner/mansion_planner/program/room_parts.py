@@ -1,0 +1,81 @@
+"""Corners and nooks of a home, which are furniture of a room rather than rooms: a TV corner, a sleeping alcove."""
+
+from dataclasses import replace
+
+from mansion_knowledge import BuildingType
+from mansion_planner.brief.facts import AdjacencyFact, BriefFacts, ObjectFact, RoomFact
+
+__all__ = ["with_room_parts"]
+
+_PARTS = frozenset({"corner", "nook", "alcove", "niche"})
+
+_LIVING = ("living_room", "lounge", "studio_room")
+_EATING = ("living_room", "kitchen_diner", "open_kitchen", "kitchen", "studio_room")
+
+_MEANT: dict[str, tuple[str, tuple[str, ...]]] = {
+    "tv": ("television", _LIVING), "television": ("television", _LIVING), "media": ("television", _LIVING),
+    "reading": ("armchair", (*_LIVING, "bedroom", "master_bedroom")), "seating": ("armchair", _LIVING),
+    "sitting": ("armchair", _LIVING), "sofa": ("sofa", _LIVING), "fireplace": ("fireplace", _LIVING),
+    "fire": ("fireplace", _LIVING), "play": ("play_mat", (*_LIVING, "childrens_room")),
+    "music": ("piano", _LIVING), "piano": ("piano", _LIVING),
+    "work": ("desk", (*_LIVING, "bedroom")), "desk": ("desk", (*_LIVING, "bedroom")),
+    "study": ("desk", (*_LIVING, "bedroom")), "homework": ("desk", (*_LIVING, "childrens_room")),
+    "office": ("desk", (*_LIVING, "bedroom")), "computer": ("desk", (*_LIVING, "bedroom")),
+    "dining": ("dining_table", _EATING), "eating": ("dining_table", _EATING),
+    "breakfast": ("dining_table", ("kitchen", "open_kitchen", "kitchen_diner", "living_room")),
+    "sleeping": ("bed", ("studio_room",)), "bed": ("bed", ("studio_room",)), "sleep": ("bed", ("studio_room",)),
+}  # fmt: skip
+"""What a corner is called after, the furniture that makes it one, and the rooms that it may be part of."""
+
+
+def with_room_parts(building: BuildingType, facts: BriefFacts) -> BriefFacts:
+    """Return the facts of a home in which corners of a room are the furniture that they are for.
+
+    A corner with an area or rooms of its own, several of them, and those of public buildings stay rooms, and so do
+    those of a room that the home does not have.
+    """
+    if building.family != "home":
+        return facts
+    found = [(room, _part_of(room, building, facts)) for room in facts.rooms]
+    parts = {room.name: wanted for room, wanted in found if wanted is not None}
+
+    def within(fact: ObjectFact) -> ObjectFact:
+        host = parts.get(fact.room)
+        return fact if host is None else replace(fact, room=host.room, room_type=host.room_type)
+
+    def joins(fact: AdjacencyFact) -> bool:
+        return not {fact.first_name, fact.second_name} & parts.keys()
+
+    return replace(
+        facts,
+        rooms=[_slept_in(room) for room, wanted in found if wanted is None],
+        objects=[*map(within, facts.objects), *parts.values()],
+        adjacent=[fact for fact in facts.adjacent if joins(fact)],
+        apart=[fact for fact in facts.apart if joins(fact)],
+    )
+
+
+def _slept_in(room: RoomFact) -> RoomFact:
+    """Return a room, a nook to sleep in as a bedroom: only studios have their bed where people live."""
+    use, _, head = room.name.rpartition("_")
+    bed = head in _PARTS and _MEANT.get(use, ("",))[0] == "bed"
+    return replace(room, room_type="bedroom") if bed else room
+
+
+def _part_of(room: RoomFact, building: BuildingType, facts: BriefFacts) -> ObjectFact | None:
+    """Return the furniture that a corner of another room stands for; ``None`` for a room."""
+    use, _, head = room.name.rpartition("_")
+    meant = _MEANT.get(use)
+    if head not in _PARTS or meant is None or room.count != 1 or room.area or room.size or room.suite or room.each:
+        return None
+    category, hosts = meant
+    others = [other for other in facts.rooms if other.room_type in hosts and other.count == 1 and other is not room]
+    before = [other for other in others if other.span.start < room.span.start]
+    host = max(before, key=lambda other: other.span.start, default=next(iter(others), None))
+    usual = {building.hub, *(entry.room_type for entries in building.storeys.values() for entry in entries)}
+    own = next((kind for kind in hosts if kind in usual), "")
+    name, kind = (host.name, host.room_type) if host is not None else (own, own)
+    return ObjectFact(
+        words=room.span.words, category=category, span=room.span, room=name, room_type=kind, floors=room.floors,
+        noun=room.label or room.name.replace("_", " "),
+    ) if kind else None  # fmt: skip

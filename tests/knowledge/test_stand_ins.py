@@ -1,0 +1,48 @@
+"""Every type that only stands for something is known, and only what is named so is stood in for."""
+
+import pytest
+
+from mansion_assets.catalogue import load_catalogue
+from mansion_knowledge import default_knowledge
+from mansion_knowledge.object_qualities import has_quality
+from mansion_knowledge.stand_ins import StandInKind, _stand_ins, stands_in
+
+
+def test_every_type_is_known() -> None:
+    known, listed = default_knowledge(), _stand_ins()
+    assert set(listed.rooms) <= set(known.rooms)
+    assert set(listed.buildings) <= set(known.buildings)
+    assert set(listed.objects) <= set(load_catalogue().categories)
+
+
+@pytest.mark.parametrize(
+    ("kind", "type_", "name", "only"),
+    [
+        ("objects", "sofa", "corner sofa", True),
+        ("objects", "sofa", "sofa", False),
+        ("rooms", "garage", "carport", True),
+        ("rooms", "garage", "double_garage", False),
+        ("rooms", "prayer_room", "quiet_room", True),
+        ("buildings", "shop_building", "Flower shop", True),
+        ("buildings", "shop_building", "bookshop", False),
+    ],
+)
+def test_a_type_stands_in_for_some_names(kind: StandInKind, type_: str, name: str, only: bool) -> None:
+    assert stands_in(kind, type_, name) is only
+
+
+@pytest.mark.parametrize(
+    ("category", "width", "material", "words", "so"),
+    [
+        ("bed", 1.6, "fabric_white", "double", True),
+        ("bed", 1.2, "fabric_white", "double", False),
+        ("bed", 1.9, "fabric_white", "king size", True),
+        ("sofa", 2.0, "leather_brown", "brown leather", True),
+        ("sofa", 2.0, "fabric_grey", "leather", False),
+        ("dining_table", 2.2, "wood_oak", "long", True),
+        ("dining_table", 1.2, "wood_oak", "wooden", True),
+        ("armchair", 0.9, "fabric_grey", "medieval", False),
+    ],
+)
+def test_an_object_is_as_a_word_says(category: str, width: float, material: str, words: str, so: bool) -> None:
+    assert has_quality(category, (width, 0.8, 0.5), material, words) is so
