@@ -250,8 +250,8 @@ def cutting_board(b: Builder) -> None:
     w, d, h = b.w, b.d, b.h
     board, x = h * 0.5, w * 0.36
     b.box((-w / 2, x), (-d / 2, d / 2), (0, board), b.mat(), "board")
-    for y in ((-d / 2, -d * 0.16), (d * 0.16, d / 2)):
-        b.box((x, w / 2), y, (0, board), b.mat(), "board")
+    for side in ((-d / 2, -d * 0.16), (d * 0.16, d / 2)):
+        b.box((x, w / 2), side, (0, board), b.mat(), "board")
     b.box((w * 0.45, w / 2), (-d / 2, d / 2), (0, board), b.mat(), "board")
     for y in (-d * 0.44, d * 0.42):
         b.box((-w * 0.46, x), (y, y + d * 0.02), (board, board * 1.02), "wood_walnut", "groove", solid=False)
@@ -362,9 +362,9 @@ def donut_box(b: Builder) -> None:
     t = h * 0.1
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, t), b.mat(), "box")
     for side in (-1, 1):
-        x, y = sorted((side * w / 2, side * (w / 2 - t))), sorted((side * d / 2, side * (d / 2 - t)))
-        b.box((x[0], x[1]), (-d / 2, d / 2), (0, h * 0.7), b.mat(), "box")
-        b.box((-w / 2, w / 2), (y[0], y[1]), (0, h * 0.7), b.mat(), "box")
+        across, along = sorted((side * w / 2, side * (w / 2 - t))), sorted((side * d / 2, side * (d / 2 - t)))
+        b.box((across[0], across[1]), (-d / 2, d / 2), (0, h * 0.7), b.mat(), "box")
+        b.box((-w / 2, w / 2), (along[0], along[1]), (0, h * 0.7), b.mat(), "box")
     r = min(w / 6, d / 4) * 0.88
     icing = ("food_f08fb4", "food_5a3420", "food_f7efe0", "food_5a3420", "food_f7efe0", "food_f08fb4")
     for k, color in enumerate(icing):
