@@ -2,8 +2,9 @@
 
     python benchmarks/planning/proportions.py benchmarks/planning/briefs/*.json [--family home] [--every 4]
 
-Counts rooms whose long side is more than three times the short one (strips), those over twice, and buildings with three
-strips or more; storeys that repeat others are left out, and so are briefs that are refused.
+Counts rooms whose long side is more than three times the short one (strips), those over twice, buildings with three
+strips or more, and rooms with windows that others are cut out of; storeys that repeat others are left out, and so are
+briefs that are refused.
 """
 
 import argparse
@@ -17,7 +18,10 @@ from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.request import BuildRequest
 from mansion_planner.brief.reader import read_brief
 from mansion_planner.program.building import PlannedBuilding, plan_program
-from mansion_planner.program.plan_quality import STRIP, aspect
+from mansion_planner.program.plan_quality import STRIP, aspect, fill
+
+RECTANGLE = 0.97
+"""Share of the rectangle around it from which on a room counts as one."""
 
 
 def planned(brief: str) -> PlannedBuilding | None:
@@ -34,18 +38,22 @@ def planned(brief: str) -> PlannedBuilding | None:
 def measure(building: PlannedBuilding, totals: Counter[str]) -> None:
     """Add the rooms of a building to the totals."""
     own = [storey for storey in building.storeys if storey.copy is None and storey.index >= 1]
-    aspects = [aspect(p.boxes) for storey in own for p in building.sketches[storey.index].rooms if p.boxes]
+    rooms = [p for storey in own for p in building.sketches[storey.index].rooms if p.boxes]
+    aspects = [aspect(p.boxes) for p in rooms]
+    bright = [p for p in rooms if p.room.kind.daylight and not p.room.suite]
+    cut = sum(fill(p.boxes) < RECTANGLE for p in bright)
     strips = sum(each > STRIP for each in aspects)
     totals.update(
-        buildings=1, rooms=len(aspects), strips=strips, over_two=sum(each > 2.0 for each in aspects), poor=strips >= 3
-    )
+        buildings=1, rooms=len(aspects), strips=strips, over_two=sum(each > 2.0 for each in aspects), poor=strips >= 3,
+        bright=len(bright), cut=cut,
+    )  # fmt: skip
 
 
 def main() -> None:
     """Print the shares."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("lists", nargs="+", type=Path)
-    parser.add_argument("--family", default="", help="buildings of this family alone, such as home")
+    parser.add_argument("--family", default="", help="buildings of this family alone, such as office")
     parser.add_argument("--every", type=int, default=1, help="take every n-th brief")
     options = parser.parse_args()
     briefs = [case["brief"] for file in options.lists for case in json.loads(file.read_text()) if "brief" in case]
@@ -57,7 +65,9 @@ def main() -> None:
     rooms = max(totals["rooms"], 1)
     print(
         f"{totals['buildings']} buildings, {rooms} rooms: {totals['strips']} strips ({totals['strips'] / rooms:.1%}), "
-        f"{totals['over_two'] / rooms:.1%} longer than twice their width, {totals['poor']} buildings with three strips"
+        f"{totals['over_two'] / rooms:.1%} longer than twice their width, "
+        f"{totals['poor']} buildings with three strips, "
+        f"{totals['cut']} of {totals['bright']} rooms with windows cut by another"
     )
 
 

@@ -195,18 +195,26 @@ def test_a_build_is_cancelled_by_its_folder_while_another_goes_on(client: Mansio
 
 def test_a_plan_is_given_up_when_its_build_is_cancelled(client: MansionClient, tmp_path: Path) -> None:
     long_brief = "a house with a kitchen next to the garden room and two bedrooms of 12 m2 upstairs. " * 200
-    ends: list[str] = []
+    ends: list[MansionError] = []
 
     def build() -> None:
         with pytest.raises(MansionError) as ended:
             client.build(long_brief, output=str(tmp_path / "house"), building_id="long")
-        ends.append(f"{ended.value.code} {ended.value.stage}")
+        ends.append(ended.value)
 
+    begun = threading.Event()
+    client.listen("progress", lambda text: begun.set() if decode(Progress, text).building_id == "long" else None)
+    building = threading.Thread(target=build)
+    building.start()
+    assert begun.wait(60.0)
+    assert wait_until(lambda: client.call("cancel_plan", {"building_id": "long"})["plans"])
+    building.join(timeout=60.0)
+    assert [(end.code, end.stage) for end in ends] == [(ErrorCode.CANCELED, "plan_program")]
     building = threading.Thread(target=build)
     building.start()
     assert wait_until(lambda: client.call("cancel_build", {"building_id": "long"})["builds"])
     building.join(timeout=60.0)
-    assert ends == [f"{ErrorCode.CANCELED} plan_program"]
+    assert [end.code for end in ends[1:]] == [ErrorCode.CANCELED]
     # The planner is free for others: it plans one building after the other.
     assert client.call("plan_program", BuildRequest(description=FLAT), timeout=60.0)
     assert client.call("cancel_plan", {}) == {"plans": []}

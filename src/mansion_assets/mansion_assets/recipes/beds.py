@@ -182,18 +182,15 @@ def pillow(b: Builder) -> None:
 
 @recipe("textile")
 def textile(b: Builder) -> None:
-    """Cloth: crumpled flat, hung, or folded in a stack."""
+    """Cloth that hangs in folds, or lies folded in a stack."""
     w, d, h = b.w, b.d, b.h
-    style, main = b.p.get("style", "flat"), b.mat()
-    if style == "stack":
+    main = b.mat()
+    if b.p.get("style") == "stack":
         count = max(2, round(h / 0.05))
         for k in range(count):
             color = main if k % 2 == 0 else "fabric_light"
             b.cushion((-w / 2, w / 2), (-d / 2, d / 2), (h * k / count, h * (k + 1) / count), color, "folds", 0.8, 8)
-    elif style == "hung":
-        for k in range(5):
-            x0 = -w / 2 + k * w / 5
-            b.cushion((x0, x0 + w / 5), (-d / 2, d / 2), (0, h), main, "cloth", 0.9, 8)
-    else:
-        b.cushion((-w / 2, w / 2), (-d / 2, d / 2), (0, h), main, "cloth", 0.7, 8)
-        b.cushion((-w * 0.3, w * 0.42), (-d * 0.35, d * 0.2), (h * 0.2, h), main, "cloth", 0.7, 8)
+        return
+    for k in range(5):
+        x0 = -w / 2 + k * w / 5
+        b.cushion((x0, x0 + w / 5), (-d / 2, d / 2), (0, h), main, "cloth", 0.9, 8)

@@ -122,7 +122,7 @@ def _open_tray(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
 
 @recipe("open_top")
 def open_top(b: Builder) -> None:
-    """Stand open at the top: fruit, frozen food, flowers, hot food, oil."""
+    """Stand open at the top: fruit, frozen food, flowers."""
     w, d, h = b.w, b.d, b.h
     depth, fill, main = float(b.p.get("depth", h * 0.3)), str(b.p.get("fill", "fruit")), b.mat()
     t = 0.05
@@ -147,7 +147,6 @@ def _tray(b: Builder, fill: str, z: float, depth: float) -> None:
         "fruit": ("food_red", "food_green", "food_orange", "food_yellow", "food_purple"),
         "frozen": ("paper_blue", "paper_white", "paper_red"),
         "flowers": ("leaf_red", "leaf_yellow", "leaf_pink", "leaf_white"),
-        "food": ("food_green", "food_brown", "food_orange", "food_beige"),
     }.get(fill, ("food_yellow",))
     for i in range(cols):
         for j in range(rows):

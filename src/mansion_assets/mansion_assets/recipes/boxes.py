@@ -164,30 +164,6 @@ def _screen(b: Builder) -> None:
     b.box((-w * 0.35, w * 0.35), (-d * 0.2, d * 0.25), (h - 0.001, h), "plastic_light", "plate", solid=False)
 
 
-def _papers(b: Builder) -> None:
-    """Stack of sheets."""
-    w, d, h = b.w, b.d, b.h
-    x, y = (-w / 2, w / 2), (-d / 2, d / 2)
-    count = 4
-    for k in range(count):
-        shift = 0.004 * (k % 3) - 0.004
-        b.box(
-            (x[0] + max(0, shift), x[1] + min(0, shift)),
-            (y[0] + max(0, -shift), y[1]),
-            (h * k / count, h * (k + 1) / count),
-            "paper_white" if k % 2 else "paper_light",
-            "sheets",
-        )
-
-
-def _layers(b: Builder) -> None:
-    """Layers of food."""
-    w, d, h = b.w, b.d, b.h
-    x, y = (-w / 2, w / 2), (-d / 2, d / 2)
-    for k, color in enumerate(("food_beige", "food_green", "food_red", "food_beige")):
-        b.box(x, y, (h * k / 4, h * (k + 1) / 4), color, "layers")
-
-
 def _wrapped(b: Builder) -> None:
     """Box with a band and a bow."""
     w, d, h = b.w, b.d, b.h
@@ -199,14 +175,10 @@ def _wrapped(b: Builder) -> None:
     b.ball((0, 0, h * 0.96), (w * 0.12, d * 0.12, h * 0.04), "paper_white", "bow", 8, solid=False)
 
 
-def _wedge(b: Builder) -> None:
-    """Wedge, or a tent with a thin ridge."""
+def _tent(b: Builder) -> None:
+    """Card folded to a tent with a thin ridge."""
     w, d, h = b.w, b.d, b.h
-    x = (-w / 2, w / 2)
-    main = b.mat()
-    style = b.p.get("style")
-    tip = 0.004 if style == "tent" else d * 0.25
-    b.prism([(-d / 2, 0), (d / 2, 0), (tip if style == "tent" else d / 2, h), (-tip, h)], x, main)
+    b.prism([(-d / 2, 0), (d / 2, 0), (0.004, h), (-0.004, h)], (-w / 2, w / 2), b.mat())
 
 
 def _knives(b: Builder) -> None:
@@ -222,12 +194,6 @@ def _clipboard(b: Builder) -> None:
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, h * 0.35), b.mat(), "board")
     b.box((-w * 0.44, w * 0.44), (-d * 0.46, d * 0.36), (h * 0.35, h * 0.45), "paper_white", "sheet", solid=False)
     b.box((-w * 0.18, w * 0.18), (d * 0.36, d * 0.48), (h * 0.35, h), "metal_steel", "clip")
-
-
-def _tube(b: Builder) -> None:
-    w, d, h = b.w, b.d, b.h
-    b.prism([(-w / 2, h * 0.4), (w * 0.25, 0), (w * 0.25, h), (-w / 2, h * 0.6)], (-d / 2, d / 2), b.mat(), "y")
-    b.box((w * 0.25, w / 2), (-d * 0.3, d * 0.3), (h * 0.15, h * 0.85), "plastic_red", "cap")
 
 
 def _napkins(b: Builder) -> None:
@@ -259,13 +225,9 @@ _BLOCKS: dict[str, Recipe] = {
     "flatbox": _wrapped,
     "gift": _wrapped,
     "knives": _knives,
-    "layers": _layers,
     "napkins": _napkins,
     "pad": _pad,
-    "papers": _papers,
     "screen": _screen,
     "speaker": _speaker,
-    "tent": _wedge,
-    "tube": _tube,
-    "wedge": _wedge,
+    "tent": _tent,
 }

@@ -83,27 +83,15 @@ def cheese(b: Builder) -> None:
 def cooking_pot(b: Builder) -> None:
     """A deep, open pot with an outer base, a rolled rim and two loop handles at its sides."""
     w, d, h = b.w, b.d, b.h
-    long, reach = (w, d) if w >= d else (d, w)
-    r = min(0.42, 0.5 * reach / long) if long > reach * 1.2 else 0.42
-    across = r * long if long > reach * 1.2 else 0.0
-    sx = across / 0.5 / w if w >= d and across else 0.84 if w >= d else 1.0
-    sy = across / 0.5 / d if d > w and across else 0.84 if d > w else 1.0
-    stretch = (w * min(1.0, sx), d * min(1.0, sy))
-    b.lathe(
-        [(0.46, 0), (0.47, h * 0.02), (0.48, h * 0.95), (0.5, h * 0.97), (0.5, h), (0.455, h), (0.45, h * 0.08)],
-        b.mat(),
-        n=28,
-        stretch=stretch,
-    )
+    along_x = w >= d
+    rx, ry = stretch = (w * 0.84, d) if along_x else (w, d * 0.84)
+    wall = [(0.46, 0), (0.47, h * 0.02), (0.48, h * 0.95), (0.5, h * 0.97), (0.5, h), (0.455, h), (0.45, h * 0.08)]
+    b.lathe(wall, b.mat(), n=28, stretch=stretch)
     b.lathe([(0.485, h * 0.02), (0.485, h * 0.12)], "metal_copper", n=28, stretch=stretch, part="base", solid=False)
     for side in (-1, 1):
-        points = ((0.46, -0.16), (0.58, -0.13), (0.58, 0.13), (0.46, 0.16))
-        along_x = w >= d
-        rx, ry = stretch
-        line = [
-            (side * rx * u if along_x else rx * v, ry * v if along_x else side * ry * u, h * 0.78) for u, v in points
-        ]
-        b.path(line, min(w, d) * 0.03, "plastic_black", "handles")
+        loop = ((0.46, -0.16), (0.58, -0.13), (0.58, 0.13), (0.46, 0.16))
+        line = [(side * rx * u, ry * v) if along_x else (rx * v, side * ry * u) for u, v in loop]
+        b.path([(x, y, h * 0.78) for x, y in line], min(w, d) * 0.03, "plastic_black", "handles")
 
 
 @recipe("dish_rack")
@@ -262,8 +250,8 @@ def cutting_board(b: Builder) -> None:
     w, d, h = b.w, b.d, b.h
     board, x = h * 0.5, w * 0.36
     b.box((-w / 2, x), (-d / 2, d / 2), (0, board), b.mat(), "board")
-    for y in ((-d / 2, -d * 0.16), (d * 0.16, d / 2)):
-        b.box((x, w / 2), y, (0, board), b.mat(), "board")
+    for side in ((-d / 2, -d * 0.16), (d * 0.16, d / 2)):
+        b.box((x, w / 2), side, (0, board), b.mat(), "board")
     b.box((w * 0.45, w / 2), (-d / 2, d / 2), (0, board), b.mat(), "board")
     for y in (-d * 0.44, d * 0.42):
         b.box((-w * 0.46, x), (y, y + d * 0.02), (board, board * 1.02), "wood_walnut", "groove", solid=False)
@@ -374,9 +362,9 @@ def donut_box(b: Builder) -> None:
     t = h * 0.1
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, t), b.mat(), "box")
     for side in (-1, 1):
-        x, y = sorted((side * w / 2, side * (w / 2 - t))), sorted((side * d / 2, side * (d / 2 - t)))
-        b.box((x[0], x[1]), (-d / 2, d / 2), (0, h * 0.7), b.mat(), "box")
-        b.box((-w / 2, w / 2), (y[0], y[1]), (0, h * 0.7), b.mat(), "box")
+        across, along = sorted((side * w / 2, side * (w / 2 - t))), sorted((side * d / 2, side * (d / 2 - t)))
+        b.box((across[0], across[1]), (-d / 2, d / 2), (0, h * 0.7), b.mat(), "box")
+        b.box((-w / 2, w / 2), (along[0], along[1]), (0, h * 0.7), b.mat(), "box")
     r = min(w / 6, d / 4) * 0.88
     icing = ("food_f08fb4", "food_5a3420", "food_f7efe0", "food_5a3420", "food_f7efe0", "food_f08fb4")
     for k, color in enumerate(icing):

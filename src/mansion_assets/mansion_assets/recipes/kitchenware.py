@@ -64,23 +64,21 @@ def utensil(b: Builder) -> None:
         _upright(b, style)
     elif style == "wrench":
         _spanner(b)
-    elif style in ("knife", "scissors"):
-        _bladed(b, style)
-    elif style in ("fork", "spoon", "spatula", "brush", "racket"):
+    elif style == "knife":
+        _bladed(b)
+    elif style in ("fork", "spoon", "spatula", "racket"):
         _headed(b, style)
     else:
         _straight(b, style)
 
 
-def _bladed(b: Builder, style: str) -> None:
+def _bladed(b: Builder) -> None:
     """A flat handle and a blade that tapers to the front."""
     w, d, h = b.w, b.d, b.h
     main, grip = b.mat(), -d * 0.1
     b.box((-w / 2, w / 2), (-d / 2, grip), (0, h), "plastic_black", "handle")
-    left, right = (-w / 2, w / 2) if style != "knife" else (-w * 0.2, w * 0.2)
+    left, right = -w * 0.2, w * 0.2
     b.prism([(left, grip), (right, grip), (w * 0.2, d * 0.45), (0, d / 2)], (h * 0.1, h * 0.9), main, "z", "blade")
-    if style == "scissors":
-        b.prism([(-w / 2, -d * 0.2), (-w * 0.2, -d * 0.2), (w / 2, d / 2 - 0.01)], (0, h * 0.6), main, "z", "blade")
 
 
 def _headed(b: Builder, style: str) -> None:
@@ -91,7 +89,7 @@ def _headed(b: Builder, style: str) -> None:
         (0, -d / 2, h * 0.4),
         (0, d * 0.2 if style != "racket" else -d * 0.02, h * 0.4),
         min(w * 0.16, h * 0.3),
-        main if style != "brush" else "wood_oak",
+        main,
         "handle",
         8,
         solid=True,

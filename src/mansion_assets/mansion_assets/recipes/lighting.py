@@ -89,14 +89,9 @@ def dome(b: Builder) -> None:
 
 @recipe("ceiling_panel")
 def ceiling_panel(b: Builder) -> None:
-    """Luminous panel in a frame, or an air outlet with slats."""
+    """Luminous panel in a frame."""
     w, d, h = b.w, b.d, b.h
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (h * 0.3, h), b.mat(), "frame")
-    if b.p.get("style") == "vent":
-        for k in range(7):
-            y = -d * 0.44 + k * d * 0.13
-            b.box((-w * 0.46, w * 0.46), (y, y + d * 0.07), (0, h * 0.3), b.mat(), "slats", solid=False)
-        return
     edge = min(0.02, d * 0.1)
     b.box(
         (-w / 2 + edge, w / 2 - edge), (-d / 2 + edge, d / 2 - edge), (0, h * 0.31), "light_white", "panel", solid=False
@@ -185,15 +180,12 @@ def surgical_light(b: Builder) -> None:
 
 @recipe("studio_light")
 def studio_light(b: Builder) -> None:
-    """Soft box or dryer hood on a tripod or castor base."""
+    """Soft box on a tripod."""
     w, d, h = b.w, b.d, b.h
     for k in range(3):
         a = math.pi / 2 + k * 2 * math.pi / 3
         b.rod((0, 0, 0.25), (math.cos(a) * w * 0.48, math.sin(a) * d * 0.48, 0.015), 0.012, "metal_black", "legs")
     b.cyl(0, 0, (0.02, h - 0.2), 0.016, "metal_black", "pole")
-    if b.p.get("style") == "hood":
-        b.ball((0, 0.04, h - 0.18), (w * 0.4, d * 0.44, 0.18), b.mat(), "hood", 14)
-        return
     b.prism(
         [(-d * 0.2, h - 0.16), (-d * 0.2, h - 0.3), (d / 2, h - 0.6), (d / 2, h)],
         (-w * 0.4, w * 0.4),

@@ -45,17 +45,8 @@ def booth(b: Builder) -> None:
 
 @recipe("platform")
 def platform(b: Builder) -> None:
-    """Stage with a step; starting blocks have a sloped top."""
+    """Stage with a step."""
     w, d, h = b.w, b.d, b.h
-    if w < 1.0:
-        b.box((-w * 0.4, w * 0.4), (-d * 0.3, d * 0.3), (0, h * 0.6), b.mat(), "base")
-        b.prism(
-            [(-d / 2, h * 0.9), (-d / 2, h), (d / 2, h * 0.8), (d / 2, h * 0.7)],
-            (-w / 2, w / 2),
-            "plastic_blue",
-            part="top",
-        )
-        return
     b.box((-w / 2, w / 2), (-d / 2, d / 2 - 0.3), (0, h), b.mat(), "deck")
     b.box((-w / 2, w / 2), (d / 2 - 0.3, d / 2), (0, h / 2), b.mat(), "step")
     b.box((-w / 2, w / 2), (d / 2 - 0.32, d / 2 - 0.3), (h - 0.02, h), "metal_brass", "edge", solid=False)

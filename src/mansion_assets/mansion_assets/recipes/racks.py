@@ -175,7 +175,7 @@ def _vitrine_levels(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
 
 @recipe("vitrine")
 def vitrine(b: Builder) -> None:
-    """Glass case on a base, with exhibits, bread, fish or a cradle."""
+    """Glass case on a base, with exhibits, bread or fish."""
     w, d, h = b.w, b.d, b.h
     base = float(b.p.get("base", min(0.9, h * 0.55)))
     fill, main = b.p.get("fill", "none"), b.mat()
@@ -224,8 +224,6 @@ def _exhibits(b: Builder, fill: str, z: float, room: float) -> None:
                 8,
                 solid=False,
             )
-    elif fill == "cradle":
-        b.cushion((-w * 0.4, w * 0.4), (-d * 0.38, d * 0.38), (z, z + 0.06), "fabric_white", "mattress", solid=False)
     elif fill == "bread":
         for k in range(max(2, int(w / 0.22))):
             x = -w / 2 + 0.13 + k * 0.22

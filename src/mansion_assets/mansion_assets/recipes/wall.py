@@ -48,26 +48,6 @@ def _folding_table(b: Builder) -> None:
     b.box((-w / 2 + 0.1, w / 2 - 0.1), (-d / 2 + 0.1, d / 2 - 0.05), (0.06, 0.075), "rubber_grey", "pad", solid=False)
 
 
-def _button(b: Builder, y: tuple[float, float]) -> None:
-    """Rocker or push button."""
-    w, h = b.w, b.h
-    main = b.mat()
-    b.box(
-        (-w * 0.28, w * 0.28),
-        y,
-        (h * 0.28, h * 0.72),
-        "plastic_light" if main != "plastic_white" else "plastic_grey",
-        "button",
-        solid=False,
-    )
-
-
-def _socket(b: Builder, y: tuple[float, float]) -> None:
-    """Round socket."""
-    w, h = b.w, b.h
-    b.rod((0, y[0], h / 2), (0, y[1], h / 2), w * 0.34, "plastic_grey", "socket", 20)
-
-
 def _sockets(b: Builder, y: tuple[float, float]) -> None:
     """Row of six gas and power outlets."""
     w, h = b.w, b.h
@@ -103,12 +83,6 @@ def _door_front(b: Builder, y: tuple[float, float]) -> None:
     )
 
 
-def _slot(b: Builder, y: tuple[float, float]) -> None:
-    """Slot near the lower edge."""
-    w, h = b.w, b.h
-    b.box((-w * 0.35, w * 0.35), y, (h * 0.05, h * 0.12), "plastic_black", "slot", solid=False)
-
-
 def _slats(b: Builder) -> None:
     """Slats of an air outlet, and a lamp."""
     w, d, h = b.w, b.d, b.h
@@ -118,14 +92,7 @@ def _slats(b: Builder) -> None:
     b.box((w * 0.3, w * 0.4), (d / 2 - 0.003, d / 2), (h * 0.75, h * 0.82), "light_green", "led", solid=False)
 
 
-_FRONTS = {
-    "button": _button,
-    "cross": _cross,
-    "door": _door_front,
-    "slot": _slot,
-    "socket": _socket,
-    "sockets": _sockets,
-}
+_FRONTS = {"cross": _cross, "door": _door_front, "sockets": _sockets}
 """What stands out on the front of a box, from the case to the asset's front at `y`."""
 
 

@@ -49,8 +49,8 @@ def intercom(b: Builder) -> None:
         )
     x = -w * 0.26
     b.cushion((x - w * 0.09, x + w * 0.09), (d * 0.12, d * 0.34), (h * 0.26, h * 0.86), "plastic_dark", "handset", 0.7)
-    for z in ((h * 0.74, h * 0.96), (h * 0.16, h * 0.38)):
-        b.cushion((x - w * 0.14, x + w * 0.14), (face - 0.002, d / 2), z, "plastic_dark", "handset", 0.6)
+    for end in ((h * 0.74, h * 0.96), (h * 0.16, h * 0.38)):
+        b.cushion((x - w * 0.14, x + w * 0.14), (face - 0.002, d / 2), end, "plastic_dark", "handset", 0.6)
     coil = [
         (x + w * 0.06 * math.sin(k * 1.57), d * 0.2 + d * 0.08 * math.cos(k * 1.57), h * (0.2 - 0.2 * k / 16))
         for k in range(17)

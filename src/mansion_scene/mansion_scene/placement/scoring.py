@@ -176,7 +176,7 @@ def _same_wall(floor: Floor, spec: Spec, poses: Floats) -> Floats:
 def _ways_in(floor: Floor) -> Floats:
     """Return the middles of the widest doors of a room, through which visitors come, shape (n, 2)."""
     widths = np.array([np.hypot(*(door[2:] - door[:2])) for door in floor.room.doors])
-    return floor.room.door_points[widths >= widths.max() - 0.05]
+    return np.asarray(floor.room.door_points[widths >= widths.max() - 0.05])
 
 
 def _towards_entrance(floor: Floor, poses: Floats) -> Floats:
