@@ -36,10 +36,11 @@ def test_people_are_counted_in_rooms_as_large_as_they_are_drawn(seed: int) -> No
 
 def test_a_long_corridor_without_a_room_for_visitors_at_its_end_leads_out_there() -> None:
     reply = plan_building(BuildRequest(description="a car workshop", seed=1))
-    edge = max(y for _, y in reply.program.floors[0].outline)
     corridor = next(node for node in reply.problems[0].nodes if node.id == "corridor_1")
     assert corridor.seed_box is not None
-    assert corridor.seed_box.y[1] == pytest.approx(edge)
+    xs, ys = zip(*reply.program.floors[0].outline)
+    ends = (*corridor.seed_box.x, *corridor.seed_box.y)
+    assert any(end == pytest.approx(edge) for end, edge in zip(ends, (min(xs), max(xs), min(ys), max(ys))))
 
 
 def test_toilets_of_the_brief_stay_as_they_are() -> None:
@@ -88,6 +89,14 @@ def test_an_accessible_toilet_is_as_wide_as_the_rules_ask(brief: str) -> None:
         sides = sorted((box.x[1] - box.x[0], box.y[1] - box.y[0]))
         assert sides[0] >= 1.5 + 0.12
         assert sides[1] >= 2.2 + 0.12
+
+
+@pytest.mark.parametrize("brief", ["a data center", "a spa", "a town hall"])
+def test_an_accessible_toilet_beside_a_side_passage_is_no_narrower(brief: str) -> None:
+    problem = plan_building(BuildRequest(description=brief, seed=2)).problems[0]
+    boxes = [node.seed_box for node in problem.nodes if node.room_type == "accessible_toilet" and node.seed_box]
+    assert boxes
+    assert all(min(box.x[1] - box.x[0], box.y[1] - box.y[0]) >= 1.5 + 0.12 for box in boxes)
 
 
 def test_beds_pass_in_the_corridors_of_a_hospital() -> None:

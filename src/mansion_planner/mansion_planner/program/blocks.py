@@ -112,8 +112,9 @@ def group_blocks(
     bright = [_wide_enough(room, depth) for room in rooms]
     narrow = [room for room in bright if not room.suite and _is_narrow(room, depth) and _fits_in_front(room, depth)]
     narrow.sort(key=lambda room: -room.area)
+    free = [room for room in narrow if not _is_wide(room)]  # clusters give way where a wheelchair must turn
     clusters = (
-        _clusters(narrow, [room for room in bright if room.area <= _MOST_SERVICE], depth, pairs) if passages else []
+        _clusters(free, [room for room in bright if room.area <= _MOST_SERVICE], depth, pairs) if passages else []
     )
     placed = [room for block in clusters for room in block.fronts()]
     narrow = [room for room in narrow if not any(room is other for other in placed)]
