@@ -31,10 +31,9 @@ def test_small_and_large_buildings_differ_from_usual_ones(kind: str) -> None:
     assert (_kind(large).status, _kind(large).value.limit) == ("met", "least")
 
 
-def test_a_size_that_the_request_gives_no_room_for_is_met_in_part() -> None:
+def test_an_area_of_the_request_says_itself_what_is_meant() -> None:
     wish = _kind(_plan("A big office", floors=1, floor_area=390))
-    assert wish.status == "partly"
-    assert "at least 484 m2" in wish.reason
+    assert (wish.status, wish.value.limit) == ("met", "")
 
 
 @pytest.mark.parametrize("text", ["A small flat of 110 m2", "A house with small rooms", "A not too small house"])
