@@ -36,7 +36,7 @@ _COACD: Final = {
 """Five times as quick as CoACD's own settings; its hulls have at most 6% more volume on a table and a ring."""
 
 _MOST_FACES: Final = 400
-"""Of a body that may be a piece as it is: engines want hulls of few faces."""
+"""Most faces of a body that may be a piece as it is: engines want hulls of few."""
 
 _PLANE: Final = 1e-4
 """Share of its extent by which a convex body may miss the plane of a face."""

@@ -69,7 +69,7 @@ MANY = 6
 """From so many pieces on, furniture that the brief puts in no room gets one that usually has as many."""
 
 _IN_STEAD = 0.5
-"""Of the pieces that the building's own room for them usually has, what a stated room takes to get them instead."""
+"""Share of the pieces usual in the building's own room for them that a stated room takes to get them instead."""
 
 
 def _furniture_rooms(

@@ -355,14 +355,14 @@ _SALES = "sales_area"
 """The room that a shop is there for, and that takes what its other rooms leave."""
 
 _MOST_HUB = 0.75
-"""Of a public hall's storey, what its main room takes at most: the rest is for toilets, stores and staff."""
+"""Greatest share of a public hall's storey for its main room: the rest is for toilets, stores and staff."""
 
 _MOST_STORE = 0.9
 """The same of a hall for cars, goods or machines, which takes all that the rooms of its list leave."""
 
 
 _LEAST_HOME_HUB = 0.4
-"""Of a home's storey, what its main room takes at least beside the other rooms."""
+"""Least share of a home's storey for its main room beside the other rooms."""
 
 
 def _most_home_hub(storey: Storey, allocation: Allocation, knowledge: KnowledgeBase, room: float) -> float:

@@ -203,7 +203,7 @@ _BESIDE_LARGEST = 1.4
 
 
 _SMALLEST_HOME, _SMALLEST = 0.65, 0.8
-"""Of the least usual area of a storey, what one of a home, and of another building, has when it is divided."""
+"""Share of the least usual area that a storey of a home, and of another building, has when it is divided."""
 
 
 def _storeys_to_divide_over(facts: BriefFacts, building: BuildingType) -> tuple[int, str]:

@@ -86,7 +86,7 @@ _TINY, _TINY_SQUEEZE = 60.0, 1.7
 """Storeys of up to so many square metres are for people who want small rooms; these may ask for so much more."""
 
 _LARGER = 1.25
-"""Of what its rooms usually take, what a storey of a home or hall that is called large has."""
+"""Area of a storey of a home or hall that is called large, as a share of what its rooms usually take."""
 
 _HOPELESS = 1.5
 """From what share of the stated area on no building can hold the rooms asked for."""
@@ -183,7 +183,7 @@ def _outgrown(
 
 
 _WITH_WAYS = 1.1
-"""Of the area that a main room's furniture needs, what a storey has for it and for the ways through it."""
+"""A storey's area for a main room's furniture and the ways through it, as a share of what the furniture needs."""
 
 
 def _typical(

@@ -22,7 +22,7 @@ _VISITORS = frozenset({"visitor", "guest", "customer", "client", "patient", "fam
 _HOUSEHOLD = frozenset({"family", "people", "person", "resident", "adult", "inhabitant", "kid", "child"})
 
 _USABLE = 0.6
-"""Of a storey, what its rooms take beside corridors, walls and cores."""
+"""Share of a storey that its rooms take beside corridors, walls and cores."""
 
 _ENTRANCE = 50.0
 """Square metres of the entrance storey for its lobby and what belongs to it."""
@@ -31,7 +31,7 @@ _USUAL = 14.0
 """Square metres that a stated room takes at least when places are shared out over storeys."""
 
 _MOST_PLACES = 0.8
-"""Of what a storey has free, what its places take at most: people there meet, and go to the toilet."""
+"""Greatest share of what a storey has free for its places: people there meet, and go to the toilet."""
 
 _WORTH = 0.5
 """Share of the roomiest storey's places below which a storey has none."""

@@ -114,7 +114,7 @@ _HALL = 20.0
 """Square metres of the room that a cluster's or an office unit's other rooms are reached through."""
 
 _LEAST_SHARE = 0.4
-"""Of its usual area, what a room of a dwelling keeps whatever the area of the whole."""
+"""Share of its usual area that a room of a dwelling keeps whatever the area of the whole."""
 
 
 def _of_area(unit: PlannedRoom, area: float) -> PlannedRoom:

@@ -31,13 +31,13 @@ _CHILDRENS = frozenset({"kindergarten_classroom", "nursery_room"})
 """Rooms of children who go to washrooms of their own."""
 
 _LOOSE = 0.4
-"""Of a storey's rooms, what has no stated area where toilets take more than the rules ask for."""
+"""Share of a storey's rooms without a stated area from which on toilets take more than the rules ask for."""
 
 _LEAST = 8.0
 """Square metres of a restroom for one sex."""
 
 _MOST_SHARE = 0.15
-"""Of a storey's rooms, what toilets may take beyond those of its own list: a small storey keeps its rooms."""
+"""Share of a storey's rooms that toilets may take beyond those of its own list: a small storey keeps its rooms."""
 
 _TURNING = 10.0
 """Square metres of a restroom from which a wheelchair turns between its fixtures."""

@@ -18,13 +18,13 @@ _NEEDED: Final = frozenset(
 """Rooms of a type's own list that serve the others, whatever the brief asks for."""
 
 _DESCRIBED: Final = 0.2
-"""Of the area for rooms, what those of the brief take so that it describes the storey."""
+"""Share of the area for rooms that those of the brief take where it describes the storey."""
 
 _FLEXIBLE, _OTHERS, _SERVING = 2.2, 1.6, 1.25
 """To how many times its usual area a room grows at most: one that is good at any size, another, one of service."""
 
 _UNASKED: Final = 0.85
-"""Of that, what a room of the type's own list grows to."""
+"""Share of that to which a room of the type's own list grows."""
 
 
 _AT_HOME: Final = {
@@ -34,7 +34,7 @@ _AT_HOME: Final = {
 """Usual square metres in a home of rooms that other buildings have for many: a bar for a household and its guests."""
 
 _LEAST_AT_HOME, _MOST_AT_HOME = 0.7, 1.8
-"""Of those, what they have at least and at most."""
+"""Least and greatest share of those."""
 
 
 def at_home(kind: RoomType) -> RoomType:

@@ -22,7 +22,7 @@ _LEAST = 2.0
 """Least setback, metres."""
 
 _MOST = 0.45
-"""Of the ground floor's length, what an upper storey is set back at most."""
+"""Greatest share of the ground floor's length by which an upper storey is set back."""
 
 
 def set_back(

@@ -15,7 +15,7 @@ _HEIGHTS: Final = (2.65, 4.2)
 """Least and greatest height of a storey that stairs of one flight pair reach, metres."""
 
 _DOMESTIC_STAIRS: Final = ((3.0, (2, 4)), (_HEIGHTS[1], (2, 5)))
-"""Of a home: the greatest storey height, and width and length of a core with two flights of 0.88 m."""
+"""Greatest storey height of a home, and width and length of a core with two flights of 0.88 m, metres."""
 
 
 def storey_height(decisions: Decisions, storey: Storey) -> float:

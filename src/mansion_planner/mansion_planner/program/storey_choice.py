@@ -163,7 +163,7 @@ def _types_of(storey: Storey) -> set[str]:
 
 
 _FULL = 0.9
-"""Of a storey whose area is stated, what its rooms take at their usual sizes when no more belong there."""
+"""Share of a storey of stated area that its rooms take at their usual sizes when no more belong there."""
 
 
 def _preferred(

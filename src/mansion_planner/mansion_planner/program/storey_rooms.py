@@ -48,11 +48,11 @@ def base_rooms(storey: Storey, allocation: Allocation, knowledge: KnowledgeBase)
 
 
 _MOST_LIKE = 1.6
-"""Of a type's usual area, what a room has at most that is only like it: the instrument room like a laboratory."""
+"""Greatest share of a type's usual area for a room that is only like it: the instrument room like a laboratory."""
 
 
 _LEAST_LISTED = 0.6
-"""Of the usual area of its kind, what a room of the brief has at least where its building usually has a small one."""
+"""Least share of its kind's usual area for a room of the brief where its building usually has a small one."""
 
 
 def _as_in_its_building(room: PlannedRoom, storey: Storey) -> PlannedRoom:
@@ -134,7 +134,7 @@ def fill_storey(
 
 
 _MAIN, _MOST_MAIN = 0.45, 0.8
-"""Of the area for rooms, what the main room of a public building's type takes where it is not the hub, and at most."""
+"""Share of the area for rooms that a public building's main room takes where it is not the hub, and the greatest."""
 
 
 def _with_main_room(rooms: Sequence[PlannedRoom], storey: Storey, budget: float) -> list[PlannedRoom]:
@@ -201,7 +201,7 @@ def _has_baths(rooms: Sequence[PlannedRoom]) -> bool:
 
 
 _MOST_OF_A_STOREY = 0.5
-"""Of the area for rooms, what one that the brief does not ask for takes at most, unless its kind needs more."""
+"""Greatest share of the area for rooms of one that the brief does not ask for, unless its kind needs more."""
 
 
 def _beside_others(room: PlannedRoom, budget: float) -> PlannedRoom:
@@ -234,7 +234,7 @@ _NEEDS = ("washing", "cooking", "living")
 """What a home must have, in the order in which a very small one keeps it."""
 
 _CROWDED = 1.25
-"""Of the area for rooms, what the least areas of a home's rooms may come to: small homes have smaller rooms."""
+"""Share of the area for rooms that the least areas of a home's rooms may come to: small homes have smaller rooms."""
 
 
 _ONE_A_STOREY = frozenset(
@@ -243,8 +243,8 @@ _ONE_A_STOREY = frozenset(
 """Rooms of general use that a storey is not filled up with more than once."""
 
 _ENOUGH, _ENOUGH_FOR_GUESTS = 0.82, 0.7
-"""Of the area for rooms, what rooms may take so that they grow to fill it: those of hotels rather grow than get lounges
-beside them that nobody asked for."""
+"""Share of the area for rooms that rooms may take so that they grow to fill it: those of hotels rather grow than get
+lounges beside them that nobody asked for."""
 
 
 def _topped_up(

@@ -108,7 +108,7 @@ def _matching(
 
 
 _MOST = 0.5
-"""Of many pieces, what a room that gets all of them usually has."""
+"""Share of many pieces that a room which gets all of them usually has."""
 
 
 def _likelihood(fact: ObjectFact, entry: tuple[Storey, PlannedRoom]) -> tuple[bool, bool, bool, bool, bool, float]:
