@@ -237,7 +237,7 @@ def test_an_edit_is_seen(copy: mansion.Building) -> None:
     before = copy.look("living_room", part="segmentation", width=160, height=120)
     copy.edit("paint the walls of the living room green", physics="static")
     assert (copy.look("living_room", part="segmentation", width=160, height=120) == before).all()
-    copy.edit("remove the armchair from the living room", physics="static")
+    copy.edit("remove the armchairs from the living room", physics="static")
     assert (copy.look("living_room", part="segmentation", width=160, height=120) != before).any()
 
 

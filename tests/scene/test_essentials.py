@@ -8,6 +8,7 @@ from mansion_assets.catalogue import load_catalogue
 from mansion_geometry.object_footprints import footprint
 from mansion_knowledge import default_knowledge
 from mansion_knowledge.essentials import needs_of, pieces_there
+from mansion_knowledge.furnished_as import furnished_as
 from mansion_msgs_py.program import RequestedObject, RoomProgram
 from mansion_msgs_py.scene import FloorScene, SceneObject
 from mansion_scene.assembly import furnish_floor
@@ -33,6 +34,7 @@ def own(scene: FloorScene) -> list[SceneObject]:
 
 
 def missing(scene: FloorScene, room_type: str, name: str = "") -> list[str]:
+    room_type = furnished_as(room_type, scene.building_type, name, ())
     things = [(item.category, item.size[0]) for item in own(scene)]
     return [need.name for need in needs_of(room_type, [name]) if pieces_there(need, things) < need.count]
 

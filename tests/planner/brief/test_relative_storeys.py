@@ -29,7 +29,7 @@ from mansion_planner.plan import plan_building
 )
 def test_what_each_storey_above_has_is_on_those(text: str, floors: list[int]) -> None:
     program = plan_building(BuildRequest(description=text)).program
-    wish = next(wish for wish in program.wishes if wish.value.type == "bedroom")
+    wish = next(wish for wish in program.wishes if wish.value.name == "bedroom")
     assert (wish.scope.floors, wish.scope.each) == (floors, True)
 
 

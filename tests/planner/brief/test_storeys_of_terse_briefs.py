@@ -147,7 +147,8 @@ def test_a_list_of_rooms_may_name_who_has_them() -> None:
     facts = read_brief("School: eight classrooms, nurse, head teacher, staff, a kitchen.", default_knowledge())
     types = {room.name: (room.room_type, room.known) for room in facts.rooms}
     assert types["staff"] == ("break_room", True)
-    assert types["nurse"] == types["head_teacher"] == ("private_office", False)
+    assert types["nurse"] == ("nurse_office", True)
+    assert types["head_teacher"] == ("private_office", False)
 
 
 def test_rooms_for_children_are_childrens_rooms() -> None:

@@ -95,3 +95,9 @@ def test_the_rooms_of_a_large_home_change_places_no_more_often_than_those_of_a_s
     monkeypatch.setattr(home_orders, "_exchanged", counted)
     plan_building(BuildRequest(description="a house with 60 bedrooms"))
     assert len(drawn) < 1_000
+
+
+def test_two_stairs_may_leave_no_wall_of_a_hall_between_them() -> None:
+    text = "a seven-storey drug store with a 48 m2 icu. A wardrobe in every icu. The icu should be at least 60 m2"
+    plan = plan_building(BuildRequest(description=text, floor_area=157.0, seed=308))
+    assert len(plan.program.floors) == 7

@@ -488,9 +488,12 @@ class Instruction(msgspec.Struct, frozen=True, kw_only=True):
         Adjectives that are understood but that no scene describes ("clean").
     read_as : str
         The words that it was put in, where it was not understood as it stands.
+    undecided : bool
+        It can be understood in two ways.
     """
 
     statements: list[Statement]
     not_understood: list[str] = []
     ignored: list[str] = []
     read_as: str = ""
+    undecided: bool = False

@@ -197,7 +197,7 @@ def _divided(
     depth, begin, far = massing.depth, _begin(massing), far_stair(massing)
     stairs = [core for core in massing.cores if core.type == "stair"]
     if far:
-        band = sum(room.gross for room in rooms) / (length - far - begin)
+        band = sum(room.gross for room in rooms) / max(length - far - begin, _LEAST_BAND)
         band = min(max(band, _LEAST_BAND), 0.6 * depth)
         return group_blocks(rooms, band, pairs), [], band
     if arrangement.north is None:

@@ -22,6 +22,8 @@ _MOST_READINGS = 14
 def read_in_other_words(text: str, state: SceneState, brief: str = "") -> Instruction:
     """Read what an instruction says, in other words where it is not understood as it stands.
 
+    What can be understood in two ways stays so: other words would only hide one of them.
+
     Returns
     -------
     Instruction
@@ -29,7 +31,7 @@ def read_in_other_words(text: str, state: SceneState, brief: str = "") -> Instru
         where no wording is understood, what was read of the instruction's own.
     """
     first = read_instruction(text, state, brief)
-    if not first.not_understood:
+    if not first.not_understood or first.undecided:
         return first
     lexicon = Lexicon(state)
     for number, (plain, remarks) in enumerate(_wordings(text, lexicon, tuple(state.floors))):

@@ -71,6 +71,8 @@ class Left:
     remark: str
 
 
+_MOST_CUTS: Final = 30
+"""Places at most at which a sentence is parted: its parts are as many as the pairs of them."""
 _EACH: Final = frozenset("everybody everyone each every all per both".split())
 
 
@@ -80,6 +82,8 @@ def without_remarks(text: str, lexicon: Lexicon, floors: tuple[int, ...]) -> Ite
     found: list[tuple[int, int]] = []
     for first, last in _sentences(words):
         cuts = [at for at in range(first + 1, last) if _may_part(words, at)]
+        if len(cuts) > _MOST_CUTS:
+            continue
         ends = [first, *cuts, last]
         found += [(a, b) for a in ends for b in ends if a < b]
     for first, last in sorted(found, key=lambda part: part[0] - part[1]):
@@ -128,6 +132,8 @@ def _is_remark(words: Sequence[Word], lexicon: Lexicon) -> bool:
     texts = [word.text for word in words]
     if texts[:2] == ["that", "is"] and text_at(words, 2) in PREPOSITIONS:
         return False
+    if words[0].raw.endswith("ed") and not lexicon.is_object((texts[0],)):
+        return False  # "switched on so I can find it" is how the thing shall be
     limits = [text for at, text in enumerate(texts) if text != "more" or not _is_any_more(words, at)]
     if {*limits} & _LIMITING or any(word.text in COLOUR_WORDS for word in words):
         return False

@@ -147,7 +147,9 @@ class _Reader(
         ordered = with_takings_first(ordered, self.lexicon)
         statements = turned_by_list(with_storeys(ordered), self.text)
         statements = sets_as_one(sparing_what_goes(statements), self.lexicon)
-        return Instruction(statements=statements, not_understood=self.unknown, ignored=ignored)
+        return Instruction(
+            statements=statements, not_understood=self.unknown, ignored=ignored, undecided=self.undecided
+        )
 
     def _told_to_be_missing(self) -> list[Statement]:
         """Return what is told to be missing somewhere as new there, where nothing else is asked."""
