@@ -4,24 +4,21 @@ The words of a wish are not read: its kind, value and scope are, and the finishe
 which gives a wish its status when a building is built.
 """
 
-import math
 import re
-from collections import Counter, defaultdict
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
-from functools import cached_property
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
 from statistics import median_high
 
 from shapely import Polygon
 
 from mansion_bringup.check.fault import Fault
+from mansion_bringup.check.finished_building import FinishedBuilding, Judge, is_on, labels_of
+from mansion_bringup.check.interior_wishes import INTERIOR_JUDGES
 from mansion_bringup.check.shapes import outline_forms, shared_wall
-from mansion_bringup.check.substances import made_of
 from mansion_knowledge import is_class
 from mansion_knowledge.essentials import needs_of
 from mansion_knowledge.furnished_as import furnished_as
-from mansion_knowledge.object_kinds import answers, seats_of_row
-from mansion_knowledge.object_qualities import has_quality
+from mansion_knowledge.object_kinds import answers
 from mansion_msgs_py.building import Building
 from mansion_msgs_py.layout import FloorLayout
 from mansion_msgs_py.program import GROUND_FLOOR
@@ -37,89 +34,17 @@ ROOM_TOLERANCE = 0.1
 LEAST_TOLERANCE = 0.25
 """Square metres by which that of any room may."""
 
-CEILING_TOLERANCE = 0.10
-"""Metres by which a ceiling may differ from the height asked for."""
-
 NEIGHBOURS = 1.1
 """Metres of straight wall that rooms side by side share: a door and a little on either side."""
 
 PERSON = 2.0
 """Square metres of rooms that one person needs at the least."""
 
-CLUTTERED, TIDY = 5.0, 1.5
-"""Things to a square metre of furniture: no fewer where clutter is wanted, no more where tidiness is."""
-
 TOILETS = frozenset({"toilet", "restroom", "accessible_toilet"})
 """Types of rooms that are all toilets."""
 
 PASSAGES = frozenset({"corridor", "hallway", "lobby", "stair", "elevator"})
 """Rooms that a building needs whatever is asked for."""
-
-
-@dataclass(frozen=True)
-class _Finished:
-    """A finished building, and what its ledger asked for."""
-
-    building: Building
-    layouts: Mapping[int, FloorLayout]
-    scenes: Sequence[FloorScene]
-
-    @property
-    def above(self) -> list[FloorScene]:
-        return [scene for scene in self.scenes if scene.floor >= 1]
-
-    @property
-    def ledger(self) -> list[Wish]:
-        return self.building.program.wishes
-
-    def rooms(self, floors: Sequence[int] = ()) -> list[tuple[int, SceneRoom]]:
-        """Return the rooms of some floors, or of all, each with its floor."""
-        return [(scene.floor, room) for scene in self.scenes if _on(scene.floor, floors) for room in scene.rooms]
-
-    def on(self, floor: int) -> FloorScene:
-        """Return the scene of a storey."""
-        return next(scene for scene in self.scenes if scene.floor == floor)
-
-    def suite(self, floor: int, owner: SceneRoom) -> list[SceneRoom]:
-        """Return a room of a floor with the rooms that nobody enters without passing through it."""
-        scene = self.on(floor)
-        beside: dict[str, list[str]] = defaultdict(list)
-        for door in scene.doors:
-            first, second = door.rooms
-            if second is not None:
-                beside[first].append(second)
-                beside[second].append(first)
-        entrances = [core.id for core in scene.cores]
-        entrances += [door.rooms[0] for door in scene.doors if door.kind == "entrance"]
-        waiting = [name for name in entrances if name != owner.id]
-        passed = {owner.id, *waiting}
-        while waiting:
-            further = [name for name in beside[waiting.pop()] if name not in passed]
-            passed.update(further)
-            waiting += further
-        return [owner, *(room for room in scene.rooms if room.id not in passed)]
-
-    @cached_property
-    def owned(self) -> set[str]:
-        """The rooms inside the units that the ledger speaks of."""
-        units = {(wish.scope.unit, wish.scope.unit_type, tuple(wish.scope.floors)) for wish in self.ledger}
-        return {
-            room.id
-            for unit, kind, floors in units
-            if unit
-            for floor, owner in self.meant(unit, kind, floors)
-            for room in self.suite(floor, owner)[1:]
-        }
-
-    def meant(self, name: str, kind: str, floors: Sequence[int] = ()) -> list[tuple[int, SceneRoom]]:
-        """Return the rooms that people call so; where there are none, those of the type."""
-        there = self.rooms(floors)
-        called = [(floor, room) for floor, room in there if name in _labels(room)]
-        return called or [(floor, room) for floor, room in there if kind and room.room_type == kind]
-
-
-Judge = Callable[[Wish, _Finished], str]
-"""Says what the building has instead of what a wish asks for; empty when it is met."""
 
 
 def check_wishes(
@@ -135,7 +60,7 @@ def check_wishes(
     layouts, scenes : sequence
         All floors.
     """
-    finished = _Finished(building, {layout.floor: layout for layout in layouts}, scenes)
+    finished = FinishedBuilding(building, {layout.floor: layout for layout in layouts}, scenes)
     yield from _ledger(building, reported)
     known_rooms = {room.id for _, room in finished.rooms()}
     known_objects = {thing.id for scene in scenes for thing in scene.objects}
@@ -170,7 +95,7 @@ def _words(wish: Wish, description: str) -> Iterator[Fault]:
         yield Fault("WISH_TEXT", wish.id, f"characters {start} to {end} are not in the description")
 
 
-def _status(wish: Wish, finished: _Finished) -> Iterator[Fault]:
+def _status(wish: Wish, finished: FinishedBuilding) -> Iterator[Fault]:
     if wish.kind == "unread" or wish.status == "not_understood":
         if wish.kind != "unread" or wish.status != "not_understood":
             yield Fault("WISH_STATUS", wish.id, f"{wish.kind} is {wish.status or 'open'}")
@@ -184,7 +109,7 @@ def _status(wish: Wish, finished: _Finished) -> Iterator[Fault]:
         yield Fault("WISH_STATUS", wish.id, f"is said to be {wish.status}; the building meets it")
 
 
-def _taken_for(wish: Wish, finished: _Finished) -> str:
+def _taken_for(wish: Wish, finished: FinishedBuilding) -> str:
     """Say that something known stands for what is not, or which words are not heeded: it is met in part at best."""
     if wish.value.unheeded and wish.kind != "object":
         return f"it is not {' and '.join(wish.value.unheeded)}"
@@ -192,7 +117,7 @@ def _taken_for(wish: Wish, finished: _Finished) -> str:
     return "something else stands for it" if stands_in and wish.kind in ("room", "building_type", "object") else ""
 
 
-def _building_type(wish: Wish, finished: _Finished) -> str:
+def _building_type(wish: Wish, finished: FinishedBuilding) -> str:
     program = finished.building.program
     kind = program.planned_like or program.building_type
     if kind != (wish.value.type or wish.value.name):
@@ -201,24 +126,24 @@ def _building_type(wish: Wish, finished: _Finished) -> str:
     return f"it has {area:.0f} m2" if wish.value.limit and not _keeps(area, wish.value) else ""
 
 
-def _floors(wish: Wish, finished: _Finished) -> str:
+def _floors(wish: Wish, finished: FinishedBuilding) -> str:
     count = len(finished.above)
     return "" if count == wish.value.count else f"{count} storeys stand above ground"
 
 
-def _basements(wish: Wish, finished: _Finished) -> str:
+def _basements(wish: Wish, finished: FinishedBuilding) -> str:
     count = len(finished.scenes) - len(finished.above)
     return "" if count == wish.value.count else f"{count} storeys lie below ground"
 
 
-def _total_area(wish: Wish, finished: _Finished) -> str:
+def _total_area(wish: Wish, finished: FinishedBuilding) -> str:
     counted = [[scene for scene in finished.scenes if scene.floor in wish.scope.floors]]
     counted = counted if wish.scope.floors else [finished.above, list(finished.scenes)]
     totals = [sum(map(_gross, scenes)) for scenes in counted]
     return "" if any(_fits(total, wish.value) for total in totals) else f"it has {totals[-1]:.1f} m2"
 
 
-def _floor_area(wish: Wish, finished: _Finished) -> str:
+def _floor_area(wish: Wish, finished: FinishedBuilding) -> str:
     area = median_high([_gross(scene) for scene in finished.above or finished.scenes])
     return "" if _fits(area, wish.value) else f"a storey has {area:.1f} m2"
 
@@ -241,39 +166,39 @@ def _near(area: float, wanted: float | None) -> bool:
     return wanted is not None and abs(area - wanted) <= AREA_TOLERANCE * wanted + 1e-6
 
 
-def _outline(wish: Wish, finished: _Finished) -> str:
+def _outline(wish: Wish, finished: FinishedBuilding) -> str:
     ground = next((scene for scene in finished.scenes if scene.floor == 1), finished.scenes[0])
     forms = outline_forms(ground.outline, ground.holes)
     return "" if wish.value.name in forms else f"its form is {' or '.join(sorted(forms)) or 'another'}"
 
 
-def _style(wish: Wish, finished: _Finished) -> str:
+def _style(wish: Wish, finished: FinishedBuilding) -> str:
     styles = {scene.style for scene in finished.scenes}
     return "" if styles == {wish.value.name} else f"its style is {', '.join(sorted(styles))}"
 
 
-def _use(wish: Wish, finished: _Finished) -> str:
+def _use(wish: Wish, finished: FinishedBuilding) -> str:
     words = wish.value.name.replace("_", " ")
     uses = {floor.index: floor.requirement.partition(":")[0] for floor in finished.building.program.floors}
     other = [floor for floor in wish.scope.floors if not re.search(rf"\b{re.escape(words)}\b", uses.get(floor, ""))]
     return f"storeys {other} are for something else" if other or not wish.scope.floors else ""
 
 
-def _copy(wish: Wish, finished: _Finished) -> str:
+def _copy(wish: Wish, finished: FinishedBuilding) -> str:
     group = [finished.layouts[floor].rooms for floor in wish.scope.floors if floor in finished.layouts]
     if len(group) < 2:
         return "there are not two such storeys"
     return "" if all(rooms == group[0] for rooms in group[1:]) else "the storeys differ"
 
 
-def _core(wish: Wish, finished: _Finished) -> str:
+def _core(wish: Wish, finished: FinishedBuilding) -> str:
     count = len({core.id for scene in finished.scenes for core in scene.cores if core.type == wish.kind})
     if wish.value.unwanted:
         return f"it has {count}" if count else ""
     return "" if count >= max(wish.value.count or 1, 1) else f"it has {count}"
 
 
-def _room(wish: Wish, finished: _Finished) -> str:
+def _room(wish: Wish, finished: FinishedBuilding) -> str:
     value, floors = wish.value, wish.scope.floors
     if wish.scope.unit:
         return _inside(wish, finished)
@@ -322,7 +247,7 @@ def _room(wish: Wish, finished: _Finished) -> str:
     return _idle(finished, rooms)
 
 
-def _idle(finished: _Finished, rooms: Sequence[tuple[int, SceneRoom]]) -> str:
+def _idle(finished: FinishedBuilding, rooms: Sequence[tuple[int, SceneRoom]]) -> str:
     """Say which of some rooms nobody can use for what it is: too little stands in it of what the use needs."""
     for floor, room in rooms:
         objects = [thing for thing in finished.on(floor).objects if thing.room == room.id]
@@ -351,7 +276,7 @@ def _written(room_id: str) -> tuple[str, str]:
     return name, re.sub(r"_\d+$", "", name)
 
 
-def _inside(wish: Wish, finished: _Finished) -> str:
+def _inside(wish: Wish, finished: FinishedBuilding) -> str:
     """Say which unit does not hold what each is to hold."""
     value, scope = wish.value, wish.scope
     alike = [
@@ -363,7 +288,7 @@ def _inside(wish: Wish, finished: _Finished) -> str:
     units = finished.meant(scope.unit, scope.unit_type, scope.floors)
     for floor, unit in units:
         parts = finished.suite(floor, unit)
-        rooms = [room for room in parts if value.name in _labels(room)]
+        rooms = [room for room in parts if value.name in labels_of(room)]
         rooms = rooms or [room for room in parts if room.room_type == value.type]
         several = None in alike
         if (several and len(rooms) < 2) or (not several and len(rooms) != sum(count or 0 for count in alike)):
@@ -377,11 +302,11 @@ def _inside(wish: Wish, finished: _Finished) -> str:
     return "" if units else "there is no such unit"
 
 
-def _covers(entry: Wish, finished: _Finished, floor: int, room: SceneRoom) -> bool:
+def _covers(entry: Wish, finished: FinishedBuilding, floor: int, room: SceneRoom) -> bool:
     """Whether a wish of objects is about a room."""
     scope = entry.scope
     if not scope.room:
-        return _on(floor, scope.floors)
+        return is_on(floor, scope.floors)
     return any(other.id == room.id for _, other in finished.meant(scope.room, scope.room_type, scope.floors))
 
 
@@ -389,14 +314,14 @@ def _as_large(area: float, wanted: float) -> bool:
     return abs(area - wanted) <= max(ROOM_TOLERANCE * wanted, LEAST_TOLERANCE) + 1e-6
 
 
-def _no_room(wish: Wish, finished: _Finished) -> str:
+def _no_room(wish: Wish, finished: FinishedBuilding) -> str:
     if wish.value.type == "basement":
         return "" if len(finished.above) == len(finished.scenes) else "it has a basement"
     there = [room.id for _, room in finished.rooms(wish.scope.floors) if room.room_type == wish.value.type]
     return f"{there[0]} is one" if there else ""
 
 
-def _adjacent(wish: Wish, finished: _Finished) -> str:
+def _adjacent(wish: Wish, finished: FinishedBuilding) -> str:
     beside = set(_sides(wish, finished))
     if wish.scope.each and any(room.id not in beside for _, room in finished.meant(wish.value.name, wish.value.type)):
         return "not every such room shares a wall with one"
@@ -405,7 +330,7 @@ def _adjacent(wish: Wish, finished: _Finished) -> str:
     return "" if beside else "no two such rooms share a wall"
 
 
-def _is_entered(wish: Wish, finished: _Finished) -> bool:
+def _is_entered(wish: Wish, finished: FinishedBuilding) -> bool:
     """Whether a door has a room of either kind of a relation on each side."""
     first = {room.id for _, room in finished.meant(wish.value.name, wish.value.type)}
     second = {room.id for _, room in finished.meant(wish.value.other, wish.value.other_type)}
@@ -416,7 +341,7 @@ def _is_entered(wish: Wish, finished: _Finished) -> bool:
     )
 
 
-def _apart(wish: Wish, finished: _Finished) -> str:
+def _apart(wish: Wish, finished: FinishedBuilding) -> str:
     value = wish.value
     near = any(
         floor == other_floor and _side_by_side(first, second)
@@ -426,14 +351,14 @@ def _apart(wish: Wish, finished: _Finished) -> str:
     return "two such rooms share a wall" if near else ""
 
 
-def _of_the_kind(name: str, kind: str, finished: _Finished) -> list[tuple[int, SceneRoom]]:
+def _of_the_kind(name: str, kind: str, finished: FinishedBuilding) -> list[tuple[int, SceneRoom]]:
     """Return the rooms of a name; toilets without a name of their own are all toilets of the building."""
     if kind not in TOILETS or "_" in name:
         return finished.meant(name, kind)
-    return [(floor, room) for floor, room in finished.rooms() if room.room_type in TOILETS or name in _labels(room)]
+    return [(floor, room) for floor, room in finished.rooms() if room.room_type in TOILETS or name in labels_of(room)]
 
 
-def _sides(wish: Wish, finished: _Finished) -> list[str]:
+def _sides(wish: Wish, finished: FinishedBuilding) -> list[str]:
     """Return the rooms of a relation that lie side by side."""
     value = wish.value
     return [
@@ -448,109 +373,12 @@ def _side_by_side(first: SceneRoom, second: SceneRoom) -> bool:
     return first.id != second.id and shared_wall(first, second) >= NEIGHBOURS
 
 
-def _object(wish: Wish, finished: _Finished) -> str:
-    counts = _things(wish, finished)
-    wanted = 2 if wish.value.count is None else wish.value.count
-    have = min(counts.values(), default=0) if wish.scope.each else sum(counts.values())
-    if not (wish.value.type and counts and have >= wanted):
-        return f"{have} of {wanted} are there"
-    if wish.value.exact and wish.scope.room:
-        named = _things(wish, finished, noun=wish.value.type.split("_")[-1]).values()
-        there = max(named) if wish.scope.each else sum(named)
-        if there > wanted:
-            return f"{there} are there, more than {wanted}"
-    return next((f"not as many are {word}" for word in wish.value.unheeded if not _are_so(wish, finished, word)), "")
-
-
-def _are_so(wish: Wish, finished: _Finished, word: str) -> bool:
-    """Whether enough of the things of a wish are as a word says; in every place where the count is for each."""
-    scope = wish.scope
-    rooms = {room.id for _, room in finished.meant(scope.room, scope.room_type, scope.floors)} if scope.room else None
-    numbers: dict[str, list[bool]] = defaultdict(list)
-    for scene in finished.scenes:
-        for thing in scene.objects:
-            here = thing.room in rooms if rooms is not None else _on(scene.floor, scope.floors)
-            if here and wish.value.type and _called_so(thing.category, wish.value):
-                place = (thing.room if scope.room else str(scene.floor)) if scope.each else ""
-                numbers[place].append(has_quality(thing.category, thing.size, thing.material, word))
-    wanted = 2 if wish.value.count is None else wish.value.count
-    return all(sum(fitting) >= min(wanted, len(fitting)) for fitting in numbers.values())
-
-
-def _no_object(wish: Wish, finished: _Finished) -> str:
-    places = [place for place, count in _things(wish, finished).items() if count]
-    return f"{places[0]} has one" if places else ""
-
-
-def _things(wish: Wish, finished: _Finished, *, noun: str = "") -> dict[str, int]:
-    """Return how many objects of the wish's category each place has: a room where one is named, a storey elsewhere.
-
-    With a noun, those alone whose category ends in it.
-    """
-    scope = wish.scope
-    placed: Counter[str] = Counter()
-    for scene in finished.scenes:
-        for thing in scene.objects:
-            if noun and not (thing.category.split("_")[-1] == noun and answers(wish.value.type, thing.category)):
-                continue
-            if wish.value.type and _called_so(thing.category, wish.value):
-                placed[thing.room] += seats_of_row(thing.category, thing.size[0])
-    if scope.room:
-        return {room.id: placed[room.id] for _, room in finished.meant(scope.room, scope.room_type, scope.floors)}
-    return {
-        f"storey {scene.floor}": sum(placed[room.id] for room in scene.rooms)
-        for scene in finished.scenes
-        if _on(scene.floor, scope.floors)
-    }
-
-
-def _called_so(category: str, value: WishValue) -> bool:
-    """Whether a category is of a wish's kind, or of its noun where that kind is a special one of the noun."""
-    if answers(value.type, category):
-        return True
-    noun = re.escape(category.split("_")[-1])
-    return "_" in value.type and re.fullmatch(rf"{noun}(e?s)?", value.name) is not None
-
-
-def _height(wish: Wish, finished: _Finished) -> str:
-    heights = [room.ceiling_height for room in _of_type(wish, finished)]
-    wanted = wish.value.height or 0.0
-    if heights and all(abs(height - wanted) <= CEILING_TOLERANCE + 1e-6 for height in heights):
-        return ""
-    return f"ceilings are {min(heights):.2f} to {max(heights):.2f} m high" if heights else "there is no such room"
-
-
-def _material(wish: Wish, finished: _Finished) -> str:
-    surfaces = [
-        room.wall_material if wish.value.type == "wall" else room.floor_material for room in _of_type(wish, finished)
-    ]
-    fitting = sum(made_of(surface, wish.value.name) for surface in surfaces)
-    return "" if 2 * fitting > len(surfaces) else f"{fitting} of {len(surfaces)} rooms have it"
-
-
-def _clutter(wish: Wish, finished: _Finished) -> str:
-    own = {entry.scope.room_type for entry in finished.ledger if entry.kind == "clutter"} - {wish.scope.room_type}
-    rooms = {room.id for room in _of_type(wish, finished) if room.room_type not in own}
-    objects = [thing for scene in finished.scenes for thing in scene.objects if thing.room in rooms]
-    carried = sum(1 for thing in objects if thing.parent)
-    ground = sum(math.prod(thing.size[:2]) for thing in objects if thing.receptacle and not thing.parent)
-    if not ground:
-        return "nothing is there to lay things on"
-    within = carried >= CLUTTERED * ground if wish.value.name == "dense" else carried <= TIDY * ground
-    return "" if within else f"{carried} things lie on {ground:.1f} m2 of furniture"
-
-
-def _of_type(wish: Wish, finished: _Finished) -> list[SceneRoom]:
-    kind = wish.scope.room_type
-    return [room for _, room in finished.rooms(wish.scope.floors) if not kind or room.room_type == kind]
-
-
-def _occupants(wish: Wish, finished: _Finished) -> str:
+def _occupants(wish: Wish, finished: FinishedBuilding) -> str:
     area = sum(room.area for _, room in finished.rooms())
     return "" if area >= PERSON * (wish.value.count or 1) else f"its rooms have {area:.0f} m2"
 
 
-def _only(wish: Wish, finished: _Finished) -> str:
+def _only(wish: Wish, finished: FinishedBuilding) -> str:
     named = {entry.value.type for entry in finished.ledger if entry.kind == "room"} | PASSAGES
     there = finished.rooms(wish.scope.floors)
     behind = {
@@ -579,28 +407,7 @@ _JUDGES: Mapping[str, Judge] = {
     "no_room": _no_room,
     "adjacent": _adjacent,
     "apart": _apart,
-    "object": _object,
-    "no_object": _no_object,
-    "height": _height,
-    "material": _material,
-    "clutter": _clutter,
+    **INTERIOR_JUDGES,
     "occupants": _occupants,
     "only": _only,
 }
-
-
-def _labels(room: SceneRoom) -> set[str]:
-    """Return what a room is called: its id, the same without a number, its name, its other names.
-
-    The id of a room that is of another kind by now, and called otherwise, says nothing of it.
-    """
-    short = room.id.partition("/")[2]
-    by_id = {short, re.sub(r"_\d+$", "", short)}
-    spoken = {text.lower().replace(" ", "_") for text in (room.name, *room.aliases) if text}
-    plain = {re.sub(r"[^a-z0-9]", "", text) for text in (*spoken, room.room_type)}
-    apt = not room.name or any(re.sub(r"[^a-z0-9]", "", text) in plain for text in by_id)
-    return spoken | by_id if apt else spoken
-
-
-def _on(floor: int, floors: Sequence[int]) -> bool:
-    return not floors or floor in floors
