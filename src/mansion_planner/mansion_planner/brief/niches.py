@@ -7,10 +7,12 @@ from mansion_planner.brief.furniture_words import furniture_of
 from mansion_planner.brief.phrase import Phrase
 from mansion_planner.brief.reading import Reading
 
-__all__ = ["read_niches"]
+__all__ = ["NICHES", "THING_FOR", "read_niches"]
 
-_NICHES = frozenset({"corner", "nook", "alcove", "niche", "recess"})
-_THING_FOR = {
+NICHES = frozenset({"corner", "nook", "alcove", "niche"})
+"""Nouns for a part of a room."""
+_RECESSES = NICHES | {"recess"}
+THING_FOR = {
     **dict.fromkeys(("reading", "sitting", "seating", "lounge", "cosy", "cozy", "relaxing"), "armchair"),
     **dict.fromkeys(("dining", "breakfast", "eating", "lunch"), "dining_table"),
     **dict.fromkeys(("sleeping", "bed", "sleep"), "bed"),
@@ -49,7 +51,7 @@ def read_niches(reading: Reading, phrases: list[Phrase], building: int | None) -
         if not _is_niche(reading, phrase) or not _is_part(reading, phrases, number, building):
             continue
         front = reading.words(phrase.begin, phrase.noun_end - 1)
-        category = _THING_FOR.get(front[-1], "") or furniture_of(front)[0]
+        category = THING_FOR.get(front[-1], "") or furniture_of(front)[0]
         if category:
             label = phrase.label.rpartition(" ")[0] or phrase.label
             phrases[number] = replace(phrase, head="object", category=category, room_type="", label=label)
@@ -61,7 +63,7 @@ def _is_niche(reading: Reading, phrase: Phrase) -> bool:
         return False
     last = phrase.noun_end
     rest = reading.text[reading.tokens[last - 1].end : reading.tokens[last].start] if last < len(reading.tokens) else ""
-    return reading.word(last - 1) in _NICHES and not rest.strip()  # "a reading corner as its own room"
+    return reading.word(last - 1) in _RECESSES and not rest.strip()  # "a reading corner as its own room"
 
 
 def _is_part(reading: Reading, phrases: Sequence[Phrase], number: int, building: int | None) -> bool:
@@ -75,7 +77,7 @@ def _is_part(reading: Reading, phrases: Sequence[Phrase], number: int, building:
     while at > 0 and set(reading.words(phrases[at - 1].last, phrases[at].first)) <= _JOINTS:
         led = bool({"with", "has", "have"} & set(reading.words(phrases[at - 1].last, phrases[at].first)))
         at -= 1
-        if led or not (phrases[at].head == "object" or reading.word(phrases[at].noun_end - 1) in _NICHES):
+        if led or not (phrases[at].head == "object" or reading.word(phrases[at].noun_end - 1) in _RECESSES):
             break
     if not led:
         return False

@@ -4,28 +4,27 @@ from dataclasses import replace
 
 from mansion_knowledge import BuildingType
 from mansion_planner.brief.facts import AdjacencyFact, BriefFacts, ObjectFact, RoomFact
+from mansion_planner.brief.niches import NICHES, THING_FOR
 
 __all__ = ["with_room_parts"]
-
-_PARTS = frozenset({"corner", "nook", "alcove", "niche"})
 
 _LIVING = ("living_room", "lounge", "studio_room")
 _EATING = ("living_room", "kitchen_diner", "open_kitchen", "kitchen", "studio_room")
 
-_MEANT: dict[str, tuple[str, tuple[str, ...]]] = {
-    "tv": ("television", _LIVING), "television": ("television", _LIVING), "media": ("television", _LIVING),
-    "reading": ("armchair", (*_LIVING, "bedroom", "master_bedroom")), "seating": ("armchair", _LIVING),
-    "sitting": ("armchair", _LIVING), "sofa": ("sofa", _LIVING), "fireplace": ("fireplace", _LIVING),
-    "fire": ("fireplace", _LIVING), "play": ("play_mat", (*_LIVING, "childrens_room")),
-    "music": ("piano", _LIVING), "piano": ("piano", _LIVING),
-    "work": ("desk", (*_LIVING, "bedroom")), "desk": ("desk", (*_LIVING, "bedroom")),
-    "study": ("desk", (*_LIVING, "bedroom")), "homework": ("desk", (*_LIVING, "childrens_room")),
-    "office": ("desk", (*_LIVING, "bedroom")), "computer": ("desk", (*_LIVING, "bedroom")),
-    "dining": ("dining_table", _EATING), "eating": ("dining_table", _EATING),
-    "breakfast": ("dining_table", ("kitchen", "open_kitchen", "kitchen_diner", "living_room")),
-    "sleeping": ("bed", ("studio_room",)), "bed": ("bed", ("studio_room",)), "sleep": ("bed", ("studio_room",)),
-}  # fmt: skip
-"""What a corner is called after, the furniture that makes it one, and the rooms that it may be part of."""
+_OTHERWISE = {"sofa": "sofa", "fireplace": "fireplace", "fire": "fireplace", "play": "play_mat", "piano": "piano"}
+"""Furniture that makes a corner one beside what a brief's niches are for, or instead of it."""
+
+_HOSTS: dict[str, tuple[str, ...]] = {
+    **dict.fromkeys(("tv", "television", "media", "seating", "sitting", "sofa", "fireplace", "fire"), _LIVING),
+    **dict.fromkeys(("music", "piano"), _LIVING),
+    "reading": (*_LIVING, "bedroom", "master_bedroom"),
+    **dict.fromkeys(("play", "homework"), (*_LIVING, "childrens_room")),
+    **dict.fromkeys(("work", "desk", "study", "office", "computer"), (*_LIVING, "bedroom")),
+    **dict.fromkeys(("dining", "eating"), _EATING),
+    "breakfast": ("kitchen", "open_kitchen", "kitchen_diner", "living_room"),
+    **dict.fromkeys(("sleeping", "bed", "sleep"), ("studio_room",)),
+}
+"""What a corner is called after, and the rooms that it may be part of."""
 
 
 def with_room_parts(building: BuildingType, facts: BriefFacts) -> BriefFacts:
@@ -58,17 +57,20 @@ def with_room_parts(building: BuildingType, facts: BriefFacts) -> BriefFacts:
 def _slept_in(room: RoomFact) -> RoomFact:
     """Return a room, a nook to sleep in as a bedroom: only studios have their bed where people live."""
     use, _, head = room.name.rpartition("_")
-    bed = head in _PARTS and _MEANT.get(use, ("",))[0] == "bed"
+    bed = head in NICHES and use in _HOSTS and _thing_for(use) == "bed"
     return replace(room, room_type="bedroom") if bed else room
+
+
+def _thing_for(use: str) -> str:
+    return _OTHERWISE.get(use) or THING_FOR[use]
 
 
 def _part_of(room: RoomFact, building: BuildingType, facts: BriefFacts) -> ObjectFact | None:
     """Return the furniture that a corner of another room stands for; ``None`` for a room."""
     use, _, head = room.name.rpartition("_")
-    meant = _MEANT.get(use)
-    if head not in _PARTS or meant is None or room.count != 1 or room.area or room.size or room.suite or room.each:
+    hosts = _HOSTS.get(use)
+    if head not in NICHES or hosts is None or room.count != 1 or room.area or room.size or room.suite or room.each:
         return None
-    category, hosts = meant
     others = [other for other in facts.rooms if other.room_type in hosts and other.count == 1 and other is not room]
     before = [other for other in others if other.span.start < room.span.start]
     host = max(before, key=lambda other: other.span.start, default=next(iter(others), None))
@@ -76,6 +78,6 @@ def _part_of(room: RoomFact, building: BuildingType, facts: BriefFacts) -> Objec
     own = next((kind for kind in hosts if kind in usual), "")
     name, kind = (host.name, host.room_type) if host is not None else (own, own)
     return ObjectFact(
-        words=room.span.words, category=category, span=room.span, room=name, room_type=kind, floors=room.floors,
+        words=room.span.words, category=_thing_for(use), span=room.span, room=name, room_type=kind, floors=room.floors,
         noun=room.label or room.name.replace("_", " "),
     ) if kind else None  # fmt: skip
