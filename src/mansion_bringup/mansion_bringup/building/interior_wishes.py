@@ -1,5 +1,6 @@
 """Verdicts on wishes for what rooms hold and are like: furniture, ceiling heights and materials."""
 
+import math
 import re
 from collections import Counter
 from collections.abc import Mapping, Sequence
@@ -141,9 +142,11 @@ def _clutter(wish: Wish, state: JudgedBuilding) -> Verdict:
     if not rooms:
         return Verdict("not_met", "there is nothing that things could lie on")
     density = sum(room.things for room in rooms) / sum(room.receptacles for room in rooms)
-    bound = _CLUTTERED if wish.value.name == "dense" else _TIDY
-    good = density >= bound if wish.value.name == "dense" else density <= bound
-    return met_if(good, f"{density:.1f} things lie on a square metre of furniture, {bound:g} would be so", partly=True)
+    many = wish.value.name == "dense"
+    good = density >= _CLUTTERED if many else density <= _TIDY
+    bound = f"at least {_CLUTTERED:g}" if many else f"at most {_TIDY:g}"
+    amount = "" if math.isinf(density) else f": {density:.1f} per square metre of furniture, {bound} expected"
+    return met_if(good, f"too {'few' if many else 'many'} things lie about{amount}", partly=True)
 
 
 def _is_of(surface: str, wanted: str) -> bool:

@@ -1,4 +1,4 @@
-"""Do rooms hold what a description asks for, and are they as high, finished and full as it says."""
+"""Check that rooms hold what a description asks for, and that they are as high, finished and full as it says."""
 
 import math
 import re
@@ -32,7 +32,9 @@ def _object(wish: Wish, finished: FinishedBuilding) -> str:
         there = max(named) if wish.scope.each else sum(named)
         if there > wanted:
             return f"{there} are there, more than {wanted}"
-    return next((f"not as many are {word}" for word in wish.value.unheeded if not _are_so(wish, finished, word)), "")
+    return next(
+        (f"not enough of them are {word}" for word in wish.value.unheeded if not _are_so(wish, finished, word)), ""
+    )
 
 
 def _are_so(wish: Wish, finished: FinishedBuilding, word: str) -> bool:
