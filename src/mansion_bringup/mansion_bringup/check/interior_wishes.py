@@ -6,13 +6,30 @@ from collections import Counter, defaultdict
 from collections.abc import Mapping
 
 from mansion_bringup.check.finished_building import FinishedBuilding, Judge, is_on
-from mansion_bringup.check.substances import made_of
 from mansion_knowledge.object_kinds import answers, seats_of_row
 from mansion_knowledge.object_qualities import has_quality
 from mansion_msgs_py.scene import SceneRoom
 from mansion_msgs_py.wishes import Wish, WishValue
 
 __all__ = ["INTERIOR_JUDGES"]
+
+SUBSTANCES = (
+    r"\b(hard)?wood(en)?\b|timber|parquet|\bplanks?\b|laminate|panelling|\bdeck(ing)?\b|herringbone|\b(oak|walnut|pine|maple"
+    r"|birch|bamboo|cherry|ash|beech|mahogany)\b",
+    r"carpet",
+    r"\btile[sd]?\b|ceramic|porcelain|terracotta",
+    r"marble",
+    r"granite",
+    r"\bstone\b|slate|limestone",
+    r"terrazzo",
+    r"concrete|cement",
+    r"vinyl|\blino(leum)?\b",
+    r"rubber",
+    r"resin|epoxy",
+    r"brick",
+    r"plaster|drywall",
+)
+"""Patterns of the words for one substance each."""
 
 CEILING_TOLERANCE = 0.10
 """Metres by which a ceiling may differ from the height asked for."""
@@ -99,8 +116,17 @@ def _material(wish: Wish, finished: FinishedBuilding) -> str:
     surfaces = [
         room.wall_material if wish.value.type == "wall" else room.floor_material for room in _of_type(wish, finished)
     ]
-    fitting = sum(made_of(surface, wish.value.name) for surface in surfaces)
+    fitting = sum(_made_of(surface, wish.value.name) for surface in surfaces)
     return "" if 2 * fitting > len(surfaces) else f"{fitting} of {len(surfaces)} rooms have it"
+
+
+def _made_of(surface: str, wanted: str) -> bool:
+    """Whether one substance, or where no substance is wanted one colour, is in both texts."""
+    here, there = (text.lower().replace("_", " ").replace("gray", "grey") for text in (surface, wanted))
+    named = [pattern for pattern in SUBSTANCES if re.search(pattern, there)]
+    if named:
+        return any(re.search(pattern, here) for pattern in named)
+    return any(re.search(rf"\b{re.escape(word)}\b", here) for word in there.split())
 
 
 def _clutter(wish: Wish, finished: FinishedBuilding) -> str:
