@@ -39,7 +39,7 @@ FOLDERS = "MANSION_KNOWLEDGE"
 _DATA = Path(__file__).parent / "data"
 _STOREYS = ("single", "ground", "second", "upper", "top", "basement")
 _WALLS = ("dry", "wet", "circulation", "industrial")
-_FLAGS = ("daylight", "wet", "open", "flex", "unit", "sleeping", "toilet", "food", "common")
+_FLAGS = ("daylight", "wet", "open", "flex", "unit", "sleeping", "toilet", "food", "common", "whole")
 _OWN = ("name", "synonyms", "kin")
 """Cells of a room type that its kin does not fill."""
 
@@ -230,6 +230,7 @@ def _room(row: _Row) -> RoomType:
         toilet="toilet" in flags,
         food="food" in flags,
         common="common" in flags,
+        whole="whole" in flags,
         suite=tuple(parse_entry(part) for part in _parts(row.get("suite", ""))),
         kin=row.get("kin", ""),
         suggests=row.get("suggests", ""),

@@ -20,7 +20,7 @@ PASSAGE = 1.5
 _DOOR_SIDE = 1.4
 """Least length of wall along a passage for a room's door, metres."""
 
-_LONGEST = 4.8
+_LONGEST = 4.6
 """Most metres of a passage: with the way to the middle of the corridor, the dead end that the rules allow in public."""
 
 _DEEPER = (1.0, 0.8, 1.25)
