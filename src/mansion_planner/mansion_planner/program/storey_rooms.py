@@ -119,7 +119,7 @@ def fill_storey(
     budget = capacity - hub_share
     rooms = _with_main_room(base_rooms(storey, allocation, knowledge), storey, budget)
     needed = _needed_entries(storey, allocation, knowledge)
-    for entry in (entry for entry in needed for _ in range(entry.count)):
+    for entry in (each for each in needed for _ in range(each.count)):
         kind = knowledge.room(entry.room_type)
         if sum(room.least for top in rooms for room in top.each()) + kind.least <= _CROWDED * budget:
             rooms.append(allocation.added(entry, knowledge))
@@ -241,8 +241,8 @@ def _beside_others(room: PlannedRoom, budget: float) -> PlannedRoom:
 def _needed_entries(storey: Storey, allocation: Allocation, knowledge: KnowledgeBase) -> list[RoomEntry]:
     """Return the rooms of a storey's list that no such building does without, where the brief leaves them open.
 
-    Other rooms are made smaller for them. A home has rooms to live, cook and wash in; in a studio people cook where they
-    live. Other buildings have, behind their entrance, the rooms that they are there for.
+    Other rooms are made smaller for them. A home has rooms to live, cook and wash in; in a studio people cook where
+    they live. Other buildings have, behind their entrance, the rooms that they are there for.
     """
     if storey.use.family != "home":
         entrance = storey.role in ("single", "ground")
