@@ -355,7 +355,7 @@ def _building(name: str, record: dict[str, Any]) -> BuildingType:
         stretcher=bool(record.get("stretcher", False)),
         like=str(record.get("like", "")),
         heads=tuple(str(head) for head in record.get("heads", ())),
-        main=tuple(str(name) for name in record.get("main", ())),
+        main=frozenset(str(name) for name in record.get("main", ())),
         small=float(record.get("small", 0.0)),
     )
 
@@ -413,7 +413,7 @@ def _check_references(knowledge: KnowledgeBase) -> None:
         check(building.name, [RoomEntry(building.hub), RoomEntry(building.hub_upper)])
         for entries in building.storeys.values():
             check(building.name, entries)
-        check(building.name, [RoomEntry(name) for name in (*building.filler, *building.main)])
+        check(building.name, [RoomEntry(name) for name in (*building.filler, *sorted(building.main))])
         check(building.name, [entry for entry in (building.seats, building.places) if entry is not None])
         if building.style not in knowledge.styles:
             raise MansionError(

@@ -245,12 +245,10 @@ def _needed_entries(storey: Storey, allocation: Allocation, knowledge: Knowledge
     they live. Other buildings have, behind their entrance, the rooms that they are there for.
     """
     if storey.use.family != "home":
-        entrance = storey.role in ("single", "ground")
-        return [
-            entry
-            for entry in entries_of(storey)
-            if entrance and entry.room_type in storey.use.main and allocation.adds(entry.room_type, storey.index)
-        ]
+        if storey.role not in ("single", "ground"):
+            return []
+        open_to = storey.use.main - {fact.room_type for fact in allocation.wanted[storey.index]}
+        return [e for e in entries_of(storey) if e.room_type in open_to and allocation.adds(e.room_type, storey.index)]
     needs = [need for need in _NEEDS if not (need == "cooking" and storey.hub.name == STUDIO)]
     stated = [fact for facts in allocation.wanted.values() for fact in facts]
     served = {use_of(knowledge.room(part.room_type)) for fact in stated for part in (fact, *fact.suite)}
