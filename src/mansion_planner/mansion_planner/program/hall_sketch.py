@@ -236,9 +236,7 @@ def _turned(block: Block, column: float) -> Block:
     return msgspec.structs.replace(block, least=depth) if front <= column < depth else block
 
 
-def _in_column(
-    east: list[Block], place: tuple[float, float, float], hub_id: str
-) -> tuple[list[Placement], list[Box]]:
+def _in_column(east: list[Block], place: tuple[float, float, float], hub_id: str) -> tuple[list[Placement], list[Box]]:
     """Stack blocks from the south along the hub's far side, and return the passages between their rooms.
 
     Parameters

@@ -7,10 +7,18 @@ from mansion_knowledge.leads_into import CalledRoom, leading_rules
 from mansion_scene.structure.access import Pair, pair_key
 from mansion_scene.structure.boundaries import BoundarySegment
 from mansion_scene.structure.door_positions import Frontage, choose_position
-from mansion_scene.structure.openings import Opening, is_circulation, narrower_widths, opening_at, opening_kind, with_doors
+from mansion_scene.structure.openings import (
+    Opening,
+    is_circulation,
+    narrower_widths,
+    opening_at,
+    opening_kind,
+    with_doors,
+)
 from mansion_scene.structure.regions import FloorRegions, Region
 
 __all__ = ["place_working_doors"]
+
 
 def place_working_doors(
     floor: FloorRegions,
