@@ -14,7 +14,7 @@ CALLED: dict[str, tuple[str, str]] = {
     "planetarium": ("planetarium", "planetarium"),
     "climbing hall": ("climbing_hall", "climbing_room"),
     "ice rink": ("ice_rink", "ice_rink"),
-    "archive": ("archive", "archive"),
+    "city archive": ("city_archive", "archive"),
     "yoga studio": ("yoga_studio", "yoga_studio"),
     "animal shelter": ("animal_shelter", "kennel"),
     "makerspace": ("makerspace", "makerspace"),
