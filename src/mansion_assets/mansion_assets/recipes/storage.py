@@ -1,10 +1,11 @@
 """Shelves, cabinets and trolleys, with the goods in them."""
 
-from typing import Any
+from typing import Any, Final
 
 from mansion_assets.builder import TRAY, Builder, Rect
 from mansion_assets.catalogue.receptacles import BOARD, Receptacle, inset, surface, volume
 from mansion_assets.registry import receptacles, recipe
+from mansion_assets.shelf_goods import Goods, lying_bottles, magazines, medicine, potted_plants, toys, trays
 from mansion_msgs_py.shapes import Size3
 
 __all__: list[str] = []
@@ -36,38 +37,31 @@ _FACINGS = 4
 
 def goods(b: Builder, fill: str, cell: Rect, depth: float, key: int) -> None:
     """Show goods in a compartment; they are part of the mesh, and the compartment is no receptacle."""
-    if fill == "groceries":
-        _groceries(b, cell, depth, key)
+    own = _OWN_GOODS.get(fill)
+    if own is not None:
+        own(b, cell, depth, key)
         return
     room = cell.top - cell.z
     step, palette = {
         "books": (0.045, _BOOKS),
         "folders": (0.08, ("paper_dark", "paper_blue", "paper_grey")),
-        "medicine": (0.06, ("paper_white", "paper_blue", "paper_green")),
         "boxes": (0.36, ("paper_brown", "paper_beige")),
         "bins": (0.2, ("plastic_blue", "plastic_red")),
-        "bottles": (0.09, ("glass_green", "glass_brown")),
-        "toys": (0.17, _GOODS),
         "bags": (0.32, ("fabric_red", "fabric_blue", "fabric_green")),
         "shoes": (0.13, ("leather_brown", "fabric_white", "leather_black")),
         "linen": (0.36, ("fabric_white", "fabric_beige")),
-        "magazines": (0.2, _GOODS),
-        "plants": (0.22, ("leaf_green",)),
     }.get(fill, (0.2, _GOODS))
     count = max(1, int((cell.x1 - cell.x0) / step))
     step = (cell.x1 - cell.x0) / count
-    tall = {"books": 0.78, "folders": 0.85, "magazines": 0.9, "shoes": 0.4, "boxes": 0.72}.get(fill, 0.66)
-    mid = (cell.y0 + cell.y1) / 2
+    tall = {"books": 0.78, "folders": 0.85, "shoes": 0.4, "boxes": 0.72}.get(fill, 0.66)
     for k in range(count):
         mark = (k * 7 + key * 13 + k * k * 3) % 11
         height = room * tall * (0.8 + 0.02 * mark)
         x0 = cell.x0 + k * step
         color = palette[(mark + k) % len(palette)]
         back = cell.y0 + 0.01 + 0.002 * mark
-        front = min(cell.y1 - 0.01, back + depth * (0.8 if fill != "magazines" else 0.3))
-        if fill in ("bottles", "plants"):
-            b.cyl(x0 + step / 2, mid, (cell.z, cell.z + height), step * 0.4, color, "goods", n=8, solid=False)
-        elif fill == "books" and mark == 3:
+        front = min(cell.y1 - 0.01, back + depth * 0.8)
+        if fill == "books" and mark == 3:
             continue
         else:
             b.box(
@@ -99,6 +93,18 @@ def _groceries(b: Builder, cell: Rect, depth: float, key: int) -> None:
     rail = sorted((front, front + inwards * 0.012))
     z = (cell.z - 0.03, cell.z + 0.012)
     b.box((cell.x0, cell.x1), (rail[0], rail[1]), z, "plastic_white", "rails", solid=False)
+
+
+_OWN_GOODS: Final[dict[str, Goods]] = {
+    "bottles": lying_bottles,
+    "groceries": _groceries,
+    "magazines": magazines,
+    "medicine": medicine,
+    "plants": potted_plants,
+    "toys": toys,
+    "trays": trays,
+}
+"""Goods with a shape of their own; the others are boxes."""
 
 
 @receptacles("shelf")
@@ -215,7 +221,7 @@ def cabinet(b: Builder) -> None:
         if front == "lid" and row == rows:
             with b.door((-w / 2, w / 2), (-d / 2, face), (z, z + BOARD), "back"):
                 b.box((-w / 2, w / 2), (-d / 2, face), (z, z + BOARD), main, "boards")
-        else:
+        elif row < rows or not b.p.get("top"):
             b.box((-w / 2, w / 2), (-d / 2, face), (z, z + BOARD - tray * (row < rows)), main, "boards")
     for col in range(1, cols):
         x = -w / 2 + col * width
