@@ -96,14 +96,17 @@ class DrawnFace:
         column = 0
         for letter in text:
             rows = _LETTERS[letter].split()
-            dots += [(column + first, column + last, row) for row, bits in enumerate(rows) for first, last in _runs(bits)]
+            dots += [
+                (column + first, column + last, row) for row, bits in enumerate(rows) for first, last in _runs(bits)
+            ]
             column += len(rows[0]) + 1
         dot = min((u[1] - u[0]) / (column - 1), (v[1] - v[0]) / _ROWS)
         left, top = (u[0] + u[1] - dot * (column - 1)) / 2, (v[0] + v[1] + dot * _ROWS) / 2
-        self._add(
-            [((left + first * dot, left + last * dot), (top - (row + 1) * dot, top - row * dot)) for first, last, row in dots],
-            material, part, depth,
-        )  # fmt: skip
+        fields = [
+            ((left + first * dot, left + last * dot), (top - (row + 1) * dot, top - row * dot))
+            for first, last, row in dots
+        ]
+        self._add(fields, material, part, depth)
 
     def _add(self, fields: Sequence[tuple[Span, Span]], material: str, part: str, depth: float) -> None:
         """Add rectangles as one body that collides."""

@@ -33,7 +33,12 @@ def lying_bottles(b: "Builder", cell: "Rect", depth: float, key: int) -> None:
         for side in (-1, 1):
             start, end = (x - step / 2, z - side * room / 2), (x + step / 2, z + side * room / 2)
             across = (-(end[1] - start[1]) * 0.02, (end[0] - start[0]) * 0.02)
-            board = [(start[0] - across[0], start[1] - across[1]), (end[0] - across[0], end[1] - across[1]), (end[0] + across[0], end[1] + across[1]), (start[0] + across[0], start[1] + across[1])]  # fmt: skip
+            board = [
+                (start[0] - across[0], start[1] - across[1]),
+                (end[0] - across[0], end[1] - across[1]),
+                (end[0] + across[0], end[1] + across[1]),
+                (start[0] + across[0], start[1] + across[1]),
+            ]
             b.prism(board, (back, front), b.mat(), "y", "lattice", solid=False)
         places = ((0.0, 0.3), (0.0, -0.3), (-0.3, 0.0), (0.3, 0.0))
         for number, (u, v) in enumerate(places):
@@ -62,7 +67,13 @@ def potted_plants(b: "Builder", cell: "Rect", depth: float, key: int) -> None:
             tip = (x + math.cos(a) * r * 0.9, y + math.sin(a) * r * 0.9, z + r * 0.3)
             b.ball(tip, (r * 0.7, r * 0.7, r * 0.3), ("leaf_4f9f3f", "leaf_3f8f3a")[j % 2], "leaves", 6)
         if (k + key) % 3 == 0:
-            b.ball((x, y, top), (r * 0.5, r * 0.5, r * 0.4), ("leaf_red", "leaf_yellow", "leaf_pink")[(k + key) % 3], "blossoms", 8)
+            b.ball(
+                (x, y, top),
+                (r * 0.5, r * 0.5, r * 0.4),
+                ("leaf_red", "leaf_yellow", "leaf_pink")[(k + key) % 3],
+                "blossoms",
+                8,
+            )
 
 
 def toys(b: "Builder", cell: "Rect", depth: float, key: int) -> None:
@@ -79,8 +90,20 @@ def _bear(b: "Builder", at: tuple[float, float, float], size: float) -> None:
     b.ball((x, y, z + size * 0.74), (size * 0.24, size * 0.22, size * 0.22), "fabric_8a5a34", "toys", 8)
     b.ball((x, y + size * 0.2, z + size * 0.7), (size * 0.1, size * 0.08, size * 0.08), "fabric_e3c3a3", "toys", 6)
     for side in (-1, 1):
-        b.ball((x + side * size * 0.18, y, z + size * 0.93), (size * 0.08, size * 0.06, size * 0.08), "fabric_8a5a34", "toys", 6)
-        b.ball((x + side * size * 0.18, y + size * 0.2, z + size * 0.1), (size * 0.1, size * 0.14, size * 0.1), "fabric_8a5a34", "toys", 6)
+        b.ball(
+            (x + side * size * 0.18, y, z + size * 0.93),
+            (size * 0.08, size * 0.06, size * 0.08),
+            "fabric_8a5a34",
+            "toys",
+            6,
+        )
+        b.ball(
+            (x + side * size * 0.18, y + size * 0.2, z + size * 0.1),
+            (size * 0.1, size * 0.14, size * 0.1),
+            "fabric_8a5a34",
+            "toys",
+            6,
+        )
 
 
 def _ball(b: "Builder", at: tuple[float, float, float], size: float) -> None:
@@ -95,17 +118,52 @@ def _blocks(b: "Builder", at: tuple[float, float, float], size: float) -> None:
     s = size * 0.34
     for u, level, color in ((-0.55, 0, "blue"), (0.55, 0, "yellow"), (0.0, 1, "green")):
         low = z + level * s
-        b.box((x + u * s - s * 0.48, x + u * s + s * 0.48), (y - s / 2, y + s / 2), (low, low + s), f"plastic_{color}", "toys", solid=False)
-    b.prism([(x - s * 0.5, z + 2 * s), (x + s * 0.5, z + 2 * s), (x, z + 2.7 * s)], (y - s / 2, y + s / 2), "plastic_red", "y", "toys", solid=False)
+        b.box(
+            (x + u * s - s * 0.48, x + u * s + s * 0.48),
+            (y - s / 2, y + s / 2),
+            (low, low + s),
+            f"plastic_{color}",
+            "toys",
+            solid=False,
+        )
+    b.prism(
+        [(x - s * 0.5, z + 2 * s), (x + s * 0.5, z + 2 * s), (x, z + 2.7 * s)],
+        (y - s / 2, y + s / 2),
+        "plastic_red",
+        "y",
+        "toys",
+        solid=False,
+    )
 
 
 def _car(b: "Builder", at: tuple[float, float, float], size: float) -> None:
     x, y, z = at
     s = size
-    b.box((x - s * 0.48, x + s * 0.48), (y - s * 0.2, y + s * 0.2), (z + s * 0.1, z + s * 0.32), "plastic_orange", "toys", solid=False)
-    b.box((x - s * 0.24, x + s * 0.26), (y - s * 0.18, y + s * 0.18), (z + s * 0.32, z + s * 0.52), "plastic_4f9bd9", "toys", solid=False)
+    b.box(
+        (x - s * 0.48, x + s * 0.48),
+        (y - s * 0.2, y + s * 0.2),
+        (z + s * 0.1, z + s * 0.32),
+        "plastic_orange",
+        "toys",
+        solid=False,
+    )
+    b.box(
+        (x - s * 0.24, x + s * 0.26),
+        (y - s * 0.18, y + s * 0.18),
+        (z + s * 0.32, z + s * 0.52),
+        "plastic_4f9bd9",
+        "toys",
+        solid=False,
+    )
     for u in (-0.28, 0.28):
-        b.rod((x + u * s, y + s * 0.18, z + s * 0.12), (x + u * s, y + s * 0.25, z + s * 0.12), s * 0.12, "rubber_black", "toys", 10)
+        b.rod(
+            (x + u * s, y + s * 0.18, z + s * 0.12),
+            (x + u * s, y + s * 0.25, z + s * 0.12),
+            s * 0.12,
+            "rubber_black",
+            "toys",
+            10,
+        )
 
 
 def medicine(b: "Builder", cell: "Rect", depth: float, key: int) -> None:
@@ -116,10 +174,19 @@ def medicine(b: "Builder", cell: "Rect", depth: float, key: int) -> None:
         if mark in (2, 5):
             tall = min(room * 0.7, 0.15)
             b.cyl(x, front - 0.04, (cell.z, cell.z + tall), 0.035, "plastic_b5642a", "goods", n=8, solid=False)
-            b.cyl(x, front - 0.04, (cell.z + tall, cell.z + tall * 1.2), 0.03, "plastic_white", "goods", n=8, solid=False)
+            b.cyl(
+                x, front - 0.04, (cell.z + tall, cell.z + tall * 1.2), 0.03, "plastic_white", "goods", n=8, solid=False
+            )
             continue
         tall, color = room * (0.5 + 0.06 * (mark % 4)), ("paint_green", "paint_3d6ac8", "paint_red")[mark % 3]
-        b.box((x - 0.045, x + 0.045), (front - depth * 0.6, front), (cell.z, cell.z + tall), "paper_white", "goods", solid=False)
+        b.box(
+            (x - 0.045, x + 0.045),
+            (front - depth * 0.6, front),
+            (cell.z, cell.z + tall),
+            "paper_white",
+            "goods",
+            solid=False,
+        )
         face = DrawnFace.front(b, front)
         face.field((-x - 0.045, -x + 0.045), (cell.z, cell.z + tall * 0.24), color, "bands", 0.002)
         face.field((-x - 0.008, -x + 0.008), (cell.z + tall * 0.4, cell.z + tall * 0.86), color, "crosses", 0.002)
@@ -129,7 +196,15 @@ def medicine(b: "Builder", cell: "Rect", depth: float, key: int) -> None:
 def magazines(b: "Builder", cell: "Rect", depth: float, key: int) -> None:
     """Magazines that lean back with their covers to the front: a title across a picture or a colour."""
     room = cell.top - cell.z
-    pictures = ("picture_dusk", "paper_4f9bd9", "picture_meadow", "paper_f2c12e", "picture_city", "paper_e8604f", "picture_botanical")
+    pictures = (
+        "picture_dusk",
+        "paper_4f9bd9",
+        "picture_meadow",
+        "paper_f2c12e",
+        "picture_city",
+        "paper_e8604f",
+        "picture_botanical",
+    )
     low, high = (cell.y1 - 0.03, cell.z + 0.005), (cell.y1 - 0.03 - min(depth * 0.6, room * 0.3), cell.z + room * 0.92)
     for k, x in enumerate(_places(cell, 0.2)):
         half = 0.085
@@ -140,19 +215,47 @@ def magazines(b: "Builder", cell: "Rect", depth: float, key: int) -> None:
         face.field((-x - half, -x + half), (0.0, tall), pictures[(k * 3 + key * 2) % len(pictures)], "covers", 0.002)
         ink = ("paper_white", "paper_red", "paper_yellow")[(k + key) % 3]
         face.field((-x - half * 0.85, -x + half * 0.85), (tall * 0.78, tall * 0.94), ink, "titles", 0.004)
-    b.box((cell.x0, cell.x1), (cell.y1 - 0.02, cell.y1 - 0.008), (cell.z, cell.z + room * 0.2), b.mat(), "rails", solid=False)
+    b.box(
+        (cell.x0, cell.x1),
+        (cell.y1 - 0.02, cell.y1 - 0.008),
+        (cell.z, cell.z + room * 0.2),
+        b.mat(),
+        "rails",
+        solid=False,
+    )
 
 
 def trays(b: "Builder", cell: "Rect", depth: float, key: int) -> None:
     """A used tray: a plate with left-overs, a cup, a fork, and a crumpled napkin."""
     x0, x1 = cell.x0 + 0.01, cell.x1 - 0.01
     y0, y1, z = cell.y0 + 0.02, cell.y1 + 0.02, cell.z
-    b.box((x0, x1), (y0, y1), (z, z + 0.012), ("plastic_c8693a", "plastic_4f7f9f", "plastic_7a9f4f")[key % 3], "trays", solid=False)
+    b.box(
+        (x0, x1),
+        (y0, y1),
+        (z, z + 0.012),
+        ("plastic_c8693a", "plastic_4f7f9f", "plastic_7a9f4f")[key % 3],
+        "trays",
+        solid=False,
+    )
     middle = (x0 + x1) / 2
     y = (y0 + y1) / 2 + 0.06
-    b.lathe([(0.07, z + 0.012), (0.11, z + 0.03), (0.1, z + 0.03), (0.06, z + 0.018)], "ceramic_white", (middle - 0.08, y), "plates", 18)
+    b.lathe(
+        [(0.07, z + 0.012), (0.11, z + 0.03), (0.1, z + 0.03), (0.06, z + 0.018)],
+        "ceramic_white",
+        (middle - 0.08, y),
+        "plates",
+        18,
+    )
     b.ball((middle - 0.1, y, z + 0.03), (0.05, 0.04, 0.016), "food_c8791f", "plates", 8)
     b.ball((middle - 0.05, y + 0.02, z + 0.028), (0.03, 0.03, 0.014), "food_4f9f3f", "plates", 8)
-    b.lathe([(0.028, z + 0.012), (0.038, z + 0.1), (0.032, z + 0.1), (0.026, z + 0.02)], "plastic_f2f2ee", (middle + 0.14, y), "cups", 14)
-    b.rod((middle + 0.05, y - 0.08, z + 0.016), (middle + 0.07, y + 0.1, z + 0.016), 0.006, "metal_chrome", "cutlery", 6)
+    b.lathe(
+        [(0.028, z + 0.012), (0.038, z + 0.1), (0.032, z + 0.1), (0.026, z + 0.02)],
+        "plastic_f2f2ee",
+        (middle + 0.14, y),
+        "cups",
+        14,
+    )
+    b.rod(
+        (middle + 0.05, y - 0.08, z + 0.016), (middle + 0.07, y + 0.1, z + 0.016), 0.006, "metal_chrome", "cutlery", 6
+    )
     b.ball((middle + 0.16, y - 0.14, z + 0.03), (0.05, 0.04, 0.02), "paper_white", "napkins", 6)

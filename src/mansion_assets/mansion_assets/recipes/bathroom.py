@@ -97,9 +97,11 @@ def sink(b: Builder) -> None:
     top = main if steel or main.startswith(("ceramic", "stone")) else "ceramic_white"
     thick = min(0.05, rim * 0.3)
     for span_x, span_y in (
-        ((-w / 2, bowl.x0), (-d / 2, d / 2)), ((bowl.x1, w / 2), (-d / 2, d / 2)),
-        ((bowl.x0, bowl.x1), (-d / 2, bowl.y0)), ((bowl.x0, bowl.x1), (bowl.y1, d / 2)),
-    ):  # fmt: skip
+        ((-w / 2, bowl.x0), (-d / 2, d / 2)),
+        ((bowl.x1, w / 2), (-d / 2, d / 2)),
+        ((bowl.x0, bowl.x1), (-d / 2, bowl.y0)),
+        ((bowl.x0, bowl.x1), (bowl.y1, d / 2)),
+    ):
         b.box(span_x, span_y, (rim - thick, rim), top, "top")
     deep = bowl.z
     b.box(

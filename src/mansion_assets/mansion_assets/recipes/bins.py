@@ -36,6 +36,19 @@ def bin_(b: Builder) -> None:
         _hollow(b, high, t, 1.0)
     if lid:
         _lid(b, high)
+    if b.p.get("sign") == "compost":
+        face = DrawnFace.front(b, d / 2)
+        face.write("COMPOST", (-w * 0.42, w * 0.42), (h * 0.2, h * 0.36), "plastic_white", "letters", 0.004)
+        leaf = [
+            (0.0, h * 0.44),
+            (w * 0.2, h * 0.56),
+            (w * 0.16, h * 0.74),
+            (0.0, h * 0.84),
+            (-w * 0.16, h * 0.74),
+            (-w * 0.2, h * 0.56),
+        ]
+        b.prism(leaf, (d / 2, d / 2 + 0.005), "leaf_8fd05a", "y", "sign")
+        face.line([(0.0, h * 0.4), (0.0, h * 0.8)], w * 0.014, "leaf_3f7f3a", "sign", 0.005)
     if b.p.get("wheels"):
         _barrow(b, high)
 
@@ -46,7 +59,14 @@ def _barrow(b: Builder, high: float) -> None:
     for side in (-1, 1):
         b.rod((side * w * 0.38, -d * 0.4, 0.1), (side * w / 2, -d * 0.4, 0.1), 0.1, "rubber_black", "wheels", 18)
         b.rod((side * w / 2, -d * 0.4, 0.1), (side * (w / 2 + 0.004), -d * 0.4, 0.1), 0.05, "metal_light", "wheels", 14)
-        b.rod((side * w * 0.36, -d * 0.46, high - 0.06), (side * w * 0.36, -d / 2 - 0.05, high), 0.02, b.mat(), "handle", 8)
+        b.rod(
+            (side * w * 0.36, -d * 0.46, high - 0.06),
+            (side * w * 0.36, -d / 2 - 0.05, high),
+            0.02,
+            b.mat(),
+            "handle",
+            8,
+        )
     b.rod((-w * 0.36, -d / 2 - 0.05, high), (w * 0.36, -d / 2 - 0.05, high), 0.022, "rubber_black", "handle", 10)
     face = DrawnFace.front(b, d / 2)
     for k in range(3):
@@ -65,7 +85,9 @@ def _lid(b: Builder, low: float) -> None:
         b.box((-w / 2, w / 2), (-d / 2, d / 2), (low, low + 0.03), b.mat(), "lid", solid=False)
         slope = [(-d / 2, low + 0.03), (d * 0.4, low + 0.03), (d * 0.3, b.h), (-d * 0.42, b.h)]
         b.prism(slope, (-w * 0.42, w * 0.42), b.mat(), part="lid", solid=False)
-        b.box((-w * 0.2, w * 0.2), (d / 2 - 0.004, d / 2 + 0.02), (low, low + 0.024), "plastic_dark", "lid", solid=False)
+        b.box(
+            (-w * 0.2, w * 0.2), (d / 2 - 0.004, d / 2 + 0.02), (low, low + 0.024), "plastic_dark", "lid", solid=False
+        )
 
 
 def _tapered_walls(b: Builder, high: float, t: float) -> None:

@@ -11,7 +11,7 @@ __all__: list[str] = []
 
 @recipe("popcorn_machine")
 def popcorn_machine(b: Builder) -> None:
-    """A red cart with a case of glass, half full of popcorn below a hanging kettle, under a striped roof with its name."""
+    """A red cart with a case of glass, full of popcorn below a kettle, under a roof that bears its name."""
     w, d, h = b.w, b.d, b.h
     low, high = h * 0.46, h * 0.84
     b.box((-w * 0.46, w * 0.46), (-d * 0.46, d * 0.46), (0.1, low - 0.04), b.mat(), "cart")
@@ -26,7 +26,10 @@ def popcorn_machine(b: Builder) -> None:
     face.write("POPCORN", (-w * 0.46, w * 0.46), (high + 0.02, h * 0.94), "paint_yellow", "letters", 0.006)
     side = DrawnFace.side(b, w / 2)
     side.write("POPCORN", (-d * 0.46, d * 0.46), (high + 0.02, h * 0.94), "paint_yellow", "letters", 0.006)
-    for plate, half, out in ((DrawnFace.front(b, d * 0.46), w * 0.46, 0.006), (DrawnFace.side(b, w * 0.46), d * 0.46, 0.006)):
+    for plate, half, out in (
+        (DrawnFace.front(b, d * 0.46), w * 0.46, 0.006),
+        (DrawnFace.side(b, w * 0.46), d * 0.46, 0.006),
+    ):
         for k in range(4):
             u = -half + 2 * half * (2 * k + 0.5) / 8
             plate.field((u, u + half / 4), (0.12, low - 0.06), "plastic_white", "stripes", out)
@@ -53,14 +56,26 @@ def ice_machine(b: Builder) -> None:
     b.box((-w / 2, w / 2), (d * 0.1, front), (0.06, h * 0.36), b.mat(), "bin")
     for side in (-1, 1):
         x = sorted((side * w / 2, side * (w / 2 - 0.03)))
-        b.prism([(d * 0.1, h * 0.36), (front, h * 0.36), (front, h * 0.4), (d * 0.1, bin_top + h * 0.06)], (x[0], x[1]), b.mat(), part="bin")
+        b.prism(
+            [(d * 0.1, h * 0.36), (front, h * 0.36), (front, h * 0.4), (d * 0.1, bin_top + h * 0.06)],
+            (x[0], x[1]),
+            b.mat(),
+            part="bin",
+        )
     b.legs((0, 0.06), 0.02, "metal_dark", 0.03)
     for i in range(6):
         for j in range(4):
             x, y = w * (-0.38 + 0.15 * i), d * (0.14 + 0.085 * j)
             z = h * (0.34 + 0.03 * ((i * 5 + j * 3) % 3)) + (front - y) * 0.3
             s = 0.036
-            b.box((x - s, x + s), (y - s * 0.8, y + s * 0.8), (z, z + 2 * s), ("plastic_dff2fb", "plastic_bfe3f5")[(i + j) % 2], "ice", solid=False)
+            b.box(
+                (x - s, x + s),
+                (y - s * 0.8, y + s * 0.8),
+                (z, z + 2 * s),
+                ("plastic_dff2fb", "plastic_bfe3f5")[(i + j) % 2],
+                "ice",
+                solid=False,
+            )
     b.rod((w * 0.1, d * 0.3, h * 0.5), (w * 0.3, d * 0.42, h * 0.6), 0.016, "metal_chrome", "scoop", 8)
     b.ball((w * 0.06, d * 0.28, h * 0.49), (0.06, 0.05, 0.035), "metal_chrome", "scoop", 10)
     face = DrawnFace.front(b, front)
@@ -68,7 +83,13 @@ def ice_machine(b: Builder) -> None:
     for k in range(3):
         a = k * math.pi / 3
         arm = (math.cos(a) * w * 0.1, math.sin(a) * w * 0.1)
-        face.line([(w * 0.34 - arm[0], h * 0.81 - arm[1]), (w * 0.34 + arm[0], h * 0.81 + arm[1])], 0.01, "plastic_2f7fd0", "flake", 0.006)
+        face.line(
+            [(w * 0.34 - arm[0], h * 0.81 - arm[1]), (w * 0.34 + arm[0], h * 0.81 + arm[1])],
+            0.01,
+            "plastic_2f7fd0",
+            "flake",
+            0.006,
+        )
     face.field((-w * 0.4, w * 0.4), (h * 0.64, h * 0.66), "metal_dark", "vent", 0.004)
     for k in range(4):
         face.field((-w * 0.34, w * 0.34), (h * (0.12 + 0.05 * k), h * (0.14 + 0.05 * k)), "metal_dark", "vent", 0.004)
@@ -83,25 +104,43 @@ def menu_screen(b: Builder) -> None:
     face.field((-w * 0.48, w * 0.48), (h * 0.05, h * 0.95), "screen_3a1f14", "screen", 0.002)
     face.write("MENU", (-w * 0.24, w * 0.24), (h * 0.73, h * 0.92), "light_yellow", "letters", 0.004)
     left, middle, right, low = -w * 0.31, 0.0, w * 0.31, h * 0.32
-    for v, color, thick in ((0.0, "light_d9a05a", 0.08), (0.09, "light_7a3f1d", 0.06), (0.16, "light_6fbf4a", 0.03), (0.2, "light_red", 0.04)):
+    for v, color, thick in (
+        (0.0, "light_d9a05a", 0.08),
+        (0.09, "light_7a3f1d", 0.06),
+        (0.16, "light_6fbf4a", 0.03),
+        (0.2, "light_red", 0.04),
+    ):
         face.field((left - w * 0.1, left + w * 0.1), (low + h * v, low + h * (v + thick)), color, "burger", 0.004)
     for k in range(3):
-        face.field((left - w * (0.1 - 0.02 * k), left + w * (0.1 - 0.02 * k)), (low + h * (0.25 + 0.03 * k), low + h * (0.28 + 0.03 * k)), "light_d9a05a", "burger", 0.004)
-    cup = [(middle - w * 0.05, low), (middle + w * 0.05, low), (middle + w * 0.08, low + h * 0.26), (middle - w * 0.08, low + h * 0.26)]
+        face.field(
+            (left - w * (0.1 - 0.02 * k), left + w * (0.1 - 0.02 * k)),
+            (low + h * (0.25 + 0.03 * k), low + h * (0.28 + 0.03 * k)),
+            "light_d9a05a",
+            "burger",
+            0.004,
+        )
+    cup = [
+        (middle - w * 0.05, low),
+        (middle + w * 0.05, low),
+        (middle + w * 0.08, low + h * 0.26),
+        (middle - w * 0.08, low + h * 0.26),
+    ]
     b.prism([(-u, v) for u, v in cup], (d / 2 - 0.004, d / 2 - 0.001), "light_red", "y", "cup")
     face.field((middle - w * 0.09, middle + w * 0.09), (low + h * 0.26, low + h * 0.3), "light_white", "cup", 0.004)
     face.field((middle + w * 0.01, middle + w * 0.025), (low + h * 0.3, low + h * 0.38), "light_white", "cup", 0.004)
     face.field((right - w * 0.07, right + w * 0.07), (low, low + h * 0.2), "light_red", "chips", 0.005)
     for k in range(5):
         u = right - w * 0.065 + w * 0.027 * k
-        face.field((u, u + w * 0.02), (low + h * 0.1, low + h * (0.28 + 0.04 * (k % 2))), "light_f5d04a", "chips", 0.004)
+        face.field(
+            (u, u + w * 0.02), (low + h * 0.1, low + h * (0.28 + 0.04 * (k % 2))), "light_f5d04a", "chips", 0.004
+        )
     for u, price in ((left, "5:90"), (middle, "2:50"), (right, "3:20")):
         face.write(price, (u - w * 0.12, u + w * 0.12), (h * 0.1, h * 0.24), "light_white", "prices", 0.004)
 
 
 @recipe("blender")
 def blender(b: Builder) -> None:
-    """A motor base with a dial, and a glass jug on it with a handle, full of red fruit above its knives, under a lid."""
+    """A motor base with a dial, and a glass jug on it with a handle, full of red fruit above its knives."""
     w, d, h = b.w, b.d, b.h
     low = h * 0.3
     b.lathe([(0.5, 0), (0.5, h * 0.06), (0.36, low)], b.mat(), stretch=(w, d), part="base", n=20)
@@ -111,8 +150,19 @@ def blender(b: Builder) -> None:
     b.cyl(0, 0, (low, low + h * 0.04), w * 0.3, "metal_steel", "collar", n=20)
     b.lathe([(0.26, low + h * 0.04), (0.36, h * 0.72)], "food_d23b4f", stretch=(w, d), part="smoothie", n=20)
     b.lathe([(0.3, low + h * 0.04), (0.44, h * 0.92)], "glass_clear", stretch=(w, d), part="jug", n=20)
-    b.lathe([(0.46, h * 0.91), (0.46, h * 0.95), (0.2, h * 0.955), (0.2, h)], "plastic_black", stretch=(w, d), part="lid", n=20)
-    b.path([(-w * 0.42, 0, h * 0.86), (-w * 0.62, 0, h * 0.82), (-w * 0.58, 0, h * 0.5), (-w * 0.32, 0, h * 0.46)], w * 0.055, "plastic_black", "handle")
+    b.lathe(
+        [(0.46, h * 0.91), (0.46, h * 0.95), (0.2, h * 0.955), (0.2, h)],
+        "plastic_black",
+        stretch=(w, d),
+        part="lid",
+        n=20,
+    )
+    b.path(
+        [(-w * 0.42, 0, h * 0.86), (-w * 0.62, 0, h * 0.82), (-w * 0.58, 0, h * 0.5), (-w * 0.32, 0, h * 0.46)],
+        w * 0.055,
+        "plastic_black",
+        "handle",
+    )
     for k in range(4):
         z = h * (0.44 + 0.1 * k)
         face.field((-w * 0.12, w * 0.0), (z, z + h * 0.012), "plastic_white", "scale", d * 0.02)
@@ -127,7 +177,14 @@ def tea_box(b: Builder) -> None:
     b.prism([(-d / 2, low), (-d / 2 + 0.002, low), (-d * 0.5, h), (-d * 0.54, h)], (-w / 2, w / 2), b.mat(), part="lid")
     for k in range(9):
         x = -w * 0.44 + w * 0.1 * k
-        b.box((x, x + w * 0.07), (-d * 0.4, d * 0.36), (low - 0.002, low + h * (0.16 + 0.03 * (k % 3))), ("paper_beige", "paper_yellow")[k % 2], "bags", solid=False)
+        b.box(
+            (x, x + w * 0.07),
+            (-d * 0.4, d * 0.36),
+            (low - 0.002, low + h * (0.16 + 0.03 * (k % 3))),
+            ("paper_beige", "paper_yellow")[k % 2],
+            "bags",
+            solid=False,
+        )
     face = DrawnFace.front(b, d / 2)
     face.write("TEA", (-w * 0.46, w * 0.06), (h * 0.12, h * 0.5), "paper_white", "letters", 0.001)
     face.line([(w * 0.28, low), (w * 0.3, h * 0.4), (w * 0.28, h * 0.3)], 0.0012, "paper_white", "string", 0.001)
@@ -142,7 +199,21 @@ def coffee_bag(b: Builder) -> None:
     """A foil bag that is folded at its top, with a label, beans on it and a valve; beans lie at its foot."""
     w, d, h = b.w, b.d, b.h
     front = d * 0.36
-    b.prism([(-d * 0.4, 0), (front, 0), (front, h * 0.74), (0.004, h * 0.92), (0.004, h), (-0.004, h), (-0.004, h * 0.92), (-d * 0.4, h * 0.74)], (-w / 2, w / 2), b.mat(), part="bag")  # fmt: skip
+    b.prism(
+        [
+            (-d * 0.4, 0),
+            (front, 0),
+            (front, h * 0.74),
+            (0.004, h * 0.92),
+            (0.004, h),
+            (-0.004, h),
+            (-0.004, h * 0.92),
+            (-d * 0.4, h * 0.74),
+        ],
+        (-w / 2, w / 2),
+        b.mat(),
+        part="bag",
+    )
     b.box((-w * 0.52, w * 0.52), (-0.006, 0.008), (h * 0.93, h), "metal_brass", "clip", solid=False)
     face = DrawnFace.front(b, front)
     face.field((-w * 0.42, w * 0.42), (h * 0.14, h * 0.66), "paper_beige", "label", 0.001)
@@ -150,10 +221,18 @@ def coffee_bag(b: Builder) -> None:
     for u, v, tilt in ((-0.18, 0.32, 0.5), (0.14, 0.3, -0.5), (-0.02, 0.21, 0.2)):
         x, z = -w * u, h * v
         b.ball((x, front + 0.002, z), (w * 0.15, 0.004, w * 0.1), "food_4a2c17", "beans", 10)
-        face.line([(w * u - w * 0.12, z - tilt * w * 0.05), (w * u + w * 0.12, z + tilt * w * 0.05)], w * 0.014, "food_2a170b", "beans", 0.006)
+        face.line(
+            [(w * u - w * 0.12, z - tilt * w * 0.05), (w * u + w * 0.12, z + tilt * w * 0.05)],
+            w * 0.014,
+            "food_2a170b",
+            "beans",
+            0.006,
+        )
     for k in range(5):
         x = w * (-0.4 + 0.2 * k)
-        b.ball((x, d * (0.43 + 0.03 * (k % 2)), h * 0.02), (w * 0.09, w * 0.06, h * 0.02), "food_4a2c17", "loose_beans", 8)
+        b.ball(
+            (x, d * (0.43 + 0.03 * (k % 2)), h * 0.02), (w * 0.09, w * 0.06, h * 0.02), "food_4a2c17", "loose_beans", 8
+        )
 
 
 @recipe("cereal_box")
@@ -165,12 +244,17 @@ def cereal_box(b: Builder) -> None:
     face = DrawnFace.front(b, d / 2)
     face.field((-w * 0.47, w * 0.47), (h * 0.74, h * 0.95), "paper_red", "band", 0.001)
     face.write("CEREAL", (-w * 0.44, w * 0.44), (h * 0.77, h * 0.92), "paper_white", "letters", 0.002)
-    bowl = [(math.cos(a) * w * 0.36, h * 0.34 + math.sin(a) * w * 0.32) for a in (math.pi + k * math.pi / 10 for k in range(11))]
+    bowl = [
+        (math.cos(a) * w * 0.36, h * 0.34 + math.sin(a) * w * 0.32)
+        for a in (math.pi + k * math.pi / 10 for k in range(11))
+    ]
     b.prism(bowl, (d / 2, d / 2 + 0.003), "paper_2f6fc0", "y", "bowl")
     face.field((-w * 0.37, w * 0.37), (h * 0.33, h * 0.4), "paper_white", "milk", 0.003)
     for k in range(11):
         u, v = w * (-0.32 + 0.064 * k), h * (0.42 + 0.035 * ((k * 3) % 4))
-        face.disc(u, v, w * 0.055, ("food_e0a02f", "food_f0c04a", "food_c8791f")[k % 3], "flakes", 0.004 + 0.001 * (k % 2), 10)
+        face.disc(
+            u, v, w * 0.055, ("food_e0a02f", "food_f0c04a", "food_c8791f")[k % 3], "flakes", 0.004 + 0.001 * (k % 2), 10
+        )
     face.line([(w * 0.2, h * 0.42), (w * 0.42, h * 0.68)], w * 0.03, "metal_chrome", "spoon", 0.003)
     side = DrawnFace.side(b, w / 2)
     side.field((-d * 0.36, d * 0.36), (h * 0.1, h * 0.7), "paper_white", "facts", 0.001)
@@ -183,13 +267,19 @@ def canned_food(b: Builder) -> None:
     """A tin with ribs and rims, a ring to open it by, and a label with tomatoes."""
     w, d, h = b.w, b.d, b.h
     for z0, z1, share, color in (
-        (0.0, 0.04, 0.5, b.mat()), (0.04, 0.16, 0.47, b.mat()), (0.16, 0.84, 0.48, "paper_red"),
-        (0.84, 0.95, 0.47, b.mat()), (0.95, 0.985, 0.5, b.mat()),
-    ):  # fmt: skip
+        (0.0, 0.04, 0.5, b.mat()),
+        (0.04, 0.16, 0.47, b.mat()),
+        (0.16, 0.84, 0.48, "paper_red"),
+        (0.84, 0.95, 0.47, b.mat()),
+        (0.95, 0.985, 0.5, b.mat()),
+    ):
         b.lathe([(share, z0 * h), (share, z1 * h)], color, stretch=(w, d), part="tin", n=28)
     b.lathe([(0.44, h * 0.985), (0.44, h * 0.988)], "metal_light", stretch=(w, d), part="lid", n=28)
     b.lathe([(0.482, h * 0.62), (0.482, h * 0.8)], "paper_beige", stretch=(w, d), part="label", n=28)
-    ring = [(math.cos(k * math.pi / 5) * w * 0.13, d * 0.16 + math.sin(k * math.pi / 5) * d * 0.16, h * 0.995) for k in range(11)]
+    ring = [
+        (math.cos(k * math.pi / 5) * w * 0.13, d * 0.16 + math.sin(k * math.pi / 5) * d * 0.16, h * 0.995)
+        for k in range(11)
+    ]
     b.path(ring, w * 0.02, "metal_chrome", "ring")
     b.box((-w * 0.03, w * 0.03), (-d * 0.06, d * 0.02), (h * 0.985, h), "metal_chrome", "ring")
     for x, y in ((0.0, 0.48), (0.34, 0.34), (-0.34, 0.34), (0.48, 0.0)):
@@ -204,10 +294,38 @@ def ladle(b: Builder) -> None:
     r = w / 2
     y = d / 2 - r
     deep = h * 0.8
-    b.lathe([(r * 0.4, 0), (r * 0.8, deep * 0.3), (r, deep), (r * 0.92, deep), (r * 0.7, deep * 0.36), (r * 0.3, deep * 0.1)], b.mat(), (0, y), "bowl", 20)
+    b.lathe(
+        [
+            (r * 0.4, 0),
+            (r * 0.8, deep * 0.3),
+            (r, deep),
+            (r * 0.92, deep),
+            (r * 0.7, deep * 0.36),
+            (r * 0.3, deep * 0.1),
+        ],
+        b.mat(),
+        (0, y),
+        "bowl",
+        20,
+    )
     b.lathe([(r * 0.86, deep * 0.62), (r * 0.86, deep * 0.66)], "food_c8641f", (0, y), "soup", 20)
-    b.path([(0, y - r * 0.95, deep * 0.9), (0, y - r * 1.4, h * 0.95), (0, -d * 0.42, h * 0.55), (0, -d / 2 + 0.006, h * 0.5)], w * 0.07, b.mat(), "handle")
-    b.path([(0, -d / 2 + 0.006, h * 0.5), (0, -d / 2 + 0.006, h * 0.3), (0, -d * 0.46, h * 0.26)], w * 0.06, b.mat(), "hook")
+    b.path(
+        [
+            (0, y - r * 0.95, deep * 0.9),
+            (0, y - r * 1.4, h * 0.95),
+            (0, -d * 0.42, h * 0.55),
+            (0, -d / 2 + 0.006, h * 0.5),
+        ],
+        w * 0.07,
+        b.mat(),
+        "handle",
+    )
+    b.path(
+        [(0, -d / 2 + 0.006, h * 0.5), (0, -d / 2 + 0.006, h * 0.3), (0, -d * 0.46, h * 0.26)],
+        w * 0.06,
+        b.mat(),
+        "hook",
+    )
 
 
 @recipe("loaf")
@@ -234,12 +352,26 @@ def loaf(b: Builder) -> None:
 
 @recipe("foil_roll")
 def foil_roll(b: Builder) -> None:
-    """A long carton with a toothed edge, the word FOIL on it, and a sheet of silver foil drawn out of it over its front."""
+    """A long carton with the word FOIL on it, and a sheet of silver foil drawn out of it over its front."""
     w, d, h = b.w, b.d, b.h
     back = d * 0.08
     b.box((-w / 2, w / 2), (-d / 2, back), (0, h * 0.9), "paper_2f5fa8", "carton")
-    b.prism([(-d / 2, h * 0.9), (-d * 0.42, h * 0.9), (-d * 0.42, h), (-d * 0.46, h)], (-w / 2, w / 2), "paper_2f5fa8", part="lid")
-    sheet = [(back - d * 0.3, h * 0.9), (back + d * 0.02, h * 0.95), (d * 0.3, h * 0.16), (d / 2, 0.0), (d / 2, h * 0.03), (d * 0.31, h * 0.22), (back + d * 0.03, h), (back - d * 0.3, h * 0.95)]  # fmt: skip
+    b.prism(
+        [(-d / 2, h * 0.9), (-d * 0.42, h * 0.9), (-d * 0.42, h), (-d * 0.46, h)],
+        (-w / 2, w / 2),
+        "paper_2f5fa8",
+        part="lid",
+    )
+    sheet = [
+        (back - d * 0.3, h * 0.9),
+        (back + d * 0.02, h * 0.95),
+        (d * 0.3, h * 0.16),
+        (d / 2, 0.0),
+        (d / 2, h * 0.03),
+        (d * 0.31, h * 0.22),
+        (back + d * 0.03, h),
+        (back - d * 0.3, h * 0.95),
+    ]
     for part in ((0, 1, 6, 7), (1, 2, 5, 6), (2, 3, 4, 5)):
         b.prism([sheet[k] for k in part], (-w * 0.46, w * 0.46), "metal_chrome", part="sheet")
     top = DrawnFace.top(b, h * 0.95)
@@ -247,7 +379,9 @@ def foil_roll(b: Builder) -> None:
     slope = DrawnFace.sloped(b, (d * 0.31, h * 0.22), (back + d * 0.03, h))
     for k in range(7):
         u = w * (-0.4 + 0.12 * k)
-        slope.field((u, u + w * 0.05), (d * 0.02 * (k % 3), d * 0.2), ("metal_white", "metal_grey")[k % 2], "creases", 0.0006)
+        slope.field(
+            (u, u + w * 0.05), (d * 0.02 * (k % 3), d * 0.2), ("metal_white", "metal_grey")[k % 2], "creases", 0.0006
+        )
 
 
 @recipe("lunch_box")
@@ -262,13 +396,30 @@ def lunch_box(b: Builder) -> None:
         b.box((-w / 2, w / 2), (y[0], y[1]), (0, low), b.mat(), "walls")
     b.box((-0.003, 0.003), (-d / 2, d / 2), (0, low * 0.9), b.mat(), "walls")
     b.box((-w / 2, 0), (-0.003, 0.003), (0, low * 0.9), b.mat(), "walls")
-    b.prism([(-d / 2, low), (-d / 2 + t, low), (-d * 0.56, h * 1.5), (-d * 0.6, h * 1.5)], (-w / 2, w / 2), b.mat(), part="lid")
+    b.prism(
+        [(-d / 2, low), (-d / 2 + t, low), (-d * 0.56, h * 1.5), (-d * 0.6, h * 1.5)],
+        (-w / 2, w / 2),
+        b.mat(),
+        part="lid",
+    )
     for k, color in enumerate(("food_e8c68a", "food_6fbf4a", "food_d9443a", "food_f0c04a", "food_e8c68a")):
         z = low * (0.35 + 0.17 * k)
-        b.prism([(w * 0.04, -d * 0.4), (w * 0.45, -d * 0.4), (w * 0.04, d * 0.42)], (z, z + low * 0.17), color, "z", "sandwich")
+        b.prism(
+            [(w * 0.04, -d * 0.4), (w * 0.45, -d * 0.4), (w * 0.04, d * 0.42)],
+            (z, z + low * 0.17),
+            color,
+            "z",
+            "sandwich",
+        )
     for i in range(4):
         for j in range(3):
-            b.ball((-w * (0.08 + 0.11 * i), -d * (0.12 + 0.13 * j), low * (0.7 + 0.2 * ((i + j) % 2))), (w * 0.055, w * 0.055, w * 0.055), "food_6a3f8f", "grapes", 8)
+            b.ball(
+                (-w * (0.08 + 0.11 * i), -d * (0.12 + 0.13 * j), low * (0.7 + 0.2 * ((i + j) % 2))),
+                (w * 0.055, w * 0.055, w * 0.055),
+                "food_6a3f8f",
+                "grapes",
+                8,
+            )
     for k in range(5):
         x = -w * (0.07 + 0.09 * k)
         b.rod((x, d * 0.06, low * 0.85), (x, d * 0.44, low * 0.85), w * 0.04, "food_e8792f", "carrots", 8)

@@ -92,7 +92,15 @@ def ceiling_speaker(b: Builder) -> None:
     b.ball((0, 0, -h * 0.02), (r * 0.22, r * 0.22, h * 0.14), "metal_light", "cap", 12)
     for k in range(12):
         a = k * math.pi / 6
-        b.cyl(math.cos(a) * r * 0.76, math.sin(a) * r * 0.76, (-h * 0.03, h * 0.2), r * 0.025, "metal_steel", "screws", n=6)
+        b.cyl(
+            math.cos(a) * r * 0.76,
+            math.sin(a) * r * 0.76,
+            (-h * 0.03, h * 0.2),
+            r * 0.025,
+            "metal_steel",
+            "screws",
+            n=6,
+        )
 
 
 @recipe("bright_panel")
@@ -108,4 +116,11 @@ def bright_panel(b: Builder) -> None:
     b.box((-w / 2 + rim, w / 2 - rim), (-d / 2 + rim, d / 2 - rim), (h * 0.12, h * 0.4), "light_white", "diffuser")
     for k in range(1, max(2, round(w / 0.15))):
         x = -w / 2 + k * w / max(2, round(w / 0.15))
-        b.box((x - h * 0.08, x + h * 0.08), (-d / 2 + rim, d / 2 - rim), (0, h * 0.2), "metal_chrome", "louvres", solid=False)
+        b.box(
+            (x - h * 0.08, x + h * 0.08),
+            (-d / 2 + rim, d / 2 - rim),
+            (0, h * 0.2),
+            "metal_chrome",
+            "louvres",
+            solid=False,
+        )

@@ -11,9 +11,11 @@ __all__: list[str] = []
 
 @recipe("upright_vacuum")
 def upright_vacuum(b: Builder) -> None:
-    """An upright cleaner: a wide floor head, a clear cup of dust, a stem that leans back to its grip, a hose and a cable."""
+    """An upright cleaner: a wide floor head, a clear cup of dust, a stem that leans back to its grip, a hose."""
     w, d, h = b.w, b.d, b.h
-    b.prism([(0.0, 0.0), (d / 2, 0.0), (d / 2, 0.05), (d * 0.2, 0.1), (0.0, 0.1)], (-w / 2, w / 2), b.mat(), part="head")
+    b.prism(
+        [(0.0, 0.0), (d / 2, 0.0), (d / 2, 0.05), (d * 0.2, 0.1), (0.0, 0.1)], (-w / 2, w / 2), b.mat(), part="head"
+    )
     b.box((-w * 0.46, w * 0.46), (d * 0.44, d / 2 + 0.002), (0.01, 0.035), "plastic_black", "brush", solid=False)
     for side in (-1, 1):
         b.rod((side * w * 0.36, -d * 0.04, 0.06), (side * w * 0.5, -d * 0.04, 0.06), 0.06, "rubber_black", "wheels", 16)
@@ -27,24 +29,39 @@ def upright_vacuum(b: Builder) -> None:
     b.rod((0, at(h * 0.28), h * 0.28), (0, at(h * 0.6), h * 0.6), w * 0.2, "glass_clear", "cup", 18)
     b.rod((0, at(h * 0.6), h * 0.6), (0, at(h * 0.66), h * 0.66), w * 0.21, b.mat(), "cup", 18)
     b.rod((0, at(h * 0.64), h * 0.64), (0, at(h * 0.9), h * 0.9), 0.018, "metal_chrome", "stem", 10, solid=True)
-    grip = [(0, at(h * 0.88), h * 0.88), (0, at(h * 0.97) - 0.02, h * 0.985), (0, at(h) + 0.09, h * 0.98), (0, at(h * 0.9) + 0.05, h * 0.9)]
+    grip = [
+        (0, at(h * 0.88), h * 0.88),
+        (0, at(h * 0.97) - 0.02, h * 0.985),
+        (0, at(h) + 0.09, h * 0.98),
+        (0, at(h * 0.9) + 0.05, h * 0.9),
+    ]
     b.path(grip, 0.016, "plastic_black", "grip")
-    hose = [(w * 0.18, at(h * 0.2), h * 0.2), (w * 0.36, at(h * 0.3), h * 0.34), (w * 0.36, at(h * 0.5), h * 0.56), (w * 0.16, at(h * 0.66), h * 0.66)]
+    hose = [
+        (w * 0.18, at(h * 0.2), h * 0.2),
+        (w * 0.36, at(h * 0.3), h * 0.34),
+        (w * 0.36, at(h * 0.5), h * 0.56),
+        (w * 0.16, at(h * 0.66), h * 0.66),
+    ]
     b.path(hose, 0.02, "plastic_grey", "hose")
-    coil = [(-w * 0.06 * math.cos(k), at(h * 0.76) - 0.03, h * (0.74 + 0.1 * math.sin(k))) for k in (j * 0.8 for j in range(9))]
+    coil = [
+        (-w * 0.06 * math.cos(k), at(h * 0.76) - 0.03, h * (0.74 + 0.1 * math.sin(k)))
+        for k in (j * 0.8 for j in range(9))
+    ]
     b.path(coil, 0.007, "rubber_black", "cable")
     DrawnFace.front(b, d * 0.32).disc(0, 0.085, 0.03, "light_white", "lamp", 0.02)
 
 
 @recipe("bracket_lamp")
 def bracket_lamp(b: Builder) -> None:
-    """A round plate on the wall, an arm that curves up from it, and a lit shade of cloth with a rim; a switch hangs down."""
+    """A round plate on the wall, an arm that curves up from it, and a lit shade of cloth; a switch hangs down."""
     w, d, h = b.w, b.d, b.h
     back, y = -d / 2, d * 0.1
     arm = b.mat() if not b.mat().startswith("fabric") else "metal_brass"
     b.rod((0, back, h * 0.26), (0, back + d * 0.08, h * 0.26), w * 0.32, arm, "plate", 20, solid=True)
     b.rod((0, back + d * 0.06, h * 0.26), (0, back + d * 0.12, h * 0.26), w * 0.14, arm, "plate", 16)
-    b.path([(0, back + d * 0.1, h * 0.26), (0, -d * 0.1, h * 0.2), (0, y, h * 0.26), (0, y, h * 0.5)], w * 0.05, arm, "arm")
+    b.path(
+        [(0, back + d * 0.1, h * 0.26), (0, -d * 0.1, h * 0.2), (0, y, h * 0.26), (0, y, h * 0.5)], w * 0.05, arm, "arm"
+    )
     b.cyl(0, y, (h * 0.36, h * 0.4), w * 0.14, arm, "socket", n=14)
     r = min(w / 2, d * 0.4)
     b.lathe([(r, h * 0.44), (r * 0.6, h), (r * 0.56, h), (r * 0.96, h * 0.445)], "light_fff1d0", (0, y), "shade", 22)
@@ -57,7 +74,7 @@ def bracket_lamp(b: Builder) -> None:
 
 @recipe("sprinkling_can")
 def sprinkling_can(b: Builder) -> None:
-    """A can with a wide top, a long spout that rises to a pierced rose, and a handle that bows over from front to back."""
+    """A can with a wide top, a long spout that rises to a pierced rose."""
     w, d, h = b.w, b.d, b.h
     y, r = -d * 0.16, min(w / 2, d * 0.28)
     high = h * 0.66
@@ -69,7 +86,13 @@ def sprinkling_can(b: Builder) -> None:
     b.rod((0, y + r * 0.9, high * 0.86), (0, d * 0.26, h * 0.62), w * 0.025, b.mat(), "stay", 8)
     b.rod((0, d * 0.38, h * 0.79), (0, d * 0.45, h * 0.91), w * 0.09, b.mat(), "rose", 14)
     b.rod((0, d * 0.44, h * 0.9), (0, d * 0.47, h * 0.95), w * 0.2, "metal_brass", "rose", 18)
-    bow = [(0, y - r * 0.9, high * 0.3), (0, y - r * 1.5, high * 0.7), (0, y - r * 1.1, h * 0.97), (0, y, h * 0.97), (0, y + r * 0.7, high)]
+    bow = [
+        (0, y - r * 0.9, high * 0.3),
+        (0, y - r * 1.5, high * 0.7),
+        (0, y - r * 1.1, h * 0.97),
+        (0, y, h * 0.97),
+        (0, y + r * 0.7, high),
+    ]
     b.path(bow, w * 0.05, b.mat(), "handle")
 
 
@@ -78,15 +101,24 @@ def pillar_candle(b: Builder) -> None:
     """A candle of wax that has run down it, on a saucer with a ring, with a black wick and a tall flame."""
     w, d, h = b.w, b.d, b.h
     r, body = min(w, d) / 2, h * 0.68
-    b.lathe([(r * 0.7, 0), (r, h * 0.05), (r * 0.94, h * 0.06), (r * 0.6, h * 0.03)], "metal_brass", part="saucer", n=20)
-    b.lathe([(r * 0.58, h * 0.02), (r * 0.58, body), (r * 0.48, body), (r * 0.4, body * 0.97)], b.mat(), part="wax", n=20)
+    b.lathe(
+        [(r * 0.7, 0), (r, h * 0.05), (r * 0.94, h * 0.06), (r * 0.6, h * 0.03)], "metal_brass", part="saucer", n=20
+    )
+    b.lathe(
+        [(r * 0.58, h * 0.02), (r * 0.58, body), (r * 0.48, body), (r * 0.4, body * 0.97)], b.mat(), part="wax", n=20
+    )
     for k in range(6):
         a = k * 1.1
         x, y, low = math.cos(a) * r * 0.58, math.sin(a) * r * 0.58, body * (0.45 + 0.09 * (k * 2 % 5))
         b.rod((x, y, low), (x, y, body * 0.98), r * 0.09, b.mat(), "drips", 8)
         b.ball((x, y, low), (r * 0.12, r * 0.12, h * 0.025), b.mat(), "drips", 8)
     b.rod((0, 0, body * 0.96), (0, 0, h * 0.76), r * 0.06, "plastic_black", "wick", 6)
-    b.lathe([(r * 0.05, h * 0.73), (r * 0.26, h * 0.81), (r * 0.16, h * 0.92), (r * 0.02, h)], "light_ffb02f", part="flame", n=14)
+    b.lathe(
+        [(r * 0.05, h * 0.73), (r * 0.26, h * 0.81), (r * 0.16, h * 0.92), (r * 0.02, h)],
+        "light_ffb02f",
+        part="flame",
+        n=14,
+    )
     b.lathe([(r * 0.05, h * 0.75), (r * 0.27, h * 0.81), (r * 0.2, h * 0.84)], "light_fff1a0", part="flame", n=14)
 
 
@@ -125,7 +157,13 @@ def towel_ring(b: Builder) -> None:
     b.path(ring, w * 0.035, b.mat(), "ring")
     low = h * 0.9 - 2 * r
     for y in ((-d * 0.1, d * 0.08), (d * 0.12, d * 0.34)):
-        b.prism([(-w * 0.3, low + r * 0.5), (w * 0.3, low + r * 0.5), (w * 0.4, 0), (-w * 0.4, 0)], y, "fabric_8fc1d9", "y", "towel")
+        b.prism(
+            [(-w * 0.3, low + r * 0.5), (w * 0.3, low + r * 0.5), (w * 0.4, 0), (-w * 0.4, 0)],
+            y,
+            "fabric_8fc1d9",
+            "y",
+            "towel",
+        )
     b.rod((-w * 0.3, d * 0.1, low + r * 0.5), (w * 0.3, d * 0.1, low + r * 0.5), d * 0.24, "fabric_8fc1d9", "towel", 10)
     b.box((-w * 0.38, w * 0.38), (d * 0.34, d * 0.36), (h * 0.08, h * 0.14), "fabric_white", "stripe", solid=False)
 
@@ -142,7 +180,14 @@ def bath_curtain(b: Builder) -> None:
     for k in range(folds):
         x = -w * 0.46 + w * 0.92 * (k + 0.5) / folds
         y = d * 0.2 * (-1) ** k
-        b.lathe([(w * 0.075, 0.0), (w * 0.06, rod - 0.07)], ("fabric_white", "fabric_dfe9ee")[k % 2], (x, y), "cloth", 10, (1.0, d * 0.3 / (w * 0.075)))
+        b.lathe(
+            [(w * 0.075, 0.0), (w * 0.06, rod - 0.07)],
+            ("fabric_white", "fabric_dfe9ee")[k % 2],
+            (x, y),
+            "cloth",
+            10,
+            (1.0, d * 0.3 / (w * 0.075)),
+        )
         b.path([(x, 0, rod + 0.02), (x, y * 0.3, rod - 0.07)], 0.005, "metal_chrome", "rings")
         for j in range(5):
             z = h * (0.1 + 0.17 * j + 0.08 * (k % 2))
@@ -158,26 +203,64 @@ def high_chair(b: Builder) -> None:
     seat = float(b.p.get("seat", h * 0.58))
     for sx in (-1, 1):
         for sy in (-1, 1):
-            b.rod((sx * w * 0.46, sy * d * 0.46, 0), (sx * w * 0.34, sy * d * 0.28, seat), 0.02, b.mat(), "legs", 10, solid=True)
-        b.rod((sx * w * 0.43, -d * 0.41, seat * 0.28), (sx * w * 0.43, d * 0.41, seat * 0.28), 0.013, b.mat(), "rails", 8)
-        b.box((sx * w * 0.38 - 0.015, sx * w * 0.38 + 0.015), (-d * 0.28, d * 0.24), (seat + 0.17, seat + 0.2), b.mat(), "arms")
+            b.rod(
+                (sx * w * 0.46, sy * d * 0.46, 0),
+                (sx * w * 0.34, sy * d * 0.28, seat),
+                0.02,
+                b.mat(),
+                "legs",
+                10,
+                solid=True,
+            )
+        b.rod(
+            (sx * w * 0.43, -d * 0.41, seat * 0.28), (sx * w * 0.43, d * 0.41, seat * 0.28), 0.013, b.mat(), "rails", 8
+        )
+        b.box(
+            (sx * w * 0.38 - 0.015, sx * w * 0.38 + 0.015),
+            (-d * 0.28, d * 0.24),
+            (seat + 0.17, seat + 0.2),
+            b.mat(),
+            "arms",
+        )
         b.box((sx * w * 0.38 - 0.012, sx * w * 0.38 + 0.012), (d * 0.16, d * 0.2), (seat, seat + 0.17), b.mat(), "arms")
     b.box((-w * 0.38, w * 0.38), (-d * 0.32, d * 0.28), (seat - 0.03, seat), b.mat(), "seat")
-    b.prism([(-d * 0.34, seat), (-d * 0.28, seat), (-d * 0.34, h), (-d * 0.4, h)], (-w * 0.36, w * 0.36), b.mat(), part="back")
+    b.prism(
+        [(-d * 0.34, seat), (-d * 0.28, seat), (-d * 0.34, h), (-d * 0.4, h)],
+        (-w * 0.36, w * 0.36),
+        b.mat(),
+        part="back",
+    )
     b.cushion((-w * 0.3, w * 0.3), (-d * 0.28, -d * 0.2), (seat + 0.04, h - 0.06), "fabric_8fc1d9", "pad", 0.4)
     for side in (-1, 1):
-        b.rod((side * w * 0.14, -d * 0.19, h - 0.12), (side * w * 0.06, -d * 0.1, seat + 0.01), 0.012, "fabric_red", "straps", 6)
+        b.rod(
+            (side * w * 0.14, -d * 0.19, h - 0.12),
+            (side * w * 0.06, -d * 0.1, seat + 0.01),
+            0.012,
+            "fabric_red",
+            "straps",
+            6,
+        )
     tray = (seat + 0.2, seat + 0.225)
     b.cushion((-w / 2, w / 2), (d * 0.02, d / 2), tray, "plastic_white", "tray", 0.5)
-    for x, y in (((-w / 2, w / 2), (d * 0.47, d / 2)), ((-w / 2, -w * 0.46), (d * 0.04, d / 2)), ((w * 0.46, w / 2), (d * 0.04, d / 2))):
+    for x, y in (
+        ((-w / 2, w / 2), (d * 0.47, d / 2)),
+        ((-w / 2, -w * 0.46), (d * 0.04, d / 2)),
+        ((w * 0.46, w / 2), (d * 0.04, d / 2)),
+    ):
         b.box(x, y, (tray[0], tray[1] + 0.02), "plastic_white", "tray")
-    b.lathe([(0.05, tray[1]), (0.07, tray[1] + 0.04), (0.062, tray[1] + 0.04), (0.045, tray[1] + 0.01)], "plastic_orange", (w * 0.12, d * 0.26), "bowl", 16)
+    b.lathe(
+        [(0.05, tray[1]), (0.07, tray[1] + 0.04), (0.062, tray[1] + 0.04), (0.045, tray[1] + 0.01)],
+        "plastic_orange",
+        (w * 0.12, d * 0.26),
+        "bowl",
+        16,
+    )
     b.box((-w * 0.34, w * 0.34), (d * 0.3, d * 0.46), (seat * 0.42, seat * 0.46), b.mat(), "step")
 
 
 @recipe("toy_kitchen")
 def toy_kitchen(b: Builder) -> None:
-    """A small stove with red rings and knobs, an oven with a window, a sink with its tap, a clock and a pan on hooks."""
+    """A small stove with red rings and knobs, an oven with a window, a sink with its tap."""
     w, d, h = b.w, b.d, b.h
     top, face = h * 0.54, d / 2 - 0.03
     b.hollow((-w / 2, w / 2), (-d / 2, face), (0.04, top - 0.03), 0.02, b.mat())
@@ -193,11 +276,34 @@ def toy_kitchen(b: Builder) -> None:
         u = -w * (0.34 - 0.19 * k)
         plate.disc(u, -d * 0.04, w * 0.075, "paint_red", "rings", 0.012)
         plate.disc(u, -d * 0.04, w * 0.05, "plastic_black", "rings", 0.014)
-    b.lathe([(0.07, top + 0.014), (0.08, top + 0.07), (0.07, top + 0.07), (0.06, top + 0.02)], "plastic_4f9bd9", (w * 0.15, d * 0.04), "pot", 16)
-    b.rod((w * 0.15 + 0.07, d * 0.04, top + 0.05), (w * 0.15 + 0.16, d * 0.04, top + 0.06), 0.012, "plastic_black", "pot", 8)
+    b.lathe(
+        [(0.07, top + 0.014), (0.08, top + 0.07), (0.07, top + 0.07), (0.06, top + 0.02)],
+        "plastic_4f9bd9",
+        (w * 0.15, d * 0.04),
+        "pot",
+        16,
+    )
+    b.rod(
+        (w * 0.15 + 0.07, d * 0.04, top + 0.05),
+        (w * 0.15 + 0.16, d * 0.04, top + 0.06),
+        0.012,
+        "plastic_black",
+        "pot",
+        8,
+    )
     plate.field((w * 0.1, w * 0.42), (-d * 0.3, d * 0.24), "metal_steel", "sink", 0.004)
     plate.field((w * 0.14, w * 0.38), (-d * 0.24, d * 0.18), "metal_dark", "sink", 0.006)
-    b.path([(-w * 0.26, -d * 0.32, top), (-w * 0.26, -d * 0.32, top + 0.14), (-w * 0.26, -d * 0.08, top + 0.14), (-w * 0.26, -d * 0.08, top + 0.1)], 0.014, "metal_chrome", "tap")
+    b.path(
+        [
+            (-w * 0.26, -d * 0.32, top),
+            (-w * 0.26, -d * 0.32, top + 0.14),
+            (-w * 0.26, -d * 0.08, top + 0.14),
+            (-w * 0.26, -d * 0.08, top + 0.1),
+        ],
+        0.014,
+        "metal_chrome",
+        "tap",
+    )
     front = DrawnFace.front(b, face)
     panel = (face + 0.001, face + 0.014)
     door = DrawnFace.front(b, panel[1])
@@ -213,10 +319,18 @@ def toy_kitchen(b: Builder) -> None:
     wall = DrawnFace.front(b, -d / 2 + 0.03)
     wall.disc(w * 0.3, top + (h - top) * 0.55, 0.07, "plastic_yellow", "clock", 0.01)
     wall.disc(w * 0.3, top + (h - top) * 0.55, 0.055, "plastic_white", "clock", 0.014)
-    wall.line([(w * 0.3, top + (h - top) * 0.75), (w * 0.3, top + (h - top) * 0.55), (w * 0.34, top + (h - top) * 0.55)], 0.006, "plastic_black", "clock", 0.016)
+    wall.line(
+        [(w * 0.3, top + (h - top) * 0.75), (w * 0.3, top + (h - top) * 0.55), (w * 0.34, top + (h - top) * 0.55)],
+        0.006,
+        "plastic_black",
+        "clock",
+        0.016,
+    )
     for k in range(3):
         u = -w * (0.4 - 0.14 * k)
-        wall.line([(u, h - 0.06), (u, top + 0.12)], 0.01, ("wood_birch", "plastic_red", "plastic_green")[k], "tools", 0.03)
+        wall.line(
+            [(u, h - 0.06), (u, top + 0.12)], 0.01, ("wood_birch", "plastic_red", "plastic_green")[k], "tools", 0.03
+        )
         wall.disc(u, top + 0.13, 0.035, ("wood_birch", "plastic_red", "plastic_green")[k], "tools", 0.04)
 
 
@@ -234,8 +348,12 @@ def dog_basket(b: Builder) -> None:
         b.rod(
             (math.cos(a) * (w / 2 - r), math.sin(a) * (d / 2 - r), h - r),
             (math.cos(n) * (w / 2 - r), math.sin(n) * (d / 2 - r), h - r),
-            r, b.mat(), "bolster", 10, solid=True,
-        )  # fmt: skip
+            r,
+            b.mat(),
+            "bolster",
+            10,
+            solid=True,
+        )
         b.ball((math.cos(a) * (w / 2 - r), math.sin(a) * (d / 2 - r), h - r), (r, r, r), b.mat(), "bolster", 8)
     b.lathe([(0.46, 0), (0.49, h * 0.2), (0.46, h * 0.34)], b.mat(), stretch=(w, d), part="base", n=28)
     z, s = h * 0.56, w * 0.14
@@ -252,7 +370,10 @@ def basin_tap(b: Builder) -> None:
     back, r = -d * 0.34, min(0.026, w * 0.34, h * 0.12)
     b.cyl(0, back, (0, h * 0.06), r * 1.5, b.mat(), "base", n=18)
     b.cyl(0, back, (0, h * 0.62), r, b.mat(), "stem", n=16)
-    bend = [(0, back + (d * 0.72) * (1 - math.cos(a)) / 2, h * 0.6 + h * 0.32 * math.sin(a)) for a in (k * math.pi / 8 for k in range(9))]
+    bend = [
+        (0, back + (d * 0.72) * (1 - math.cos(a)) / 2, h * 0.6 + h * 0.32 * math.sin(a))
+        for a in (k * math.pi / 8 for k in range(9))
+    ]
     b.path([*bend, (0, d * 0.38, h * 0.5)], r * 0.74, b.mat(), "spout")
     b.cyl(0, d * 0.38, (h * 0.44, h * 0.5), r * 0.95, "metal_dark", "spout", n=14)
     b.ball((0, d * 0.38, h * 0.34), (r * 0.4, r * 0.4, h * 0.06), "plastic_5aa9e6", "drop", 10)

@@ -65,11 +65,21 @@ def lorry(b: Builder) -> None:
 
 @recipe("van")
 def van(b: Builder) -> None:
-    """A delivery van: a short nose, a raked windscreen, a tall body without windows behind, and the rail of a sliding door."""
+    """A delivery van: a short nose, a raked windscreen, a tall body without windows behind, the rail of a sliding door."""
     w, d, h = b.w, b.d, b.h
     r, low = h * 0.16, h * 0.12
     _wheels(b, r, (d * 0.32, -d * 0.3))
-    outline = [(-d / 2, low), (d * 0.47, low), (d / 2, h * 0.3), (d * 0.48, h * 0.46), (d * 0.36, h * 0.54), (d * 0.22, h * 0.95), (d * 0.12, h), (-d * 0.47, h), (-d / 2, h * 0.94)]  # fmt: skip
+    outline = [
+        (-d / 2, low),
+        (d * 0.47, low),
+        (d / 2, h * 0.3),
+        (d * 0.48, h * 0.46),
+        (d * 0.36, h * 0.54),
+        (d * 0.22, h * 0.95),
+        (d * 0.12, h),
+        (-d * 0.47, h),
+        (-d / 2, h * 0.94),
+    ]
     b.prism(outline, (-w * 0.48, w * 0.48), b.mat(), part="body")
     glass = DrawnFace.sloped(b, (d * 0.36, h * 0.54), (d * 0.22, h * 0.95))
     length = ((d * 0.14) ** 2 + (h * 0.41) ** 2) ** 0.5
@@ -77,7 +87,9 @@ def van(b: Builder) -> None:
     _lamps(b, d * 0.485, (h * 0.36, h * 0.44))
     nose = DrawnFace.front(b, d * 0.49)
     for k in range(3):
-        nose.field((-w * 0.22, w * 0.22), (h * (0.35 + 0.034 * k), h * (0.368 + 0.034 * k)), "plastic_black", "grille", 0.014)
+        nose.field(
+            (-w * 0.22, w * 0.22), (h * (0.35 + 0.034 * k), h * (0.368 + 0.034 * k)), "plastic_black", "grille", 0.014
+        )
     b.box((-w * 0.49, w * 0.49), (d * 0.42, d / 2), (low * 0.9, h * 0.22), "plastic_dark", "bumper")
     for side in (-1, 1):
         x = sorted((side * w * 0.48, side * (w * 0.48 + 0.012)))

@@ -32,7 +32,12 @@ def _gleam(b: Builder, x: tuple[float, float], z: tuple[float, float], y: float)
     slant = min(w * 0.4, h * 0.4)
     for low, wide in ((0.34, 0.14), (0.56, 0.05)):
         u = x[0] + (w - slant) * low
-        band = [(u, z[0] + h * 0.12), (u + w * wide, z[0] + h * 0.12), (u + w * wide + slant, z[1] - h * 0.12), (u + slant, z[1] - h * 0.12)]
+        band = [
+            (u, z[0] + h * 0.12),
+            (u + w * wide, z[0] + h * 0.12),
+            (u + w * wide + slant, z[1] - h * 0.12),
+            (u + slant, z[1] - h * 0.12),
+        ]
         b.prism(band, (y - 0.0008, y + 0.0006), "plastic_eef6fa", "y", "gleam", solid=False)
 
 

@@ -57,7 +57,9 @@ def generator(b: Builder) -> None:
     side.disc(0, h * 0.48, d * 0.29, "plastic_black", "fan", 0.015, 28)
     for k in range(6):
         a = k * math.pi / 3
-        side.line([(0, h * 0.48), (math.cos(a) * d * 0.27, h * 0.48 + math.sin(a) * d * 0.27)], d * 0.04, "metal_light", "fan")
+        side.line(
+            [(0, h * 0.48), (math.cos(a) * d * 0.27, h * 0.48 + math.sin(a) * d * 0.27)], d * 0.04, "metal_light", "fan"
+        )
     b.path([(w * 0.1, 0, h * 0.66), (w * 0.1, 0, h * 0.86), (-w * 0.3, 0, h * 0.86)], 0.04, "metal_brown", "exhaust")
     b.rod((-w * 0.34, 0, h * 0.86), (-w * 0.02, 0, h * 0.86), h * 0.075, "metal_steel", "exhaust", 14)
     for x in (-w * 0.48, w * 0.48):
@@ -86,8 +88,22 @@ def air_handler(b: Builder) -> None:
     b.box((w * 0.06, w * 0.42), (-d * 0.36, d * 0.3), (high, h * 0.96), "metal_light", "duct")
     for z in (high, h * 0.95):
         b.box((w * 0.03, w * 0.45), (-d * 0.4, d * 0.34), (z, z + h * 0.03), "metal_steel", "flanges")
-    b.rod((-w * 0.26, -d * 0.03, high), (-w * 0.26, -d * 0.03, h * 0.86), min(w * 0.16, d * 0.3), "metal_light", "duct", 24)
-    b.rod((-w * 0.26, -d * 0.03, h * 0.86), (-w * 0.26, -d * 0.03, h * 0.88), min(w * 0.19, d * 0.34), "metal_steel", "flanges", 24)
+    b.rod(
+        (-w * 0.26, -d * 0.03, high),
+        (-w * 0.26, -d * 0.03, h * 0.86),
+        min(w * 0.16, d * 0.3),
+        "metal_light",
+        "duct",
+        24,
+    )
+    b.rod(
+        (-w * 0.26, -d * 0.03, h * 0.86),
+        (-w * 0.26, -d * 0.03, h * 0.88),
+        min(w * 0.19, d * 0.34),
+        "metal_steel",
+        "flanges",
+        24,
+    )
     face = DrawnFace.front(b, front)
     middle, r = high * 0.56, min(w * 0.2, high * 0.34)
     face.field((-w * 0.48, -w * 0.01), (h * 0.1, high - 0.03), "metal_light", "panels", 0.008)
@@ -148,7 +164,10 @@ def water_pump(b: Builder) -> None:
         b.rod((w * 0.15, y, z), (w * 0.15, y, z + 0.03), r * 0.66, "metal_steel", "flanges", 16)
     z = axis + r * 1.75
     b.rod((w * 0.15, y, z), (w * 0.15, d * 0.44, z), r * 0.1, "metal_brass", "valve", 8)
-    wheel = [(w * 0.15 + math.cos(k * math.pi / 6) * r * 0.5, d * 0.45, z + math.sin(k * math.pi / 6) * r * 0.5) for k in range(13)]
+    wheel = [
+        (w * 0.15 + math.cos(k * math.pi / 6) * r * 0.5, d * 0.45, z + math.sin(k * math.pi / 6) * r * 0.5)
+        for k in range(13)
+    ]
     b.path(wheel, r * 0.08, "paint_red", "wheel")
     for k in range(3):
         b.rod((w * 0.15, d * 0.45, z), wheel[k * 4], r * 0.05, "paint_red", "wheel", 6)
@@ -162,7 +181,13 @@ def storage_tank(b: Builder) -> None:
     b.lathe([(0.1, h * 0.14), (r, low), (r, high), (r * 0.5, h * 0.93)], b.mat(), stretch=(w, d), n=28, part="vessel")
     for z in (low, (low + high) / 2, high - 0.03):
         b.lathe([(r * 1.02, z), (r * 1.02, z + 0.035)], "metal_grey", stretch=(w, d), n=28, part="rings")
-    b.lathe([(0.12, h * 0.9), (0.12, h * 0.96), (0.15, h * 0.96), (0.15, h * 0.985)], "metal_dark", stretch=(w, d), part="manhole", n=16)
+    b.lathe(
+        [(0.12, h * 0.9), (0.12, h * 0.96), (0.15, h * 0.96), (0.15, h * 0.985)],
+        "metal_dark",
+        stretch=(w, d),
+        part="manhole",
+        n=16,
+    )
     b.rod((-0.12 * w, 0, h * 0.99), (0.12 * w, 0, h * 0.99), 0.015, "metal_dark", "manhole", 6)
     for k in range(4):
         a = math.pi / 4 + k * math.pi / 2
@@ -175,8 +200,15 @@ def storage_tank(b: Builder) -> None:
         z = h * (0.1 + 0.09 * k)
         b.rod((-w * 0.36, d * 0.47, z), (-w * 0.14, d * 0.47, z), 0.014, "paint_yellow", "ladder", 6)
     b.rod((w * 0.16, d * 0.44, low + 0.05), (w * 0.16, d * 0.44, high - 0.1), 0.03, "glass_blue", "gauge", 10)
-    b.rod((w * 0.16, d * 0.43, low + 0.05), (w * 0.16, d * 0.43, (low + high) / 2), 0.025, "plastic_3d6a9e", "gauge", 10)
-    b.path([(0, 0, h * 0.18), (0, 0, h * 0.09), (0, d * 0.42, h * 0.09), (0, d * 0.42, h * 0.04)], 0.045, "metal_steel", "outlet")
+    b.rod(
+        (w * 0.16, d * 0.43, low + 0.05), (w * 0.16, d * 0.43, (low + high) / 2), 0.025, "plastic_3d6a9e", "gauge", 10
+    )
+    b.path(
+        [(0, 0, h * 0.18), (0, 0, h * 0.09), (0, d * 0.42, h * 0.09), (0, d * 0.42, h * 0.04)],
+        0.045,
+        "metal_steel",
+        "outlet",
+    )
     b.rod((0, d * 0.3, h * 0.09), (0, d * 0.3, h * 0.15), 0.015, "metal_dark", "tap", 8)
     b.rod((-0.1, d * 0.3, h * 0.15), (0.1, d * 0.3, h * 0.15), 0.02, "paint_red", "tap", 8)
     face = DrawnFace.front(b, d * 0.45)

@@ -21,9 +21,19 @@ def newspaper(b: Builder) -> None:
     w, d, h = b.w, b.d, b.h
     for k, shift in enumerate((0.0, 0.012, 0.004)):
         b.box(
-            (-w / 2 + shift * w, w / 2), (-d / 2, d / 2 - shift * d), (h * k / 3, h * (k + 0.8) / 3), "paper_d9d6cc", "sheets"
+            (-w / 2 + shift * w, w / 2),
+            (-d / 2, d / 2 - shift * d),
+            (h * k / 3, h * (k + 0.8) / 3),
+            "paper_d9d6cc",
+            "sheets",
         )
-    b.rod((-w / 2 + 0.02 * w, -d / 2 + h * 0.4, h * 0.45), (w / 2, -d / 2 + h * 0.4, h * 0.45), h * 0.42, "paper_d9d6cc", "fold")
+    b.rod(
+        (-w / 2 + 0.02 * w, -d / 2 + h * 0.4, h * 0.45),
+        (w / 2, -d / 2 + h * 0.4, h * 0.45),
+        h * 0.42,
+        "paper_d9d6cc",
+        "fold",
+    )
     face = DrawnFace.top(b, h * 0.94)
     face.write("NEWS", (-w * 0.42, w * 0.42), (d * 0.2, d * 0.42), "paper_dark", "heading", h * 0.06)
     face.field((-w * 0.45, w * 0.45), (d * 0.15, d * 0.165), "paper_dark")
@@ -58,7 +68,13 @@ def hymn_book(b: Builder) -> None:
     w, d, h = b.w, b.d, b.h
     low = d * 0.46
     b.box((-w / 2, w / 2), (-d / 2, low), (0, h * 0.12), b.mat(), "cover")
-    b.box((-w / 2 + w * 0.03, w / 2 - w * 0.04), (-d / 2 + d * 0.02, low - d * 0.02), (h * 0.12, h * 0.84), "paper_brass", "pages")
+    b.box(
+        (-w / 2 + w * 0.03, w / 2 - w * 0.04),
+        (-d / 2 + d * 0.02, low - d * 0.02),
+        (h * 0.12, h * 0.84),
+        "paper_brass",
+        "pages",
+    )
     b.box((w / 2 - w * 0.05, w / 2), (-d / 2, low), (h * 0.1, h * 0.86), b.mat(), "spine")
     b.box((-w / 2, w / 2), (-d / 2, low), (h * 0.84, h * 0.96), b.mat(), "cover")
     face = DrawnFace.top(b, h * 0.96)
@@ -83,9 +99,25 @@ def notebook(b: Builder) -> None:
     face = DrawnFace.top(b, top)
     face.field((-w * 0.24, w * 0.34), (d * 0.1, d * 0.34), "paper_white", "label", h * 0.03)
     for k in range(3):
-        face.field((-w * 0.18, w * 0.28), (d * (0.14 + 0.06 * k), d * (0.155 + 0.06 * k)), "paper_blue", "label", h * 0.05)
-    b.rod((w * 0.2, d * 0.16, top + w * 0.03), (-w * 0.36, d * 0.3, top + w * 0.03), w * 0.028, "paint_yellow", "pencil", 6)
-    b.rod((-w * 0.36, d * 0.3, top + w * 0.03), (-w * 0.43, d * 0.318, top + w * 0.03), w * 0.018, "wood_birch", "pencil", 6)
+        face.field(
+            (-w * 0.18, w * 0.28), (d * (0.14 + 0.06 * k), d * (0.155 + 0.06 * k)), "paper_blue", "label", h * 0.05
+        )
+    b.rod(
+        (w * 0.2, d * 0.16, top + w * 0.03),
+        (-w * 0.36, d * 0.3, top + w * 0.03),
+        w * 0.028,
+        "paint_yellow",
+        "pencil",
+        6,
+    )
+    b.rod(
+        (-w * 0.36, d * 0.3, top + w * 0.03),
+        (-w * 0.43, d * 0.318, top + w * 0.03),
+        w * 0.018,
+        "wood_birch",
+        "pencil",
+        6,
+    )
 
 
 @recipe("sheet_music")
@@ -99,15 +131,29 @@ def sheet_music(b: Builder) -> None:
     for row in range(3):
         low = d * (0.2 - 0.3 * row)
         for k in range(5):
-            face.field((-w * 0.44, w * 0.44), (low + k * step, low + k * step + d * 0.005), "paper_black", "staves", h * 0.1)
-        face.line([(-w * 0.39, low - step), (-w * 0.37, low + 4.5 * step), (-w * 0.41, low + 3 * step)], w * 0.012, "paper_black", "clefs", h * 0.1)  # fmt: skip
+            face.field(
+                (-w * 0.44, w * 0.44), (low + k * step, low + k * step + d * 0.005), "paper_black", "staves", h * 0.1
+            )
+        face.line(
+            [(-w * 0.39, low - step), (-w * 0.37, low + 4.5 * step), (-w * 0.41, low + 3 * step)],
+            w * 0.012,
+            "paper_black",
+            "clefs",
+            h * 0.1,
+        )
         face.disc(-w * 0.38, low + 1.4 * step, step * 1.2, "paper_black", "clefs", h * 0.2, 12)
         for k in range(7):
             u, v = w * (-0.28 + 0.11 * k), low + step * ((k * 3 + row * 2) % 5)
             face.disc(u, v, step * 0.95, "paper_black", "notes", h * 0.25, 10)
             face.field((u + step * 0.6, u + step * 0.95), (v, v + 3.6 * step), "paper_black", "notes", h * 0.25)
             if k % 2 and k < 6:
-                face.field((u + step * 0.6, u + w * 0.11 + step * 0.95), (v + 3.1 * step, v + 3.8 * step), "paper_black", "notes", h * 0.3)  # fmt: skip
+                face.field(
+                    (u + step * 0.6, u + w * 0.11 + step * 0.95),
+                    (v + 3.1 * step, v + 3.8 * step),
+                    "paper_black",
+                    "notes",
+                    h * 0.3,
+                )
 
 
 @recipe("menu_card")
@@ -116,7 +162,13 @@ def menu_card(b: Builder) -> None:
     w, d, h = b.w, b.d, b.h
     t = d * 0.06
     for side in (-1, 1):
-        board = [(side * d / 2, 0), (side * (d / 2 - t), 0), (side * 0.001, h - t), (side * 0.001, h), (side * t * 0.5, h)]
+        board = [
+            (side * d / 2, 0),
+            (side * (d / 2 - t), 0),
+            (side * 0.001, h - t),
+            (side * 0.001, h),
+            (side * t * 0.5, h),
+        ]
         b.prism(board if side > 0 else board[::-1], (-w / 2, w / 2), b.mat(), part="card")
     face = DrawnFace.sloped(b, (d / 2, 0.0), (t * 0.5, h))
     ink = "paper_red" if "white" in b.mat() else "paper_white"
@@ -151,7 +203,9 @@ def board_game(b: Builder) -> None:
         b.lathe([(w * 0.045, top), (w * 0.018, top + h * 0.45)], f"plastic_{color}", (x, y), "pieces", 12)
         b.ball((x, y, top + h * 0.5), (w * 0.028, w * 0.028, h * 0.14), f"plastic_{color}", "pieces", 8)
     for x, y in ((w * 0.08, d * 0.12), (-w * 0.06, d * 0.2)):
-        b.box((x - w * 0.04, x + w * 0.04), (y - w * 0.04, y + w * 0.04), (top, top + w * 0.08), "plastic_white", "dice")
+        b.box(
+            (x - w * 0.04, x + w * 0.04), (y - w * 0.04, y + w * 0.04), (top, top + w * 0.08), "plastic_white", "dice"
+        )
         DrawnFace.top(b, top + w * 0.08).disc(-x, -y, w * 0.016, "plastic_black", "dice", 0.001, 8)
         DrawnFace.front(b, y + w * 0.04).disc(-x, top + w * 0.04, w * 0.014, "plastic_black", "dice", 0.001, 8)
     b.box((-w * 0.24, -w * 0.06), (-d * 0.26, -d * 0.02), (top, h * 0.5), "paper_red", "cards")

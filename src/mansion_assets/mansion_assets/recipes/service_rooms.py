@@ -24,15 +24,22 @@ def packing_table(b: Builder) -> None:
     y, axis = d / 2 - r - 0.02, z - 0.22
     b.rod((-w * 0.32, y, axis), (w * 0.14, y, axis), r, "paper_b98d5c", "paper", 24)
     b.rod((-w * 0.36, y, axis), (w * 0.18, y, axis), 0.025, "metal_steel", "paper", 10)
-    b.prism([(y + r - 0.006, axis), (y + r, axis), (y + r + 0.01, axis - 0.24), (y + r + 0.004, axis - 0.24)], (-w * 0.32, w * 0.14), "paper_b98d5c", part="paper")
+    b.prism(
+        [(y + r - 0.006, axis), (y + r, axis), (y + r + 0.01, axis - 0.24), (y + r + 0.004, axis - 0.24)],
+        (-w * 0.32, w * 0.14),
+        "paper_b98d5c",
+        part="paper",
+    )
     b.rod((w * 0.3, d / 2 - 0.02, z - 0.16), (w * 0.3, d / 2 + 0.01, z - 0.16), 0.07, "plastic_d9a441", "tape", 20)
     b.rod((w * 0.3, d / 2 - 0.022, z - 0.16), (w * 0.3, d / 2 + 0.014, z - 0.16), 0.04, "paper_white", "tape", 16)
-    DrawnFace.front(b, d / 2 - 0.035).write("PACKING", (-w * 0.48, -w * 0.3), (z - 0.034, z - 0.006), "plastic_black", "letters", 0.036)
+    DrawnFace.front(b, d / 2 - 0.035).write(
+        "PACKING", (-w * 0.48, -w * 0.3), (z - 0.034, z - 0.006), "plastic_black", "letters", 0.036
+    )
 
 
 @recipe("till_belt")
 def till_belt(b: Builder) -> None:
-    """A checkout: a black belt with groceries on it, a till with its screen, a scanner, a lamp with a number, a well for bags."""
+    """A checkout: a black belt, a scanner let into its top, a cash desk behind it, and CHECKOUT on its front."""
     w, d, h = b.w, b.d, b.h
     back = -d / 2 + 0.34
     b.box((-w / 2, w / 2), (back, d / 2), (0.06, h - 0.05), b.mat(), "body")
@@ -79,23 +86,53 @@ def altar(b: Builder) -> None:
 
 @recipe("tablet_chair")
 def tablet_chair(b: Builder) -> None:
-    """A lecture chair: a shell on steel legs, and an arm that carries a small writing top with a notebook and a pencil."""
+    """A lecture chair: a shell on steel legs, and an arm with a small writing top, paper and a pencil."""
     w, d, h = b.w, b.d, b.h
     seat = b.tops[0].z
     x1 = w / 2 - 0.12
     middle = (x1 - w / 2) / 2
     b.cushion((-w / 2 + 0.02, x1), (-d / 2 + 0.1, d * 0.3), (seat - 0.04, seat), b.mat(), "seat", 0.5)
-    b.prism([(-d / 2 + 0.08, seat + 0.1), (-d / 2 + 0.12, seat + 0.1), (-d / 2 + 0.05, h), (-d / 2 + 0.01, h)], (-w / 2 + 0.02, x1), b.mat(), part="back")
+    b.prism(
+        [(-d / 2 + 0.08, seat + 0.1), (-d / 2 + 0.12, seat + 0.1), (-d / 2 + 0.05, h), (-d / 2 + 0.01, h)],
+        (-w / 2 + 0.02, x1),
+        b.mat(),
+        part="back",
+    )
     for x in (-w / 2 + 0.04, x1 - 0.02):
-        b.path([(x, d * 0.28, 0.012), (x, d * 0.24, seat - 0.03), (x, -d * 0.34, seat - 0.03), (x, -d * 0.44, 0.012)], 0.012, "metal_chrome", "legs")
-        b.path([(x, -d * 0.34, seat - 0.03), (x, -d / 2 + 0.06, seat + 0.12), (x, -d / 2 + 0.03, h - 0.06)], 0.011, "metal_chrome", "legs")
+        b.path(
+            [(x, d * 0.28, 0.012), (x, d * 0.24, seat - 0.03), (x, -d * 0.34, seat - 0.03), (x, -d * 0.44, 0.012)],
+            0.012,
+            "metal_chrome",
+            "legs",
+        )
+        b.path(
+            [(x, -d * 0.34, seat - 0.03), (x, -d / 2 + 0.06, seat + 0.12), (x, -d / 2 + 0.03, h - 0.06)],
+            0.011,
+            "metal_chrome",
+            "legs",
+        )
     b.rod((-w / 2 + 0.04, d * 0.1, 0.12), (x1 - 0.02, d * 0.1, 0.12), 0.008, "metal_chrome", "rack", 8)
     z = seat + 0.24
-    b.path([(x1, -d * 0.2, seat - 0.03), (w / 2 - 0.05, -d * 0.2, z - 0.02), (w / 2 - 0.05, d * 0.3, z - 0.02)], 0.016, "metal_chrome", "arm")
-    top = [(w / 2, -d * 0.2), (w / 2, d * 0.44), (w / 2 - 0.06, d / 2), (middle - 0.1, d / 2), (middle - 0.12, d * 0.24), (w / 2 - 0.16, d * 0.16), (w / 2 - 0.14, -d * 0.2)]
+    b.path(
+        [(x1, -d * 0.2, seat - 0.03), (w / 2 - 0.05, -d * 0.2, z - 0.02), (w / 2 - 0.05, d * 0.3, z - 0.02)],
+        0.016,
+        "metal_chrome",
+        "arm",
+    )
+    top = [
+        (w / 2, -d * 0.2),
+        (w / 2, d * 0.44),
+        (w / 2 - 0.06, d / 2),
+        (middle - 0.1, d / 2),
+        (middle - 0.12, d * 0.24),
+        (w / 2 - 0.16, d * 0.16),
+        (w / 2 - 0.14, -d * 0.2),
+    ]
     b.prism([top[k] for k in (0, 1, 5, 6)], (z, z + 0.022), "wood_birch", "z", "tablet")
     b.prism([top[k] for k in (1, 2, 3, 4, 5)], (z, z + 0.022), "wood_birch", "z", "tablet")
-    b.box((middle + 0.0, middle + 0.17), (d * 0.26, d * 0.46), (z + 0.022, z + 0.03), "paper_white", "paper", solid=False)
+    b.box(
+        (middle + 0.0, middle + 0.17), (d * 0.26, d * 0.46), (z + 0.022, z + 0.03), "paper_white", "paper", solid=False
+    )
     b.rod((middle + 0.2, d * 0.26, z + 0.028), (middle + 0.24, d * 0.42, z + 0.028), 0.006, "paint_yellow", "pencil", 6)
 
 
@@ -126,15 +163,31 @@ def changing_table(b: Builder) -> None:
         b.cushion((-w * 0.46, w * 0.46), y, (high, h * 0.95), "fabric_a8d5e8", "pad", 0.8)
     b.cushion((-w * 0.46, w * 0.46), (-d * 0.24, d * 0.2), (high, h * 0.9), "fabric_a8d5e8", "pad", 0.6)
     b.ball((w * 0.22, -d * 0.02, h * 0.93), (0.065, 0.06, 0.06), "fabric_f0cfae", "baby", 12)
-    b.cushion((-w * 0.1, w * 0.15), (-d * 0.02 - 0.08, -d * 0.02 + 0.08), (h * 0.88, h * 0.98), "fabric_f2e08f", "baby", 0.9)
+    b.cushion(
+        (-w * 0.1, w * 0.15), (-d * 0.02 - 0.08, -d * 0.02 + 0.08), (h * 0.88, h * 0.98), "fabric_f2e08f", "baby", 0.9
+    )
     for side in (-1, 1):
-        b.rod((-w * 0.08, -d * 0.02 + side * 0.04, h * 0.92), (-w * 0.24, -d * 0.02 + side * 0.08, h * 0.92), 0.03, "fabric_f0cfae", "baby", 8)
-        b.rod((w * 0.1, -d * 0.02 + side * 0.07, h * 0.93), (w * 0.16, -d * 0.02 + side * 0.16, h * 0.93), 0.022, "fabric_f0cfae", "baby", 8)
+        b.rod(
+            (-w * 0.08, -d * 0.02 + side * 0.04, h * 0.92),
+            (-w * 0.24, -d * 0.02 + side * 0.08, h * 0.92),
+            0.03,
+            "fabric_f0cfae",
+            "baby",
+            8,
+        )
+        b.rod(
+            (w * 0.1, -d * 0.02 + side * 0.07, h * 0.93),
+            (w * 0.16, -d * 0.02 + side * 0.16, h * 0.93),
+            0.022,
+            "fabric_f0cfae",
+            "baby",
+            8,
+        )
 
 
 @recipe("centrifuge")
 def centrifuge(b: Builder) -> None:
-    """A floor centrifuge: a cabinet whose lid stands open over the rotor with its tubes, and a sloped panel with figures."""
+    """A floor centrifuge: a cabinet whose lid stands open over the rotor with its tubes, and a panel with figures."""
     w, d, h = b.w, b.d, b.h
     top = h * 0.72
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (0.05, top - 0.02), b.mat(), "case")
@@ -143,7 +196,9 @@ def centrifuge(b: Builder) -> None:
     y = -d * 0.08
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (top - 0.02, top), "plastic_light", "case")
     b.cyl(0, y, (top, top + 0.006), r, "metal_dark", "bowl", n=28)
-    b.lathe([(r, top), (r * 1.06, top + 0.03), (r * 0.98, top + 0.03), (r * 0.96, top)], "metal_chrome", (0, y), "bowl", 28)
+    b.lathe(
+        [(r, top), (r * 1.06, top + 0.03), (r * 0.98, top + 0.03), (r * 0.96, top)], "metal_chrome", (0, y), "bowl", 28
+    )
     b.cyl(0, y, (top, top + 0.03), r * 0.5, "metal_blue", "rotor", r * 0.3, n=18)
     b.cyl(0, y, (top + 0.03, top + 0.05), r * 0.12, "metal_steel", "rotor", n=12)
     for k in range(8):
@@ -151,8 +206,20 @@ def centrifuge(b: Builder) -> None:
         inner = (math.cos(a) * r * 0.5, y + math.sin(a) * r * 0.5, top + 0.045)
         outer = (math.cos(a) * r * 0.86, y + math.sin(a) * r * 0.86, top + 0.015)
         b.rod(inner, outer, r * 0.11, "glass_white", "tubes", 8)
-        b.rod(inner, (inner[0] * 0.86, y + (inner[1] - y) * 0.86, top + 0.055), r * 0.12, ("plastic_red", "plastic_purple")[k % 2], "tubes", 8)
-    b.prism([(-d / 2, top), (-d / 2 + 0.05, top), (-d / 2 + 0.02, h), (-d / 2 - 0.03, h)], (-w * 0.46, w * 0.46), b.mat(), part="lid")
+        b.rod(
+            inner,
+            (inner[0] * 0.86, y + (inner[1] - y) * 0.86, top + 0.055),
+            r * 0.12,
+            ("plastic_red", "plastic_purple")[k % 2],
+            "tubes",
+            8,
+        )
+    b.prism(
+        [(-d / 2, top), (-d / 2 + 0.05, top), (-d / 2 + 0.02, h), (-d / 2 - 0.03, h)],
+        (-w * 0.46, w * 0.46),
+        b.mat(),
+        part="lid",
+    )
     lid = DrawnFace.sloped(b, (-d / 2 + 0.05, top), (-d / 2 + 0.02, h))
     lid.disc(0, (h - top) / 2, min(w * 0.3, (h - top) * 0.4), "plastic_dark", "lid", 0.012, 24)
     face = DrawnFace.front(b, d / 2)
@@ -166,7 +233,7 @@ def centrifuge(b: Builder) -> None:
 @recipe("banquet_table")
 def banquet_table(b: Builder) -> None:
     """A round top under a white cloth that falls to the floor in deep folds, with a golden edge."""
-    w, d, h = b.w, b.d, b.h
+    w, d = b.w, b.d
     z = b.tops[0].z
     b.lathe([(0.5, z - 0.02), (0.5, z)], b.mat(), stretch=(w, d), part="top", n=36)
     b.lathe([(0.47, 0.0), (0.485, z - 0.02)], b.mat(), stretch=(w, d), part="cloth", n=36)
@@ -174,7 +241,14 @@ def banquet_table(b: Builder) -> None:
     for k in range(folds):
         a = k * math.tau / folds
         ux, uy = math.cos(a), math.sin(a)
-        b.rod((ux * w * 0.475, uy * d * 0.475, z - 0.03), (ux * w * 0.468, uy * d * 0.468, 0.0), w * 0.03, b.mat(), "folds", 8)
+        b.rod(
+            (ux * w * 0.475, uy * d * 0.475, z - 0.03),
+            (ux * w * 0.468, uy * d * 0.468, 0.0),
+            w * 0.03,
+            b.mat(),
+            "folds",
+            8,
+        )
     b.lathe([(0.493, z * 0.8), (0.503, z - 0.015)], "fabric_c9a24a", stretch=(w, d), part="overlay", n=36)
 
 
@@ -218,7 +292,13 @@ def prayer_rug(b: Builder) -> None:
             b.box((x - w * 0.012, x + w * 0.012), (y[0], y[1]), (0, h * 0.3), "fabric_white", "fringe", solid=False)
     face = DrawnFace.top(b, h * 0.5)
     for inset, color, level in ((0.04, gold, 0.1), (0.06, dark, 0.16), (0.12, gold, 0.22), (0.14, b.mat(), 0.28)):
-        face.field((-w * (0.5 - inset), w * (0.5 - inset)), (-d * (0.46 - inset * 0.7), d * (0.46 - inset * 0.7)), color, "border", h * level)
+        face.field(
+            (-w * (0.5 - inset), w * (0.5 - inset)),
+            (-d * (0.46 - inset * 0.7), d * (0.46 - inset * 0.7)),
+            color,
+            "border",
+            h * level,
+        )
     top = DrawnFace.top(b, h * 0.78)
     for side in (-1, 1):
         u = sorted((side * w * 0.3, side * w * 0.24))

@@ -1,9 +1,11 @@
 """Shelves, cabinets and trolleys, with the goods in them."""
 
+import math
 from typing import Any, Final
 
 from mansion_assets.builder import TRAY, Builder, Rect
 from mansion_assets.catalogue.receptacles import BOARD, Receptacle, inset, surface, volume
+from mansion_assets.drawn_faces import DrawnFace
 from mansion_assets.registry import receptacles, recipe
 from mansion_assets.shelf_goods import Goods, lying_bottles, magazines, medicine, potted_plants, toys, trays
 from mansion_msgs_py.shapes import Size3
@@ -63,10 +65,7 @@ def goods(b: Builder, fill: str, cell: Rect, depth: float, key: int) -> None:
         front = min(cell.y1 - 0.01, back + depth * 0.8)
         if fill == "books" and mark == 3:
             continue
-        else:
-            b.box(
-                (x0 + 0.002, x0 + step - 0.002), (back, front), (cell.z, cell.z + height), color, "goods", solid=False
-            )
+        b.box((x0 + 0.002, x0 + step - 0.002), (back, front), (cell.z, cell.z + height), color, "goods", solid=False)
 
 
 def _groceries(b: Builder, cell: Rect, depth: float, key: int) -> None:
@@ -314,7 +313,7 @@ def _grip(b: Builder, style: str, x: Span, z: Span, y: Span, column: int) -> Non
     """The dial of a safe, an upright handle on the free side of a door, or a level one."""
     xm, zm = (x[0] + x[1]) / 2, (z[0] + z[1]) / 2
     if style == "safe":
-        b.rod((xm, y[0], zm), (xm, y[1], zm), min(b.w, b.h) * 0.12, "metal_steel", "dial", 16)
+        _combination_lock(b, (xm, zm), y)
         return
     if style in ("doors", "glass", "locker"):
         hx = x[0] + 0.04 if _grips_left(b, column) else x[1] - 0.04
@@ -324,6 +323,26 @@ def _grip(b: Builder, style: str, x: Span, z: Span, y: Span, column: int) -> Non
         level = zm if style != "lid" else z[1] - 0.05
         across, up = (xm - half, xm + half), (level - 0.006, level + 0.006)
     b.box(across, y, up, "metal_steel", "handles", solid=False)
+
+
+def _combination_lock(b: Builder, at: tuple[float, float], y: Span) -> None:
+    """A black dial with white marks, above a wheel of three spokes."""
+    x, z = at
+    r = min(b.w, b.h) * 0.15
+    face = DrawnFace.front(b, y[0])
+    face.disc(-x, z + r * 1.2, r, "metal_steel", "dial", (y[1] - y[0]) * 0.5, 24)
+    face.disc(-x, z + r * 1.2, r * 0.86, "plastic_black", "dial", (y[1] - y[0]) * 0.7, 24)
+    for k in range(12):
+        a = k * math.pi / 6
+        marks = [(-x + math.cos(a) * r * s, z + r * 1.2 + math.sin(a) * r * s) for s in (0.62, 0.8)]
+        face.line(marks, r * 0.04, "plastic_white", "dial", (y[1] - y[0]) * 0.7)
+    face.disc(-x, z + r * 1.2, r * 0.34, "metal_chrome", "dial", y[1] - y[0], 16)
+    for k in range(3):
+        a = math.pi / 2 + k * math.tau / 3
+        tip = (-x + math.cos(a) * r * 1.1, z - r * 1.3 + math.sin(a) * r * 1.1)
+        face.line([(-x, z - r * 1.3), tip], r * 0.13, "metal_chrome", "wheel", (y[1] - y[0]) * 0.4)
+        face.disc(*tip, r * 0.2, "metal_chrome", "wheel", y[1] - y[0], 12)
+    face.disc(-x, z - r * 1.3, r * 0.28, "metal_steel", "wheel", y[1] - y[0], 16)
 
 
 @receptacles("trolley")
