@@ -9,7 +9,7 @@ from mansion_assets.drawn_faces import DrawnFace
 if TYPE_CHECKING:
     from mansion_assets.builder import Builder, Rect
 
-__all__ = ["Goods", "lying_bottles", "magazines", "medicine", "potted_plants", "toys", "trays"]
+__all__ = ["Goods", "hung_bags", "lying_bottles", "magazines", "medicine", "potted_plants", "toys", "trays"]
 
 Goods: TypeAlias = "Callable[[Builder, Rect, float, int], None]"
 """Fills a compartment of a shelf of some depth; the last argument tells compartments apart."""
@@ -163,6 +163,50 @@ def _car(b: "Builder", at: tuple[float, float, float], size: float) -> None:
             "rubber_black",
             "toys",
             10,
+        )
+
+
+def hung_bags(b: "Builder", cell: "Rect", depth: float, key: int) -> None:
+    """A child's satchel in each place between upright boards, with its pocket, straps and a name."""
+    room, y = cell.top - cell.z, (cell.y0 + cell.y1) / 2
+    places = _places(cell, 0.3)
+    step = (cell.x1 - cell.x0) / len(places)
+    for k, x in enumerate(places):
+        if k:
+            b.box(
+                (x - step / 2 - 0.008, x - step / 2 + 0.008), (cell.y0, cell.y1), (cell.z, cell.top), b.mat(), "boards"
+            )
+        color = ("red", "4f9bd9", "yellow", "green", "purple")[(k * 2 + key) % 5]
+        half, tall = step * 0.3, room * 0.78
+        b.cushion(
+            (x - half, x + half),
+            (y - depth * 0.24, y + depth * 0.2),
+            (cell.z, cell.z + tall),
+            f"fabric_{color}",
+            "goods",
+            0.6,
+        )
+        front = y + depth * 0.2
+        b.cushion(
+            (x - half * 0.8, x + half * 0.8),
+            (front - 0.02, front + 0.05),
+            (cell.z + tall * 0.08, cell.z + tall * 0.5),
+            "fabric_dark",
+            "goods",
+            0.6,
+        )
+        b.path(
+            [
+                (x - half * 0.3, y, cell.z + tall * 0.94),
+                (x, y, cell.z + tall * 1.12),
+                (x + half * 0.3, y, cell.z + tall * 0.94),
+            ],
+            0.012,
+            "fabric_dark",
+            "goods",
+        )
+        DrawnFace.front(b, cell.y1).field(
+            (-x - 0.06, -x + 0.06), (cell.top + 0.002, cell.top + 0.02), f"paper_{color}", "names", 0.012
         )
 
 

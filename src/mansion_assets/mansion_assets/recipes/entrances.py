@@ -189,11 +189,11 @@ def cctv_camera(b: Builder) -> None:
     b.ball((0, back + d * 0.22, h * 0.67), (w * 0.12, w * 0.12, w * 0.12), "plastic_grey", "arm", 10)
     start, end = (0.0, -d * 0.24, h * 0.62), (0.0, d * 0.4, h * 0.3)
     b.rod(start, end, w * 0.26, b.mat(), "barrel", 20, solid=True)
-    shade = [(-d * 0.3, h * 0.9), (d / 2, h * 0.52), (d / 2, h * 0.6), (-d * 0.3, h * 0.98)]
+    shade = [(-d * 0.3, h * 0.9), (d * 0.26, h * 0.63), (d * 0.26, h * 0.71), (-d * 0.3, h * 0.98)]
     b.prism(shade, (-w * 0.34, w * 0.34), b.mat(), part="sunshade")
     for side in (-1, 1):
         x = sorted((side * w * 0.34, side * w * 0.29))
-        flap = [(-d * 0.28, h * 0.68), (d * 0.44, h * 0.36), (d * 0.48, h * 0.54), (-d * 0.3, h * 0.92)]
+        flap = [(-d * 0.28, h * 0.68), (d * 0.22, h * 0.5), (d * 0.26, h * 0.66), (-d * 0.3, h * 0.92)]
         b.prism(flap, (x[0], x[1]), b.mat(), part="sunshade")
     b.rod(end, (0, d * 0.41, h * 0.295), w * 0.24, "plastic_black", "lens", 20)
     b.rod((0, d * 0.41, h * 0.295), (0, d * 0.44, h * 0.28), w * 0.12, "glass_3d6a9e", "lens", 16)

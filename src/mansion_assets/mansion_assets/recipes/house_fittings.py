@@ -22,12 +22,19 @@ def dishwasher(b: Builder) -> None:
     b.box((cell.x1, w / 2), (-d / 2, face), (0, h), b.mat(), "case")
     b.box((-w / 2, w / 2), (-d / 2, face), (0, cell.z), b.mat(), "case")
     b.box((-w / 2, w / 2), (-d / 2, face), (cell.top, h), b.mat(), "case")
-    b.box((-w * 0.48, w * 0.48), (face, d / 2 - 0.03), (0, min(0.09, h * 0.1)), "plastic_black", "plinth", solid=False)
+    b.box(
+        (-w * 0.48, w * 0.48),
+        (face - 0.02, face + 0.002),
+        (0, min(0.09, h * 0.1)),
+        "plastic_black",
+        "plinth",
+        solid=False,
+    )
     front = (face + 0.004, d / 2 - min(0.03, d * 0.06))
-    panel = ((-w / 2 + 0.005, w / 2 - 0.005), front, (min(0.1, h * 0.12), h * 0.84))
+    panel = ((-w / 2 + 0.005, w / 2 - 0.005), front, (min(0.1, h * 0.12), cell.top - 0.01))
     with b.door(*panel, "bottom"):
         b.box(*panel, b.mat(), "door", solid=False)
-        b.box((-w * 0.4, w * 0.4), (front[1], d / 2), (h * 0.78, h * 0.8), "metal_chrome", "handle", solid=False)
+        b.box((-w * 0.4, w * 0.4), (front[1], d / 2), (cell.top - 0.06, cell.top - 0.045), "metal_chrome", "handle", solid=False)
         sign = DrawnFace.front(b, front[1])
         for k in range(3):
             sign.disc(w * (-0.2 + 0.14 * k), h * 0.45, h * 0.13, "plastic_white", "plates", 0.004 + 0.002 * k, 24)
@@ -41,7 +48,7 @@ def dishwasher(b: Builder) -> None:
             u = w * (-0.32 + 0.08 * k)
             sign.line([(u, h * 0.29), (u, h * 0.38)], h * 0.007, "metal_dark", "rack", 0.014)
     strip = DrawnFace.front(b, face)
-    strip.field((-w * 0.48, w * 0.48), (h * 0.86, h * 0.98), "plastic_black", "strip", front[1] - face)
+    strip.field((-w * 0.48, w * 0.48), (cell.top + 0.005, h * 0.98), "plastic_black", "strip", front[1] - face)
     strip.field((w * 0.1, w * 0.4), (h * 0.885, h * 0.955), "light_4fd0f0", "strip", front[1] - face + 0.004)
     for k in range(4):
         strip.disc(w * (-0.4 + 0.1 * k), h * 0.92, h * 0.018, "metal_chrome", "strip", front[1] - face + 0.006)

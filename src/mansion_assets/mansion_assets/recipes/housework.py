@@ -124,7 +124,7 @@ def pillar_candle(b: Builder) -> None:
 
 @recipe("hung_towel")
 def hung_towel(b: Builder) -> None:
-    """A towel over a bar, its front longer than its back, with two coloured stripes above a fringed edge."""
+    """A towel over a bar, with two coloured stripes above a fringed edge."""
     w, d, h = b.w, b.d, b.h
     bar = h - d * 0.3
     color = b.mat() if b.mat() != "fabric_white" else "fabric_8fc1d9"
@@ -133,14 +133,14 @@ def hung_towel(b: Builder) -> None:
         b.ball((side * w * 0.48, 0, bar), (w * 0.02 + 0.006, d * 0.3, d * 0.3), "metal_chrome", "bar", 8)
     x = (-w * 0.44, w * 0.44)
     b.rod((x[0], 0, bar), (x[1], 0, bar), d * 0.3, color, "cloth", 12)
-    b.box(x, (d * 0.12, d * 0.3), (h * 0.05, bar), color, "cloth")
-    b.box(x, (-d * 0.3, -d * 0.12), (h * 0.3, bar), color, "cloth")
-    face = DrawnFace.front(b, d * 0.3)
+    b.box(x, (d * 0.12, d * 0.42), (h * 0.05, bar), color, "cloth")
+    b.box(x, (-d * 0.42, -d * 0.12), (h * 0.05, bar), color, "cloth")
+    face = DrawnFace.front(b, d * 0.42)
     for k, v in enumerate((0.12, 0.2)):
         face.field(x, (h * v, h * (v + 0.045)), ("fabric_white", "fabric_2f5fa8")[k], "stripes", d * 0.06)
     for k in range(14):
         u = x[0] + (x[1] - x[0]) * (k + 0.5) / 14
-        b.box((u - w * 0.012, u + w * 0.012), (d * 0.16, d * 0.26), (0, h * 0.055), color, "fringe", solid=False)
+        b.box((u - w * 0.012, u + w * 0.012), (-d * 0.42, d * 0.42), (0, h * 0.055), color, "fringe", solid=False)
     face.line([(-w * 0.2, h * 0.3), (-w * 0.21, bar)], d * 0.05, color, "folds")
     face.line([(w * 0.16, h * 0.3), (w * 0.18, bar)], d * 0.05, color, "folds")
 
@@ -369,6 +369,7 @@ def basin_tap(b: Builder) -> None:
     w, d, h = b.w, b.d, b.h
     back, r = -d * 0.34, min(0.026, w * 0.34, h * 0.12)
     b.cyl(0, back, (0, h * 0.06), r * 1.5, b.mat(), "base", n=18)
+    b.box((-w * 0.5, w * 0.5), (back - r * 2, d * 0.3), (0, h * 0.03), b.mat(), "plate")
     b.cyl(0, back, (0, h * 0.62), r, b.mat(), "stem", n=16)
     bend = [
         (0, back + (d * 0.72) * (1 - math.cos(a)) / 2, h * 0.6 + h * 0.32 * math.sin(a))

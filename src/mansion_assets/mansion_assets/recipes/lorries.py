@@ -65,7 +65,7 @@ def lorry(b: Builder) -> None:
 
 @recipe("van")
 def van(b: Builder) -> None:
-    """A delivery van: a short nose, a raked windscreen, a tall body without windows behind, the rail of a sliding door."""
+    """A delivery van: a short nose, a raked windscreen, a tall body without windows, the rail of a sliding door."""
     w, d, h = b.w, b.d, b.h
     r, low = h * 0.16, h * 0.12
     _wheels(b, r, (d * 0.32, -d * 0.3))

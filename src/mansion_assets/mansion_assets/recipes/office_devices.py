@@ -132,7 +132,7 @@ def desktop_printer(b: Builder) -> None:
 
 @recipe("plotter")
 def plotter(b: Builder) -> None:
-    """A long printer on a stand with a roll of paper, a wide drawing that hangs out in front, and a panel at its end."""
+    """A long printer on a stand with a roll of paper, a wide drawing that hangs out in front, a panel at its end."""
     w, d, h = b.w, b.d, b.h
     for side in (-1, 1):
         x = side * (w / 2 - 0.14)

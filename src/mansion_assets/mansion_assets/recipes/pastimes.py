@@ -242,7 +242,7 @@ def doll(b: Builder) -> None:
 
 @recipe("violin")
 def violin(b: Builder) -> None:
-    """A waisted body with f-holes, bridge, chin rest and strings, a fingerboard to a scroll with pegs; a bow beside it."""
+    """A waisted body with f-holes, bridge, chin rest and strings, a fingerboard to a scroll with pegs; a bow."""
     w, d, h = b.w, b.d, b.h
     top, wood = h * 0.5, "wood_a5521f"
     for y, rx, ry in ((-d * 0.3, 0.42, 0.17), (-d * 0.02, 0.34, 0.13)):

@@ -7,7 +7,7 @@ from mansion_assets.builder import TRAY, Builder, Rect
 from mansion_assets.catalogue.receptacles import BOARD, Receptacle, inset, surface, volume
 from mansion_assets.drawn_faces import DrawnFace
 from mansion_assets.registry import receptacles, recipe
-from mansion_assets.shelf_goods import Goods, lying_bottles, magazines, medicine, potted_plants, toys, trays
+from mansion_assets.shelf_goods import Goods, hung_bags, lying_bottles, magazines, medicine, potted_plants, toys, trays
 from mansion_msgs_py.shapes import Size3
 
 __all__: list[str] = []
@@ -49,7 +49,6 @@ def goods(b: Builder, fill: str, cell: Rect, depth: float, key: int) -> None:
         "folders": (0.08, ("paper_dark", "paper_blue", "paper_grey")),
         "boxes": (0.36, ("paper_brown", "paper_beige")),
         "bins": (0.2, ("plastic_blue", "plastic_red")),
-        "bags": (0.32, ("fabric_red", "fabric_blue", "fabric_green")),
         "shoes": (0.13, ("leather_brown", "fabric_white", "leather_black")),
         "linen": (0.36, ("fabric_white", "fabric_beige")),
     }.get(fill, (0.2, _GOODS))
@@ -95,6 +94,7 @@ def _groceries(b: Builder, cell: Rect, depth: float, key: int) -> None:
 
 
 _OWN_GOODS: Final[dict[str, Goods]] = {
+    "bags": hung_bags,
     "bottles": lying_bottles,
     "groceries": _groceries,
     "magazines": magazines,

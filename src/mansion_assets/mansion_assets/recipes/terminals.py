@@ -141,7 +141,7 @@ def info_kiosk(b: Builder) -> None:
 
 @recipe("cash_machine")
 def cash_machine(b: Builder) -> None:
-    """A cabinet under a lit sign ATM: a screen between keys, a pad of figures, a card in its slot, notes that come out."""
+    """A cabinet under a lit sign ATM: a screen between keys, a pad of figures, a card in its slot, and notes."""
     w, d, h = b.w, b.d, b.h
     face, ledge = d / 2 - 0.16, h * 0.52
     b.box((-w / 2, w / 2), (-d / 2, face), (0.04, h * 0.84), b.mat(), "case")

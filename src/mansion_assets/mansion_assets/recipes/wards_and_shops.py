@@ -245,7 +245,7 @@ def bread_case(b: Builder) -> None:
 
 @recipe("gas_rail")
 def gas_rail(b: Builder) -> None:
-    """A rail over a bed: gas outlets marked O2, AIR and VAC, sockets, a flow meter with its bottle, a lamp, a call button."""
+    """A rail over a bed: gas outlets marked O2, AIR and VAC, sockets, a flow meter with its bottle, a lamp."""
     w, d, h = b.w, b.d, b.h
     front = d * 0.1
     b.cushion((-w / 2, w / 2), (-d / 2, front), (h * 0.2, h), b.mat(), "rail", 0.3)
@@ -364,7 +364,11 @@ def lens_goggles(b: Builder) -> None:
             part="shields",
         )
         b.path(
-            [(side * w * 0.49, y, h * 0.92), (side * w * 0.49, -d * 0.3, h * 0.86), (side * w * 0.46, -d / 2, h * 0.5)],
+            [
+                (side * w * 0.49, y, h * 0.92),
+                (side * w * 0.49, -d * 0.3, h * 0.86),
+                (side * w * 0.46, -d / 2, h * 0.07),
+            ],
             h * 0.07,
             b.mat(),
             "arms",
