@@ -180,7 +180,7 @@ def _clusters(
         and not any(room.called(name) for pair in pairs for name in pair)
     ]  # fmt: skip
     free = [room for room in dark if any(room is other for other in narrow)]
-    wider = [room for room in dark if not any(room is other for other in free)]
+    wider = [room for room in dark if not _is_wide(room) and not any(room is other for other in free)]
     free.sort(key=lambda room: (not room.kind.wet, -room.area))
     best: list[tuple[float, list[list[PlannedRoom]]]] = [(0.0, [])]
     for end in range(1, len(free) + 1):
