@@ -1,4 +1,4 @@
-"""Read parts of a room that are named for what stands there: "a living room with a TV corner", "a hall with a stage"."""
+"""Read parts of a room that are named for what stands there: "a lounge with a TV corner", "a hall with a stage"."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -37,7 +37,9 @@ _JOINTS = frozenset(
 )
 _STAGE = "stage"
 """A room, and what stands in a hall that has it."""
-_OF_SIZE = frozenset({"of", "m2", "m²", "sqm", "qm", "square", "metre", "metres", "meter", "meters", "sq", "ft", "foot", "feet"})
+_OF_SIZE = frozenset(
+    {"of", "m2", "m²", "sqm", "qm", "square", "metre", "metres", "meter", "meters", "sq", "ft", "foot", "feet"}
+)
 """Words of an area that a phrase has before what the room is said to have."""
 _INTO = frozenset({"in", "inside", "within", "of", "at"})
 _POINTING = frozenset({"the", "a", "each", "every", "our"})

@@ -414,9 +414,7 @@ def _with_rooms(
         least = storey.hub.least if storey.hub.name == STUDIO else storey.hub.usual
         share = stated or min(max(least, usual), most)
     most = most_fronts(form) if hall else MOST_ROOMS
-    filled = fill_storey(
-        storey, allocation, knowledge, room, hub_share=share, most_rooms=most, elsewhere=elsewhere
-    )
+    filled = fill_storey(storey, allocation, knowledge, room, hub_share=share, most_rooms=most, elsewhere=elsewhere)
     filled = with_kitchen(filled, storey, allocation, knowledge, share)
     grows_to = 0.0 if hall else room
     chosen = with_public_toilets(storey, filled, allocation, knowledge, share, others, grows_to)

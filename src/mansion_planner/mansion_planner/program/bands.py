@@ -8,7 +8,15 @@ from mansion_planner.program.blocks import Block
 from mansion_planner.program.model import Box, Massing, PlannedRoom, Wing
 from mansion_planner.program.widths import widened
 
-__all__ = ["Segment", "bring_to_end", "bring_together", "fill_segments", "front_order", "misfit_of_exchange", "with_rows"]
+__all__ = [
+    "Segment",
+    "bring_to_end",
+    "bring_together",
+    "fill_segments",
+    "front_order",
+    "misfit_of_exchange",
+    "with_rows",
+]
 
 _BESIDE_NICHE = 2.0
 """Least metres of corridor of a room that also has the floor behind lifts."""

@@ -57,8 +57,7 @@ def is_described(asked: Sequence[PlannedRoom], capacity: float) -> bool:
 def is_needed(kind: RoomType, use: BuildingType) -> bool:
     """Whether a storey has a room of its type's own list also where the brief describes it.
 
-    It serves the others, or it is what such a building is known by: the bookshelves of a library. The brief may ask for
-    another such room, the reading room, in its place.
+    It serves the others, or it is what such a building is known by: the bookshelves of a library.
     """
     return kind.name in _NEEDED or kind.suggests == use.name
 

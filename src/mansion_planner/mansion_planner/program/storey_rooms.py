@@ -180,12 +180,9 @@ def _with_listed(
     present = {fact.room_type for fact in allocation.wanted[storey.index]}
     used = sum(room.gross for room in filled)
     described = is_described(rooms, budget)
-    asked = {fact.room_type for facts in allocation.wanted.values() for fact in facts}
-    known = any(knowledge.room(name).suggests == storey.use.name for name in asked)
     for entry in (entry for entry in entries_of(storey) if entry not in needed):
         kind = knowledge.room(entry.room_type)
-        needed_here = is_needed(kind, storey.use) and not (known and kind.suggests == storey.use.name)
-        if described and not needed_here and reach(filled) >= budget:
+        if described and not is_needed(kind, storey.use) and reach(filled) >= budget:
             continue
         if kind.name == "bathroom" and _has_baths(filled):
             continue

@@ -54,9 +54,7 @@ def _street_door(
 ) -> Opening | None:
     for width in _WIDTHS:
         for facade in facades:
-            position = choose_position(
-                [facade], frontages, width, margin=WALL_END, center=facade.at(facade.length / 2)
-            )
+            position = choose_position([facade], frontages, width, margin=WALL_END, center=facade.at(facade.length / 2))
             if position is None:
                 continue
             dx, dy = facade.direction
