@@ -309,10 +309,14 @@ def _arranged(
 def _filled(
     decisions: Decisions, massing: Massing, storeys: Sequence[Storey], allocation: Allocation, knowledge: KnowledgeBase
 ) -> list[Storey]:
-    """Return the storeys with their rooms; the entrance storey is filled last, with the toilets that others lack."""
+    """Return the storeys with their rooms; the entrance storey is filled last, with the toilets that others lack.
+
+    In a home it is the basement, with what the storeys above leave out.
+    """
     filled: dict[int, Storey] = {}
     others = Served()
-    for bare in sorted(storeys, key=lambda storey: storey.role in ("single", "ground")):
+    home = decisions.building.family == "home"
+    for bare in sorted(storeys, key=lambda storey: storey.role == "basement" if home else storey.role in _ENTERED):
         source = filled.get(bare.copy) if bare.copy is not None else None
         added = {room.kind.name for storey in filled.values() for room in storey.rooms if not room.stated}
         storey = filled[bare.index] = (
@@ -323,6 +327,10 @@ def _filled(
         hub = max(capacity(massing, storey) - sum(room.gross for room in storey.rooms), 0.0)
         others += served_by(storey, hub, knowledge)
     return [filled[storey.index] for storey in storeys]
+
+
+_ENTERED = frozenset({"single", "ground"})
+"""Roles of the storey that a building is entered on."""
 
 
 def _massing(decisions: Decisions, wish: MassingWish, generator: np.random.Generator) -> Massing:
