@@ -207,6 +207,8 @@ class BuildingType:
         Needs a lift on any number of storeys above one.
     heads : tuple of str
         Nouns that end the names of unknown kinds that are most like it ("agency", "bureau").
+    main : frozenset of str
+        Room types that such a building is there for: its entrance storey has those of its list whatever a brief adds.
     small : float
         Most gross square metres of a storey that are called small; 0 where a share of the usual ones are.
     """
@@ -230,6 +232,7 @@ class BuildingType:
     stretcher: bool = False
     like: str = ""
     heads: tuple[str, ...] = ()
+    main: frozenset[str] = frozenset()
     small: float = 0.0
 
 

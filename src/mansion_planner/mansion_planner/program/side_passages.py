@@ -5,6 +5,7 @@ rectangle and no classroom or office is left as an L.
 """
 
 import itertools
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
@@ -134,6 +135,8 @@ def _laid(wishes: Sequence[Wish], width: float, depth: float, order: _Order, dee
 def _price(wishes: Sequence[Wish], rooms: Sequence[Box]) -> float:
     """Return the price of the worst room, and of the areas that are farthest from what is asked for."""
     scale = sum(map(box_area, rooms)) / sum(wish.area for wish in wishes)
+    if scale <= 0.0:
+        return math.inf  # cores have left no length for them
     off = max(abs(box_area(box) / (scale * wish.area) - 1.0) for wish, box in zip(wishes, rooms))
     worst = max(_price_of_sides(wish, box) for wish, box in zip(wishes, rooms))
     return worst + _OFF * max(off - _SLACK, 0.0)

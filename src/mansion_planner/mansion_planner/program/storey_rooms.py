@@ -86,7 +86,7 @@ def hub_area(storey: Storey, allocation: Allocation) -> float:
 
 
 def needed_area(storey: Storey, allocation: Allocation, knowledge: KnowledgeBase) -> float:
-    """Return the least area of the rooms asked for and of those that no home does without, square metres."""
+    """Return the least area of the rooms asked for and of those that no such building does without, square metres."""
     asked = sum(room.least for top in base_rooms(storey, allocation, knowledge) for room in top.each())
     return asked + sum(
         knowledge.room(entry.room_type).least for entry in _needed_entries(storey, allocation, knowledge)
@@ -119,7 +119,7 @@ def fill_storey(
     budget = capacity - hub_share
     rooms = _with_main_room(base_rooms(storey, allocation, knowledge), storey, budget)
     needed = _needed_entries(storey, allocation, knowledge)
-    for entry in needed:
+    for entry in (each for each in needed for _ in range(each.count)):
         kind = knowledge.room(entry.room_type)
         if sum(room.least for top in rooms for room in top.each()) + kind.least <= _CROWDED * budget:
             rooms.append(allocation.added(entry, knowledge))
@@ -246,12 +246,16 @@ def _beside_others(room: PlannedRoom, budget: float) -> PlannedRoom:
 
 
 def _needed_entries(storey: Storey, allocation: Allocation, knowledge: KnowledgeBase) -> list[RoomEntry]:
-    """Return the rooms of a home's list to live, cook and wash in that the brief leaves open on every storey.
+    """Return the rooms of a storey's list that no such building does without, where the brief leaves them open.
 
-    Other rooms are made smaller for them: no home does without. In a studio people cook where they live.
+    Other rooms are made smaller for them. A home has rooms to live, cook and wash in; in a studio people cook where
+    they live. Other buildings have, behind their entrance, the rooms that they are there for.
     """
     if storey.use.family != "home":
-        return []
+        if storey.role not in ("single", "ground"):
+            return []
+        open_to = storey.use.main - {fact.room_type for fact in allocation.wanted[storey.index]}
+        return [e for e in entries_of(storey) if e.room_type in open_to and allocation.adds(e.room_type, storey.index)]
     needs = [need for need in _NEEDS if not (need == "cooking" and storey.hub.name == STUDIO)]
     stated = [fact for facts in allocation.wanted.values() for fact in facts]
     served = {use_of(knowledge.room(part.room_type)) for fact in stated for part in (fact, *fact.suite)}
