@@ -174,7 +174,7 @@ def sketch_aisles(
 
 
 def plan_price(sketch: Sketch, massing: Massing) -> float:
-    """Return what is wrong with the rooms of a sketch: strips, carved halls, rooms that lack their window, long ones."""
+    """Return what is wrong with the rooms of a sketch: strips, carved halls, rooms without their window, long ones."""
     stretched = sum(max(aspect(p.boxes) - 2.0, 0.0) for p in sketch.rooms if p.boxes)
     empty = sum(len(c.boxes) > 1 and max(aspect([b]) < 8.0 for b in c.boxes[1:]) for c in sketch.corridors[1:])
     ill = 3.0 * len(strips(sketch)) + 8.0 * len(carved(sketch))
