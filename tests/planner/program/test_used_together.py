@@ -84,3 +84,11 @@ def test_the_desks_that_a_brief_counts_are_not_given_to_the_employees_again() ->
     program = plan_building(BuildRequest(description=text)).program
     counts = [wanted.count for floor in program.floors for room in floor.rooms for wanted in room.objects]
     assert counts and max(counts) == 15
+
+
+def test_showers_are_with_the_changing_rooms_that_they_belong_to() -> None:
+    text = "A swimming pool on one storey, 900 m2: pool hall 400 m2, two changing rooms of 40 m2, two shower rooms"
+    rooms = ground(text)
+    showers, changing = ([p for p in rooms if p.room.kind.name == kind] for kind in ("shower_area", "changing_room"))
+    assert len(showers) == 2
+    assert any(touching(a, b) for a in showers for b in changing)

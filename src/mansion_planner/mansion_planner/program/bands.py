@@ -105,11 +105,15 @@ class Segment(msgspec.Struct, frozen=True):
 
 
 def front_order(rooms: Sequence[PlannedRoom]) -> list[PlannedRoom]:
-    """Order rooms from the cores outwards: wet rooms (stacked from storey to storey), public, service, private."""
+    """Order rooms from the cores outwards: wet rooms (stacked from storey to storey), public, service, private.
+
+    Showers are with the changing rooms that they belong to, where a storey has those.
+    """
     zones = {"circulation": 0, "public": 1, "service": 2, "private": 3}
+    fixed = {room.kind.name for room in rooms if not room.kind.stack}
 
     def rank(room: PlannedRoom) -> tuple[int, int]:
-        if room.kind.stack:
+        if room.kind.stack and (room.kind.toilet or fixed.isdisjoint(room.kind.near)):
             return (0, room.kind.stack)
         if room.kind.open:
             return (1, 0)
