@@ -321,6 +321,11 @@ class _Reader:
                 n for n, p in enumerate(self.phrases) if self.reading.tokens[p.begin].start == span.start
             )
 
+    def _are_alike(self, one: Phrase, other: Phrase) -> bool:
+        """Whether two rooms count as the same kind: a main bedroom and a second one."""
+        kinds = [self.reading.knowledge.room(p.room_type).counts_as if p.room_type else "" for p in (one, other)]
+        return one.room_type == other.room_type or (kinds[0] == kinds[1] != "")
+
     def _wanted_rooms(self) -> list[int]:
         """Return the phrases that name rooms of the building."""
         return [
@@ -335,6 +340,7 @@ class _Reader:
             ordinal = phrase.begin - 1
             if phrase.head != "room" or self.reading.kind(ordinal) != "ordinal" or ordinal in self.reading.taken:
                 continue
-            before = [p for p in self.phrases[:number] if p.head == "room" and p.room_type == phrase.room_type]
-            if self.reading.word(ordinal - 1) in ("a", "the", "and") and before and number not in self.same:
+            before = [p for p in self.phrases[:number] if p.head == "room" and self._are_alike(p, phrase)]
+            leads = self.reading.word(ordinal - 1) in ("a", "the", "and", ",", ":", "(") or self.reading.starts(ordinal)
+            if leads and before and number not in self.same:
                 self.reading.take(ordinal, ordinal + 1)

@@ -80,6 +80,10 @@ def _by_family(reading: Reading, phrase: Phrase, family: str) -> Phrase | None:
         return replace(phrase, room_type="bedroom", known=True)
     if family == "industry" and phrase.room_type == "assembly_hall" and words[0] == "assembly":
         return replace(phrase, room_type="production_hall")
+    if family == "industry" and words[-2:] == ["machine", "room"]:
+        return replace(phrase, room_type="production_hall")
+    if family == "sport" and words[-2:] == ["shower", "room"] and not phrase.building:
+        return replace(phrase, room_type="shower_area")
     if phrase.name == "student_room" and not phrase.counted and not phrase.plural and family in _WORKING:
         return replace(phrase, room_type="study_room", known=False)
     return None

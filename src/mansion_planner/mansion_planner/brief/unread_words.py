@@ -3,6 +3,7 @@
 from mansion_planner.brief.asides import aside_tokens
 from mansion_planner.brief.exclusions import MOTIONS
 from mansion_planner.brief.figurative_nouns import is_figurative
+from mansion_planner.brief.idle_words import is_date_or_age, is_idle_word
 from mansion_planner.brief.phrase import FUNCTION_WORDS, PLAIN, PREDICATES
 from mansion_planner.brief.qualifiers import is_property
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
@@ -19,8 +20,14 @@ def leave_unread(reading: Reading) -> None:
         if open_word and first < 0:
             first = index
         elif not open_word and first >= 0:
-            reading.facts.unread.append(reading.span(first, min(index, first + 12)))
+            if not _asks_for_nothing(reading, first, index):
+                reading.facts.unread.append(reading.span(first, min(index, first + 12)))
             first = -1
+
+
+def _asks_for_nothing(reading: Reading, first: int, last: int) -> bool:
+    """Whether each token of an unread run is a word or a number that asks for nothing by itself."""
+    return all(is_idle_word(reading.word(at)) or is_date_or_age(reading, at) for at in range(first, last))
 
 
 _HOUSEHOLD = frozenset({"couple", "family", "man", "woman", "people", "professional"})
