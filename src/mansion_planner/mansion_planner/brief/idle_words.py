@@ -4,7 +4,7 @@ from functools import cache
 
 from mansion_planner.brief.reading import Reading
 
-__all__ = ["is_date_or_age", "is_idle_word"]
+__all__ = ["is_date_or_age", "is_idle", "is_idle_word"]
 
 _TIMES = frozenset(
     """
@@ -49,7 +49,7 @@ _HAPPENINGS = frozenset(
     noise smell fume dust mess risk danger contamination infection accident trouble problem complaint argument hassle
     war peace flood storm rain snow weather sun climate season health knee hip allergy disease stroke age youth
     childhood tradition culture religion faith history generation heritage memory lesson homework habit hobby game card
-    music football tennis chess yoga penguin
+    music football tennis chess yoga penguin disability novel book poem painting film movie hobby sport theme
     """.split()
 )
 _VERBS = frozenset(
@@ -58,11 +58,12 @@ _VERBS = frozenset(
     visit come go arrive leave return travel move walk run drive ride cycle fly swim ski hike sit stand lie rest relax
     grow age turn become happen start begin finish end stop continue last wait watch look see hear listen talk speak say
     tell ask answer call phone mention explain promise agree argue complain shout laugh cry smile think believe know
-    guess suppose expect assume wonder remember forget worry fear care mind matter love like hate enjoy prefer hope
+    guess suppose expect assume wonder remember forget worry fear care mind matter love hate enjoy prefer hope
     decide choose try manage fail succeed win lose buy sell pay cost rent save spend earn afford own inherit found
     count calculate measure compare check test prove show hire employ retire marry divorce die pass raise bring take
-    carry keep let help serve deserve suit fit belong depend mean build rebuild renovate demolish burn leak break
-    outgrow share inspire invent exist remain consist regret apologise apologize dispose boast photograph
+    carry keep let help deserve suit fit belong depend mean build rebuild renovate demolish burn leak break
+    outgrow inspire invent exist remain consist regret apologise apologize dispose boast photograph hide
+    escape dream burst rescue support celebrate gather attend invite host join rejoin recover heal pray perform
     """.split()
 )
 _PAST = frozenset(
@@ -75,8 +76,8 @@ _PAST = frozenset(
 )
 _IDLE = _TIMES | _TALK | _FEELINGS | _MONEY_AND_LAW | _HAPPENINGS | _PAST
 
-_ASKS = frozenset("share rest study practice end last set kept fixed".split())
-"""Forms that may also say how rooms lie or how many there are: they are idle only within a clause about people."""
+_ASKS = frozenset("building rest study practice end last set kept fixed".split())
+"""Forms that may also say how rooms lie or how many there are."""
 
 _FIRST_YEAR, _LAST_YEAR = 1500, 2100
 _OLDEST = 115
@@ -108,6 +109,17 @@ def _inflected() -> frozenset[str]:
     return frozenset(forms)
 
 
+def is_idle(reading: Reading, index: int) -> bool:
+    """Whether a token asks for nothing by itself: an idle word, but for what a thing does or looks out on."""
+    of_thing = reading.word(index - 1) in ("that", "which") and not is_idle_word(reading.word(index - 2))
+    if of_thing or not is_idle_word(reading.word(index)):
+        return False
+    return not (reading.word(index).startswith("look") and reading.word(index + 1) in _OUTLOOKS)
+
+
+_OUTLOOKS = frozenset({"onto", "over", "into", "towards", "toward", "out", "to"})
+
+
 def is_date_or_age(reading: Reading, index: int) -> bool:
     """Whether a number is a year, or how old somebody is: "founded 1987", "she is 81"."""
     token = reading.tokens[index]
@@ -117,10 +129,13 @@ def is_date_or_age(reading: Reading, index: int) -> bool:
     closes = reading.breaks(index + 1) or after in (",", ")", "and", "but", "so", "when")
     if _FIRST_YEAR <= value <= _LAST_YEAR and closes and (before in _YEAR_LEADS or before == "("):
         return True
-    aged = before in _AGED and (closes or after == "year") and 1 < value <= _OLDEST
-    return aged and _has_somebody(reading, index - 1)
+    if after in _SPANS:
+        return True  # "in three weeks", "three generations"
+    aged = (before in _AGED or before in _SOMEBODY) and (closes or after == "year") and 1 < value <= _OLDEST
+    return aged and (before in _SOMEBODY or _has_somebody(reading, index - 1))
 
 
+_SPANS = frozenset("day week weekend month year decade century hour minute night season generation shift time".split())
 _SOMEBODY = frozenset({"i", "he", "she", "mother", "father", "mum", "mom", "dad", "grandma", "grandpa", "aunt", "uncle"})
 
 

@@ -155,7 +155,11 @@ class _Reader:
         read_trade(reading)
         self.opening = unknown_building(reading, self.places)
         named = without_retractions(reading, noun_phrases(reading))
-        phrases = rooms_of_several_uses(reading, without_bystanders(reading, named))
+        own = without_bystanders(reading, named)
+        left = {old.last for old, new in zip(named, own, strict=True) if old.head != new.head}
+        if self.opening is not None and self.opening[3] in left:
+            self.opening = None  # "the flat is bursting: we want a house"
+        phrases = rooms_of_several_uses(reading, own)
         phrases = with_some_en_suite(reading, with_blocks(reading, phrases))
         phrases = with_accessible_ones(reading, desks_as_places(reading, rooms_by_name(reading, phrases)))
         read_shares(reading, phrases)

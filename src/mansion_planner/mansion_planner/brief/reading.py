@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from mansion_knowledge import KnowledgeBase
 from mansion_language import Token, tokenize
 from mansion_msgs_py.errors import ErrorCode, MansionError
-from mansion_planner.brief.activities import activities
+from mansion_planner.brief.activities import activities, entrances
 from mansion_planner.brief.corrections import corrected_numbers
 from mansion_planner.brief.count_forms import count_forms
 from mansion_planner.brief.facts import BriefFacts, FloorRef, Quantity, Span
@@ -213,7 +213,7 @@ def start_reading(text: str, knowledge: KnowledgeBase, cancelled: Callable[[], b
     tokens, corrections = corrected_numbers(
         without_asides(spoken_turns(shortened_nouns(tokenize(text.replace("@", "à")))))
     )
-    tokens = labelled_rooms(paired_nouns(tokens))
+    tokens = labelled_rooms(paired_nouns(entrances(tokens)))
     tokens = storey_tables(abbreviated_storeys(text, decades(tokens)), FLOOR_WORDS)
     tokens = flat_types(count_forms(storeys_by_use(storey_forms(text, tokens), FLOOR_WORDS)))
     tokens = compounds(corrected(tokens, lexicon.words, furniture_vocabulary()), lexicon.words)

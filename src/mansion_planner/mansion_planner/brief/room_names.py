@@ -517,7 +517,7 @@ def with_purpose(reading: Reading, phrase: Phrase) -> Phrase:
     generic = phrase.name in _PURPOSEFUL
     room = (
         similar_room_type(name, reading.knowledge)
-        if generic and phrase.name in ("room", "space", "area", "corner", "zone", "post", "section")
+        if generic and phrase.name in ("hall", "room", "space", "area", "corner", "zone", "post", "section")
         else phrase.room_type
     )
     label = reading.span(phrase.begin, end).words

@@ -11,9 +11,11 @@ _HOUSES = frozenset({"floor", "storey", "story", "level", "building", "house", "
 """What a sum may state for the first time: how many storeys or dwellings there are."""
 _ENDS = frozenset({".", ";", "\n", "!", "?", ",", ")", "–", "-", "("})
 _WORKING = frozenset({"work", "works", "working", "worked"})
-_WHO = frozenset({"people", "person", "you", "visitor", "guest", "customer", "client", "kid", "child", "patient"})
+_WHO = frozenset({"people", "person", "visitor", "guest", "customer", "client", "kid", "child", "patient"})
 _USUAL = frozenset("eat cook sleep sit meet live stay eats sleeps".split())
 """What is done in rooms that the reader knows by it."""
+_NAMING = frozenset({"a", "an", "the", "one", "some", "their"})
+"""Words before what is there itself: "where guests find a bar"."""
 _LONGEST = 7
 
 
@@ -31,6 +33,7 @@ def without_asides(tokens: list[Token]) -> list[Token]:
             or _at_home(tokens, index)
             or _done_there(tokens, index)
             or _open_anyway(tokens, index)
+            or _some_day(tokens, index)
         )
         if not skipped:
             result.append(tokens[index])
@@ -74,7 +77,7 @@ def _done_there(tokens: list[Token], index: int) -> int:
         return 0
     end = _end(tokens, index)
     inside = tokens[index + 1 : end]
-    usual = any(token.text in _USUAL or token.kind != "word" for token in inside)
+    usual = any(token.text in _USUAL | _NAMING or token.kind != "word" for token in inside)
     return 0 if usual or len(inside) > _LONGEST or len(inside) < 2 else end - index
 
 
@@ -88,3 +91,21 @@ def _open_anyway(tokens: list[Token], index: int) -> int:
 
 
 _DAY_ROOMS = frozenset({"living", "kitchen", "dining", "diner", "lounge"})
+
+
+_MAYBE = frozenset({"maybe", "perhaps", "possibly"})
+_LATER = (("some", "day"), ("one", "day"), ("someday",), ("later",), ("in", "future"), ("in", "the", "future"), ("not", "now"),
+          ("not", "yet"), ("eventually",), ("next", "year"))  # fmt: skip
+_BRACKETS_AND_ENDS = frozenset({".", ";", "\n", "!", "?", ")"})
+
+
+def _some_day(tokens: list[Token], index: int) -> int:
+    """Return of how many tokens "maybe a fourth one some day, not now" is: what is not wanted yet; else 0."""
+    if _word(tokens, index) not in _MAYBE:
+        return 0
+    end = index
+    while end < len(tokens) and tokens[end].text not in _BRACKETS_AND_ENDS and end - index <= 2 * _LONGEST:
+        end += 1
+    texts = [token.text for token in tokens[index:end]]
+    later = any(tuple(texts[at : at + len(words)]) == words for words in _LATER for at in range(len(texts)))
+    return end - index if later and _word(tokens, end) in _BRACKETS_AND_ENDS | {""} else 0
