@@ -163,6 +163,7 @@ def _is_done(reading: Reading, phrase: Phrase) -> bool:
     return bare and reading.word(phrase.begin - 1) in ("i", "we", "they", "she", "he", "who")
 
 
+_GOING = frozenset("go goes going went gone walk walks drive cycle".split())
 _NOW = frozenset("bursting small cramped tiny full old cold damp noisy overcrowded falling burnt gone getting".split())
 """What people say of the place that they have."""
 _DOING = frozenset("will wants want needs need tests test uses use runs run plans plan works work trains train".split())
@@ -171,12 +172,16 @@ _BUILT_LONG_AGO = frozenset({"is", "was", "has", "had", "leaks", "leak", "burnt"
 
 def _is_left(reading: Reading, phrase: Phrase) -> bool:
     """Whether a phrase is the place that people have now: "the flat is bursting", "the old school was built in 1911"."""
-    if phrase.counted or phrase.determiner not in ("the", "our", "my"):
+    if phrase.counted:
         return False
     at = phrase.last
     if reading.word(at) == ",":
         at = next((end + 1 for end in range(at + 1, at + 6) if reading.word(end) == ","), at)
     verb, after = reading.word(at), reading.word(at + 1)
+    if reading.word(phrase.begin - 1) == "to" and reading.word(phrase.begin - 2) in _GOING and phrase.building:
+        return True  # "the kids go to school"
+    if phrase.determiner not in ("the", "our", "my"):
+        return False
     old = verb in _BUILT_LONG_AGO and reading.word(phrase.begin) in ("old", "current", "present", "existing", "former")
     old = old or (verb in _BUILT_LONG_AGO and reading.word(phrase.begin - 1) in ("old", "current", "present", "existing"))
     home = phrase.building in ("flat", "house", "studio_flat", "apartment") and phrase.determiner != "a"

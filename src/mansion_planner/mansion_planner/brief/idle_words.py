@@ -62,7 +62,7 @@ _VERBS = frozenset(
     decide choose try manage fail succeed win lose buy sell pay cost rent save spend earn afford own inherit found
     count calculate measure compare check test prove show hire employ retire marry divorce die pass raise bring take
     carry keep let help deserve suit fit belong depend mean build rebuild renovate demolish burn leak break
-    outgrow inspire invent exist remain consist regret apologise apologize dispose boast photograph hide
+    outgrow inspire invent exist remain consist regret apologise apologize dispose boast photograph hide paint
     escape dream burst rescue support celebrate gather attend invite host join rejoin recover heal pray perform
     """.split()
 )
@@ -81,6 +81,7 @@ _ASKS = frozenset("building rest study practice end last set kept fixed".split()
 
 _FIRST_YEAR, _LAST_YEAR = 1500, 2100
 _OLDEST = 115
+_HOURS = 24
 _AGED = frozenset({"is", "am", "are", "was", "aged", "age", "turn", "turns", "turned", "be", "'s", "s", "'m", "m"})
 _YEAR_LEADS = frozenset({"in", "since", "of", "from", "founded", "built", "established", "est", "before", "after", "by"})
 
@@ -129,6 +130,8 @@ def is_date_or_age(reading: Reading, index: int) -> bool:
     closes = reading.breaks(index + 1) or after in (",", ")", "and", "but", "so", "when")
     if _FIRST_YEAR <= value <= _LAST_YEAR and closes and (before in _YEAR_LEADS or before == "("):
         return True
+    if before in ("at", "until", "till") and closes and value <= _HOURS:
+        return True  # "we open at seven"
     if after in _SPANS:
         return True  # "in three weeks", "three generations"
     aged = (before in _AGED or before in _SOMEBODY) and (closes or after == "year") and 1 < value <= _OLDEST

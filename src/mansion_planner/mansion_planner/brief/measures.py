@@ -158,12 +158,14 @@ def _room_before(reading: Reading, measure: Measure, phrases: list[Phrase], *, t
         return None
     room, value = phrases[before[-1]], measure.values[0]
     gap = set(reading.words(room.last, measure.first))
-    each = bool(gap & {"each", "apiece"}) and gap <= {"each", "apiece", ",", "(", "-", "–"}
+    each = bool(gap & {"each", "apiece", "per"}) and gap <= _EACH_TIME
     opened = reading.word(measure.first - 1) == "("
     fits = bool(room.room_type) and value <= _ROOMY * reading.knowledge.room(room.room_type).most
     return before[-1] if each or (told and opened and fits) else None
 
 
+_EACH_TIME = frozenset({"each", "apiece", "per", "floor", "storey", "level", ",", "(", "-", "–"})
+"""Words between rooms and the area that each of them has: "eight rooms per floor, 24 m2"."""
 _ROOMY = 1.6
 """Share of the most area of its kind that a room may have and still be meant."""
 

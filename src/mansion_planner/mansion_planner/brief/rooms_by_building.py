@@ -70,6 +70,9 @@ def _by_family(reading: Reading, phrase: Phrase, family: str) -> Phrase | None:
             return replace(phrase, head="room", building="", room_type=kind, known=True)
         if words[-1] == "station" and phrase.building == "train_station" and not phrase.plural:
             return replace(phrase, head="room", building="", room_type=HEAD_TYPES["station"], known=False)
+    taught = next((kind for word, kind in _STUDIOS.items() if word in reading.facts.building_name), "")
+    if taught and words == ["studio"]:
+        return replace(phrase, head="room", building="", room_type=taught, known=True)
     if phrase.room_type == "studio_apartment" and words[-1] == "studio" and family in _WORKING:
         told = reading.word(phrase.last) == "for" and reading.kind(phrase.last + 1) == "word"
         desks = family == "office" and len(words) == 1 and not told  # "a studio for podcasts"
@@ -105,6 +108,9 @@ _DWELT_IN = frozenset({"home", "lodging"})
 _WORKING = frozenset({"office", "industry", "education", "culture", "sport", "retail"})
 """Families of buildings whose studios are to work in."""
 
+_STUDIOS = {"dance": "dance_studio", "ballet": "dance_studio", "yoga": "yoga_studio", "pilates": "yoga_studio",
+            "photo": "photo_studio", "radio": "recording_studio"}  # fmt: skip
+"""What a studio is in a building called after what is done there."""
 _NAMED = {
     ("surgery", "dental_clinic"): "dental_room",
     ("surgery", "dental_surgery"): "dental_room",

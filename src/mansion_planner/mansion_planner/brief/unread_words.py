@@ -29,9 +29,23 @@ def leave_unread(reading: Reading) -> None:
 def _asks_for_nothing(reading: Reading, first: int, last: int) -> bool:
     """Whether each token of an unread run is a word or a number that asks for nothing by itself."""
     return all(
-        is_idle(reading, at) or is_date_or_age(reading, at) or _is_ones_own(reading, at)
+        is_idle(reading, at) or is_date_or_age(reading, at) or _is_ones_own(reading, at) or _is_told_of(reading, at)
         for at in range(first, last)
     )
+
+
+def _is_told_of(reading: Reading, index: int) -> bool:
+    """Whether a token is where people go ("to Ireland"), the way of a verb ("moving back"), or what is not needed."""
+    token, before = reading.tokens[index], reading.word(index - 1)
+    town = token.capital and token.kind == "word" and before in ("to", "in", "from", "near") and index > 1
+    town = town and reading.kind(index + 1) != "number" and index not in reading.mention_at
+    way = token.text in _WAYS_OF_VERBS and is_idle_word(before)
+    needless = before == "no" and reading.word(index + 1) in ("needed", "necessary", "required")
+    return town or way or needless or token.text in _REFLEXIVE
+
+
+_WAYS_OF_VERBS = frozenset({"back", "away", "out", "ahead", "around", "home"})
+_REFLEXIVE = frozenset({"myself", "yourself", "himself", "herself", "ourselves", "themselves", "yourselves", "themself", "ourself"})
 
 
 def _is_ones_own(reading: Reading, index: int) -> bool:
@@ -147,7 +161,8 @@ def _says_no_more(reading: Reading, index: int) -> bool:
         return True
     if reading.word(index - 1) in _AFTER_LEAD.get(token.text, ()):
         return True
-    if token.text == "step" and reading.word(index - 1) in ("no", "without", "any") and _on_one_level(reading):
+    level = _on_one_level(reading) or not reading.facts.floors
+    if token.text == "step" and reading.word(index - 1) in ("no", "without", "any") and level:
         return True  # "everything on one level, no steps"
     if token.text == "over" and reading.word(index + 1) == "all" and _has_measure(reading, index):
         return True  # "150 m2 over all"

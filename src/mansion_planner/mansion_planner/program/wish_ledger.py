@@ -161,7 +161,7 @@ def _spaced(name: str) -> str:
     return name.replace("_", " ")
 
 
-_AS_NAMED = {"bedroom": ("cabin", "berth", "chamber"), "private_office": ("office",)}
+_AS_NAMED = {"bedroom": ("cabin", "berth", "chamber"), "private_office": ("office",), "open_kitchen": ("dining_room",)}
 """Last words of names for which a room type is what they say, whoever uses the room."""
 
 
@@ -170,7 +170,7 @@ def _stand_in_of(room: RoomFact, knowledge: KnowledgeBase) -> str:
     told = not room.known and answers_when_told(room.room_type)
     if told and told_room_type(room.name, knowledge) == room.room_type:
         return ""
-    if not room.known and room.name.rpartition("_")[2] in _AS_NAMED.get(room.room_type, ()):
+    if not room.known and room.name.endswith(_AS_NAMED.get(room.room_type, ("-",))):
         return ""
     if not room.known:
         return f"no such room is known; planned and furnished like {_spaced(room.room_type)}"
