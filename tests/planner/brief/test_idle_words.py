@@ -1,4 +1,4 @@
-"""Words of when, why and how people do things are no wishes; words of places and things that are not known stay told."""
+"""Words of when, why and how people do things are no wishes; places and things that are not known stay told."""
 
 import pytest
 

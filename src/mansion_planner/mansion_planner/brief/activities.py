@@ -62,7 +62,7 @@ def entrances(tokens: list[Token]) -> list[Token]:
         result.append(token)
         before = tokens[index - 1].text if index else ""
         after = tokens[index + 1].text if index + 1 < len(tokens) else ""
-        if token.text == "entrance" and not token.plural and before in _OPENS and after in _CLOSES:
-            if before != "." or after == "with":
-                result.append(replace(token, text="hall", start=token.end))
+        entry = token.text == "entrance" and not token.plural and before in _OPENS and after in _CLOSES
+        if entry and (before != "." or after == "with"):
+            result.append(replace(token, text="hall", start=token.end))
     return result

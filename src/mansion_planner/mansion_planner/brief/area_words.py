@@ -5,7 +5,18 @@ from dataclasses import dataclass
 from mansion_planner.brief.bounds import Limit
 from mansion_planner.brief.reading import Reading
 
-__all__ = ["ABOUT", "FILLERS", "Measure", "PLOT", "TOTALS", "after_area", "is_filler", "is_of_each", "lead_of", "words_after"]
+__all__ = [
+    "ABOUT",
+    "FILLERS",
+    "Measure",
+    "PLOT",
+    "TOTALS",
+    "after_area",
+    "is_filler",
+    "is_of_each",
+    "lead_of",
+    "words_after",
+]
 
 FILLERS = frozenset(
     """

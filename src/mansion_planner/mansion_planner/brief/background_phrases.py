@@ -171,7 +171,7 @@ _BUILT_LONG_AGO = frozenset({"is", "was", "has", "had", "leaks", "leak", "burnt"
 
 
 def _is_left(reading: Reading, phrase: Phrase) -> bool:
-    """Whether a phrase is the place that people have now: "the flat is bursting", "the old school was built in 1911"."""
+    """Whether a phrase is the place that people have now: "the flat is bursting", "the old school leaks"."""
     if phrase.counted:
         return False
     at = phrase.last
@@ -183,7 +183,9 @@ def _is_left(reading: Reading, phrase: Phrase) -> bool:
     if phrase.determiner not in ("the", "our", "my"):
         return False
     old = verb in _BUILT_LONG_AGO and reading.word(phrase.begin) in ("old", "current", "present", "existing", "former")
-    old = old or (verb in _BUILT_LONG_AGO and reading.word(phrase.begin - 1) in ("old", "current", "present", "existing"))
+    old = old or (
+        verb in _BUILT_LONG_AGO and reading.word(phrase.begin - 1) in ("old", "current", "present", "existing")
+    )
     home = phrase.building in ("flat", "house", "studio_flat", "apartment") and phrase.determiner != "a"
     bursting = home and verb in ("is", "was", "are") and after in _NOW
     tested = phrase.determiner in ("our", "my") and verb == "will" and after in _DOING

@@ -35,11 +35,11 @@ def with_bare_areas(reading: Reading, phrases: Sequence[Phrase]) -> list[Phrase]
 
 
 def _unit_of_all(reading: Reading) -> int | None:
-    """Return the token of the unit that all bare numbers have: "(all in m2)", "areas in m2"; none where none is told."""
+    """Return the token of the unit of all bare numbers: "(all in m2)", "areas in m2"; none where none is told."""
     for index, token in enumerate(reading.tokens):
-        if token.kind == "unit" and token.text in AREA and reading.word(index - 1) == "in":
-            if reading.word(index - 2) in _ALL:
-                return index
+        measured = token.kind == "unit" and token.text in AREA and reading.word(index - 1) == "in"
+        if measured and reading.word(index - 2) in _ALL:
+            return index
     return None
 
 

@@ -90,7 +90,9 @@ class EllipticStoreys:
         reading = self.reading
         if reading.word(index) != "middle" or reading.word(index - 2) != "in":
             return False
-        said = {token.text for at, token in enumerate(reading.tokens) if reading.sentence[at] == reading.sentence[index]}
+        said = {
+            token.text for at, token in enumerate(reading.tokens) if reading.sentence[at] == reading.sentence[index]
+        }
         return said.isdisjoint({"top", "bottom", "above", "below", "underneath", "attic"})
 
     def _follows_title(self, index: int) -> bool:

@@ -152,7 +152,11 @@ def read_style(reading: Reading, *, named: bool) -> None:
 
 def _is_too_much(reading: Reading, index: int) -> bool:
     """Whether a style word says how the building is not to be: "nothing too modern", "not too rustic"."""
-    return reading.word(index - 2) in ("nothing", "not", "never") and reading.word(index - 1) in ("too", "very", "overly")
+    return reading.word(index - 2) in ("nothing", "not", "never") and reading.word(index - 1) in (
+        "too",
+        "very",
+        "overly",
+    )
 
 
 def _ends_style(reading: Reading, index: int) -> bool:

@@ -107,7 +107,9 @@ def give_measures(reading: Reading, measures: list[Measure], phrases: list[Phras
         if len(measure.values) > 1:
             _give_to_several(reading, measure, result)
             continue
-        owner = _room_before(reading, measure, result, told=bool(reading.facts.area or reading.facts.floor_area or single))
+        owner = _room_before(
+            reading, measure, result, told=bool(reading.facts.area or reading.facts.floor_area or single)
+        )
         if owner is not None:
             result[owner] = replace(result[owner], areas=measure.values, limit=measure.limit)
             continue

@@ -1,5 +1,4 @@
-"""Read the areas of some of several rooms: "two bedrooms (the larger about 16 m2)", "ours 18 m2, the two for the boys 13".
-"""
+"""Read the areas of some of several rooms: "two bedrooms (the larger 16 m2)", "ours 18 m2, the two for the boys 13"."""
 
 from dataclasses import replace
 

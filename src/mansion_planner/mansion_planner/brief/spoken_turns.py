@@ -1,6 +1,7 @@
 """Bring turns of spoken English into written ones, which the readers know: answered questions, "let's say", "too"."""
 
 from dataclasses import replace
+from itertools import pairwise
 
 from mansion_language import Token
 
@@ -61,8 +62,7 @@ def _headed_storeys(tokens: list[Token]) -> list[Token]:
     "Two floors. Below reception and bar; up two bedrooms."
     """
     two = any(
-        one.kind == "number" and one.value == 2.0 and other.text in _TO_STOREYS
-        for one, other in zip(tokens, tokens[1:], strict=False)
+        one.kind == "number" and one.value == 2.0 and other.text in _TO_STOREYS for one, other in pairwise(tokens)
     )
     if not two:
         return tokens

@@ -5,7 +5,16 @@ from mansion_language.units import AREA
 
 __all__ = ["without_asides"]
 
-_SUMS = (("make",), ("makes",), ("give",), ("gives",), ("come", "to"), ("comes", "to"), ("add", "up", "to"), ("adds", "up", "to"))
+_SUMS = (
+    ("make",),
+    ("makes",),
+    ("give",),
+    ("gives",),
+    ("come", "to"),
+    ("comes", "to"),
+    ("add", "up", "to"),
+    ("adds", "up", "to"),
+)
 _POINTING = frozenset({"that", "this", "which"})
 _HOUSES = frozenset({"floor", "storey", "story", "level", "building", "house", "flat", "apartment", "unit", "room"})
 """What a sum may state for the first time: how many storeys or dwellings there are."""
@@ -84,7 +93,11 @@ def _done_there(tokens: list[Token], index: int) -> int:
 def _open_anyway(tokens: list[Token], index: int) -> int:
     """Return of how many tokens "open plan" after "living/kitchen" is; else 0."""
     end = index + 1 + (_word(tokens, index + 1) == "-")
-    if _word(tokens, index) != "open" or _word(tokens, end) != "plan" or _word(tokens, index - 2) not in ("/", "-", "+"):
+    if (
+        _word(tokens, index) != "open"
+        or _word(tokens, end) != "plan"
+        or _word(tokens, index - 2) not in ("/", "-", "+")
+    ):
         return 0
     joined = {_word(tokens, index - 1), _word(tokens, index - 3)} <= _DAY_ROOMS
     return end + 1 - index if joined and (_word(tokens, end + 1) in _ENDS | {"", ":", "of", "with"}) else 0
@@ -94,8 +107,8 @@ _DAY_ROOMS = frozenset({"living", "kitchen", "dining", "diner", "lounge"})
 
 
 _MAYBE = frozenset({"maybe", "perhaps", "possibly"})
-_LATER = (("some", "day"), ("one", "day"), ("someday",), ("later",), ("in", "future"), ("in", "the", "future"), ("not", "now"),
-          ("not", "yet"), ("eventually",), ("next", "year"))  # fmt: skip
+_LATER = (("some", "day"), ("one", "day"), ("someday",), ("later",), ("in", "future"), ("in", "the", "future"),
+          ("not", "now"), ("not", "yet"), ("eventually",), ("next", "year"))  # fmt: skip
 _BRACKETS_AND_ENDS = frozenset({".", ";", "\n", "!", "?", ")"})
 
 

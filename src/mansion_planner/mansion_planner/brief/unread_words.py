@@ -45,7 +45,9 @@ def _is_told_of(reading: Reading, index: int) -> bool:
 
 
 _WAYS_OF_VERBS = frozenset({"back", "away", "out", "ahead", "around", "home"})
-_REFLEXIVE = frozenset({"myself", "yourself", "himself", "herself", "ourselves", "themselves", "yourselves", "themself", "ourself"})
+_REFLEXIVE = frozenset(
+    {"myself", "yourself", "himself", "herself", "ourselves", "themselves", "yourselves", "themself", "ourself"}
+)
 
 
 def _is_ones_own(reading: Reading, index: int) -> bool:
@@ -94,7 +96,8 @@ _LABELS = frozenset(
 _PRAISE = frozenset(
     """
     fancy posh lovely gorgeous charming stunning spectacular magnificent superb impressive wonderful amazing pretty cute
-    cheap affordable inexpensive lively perfect perfectly happy fantastic marvellous delightful inviting memorable fun chic flair vibe vibes
+    cheap affordable inexpensive lively perfect perfectly happy fantastic marvellous delightful inviting memorable fun
+    chic flair vibe vibes
     """.split()
 )
 """Words of taste, which no building could be checked for."""
