@@ -1,6 +1,6 @@
 """Checks that a robot can get everywhere: the walkable region eroded by its radius, as exact polygons, not a grid."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import networkx as nx
@@ -15,7 +15,7 @@ from mansion_geometry.object_footprints import WALKABLE_HEIGHT, footprint, obliq
 from mansion_geometry.robot_body import BODY_RADIUS, CLEARANCE, ROBOT_RADIUS, ROBOT_REACH
 from mansion_msgs_py.scene import FloorScene, SceneObject
 
-__all__ = ["Walk", "check_reach", "walkable"]
+__all__ = ["Walk", "check_reach", "floor_reach", "walkable"]
 
 SLACK = 0.03
 """Metres by which what is near may lie off, for the grid of 0.05 m on which furniture is placed."""
@@ -37,7 +37,11 @@ class Walk:
         return set(found.tolist())
 
 
-def check_reach(scenes: Sequence[FloorScene], walks: Mapping[int, Walk] | None = None) -> Iterator[Fault]:
+def check_reach(
+    scenes: Sequence[FloorScene],
+    walks: Mapping[int, Walk] | None = None,
+    judge: Callable[[FloorScene, Walk, set[int]], Iterable[Fault]] | None = None,
+) -> Iterator[Fault]:
     """Yield what cannot be reached from the building's entrance.
 
     Parameters
@@ -45,6 +49,8 @@ def check_reach(scenes: Sequence[FloorScene], walks: Mapping[int, Walk] | None =
     scenes : sequence of FloorScene
     walks : mapping of int to Walk, optional
         What `walkable` returned for each floor, where that is known.
+    judge : callable, optional
+        Used instead of `floor_reach`, by a caller that remembers what it returned.
     """
     graph: nx.Graph[tuple[int, int] | str] = nx.Graph()
     walks = walks or {scene.floor: walkable(scene) for scene in scenes}
@@ -64,7 +70,7 @@ def check_reach(scenes: Sequence[FloorScene], walks: Mapping[int, Walk] | None =
     reached = set().union(*(nx.node_connected_component(graph, start) for start in starts))
     for scene in scenes:
         pieces = {node[1] for node in reached if not isinstance(node, str) and node[0] == scene.floor}
-        yield from _floor(scene, walks[scene.floor], pieces)
+        yield from (judge or floor_reach)(scene, walks[scene.floor], pieces)
 
 
 def walkable(scene: FloorScene) -> Walk:
@@ -89,7 +95,14 @@ def _obstructs(item: SceneObject) -> bool:
     return item.mount in ("floor", "wall") and low < CLEARANCE and high > WALKABLE_HEIGHT
 
 
-def _floor(scene: FloorScene, walk: Walk, reached: set[int]) -> Iterator[Fault]:
+def floor_reach(scene: FloorScene, walk: Walk, reached: set[int]) -> Iterator[Fault]:
+    """Yield what cannot be reached on a floor, where a robot gets to some of its pieces.
+
+    Parameters
+    ----------
+    reached : set of int
+        Numbers of the pieces of `walk`.
+    """
     if not reached:
         yield Fault("FLOOR_UNREACHABLE", f"floor {scene.floor}", "no stair or lift leads to it")
         return

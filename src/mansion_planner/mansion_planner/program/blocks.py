@@ -276,6 +276,10 @@ def _spare_front(block: Block, depth: float) -> float:
     return width - sum(room.area / _front_depth(room.area, depth) for room in block.smalls)
 
 
+_WHOLE = 12.0
+"""Price of a corner of a room that is of use as a rectangle alone; more than that of rooms that are wanted together."""
+
+
 def _fit(block: Block, room: PlannedRoom, depth: float, pairs: Sequence[tuple[str, str]]) -> float:
     """Prefer hosts of kindred use with room to spare; toilets go together, so that they carve up one room alone."""
     same_zone = block.host.kind.zone == room.kind.zone
@@ -295,6 +299,7 @@ def _fit(block: Block, room: PlannedRoom, depth: float, pairs: Sequence[tuple[st
         + 2.0 * clean
         + 0.5 * same_zone
         - 2.0 * others
+        - (_WHOLE if block.host.kind.whole else 0.0)
         + min(_spare_front(block, depth), 12.0) / 6.0
         - (1.0 if block.host.fixed else 0.0)
     )

@@ -193,7 +193,9 @@ def _corridors_of(
 def _lobby_boxes(massing: Massing, lobby: float) -> list[Box]:
     """Return what a lobby of `lobby` metres takes of the lower band: the floor before, beside and behind the lifts."""
     lifts = [core.box for core in massing.cores if core.box[3] <= massing.south + 0.01]
-    if not lobby or not lifts:
+    if not lifts:
+        return [(0.0, 0.0, lobby, massing.south)] if lobby else []
+    if not lobby:
         return []
     edge, low, top = max(box[2] for box in lifts), min(box[1] for box in lifts), max(box[3] for box in lifts)
     boxes: list[Box] = [(0.0, top, lobby, massing.south)] if massing.south - top > 0.01 else []

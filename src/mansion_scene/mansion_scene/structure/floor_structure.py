@@ -43,7 +43,9 @@ from mansion_scene.structure.outer_doors import entrance_room, place_entrance, p
 from mansion_scene.structure.payloads import number_doors, number_walls, number_windows, scene_rooms
 from mansion_scene.structure.regions import FloorRegions, Region, floor_regions
 from mansion_scene.structure.second_doors import place_second_doors
+from mansion_scene.structure.street_doors import place_street_doors
 from mansion_scene.structure.windows import place_windows
+from mansion_scene.structure.working_doors import place_working_doors
 
 __all__ = ["FloorStructure", "build_structure", "ceiling_height"]
 
@@ -120,6 +122,10 @@ def build_structure(request: FurnishRequest, held: HeldAccess | None = None) -> 
         if free and not residential:
             beside = with_doors(frontages, [entrance])
             openings += place_further_exits(floor, usable, entrance, beside, partition.nets, request.building_type)
+            if given is None:
+                beside = with_doors(frontages, openings)
+                kind = request.building_type
+                openings += place_street_doors(floor, usable, openings, beside, partition.nets, kind)
     frontages = with_doors(frontages, openings)
     wide, blocked = place_garage_doors(floor, usable, frontages, partition.nets, _driven(kept)) if free else ([], [])
     frontages = with_doors(frontages, wide)
@@ -131,6 +137,10 @@ def build_structure(request: FurnishRequest, held: HeldAccess | None = None) -> 
         second = place_second_doors(floor, usable, shared, known, frontages, partition.nets, kind)
         placed += second
         frontages = with_doors(frontages, second)
+    if given is None and held is None:
+        working = place_working_doors(floor, shared, [*openings, *placed], frontages, request.building_type)
+        placed += working
+        frontages = with_doors(frontages, working)
     fixed = {opening.segment for opening in kept} if given is not None else set()
     openings, leafless = hang_doors(
         floor,
