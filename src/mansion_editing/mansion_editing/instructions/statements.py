@@ -327,11 +327,20 @@ class Paint(_Said, kw_only=True, frozen=True):
 
 
 class Turn(_Said, kw_only=True, frozen=True):
-    """Things turn where they stand: by degrees (counter-clockwise seen from above), or their front to something."""
+    """Things turn where they stand: by degrees (counter-clockwise seen from above), or their front to something.
+
+    Attributes
+    ----------
+    facing : Things, optional
+        What the front turns to.
+    spot : str
+        ``window``, ``door`` or ``wall`` of the room that the front turns to, the nearest.
+    """
 
     things: Things
     degrees: float = 0.0
     facing: Things | None = None
+    spot: Spot = ""
 
 
 class Reach(_Said, kw_only=True, frozen=True):

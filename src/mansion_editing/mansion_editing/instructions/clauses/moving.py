@@ -86,6 +86,9 @@ class Moving(Shifting):
         of_each = _of_two_rooms(items[0]) if len(items) == 1 else None
         if of_each is not None:
             return [Swap(one=of_each[0], other=of_each[1], quote=quote)], end
+        if len(items) == 1 and _names_two(items[0]) and self._ends_swap(end):
+            both = self._within_frame(items[0].things())
+            return [Swap(one=both, other=both, quote=quote)], end
         names = items[0].rooms().words.split(JOINED) if len(items) == 1 and items[0].is_room else []
         if len(names) == 2:
             floors = items[0].rooms().floors
@@ -112,6 +115,12 @@ class Moving(Shifting):
             )
             return [Swap(one=self._within_frame(first), other=self._within_frame(other.things()), quote=quote)], end
         raise NotUnderstood(at, self.boundary(at))
+
+    def _ends_swap(self, at: int) -> bool:
+        """Whether nothing follows that two things are swapped for."""
+        while self.text(at) in ("around", "round", "over"):
+            at += 1
+        return at >= len(self.words) or self.words[at].kind == "mark" or self.text(at) == "and"
 
     def _change_places(self, at: int) -> tuple[list[Statement], int] | None:
         """Read ``the sofa and the desk change places``, ``let the sofa and the desk trade places``."""
@@ -207,6 +216,13 @@ class Moving(Shifting):
         if first is not None and other is not None and other.phrase.definite and not first.phrase.definite:
             return self.until(first.end).items(at)
         return self.items(at)
+
+
+def _names_two(item: Item) -> bool:
+    """Whether an item is ``the two armchairs``, ``both lamps``, which change places with each other."""
+    phrase = item.phrase
+    two = phrase.amount.number == 2 and phrase.amount.kind in ("some", "all")
+    return two and phrase.definite and not item.is_room and bool(phrase.noun.words) and not phrase.refers
 
 
 def _of_two_rooms(item: Item) -> tuple[Things, Things] | None:

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 import msgspec
 
-from mansion_editing.instructions.paraphrases.patterns import in_plain_words, in_running_text
+from mansion_editing.instructions.paraphrases.patterns import in_plain_words, in_running_text, without_idioms
 from mansion_editing.instructions.paraphrases.remarks import without_remarks
 from mansion_editing.instructions.paraphrases.strange_verbs import with_known_verbs
 from mansion_editing.instructions.phrases.lexicon import Lexicon
@@ -30,7 +30,10 @@ def read_in_other_words(text: str, state: SceneState, brief: str = "") -> Instru
         With `read_as` where it was put in other words, and a passed-over `Mention` of each clause that was left out;
         where no wording is understood, what was read of the instruction's own.
     """
-    first = read_instruction(text, state, brief)
+    plainly = without_idioms(text)
+    first = read_instruction(plainly, state, brief)
+    if plainly != text:
+        first, text = msgspec.structs.replace(first, read_as=plainly), plainly
     if not first.not_understood or first.undecided:
         return first
     lexicon = Lexicon(state)
