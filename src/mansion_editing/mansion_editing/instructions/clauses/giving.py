@@ -14,7 +14,7 @@ from mansion_editing.instructions.statements import Add, Amount, Ensure, Stateme
 
 __all__ = ["Giving"]
 
-_LOADING: Final = frozenset("load fill pack stock".split())
+_LOADING: Final = frozenset("load fill pack stock restock refill".split())
 """Verbs that name what is filled, or what it is filled with."""
 _HOLDING: Final = frozenset(["on", "in"])
 

@@ -164,7 +164,7 @@ def _indefinite(words: Sequence[Word], at: int) -> Amounted:
         return Amount(kind="more" if more else "some", number=number), False, False, place
     further = words[place] if place < len(words) else None
     if further is not None and (
-        further.kind == "ordinal" or further.text in ("additional", "extra", "further", "second")
+        (further.kind == "ordinal" and further.value > 1) or further.text in ("additional", "extra", "further", "second")
     ):
         return Amount(kind="more", number=1), False, False, place + 1
     return Amount(number=1), False, False, place

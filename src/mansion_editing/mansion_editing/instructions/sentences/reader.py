@@ -322,6 +322,8 @@ class _Reader(
                 return
         if not {"it", "them", "they", "these", "those", "both"} & {*after}:
             self.statements[first:] = [Mention(quote=told[0].quote)]
+            if reader.frame == Place() and isinstance(told[0], Add | Ensure) and told[0].place.anchor is None:
+                reader.frame = Place(rooms=told[0].place.rooms)
 
     def _begin(self, reader: ClauseReader, words: Sequence[Word]) -> int:
         """Return the place after what a sentence only begins with: ``no, wait``, ``from now on``."""
