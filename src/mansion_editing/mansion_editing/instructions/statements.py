@@ -144,7 +144,7 @@ class Things(msgspec.Struct, frozen=True, kw_only=True, tag=True):
         ``open`` and ``on``, where they tell which ("the open window").
     ordinal : int
         Which of several ("the second desk"); -1 is the last.
-    size : {"", "largest", "smallest"}
+    size : {"", "largest", "smallest", "tallest", "shortest"}
     refers : str
         ``last``: what was mentioned last ("it", "them"); ``others``: those of the kind that were not meant
         ("the others").
@@ -166,7 +166,7 @@ class Things(msgspec.Struct, frozen=True, kw_only=True, tag=True):
     material: str = ""
     states: dict[str, bool] = {}
     ordinal: int = 0
-    size: Literal["", "largest", "smallest"] = ""
+    size: Literal["", "largest", "smallest", "tallest", "shortest"] = ""
     refers: Literal["", "last", "others"] = ""
     place: "Place | None" = None
     beside: "tuple[Things, ...]" = ()

@@ -1,6 +1,7 @@
 """Things that move, change places with others, or make way for others."""
 
 from collections.abc import Sequence
+from typing import Final
 
 import msgspec
 
@@ -23,6 +24,10 @@ from mansion_editing.instructions.statements import (
 )
 
 __all__ = ["Moving"]
+
+
+_SEATS: Final = ("chair", "sofa", "loveseat", "couch", "bench", "recliner")
+"""Ends of names of what no other furniture stands on."""
 
 
 class Moving(Shifting):
@@ -74,7 +79,9 @@ class Moving(Shifting):
         mark = next((p for p in places if p.goal and p.place.anchor is not None), None)
         bare = mark is not None and self.text(mark.start) in ("over", "to", "up") and goal.relation == "on"
         holder = () if goal.anchor is None else tuple(goal.anchor.noun.split())
-        furniture = self.lexicon.stands(noun) and not self.lexicon.is_loose(noun) and self.lexicon.stands(holder)
+        sat_on = bool(holder) and holder[-1].endswith(_SEATS)
+        heavy = sat_on or not self.lexicon.is_loose(noun)
+        furniture = self.lexicon.stands(noun) and heavy and self.lexicon.stands(holder)
         return bare and furniture and self.text(mark.end - 1 if mark else 0) != "it"
 
     def _swap(self, at: int, place: int) -> tuple[list[Statement], int]:
@@ -95,7 +102,9 @@ class Moving(Shifting):
             pair = [Rooms(words=name, floors=floors) for name in names]
             return [Swap(one=pair[0], other=pair[1], quote=quote)], end
         if len(items) == 2 and items[0].is_room and items[1].is_room:
-            return [Swap(one=items[0].rooms(), other=items[1].rooms(), quote=quote)], end
+            one, other = items[0].rooms(), items[1].rooms()
+            one = one if one.floors else msgspec.structs.replace(one, floors=other.floors)
+            return [Swap(one=one, other=other, quote=quote)], end
         if len(items) == 1 and items[0].is_room and self.text(end) == ":":
             named = self.items(end + 1)
             if len(named) == 2:
@@ -108,12 +117,11 @@ class Moving(Shifting):
         if len(items) == 1 and joint is not None:
             return self._replaced_by(at, place, joint)
         if len(items) == 2:
-            one, other = items
-            shared = other.places and not one.places
-            first = (
-                one.things() if not shared else with_place(one.phrase.things(), joined_places(list(other.places))[0])
-            )
-            return [Swap(one=self._within_frame(first), other=self._within_frame(other.things()), quote=quote)], end
+            nearer, further = items
+            shared = further.places and not nearer.places
+            place_of_both = joined_places(list(further.places))[0]
+            first = with_place(nearer.phrase.things(), place_of_both) if shared else nearer.things()
+            return [Swap(one=self._within_frame(first), other=self._within_frame(further.things()), quote=quote)], end
         raise NotUnderstood(at, self.boundary(at))
 
     def _ends_swap(self, at: int) -> bool:

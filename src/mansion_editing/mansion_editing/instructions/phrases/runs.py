@@ -15,8 +15,9 @@ from mansion_editing.instructions.phrases.words import (
     NEED,
     PARTICIPLES_OF_REST,
     PREPOSITIONS,
-    Word,
+    VAGUE,
     text_at,
+    Word,
 )
 from mansion_language.colours import COLOUR_WORDS
 

@@ -119,7 +119,7 @@ _OF_TASTE: Final = frozenset(
     "decorative ornate plush fluffy cuddly squishy padded practical handy reliable robust silent noisy squeaky "
     "wobbly rickety creaky shabby worn-out tatty scruffy grubby dusty filthy stained smelly stinky mouldy brand- "
     "new pristine spotless shiny sparkling cheerful colourful colorful funky quirky adorable tasteful luxurious "
-    "expensive pricey inexpensive affordable delicious yummy inviting welcoming homely biggish smallish".split()
+    "expensive pricey inexpensive affordable delicious yummy friendly calming soothing inviting welcoming homely biggish smallish".split()
 )
 """Adjectives of taste, size and wear, which no scene describes and no name of a thing has."""
 
