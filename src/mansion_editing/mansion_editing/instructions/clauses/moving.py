@@ -26,6 +26,8 @@ from mansion_editing.instructions.statements import (
 __all__ = ["Moving"]
 
 
+_FOR: Final = frozenset("for with by to against".split())
+"""Words before what something is swapped for."""
 _SEATS: Final = ("chair", "sofa", "loveseat", "couch", "bench", "recliner")
 """Ends of names of what no other furniture stands on."""
 
@@ -93,7 +95,8 @@ class Moving(Shifting):
         of_each = _of_two_rooms(items[0]) if len(items) == 1 else None
         if of_each is not None:
             return [Swap(one=of_each[0], other=of_each[1], quote=quote)], end
-        if len(items) == 1 and _names_two(items[0]) and self._ends_swap(end):
+        exchanged = any(self.text(read.start) in _FOR for item in items for read in item.places)
+        if len(items) == 1 and _names_two(items[0]) and not exchanged and self._ends_swap(end):
             both = self._within_frame(items[0].things())
             return [Swap(one=both, other=both, quote=quote)], end
         names = items[0].rooms().words.split(JOINED) if len(items) == 1 and items[0].is_room else []
@@ -112,7 +115,7 @@ class Moving(Shifting):
                 return [Swap(one=named[0].rooms(), other=named[1].rooms(), quote=quote)], named[1].end
         if len(items) == 1 and items[0].is_room and items[0].phrase.amount.number == 2:
             return [Swap(one=items[0].rooms(), other=Rooms(same=True), quote=quote)], end
-        joint = next((k for k in range(place, len(self.words)) if self.text(k) in ("for", "with", "by", "to", "against")
+        joint = next((k for k in range(place, len(self.words)) if self.text(k) in _FOR
                       and self.phrase(k + 1) is not None), None)  # fmt: skip
         if len(items) == 1 and joint is not None:
             return self._replaced_by(at, place, joint)
