@@ -9,7 +9,7 @@ PLACES: dict[str, dict[str, str]] = {
     "a hotel of five storeys with a rooftop bar and a basement gym": {"bar": "top", "gym": "basement"},
     "a house with an attic study": {"study": "top"},
     "a ground floor shop with two flats upstairs": {"shop": "number", "flat": "upper"},
-    "a ground-floor clinic with flats above": {"clinic": "number", "flat": "upper"},
+    "a ground-floor clinic with flats above": {"clinic": "number"},
     "a hotel with a roof-top restaurant": {"restaurant": "top"},
 }
 
