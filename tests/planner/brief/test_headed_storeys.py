@@ -2,7 +2,6 @@
 
 import pytest
 
-from mansion_knowledge import default_knowledge
 from mansion_msgs_py.request import BuildRequest
 from mansion_planner.plan import plan_building
 
