@@ -1,4 +1,4 @@
-"""Which rooms people pass from one into the other because of what they do there, so that a door belongs between them."""
+"""Which rooms people pass from one into the other because of what they do there: a door belongs between them."""
 
 import re
 from dataclasses import dataclass

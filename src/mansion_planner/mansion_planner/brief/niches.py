@@ -1,4 +1,4 @@
-"""Read parts of a room that are named for what stands there: "a living room with a TV corner", "a hall with a stage"."""
+"""Read parts of a room that are named for what stands there: "a lounge with a TV corner", "a hall with a stage"."""
 
 from collections.abc import Sequence
 from dataclasses import replace

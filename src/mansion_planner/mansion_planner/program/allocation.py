@@ -204,6 +204,8 @@ def _unwanted_types(
         for alike in (_KITCHENS, _FOR_MEALS, _RECEIVING):
             if any(fact.room_type in alike for fact in facts):
                 unwanted[floor] |= alike
+        if any(fact.room_type == "living_room" and "dining" in fact.name for fact in facts):
+            unwanted[floor] |= {"dining_room"}
     for name, ref, _ in decisions.facts.excluded_on:
         like = next((group for group in _SAME_USE if name in group), frozenset())
         for floor in floors_of((ref,), decisions):

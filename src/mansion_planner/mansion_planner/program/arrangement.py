@@ -36,6 +36,7 @@ from mansion_planner.program.model import (
 )
 from mansion_planner.program.outline import Envelope, Frame, envelope_of
 from mansion_planner.program.plan_quality import (
+    carved,
     comes_out_as_strips,
     shallow_garages,
     shrunk_rooms,
@@ -129,7 +130,10 @@ def _ill_shaped(layout: Arrangement, *, home: bool) -> tuple[int, float]:
     Homes count what is wrong with them as such besides.
     """
     own = _own_sketches(layout)
-    ill: float = sum(len(strips(sketch)) + len(shrunk_rooms(sketch)) + len(swollen_rooms(sketch)) for sketch in own)
+    ill: float = sum(
+        len(strips(sketch)) + len(carved(sketch)) + len(shrunk_rooms(sketch)) + len(swollen_rooms(sketch))
+        for sketch in own
+    )
     if home:
         above = [storey for storey in layout.storeys if storey.copy is None and storey.index >= 1]
         ill += home_faults([(s, layout.sketches[s.index], layout.envelopes[s.index].area) for s in above])
@@ -305,10 +309,14 @@ def _arranged(
 def _filled(
     decisions: Decisions, massing: Massing, storeys: Sequence[Storey], allocation: Allocation, knowledge: KnowledgeBase
 ) -> list[Storey]:
-    """Return the storeys with their rooms; the entrance storey is filled last, with the toilets that others lack."""
+    """Return the storeys with their rooms; the entrance storey is filled last, with the toilets that others lack.
+
+    In a home it is the basement, with what the storeys above leave out.
+    """
     filled: dict[int, Storey] = {}
     others = Served()
-    for bare in sorted(storeys, key=lambda storey: storey.role in ("single", "ground")):
+    home = decisions.building.family == "home"
+    for bare in sorted(storeys, key=lambda storey: storey.role == "basement" if home else storey.role in _ENTERED):
         source = filled.get(bare.copy) if bare.copy is not None else None
         added = {room.kind.name for storey in filled.values() for room in storey.rooms if not room.stated}
         storey = filled[bare.index] = (
@@ -319,6 +327,10 @@ def _filled(
         hub = max(capacity(massing, storey) - sum(room.gross for room in storey.rooms), 0.0)
         others += served_by(storey, hub, knowledge)
     return [filled[storey.index] for storey in storeys]
+
+
+_ENTERED = frozenset({"single", "ground"})
+"""Roles of the storey that a building is entered on."""
 
 
 def _massing(decisions: Decisions, wish: MassingWish, generator: np.random.Generator) -> Massing:
@@ -357,8 +369,8 @@ def _named(decisions: Decisions) -> list[str]:
     return [name for fact in (*decisions.facts.adjacent, *decisions.facts.apart) for name in _names(fact)]
 
 
-_SALES = "sales_area"
-"""The room that a shop is there for, and that takes what its other rooms leave."""
+_SALES, _WAITING = "sales_area", "waiting_hall"
+"""The rooms that a shop and a station are there for, and that take what the other rooms leave."""
 
 _MOST_HUB = 0.75
 """Greatest share of a public hall's storey for its main room: the rest is for toilets, stores and staff."""
@@ -401,7 +413,7 @@ def _with_rooms(
     else:
         room, share = capacity(massing, storey), 0.0
     stores = hall and storey.hub.zone == "service"
-    takes_rest = stores or storey.hub.name in (STUDIO, _SALES)
+    takes_rest = stores or storey.hub.name in (STUDIO, _SALES, _WAITING)
     if hall:
         most = _most_home_hub(storey, allocation, knowledge, room)
         if storey.use.family != "home":

@@ -14,7 +14,17 @@ from mansion_planner.program.plan_quality import STRIP
 from mansion_planner.program.side_passages import Cluster, Wish, cluster_layout, cluster_width
 from mansion_planner.program.widths import widened
 
-__all__ = ["DOOR", "LEAST_FRONT", "Block", "group_blocks", "lay_block", "least_sides", "needs_outer_wall", "passage_of"]
+__all__ = [
+    "DOOR",
+    "LEAST_FRONT",
+    "Block",
+    "group_blocks",
+    "lay_block",
+    "least_sides",
+    "needs_outer_wall",
+    "of_full_depth",
+    "passage_of",
+]
 
 DOOR = 1.5
 """Least contact of a room with what it is reached from, with a margin over the 1.20 m of a door, metres."""
@@ -170,7 +180,7 @@ def _clusters(
         and not any(room.called(name) for pair in pairs for name in pair)
     ]  # fmt: skip
     free = [room for room in dark if any(room is other for other in narrow)]
-    wider = [room for room in dark if not any(room is other for other in free)]
+    wider = [room for room in dark if not _is_wide(room) and not any(room is other for other in free)]
     free.sort(key=lambda room: (not room.kind.wet, -room.area))
     best: list[tuple[float, list[list[PlannedRoom]]]] = [(0.0, [])]
     for end in range(1, len(free) + 1):
@@ -260,6 +270,28 @@ def _wide_enough(room: PlannedRoom, depth: float) -> PlannedRoom:
     if not must or not _is_narrow(room, depth) or area < _WINDOWED * depth:
         return room
     return msgspec.structs.replace(room, area=area)
+
+
+def of_full_depth(
+    rooms: Sequence[PlannedRoom], beside: Sequence[PlannedRoom], depth: float, pairs: Sequence[tuple[str, str]]
+) -> list[PlannedRoom]:
+    """Return the rooms, those that are to be beside one that closes the bar with the area for a band's whole depth.
+
+    In the corner of another room they would not reach its wall.
+
+    Parameters
+    ----------
+    beside : sequence of PlannedRoom
+        Rooms that close the bar.
+    """
+    partners = {other for pair in pairs for one, other in (pair, pair[::-1]) for room in beside if room.called(one)}
+    width = max(_NARROW, depth / STRIP) + 0.02
+    return [
+        msgspec.structs.replace(room, area=min(max(room.area, width * depth), room.most))
+        if not room.fixed and any(room.called(name) for name in partners)
+        else room
+        for room in rooms
+    ]
 
 
 _BEHIND = 1.2

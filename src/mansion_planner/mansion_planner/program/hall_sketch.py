@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import msgspec
 
 from mansion_planner.program.bands import Segment, bring_together, front_order
-from mansion_planner.program.blocks import LEAST_FRONT, Block, group_blocks, lay_block, least_sides, passage_of
+from mansion_planner.program.blocks import LEAST_FRONT, Block, group_blocks, lay_block, least_sides
 from mansion_planner.program.model import (
     DOOR_WALL,
     Box,
@@ -148,8 +148,7 @@ def _arranged(
     depth = massing.depth
     stairs = [core for core in massing.cores if core.type == "stair"]
     begin, far = _begin(massing), far_stair(massing)
-    public = storey.use.family != "home"
-    north, east, band = _divided(massing, front_order(storey.rooms), length, pairs, arrangement, public=public)
+    north, east, band = _divided(massing, front_order(storey.rooms), length, pairs, arrangement)
     row = [Segment("main", True, 0.0, 1.0, 0.0, band, blocks=tuple(north))]
     for first, second in pairs:
         row = bring_together(row, first, second)
@@ -173,10 +172,8 @@ def _arranged(
     lined = Segment("main", True, begin, end, depth - band, band, blocks=tuple(north))
     reach = depth - band if under else depth
     column = min(area / reach, widest)
-    placements, boxes = _in_row(lined, massing, hub_id)
-    stacked, passages = _in_column(east, (length - column, reach, column), hub_id)
-    placements += stacked
-    boxes = [*_hub_boxes(massing, begin, length - column, band, lined=bool(north)), *boxes, *passages]
+    placements = _in_row(lined, massing, hub_id) + _in_column(east, (length - column, reach, column), hub_id)
+    boxes = _hub_boxes(massing, begin, length - column, band, lined=bool(north))
     boxes += [(end, depth - band, length, depth)] if arrangement.part and end < length - 0.01 else []
     hub = Corridor(hub_id, boxes)
     return Sketch([hub], placements, {core.id: hub_id for core in massing.cores})
@@ -192,24 +189,21 @@ def _divided(
     length: float,
     pairs: list[tuple[str, str]],
     arrangement: _Arrangement,
-    *,
-    public: bool,
 ) -> tuple[list[Block], list[Block], float]:
     """Return the blocks of the north and of the far side of a hall, and the depth of the north side, metres.
 
-    With a stair at either end of the north side all rooms lie between the two. In a `public` building small rooms may
-    lie around passages.
+    With a stair at either end of the north side all rooms lie between the two.
     """
     depth, begin, far = massing.depth, _begin(massing), far_stair(massing)
     stairs = [core for core in massing.cores if core.type == "stair"]
     if far:
         band = sum(room.gross for room in rooms) / max(length - far - begin, _LEAST_BAND)
         band = min(max(band, _LEAST_BAND), 0.6 * depth)
-        return group_blocks(rooms, band, pairs, passages=public), [], band
+        return group_blocks(rooms, band, pairs), [], band
     if arrangement.north is None:
         total = sum(room.gross for room in rooms)
         band = _band_depth(total, length - begin, depth, [room.gross for room in rooms], stairs)
-        return *_split(group_blocks(rooms, band, pairs, passages=public), band, length - begin), band
+        return *_split(group_blocks(rooms, band, pairs), band, length - begin), band
     chosen = [rooms[n] for n in arrangement.north]
     rest = [room for n, room in enumerate(rooms) if n not in arrangement.north]
     band = sum(room.gross for room in chosen) / (length - begin)
@@ -236,29 +230,19 @@ def _turned(block: Block, column: float) -> Block:
     return msgspec.structs.replace(block, least=depth) if front <= column < depth else block
 
 
-def _in_column(east: list[Block], place: tuple[float, float, float], hub_id: str) -> tuple[list[Placement], list[Box]]:
-    """Stack blocks from the south along the hub's far side, and return the passages between their rooms.
-
-    Parameters
-    ----------
-    place : (float, float, float)
-        Where the column begins, its reach and its width.
-    """
+def _in_column(east: list[Block], place: tuple[float, float, float], hub_id: str) -> list[Placement]:
+    """Stack blocks from the south along the hub's far side; `place` is where it begins, its reach and its width."""
     x0, reach, column = place
     high = sum(block.gross for block in east) or 1.0
     rises = widened([reach * block.gross / high for block in east], [block.least_width for block in east])
     placements: list[Placement] = []
-    passages: list[Box] = []
     y = 0.0
     for block, rise in zip(east, rises):
         for room, boxes in lay_block(block, rise, column):
             world: list[Box] = [(x0 + b[1], y + b[0], x0 + b[3], y + b[2]) for b in boxes]
             placements.append(Placement(room, world, _parent(block, room, hub_id)))
-        passage = passage_of(block, rise, column)
-        if passage:
-            passages.append((x0 + passage[1], y + passage[0], x0 + passage[3], y + passage[2]))
         y += rise
-    return placements, passages
+    return placements
 
 
 def _hub_boxes(massing: Massing, begin: float, end: float, band: float, *, lined: bool) -> list[Box]:
@@ -311,13 +295,10 @@ def _split(blocks: list[Block], band: float, length: float) -> tuple[list[Block]
     return north, east
 
 
-def _in_row(segment: Segment, massing: Massing, hub_id: str) -> tuple[list[Placement], list[Box]]:
-    """Return the places of a segment's rooms, and the passages between them."""
-    laid = segment.laid()
-    placements = [
+def _in_row(segment: Segment, massing: Massing, hub_id: str) -> list[Placement]:
+    """Return the places of a segment's rooms."""
+    return [
         Placement(room, [segment.world(box, x0, massing) for box in boxes], _parent(block, room, hub_id))
-        for block, x0, x1 in laid
+        for block, x0, x1 in segment.laid()
         for room, boxes in lay_block(block, x1 - x0, segment.depth)
     ]
-    found = [(passage_of(block, x1 - x0, segment.depth), x0) for block, x0, x1 in laid]
-    return placements, [segment.world(passage, x0, massing) for passage, x0 in found if passage]

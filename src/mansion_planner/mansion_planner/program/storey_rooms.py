@@ -124,7 +124,9 @@ def fill_storey(
         if sum(room.least for top in rooms for room in top.each()) + kind.least <= _CROWDED * budget:
             rooms.append(allocation.added(entry, knowledge))
     described = is_described(rooms, budget)
-    rooms = _with_listed(storey, allocation, knowledge, rooms, budget, needed=needed, beside_hub=not hub_share)
+    rooms = _with_listed(
+        storey, allocation, knowledge, rooms, budget, elsewhere, needed=needed, beside_hub=not hub_share
+    )
     rooms = _with_more_baths(storey, allocation, knowledge, rooms, budget)
     used = sum(room.gross for room in rooms)
     for entry in (entry for entry in entries_of(storey) if entry.repeat and entry not in needed):
@@ -161,6 +163,7 @@ def _with_listed(
     knowledge: KnowledgeBase,
     rooms: Sequence[PlannedRoom],
     budget: float,
+    elsewhere: Collection[str],
     *,
     needed: Sequence[RoomEntry],
     beside_hub: bool,
@@ -180,6 +183,8 @@ def _with_listed(
     present = {fact.room_type for fact in allocation.wanted[storey.index]}
     used = sum(room.gross for room in filled)
     described = is_described(rooms, budget)
+    home = storey.use.family == "home"
+    extras = (storey.use.filler or knowledge.groups.filler_of(storey.use.family)) if home else ()
     for entry in (entry for entry in entries_of(storey) if entry not in needed):
         kind = knowledge.room(entry.room_type)
         if described and not is_needed(kind, storey.use) and reach(filled) >= budget:
@@ -187,6 +192,8 @@ def _with_listed(
         if kind.name == "bathroom" and _has_baths(filled):
             continue
         if not allocation.adds(kind.name, storey.index) or kind.name == storey.hub.name:
+            continue
+        if kind.name in extras and kind.name in elsewhere:
             continue
         for _ in range(0 if entry.repeat else max(entry.count - (kind.name in present), 0)):
             room = allocation.added(entry, knowledge)

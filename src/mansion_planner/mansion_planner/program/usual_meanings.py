@@ -11,7 +11,8 @@ __all__ = ["as_meant_in", "with_main_room"]
 _MEANT = {
     "kitchen": ("commercial_kitchen",), "open_kitchen": ("commercial_kitchen",), "dining_room": ("restaurant",),
     "dining_area": ("restaurant",), "dining_space": ("restaurant",), "entrance_hall": ("lobby",),
-    "living_dining_room": ("living_room",), "living_and_dining_room": ("living_room",), "lounge_diner": ("living_room",),
+    "living_dining_room": ("living_room",), "living_and_dining_room": ("living_room",),
+    "lounge_diner": ("living_room",),
     "shower_room": ("shower_area",), "shower": ("shower_area",), "showers": ("shower_area",),
     "private_room": ("resident_room", "patient_room"), "single_room": ("resident_room", "patient_room"),
     "child_room": ("childrens_area",), "kid_room": ("childrens_area",), "lounge": ("living_room",),

@@ -13,7 +13,7 @@ from mansion_msgs_py.openings import GivenOpenings
 from mansion_msgs_py.program import GROUND_FLOOR, Downgrade
 from mansion_msgs_py.scene import Door, SceneCore, SceneRoom, Wall, Window
 from mansion_msgs_py.stages import FurnishRequest
-from mansion_scene.structure.access import AccessPlan, plan_access, shared_boundaries
+from mansion_scene.structure.access import AccessPlan, Pair, pair_key, plan_access, shared_boundaries
 from mansion_scene.structure.boundaries import BoundarySegment, boundary_segments
 from mansion_scene.structure.cores import scene_cores
 from mansion_scene.structure.dimensions import SLAB_THICKNESS
@@ -138,7 +138,8 @@ def build_structure(request: FurnishRequest, held: HeldAccess | None = None) -> 
         placed += second
         frontages = with_doors(frontages, second)
     if given is None and held is None:
-        working = place_working_doors(floor, shared, [*openings, *placed], frontages, request.building_type)
+        known, kind = [*openings, *placed], request.building_type
+        working = place_working_doors(floor, shared, known, frontages, kind, _wished_pairs(floor, request))
         placed += working
         frontages = with_doors(frontages, working)
     fixed = {opening.segment for opening in kept} if given is not None else set()
@@ -168,6 +169,16 @@ def build_structure(request: FurnishRequest, held: HeldAccess | None = None) -> 
         downgrades=[*plan.downgrades, *_cut_off(floor, partition), *blocked, *narrowed, *leafless],
         ceiling=ceiling,
     )
+
+
+def _wished_pairs(floor: FloorRegions, request: FurnishRequest) -> set[Pair]:
+    """Return the rooms that the brief wants side by side."""
+    return {
+        pair_key(floor.by_node[room.id].id, floor.by_node[other].id)
+        for room in request.floor.rooms
+        for other in room.adjacent_to
+        if room.id in floor.by_node and other in floor.by_node
+    }
 
 
 def _kept_access(

@@ -20,6 +20,7 @@ from mansion_scene.structure.regions import FloorRegions, Region
 from mansion_scene.structure.stairs import landing_zone
 
 __all__ = [
+    "BED_WIDTH",
     "Opening",
     "OpeningKind",
     "entrance_kind",
@@ -37,7 +38,7 @@ __all__ = [
 
 _LARGE_PUBLIC = 45.0  # square metres from which a public room gets a double door
 
-_BED_WIDTH = 1.06
+BED_WIDTH = 1.06
 """Clear width through which beds are moved (rule ``door_width``), for wide doors that find no place, metres."""
 
 
@@ -228,7 +229,7 @@ def other_places(
 
 def narrower_widths(wished: float) -> list[float]:
     """Return the clear widths of a door, the wished one first, down to 0.9 m."""
-    return [wished, *(width for width in (_BED_WIDTH, CLEAR_WIDTH) if width < wished)]
+    return [wished, *(width for width in (BED_WIDTH, CLEAR_WIDTH) if width < wished)]
 
 
 def _without(frontage: Frontage, segment: Segment) -> Frontage:
