@@ -34,7 +34,14 @@ def dishwasher(b: Builder) -> None:
     panel = ((-w / 2 + 0.005, w / 2 - 0.005), front, (min(0.1, h * 0.12), cell.top - 0.01))
     with b.door(*panel, "bottom"):
         b.box(*panel, b.mat(), "door", solid=False)
-        b.box((-w * 0.4, w * 0.4), (front[1], d / 2), (cell.top - 0.06, cell.top - 0.045), "metal_chrome", "handle", solid=False)
+        b.box(
+            (-w * 0.4, w * 0.4),
+            (front[1], d / 2),
+            (cell.top - 0.06, cell.top - 0.045),
+            "metal_chrome",
+            "handle",
+            solid=False,
+        )
         sign = DrawnFace.front(b, front[1])
         for k in range(3):
             sign.disc(w * (-0.2 + 0.14 * k), h * 0.45, h * 0.13, "plastic_white", "plates", 0.004 + 0.002 * k, 24)
@@ -227,9 +234,9 @@ def table_ornament(b: Builder) -> None:
     base = h * 0.12
     b.cushion((-w / 2, w / 2), (-d / 2, d / 2), (0, base), b.mat(), "tray", 0.5, 16)
     for side in (-1, 1):
-        x, y = sorted((side * w * 0.48, side * w * 0.44)), sorted((side * d * 0.48, side * d * 0.43))
-        b.box((x[0], x[1]), (-d * 0.44, d * 0.44), (base * 0.6, base * 1.6), b.mat(), "tray")
-        b.box((-w * 0.44, w * 0.44), (y[0], y[1]), (base * 0.6, base * 1.6), b.mat(), "tray")
+        across, along = sorted((side * w * 0.48, side * w * 0.44)), sorted((side * d * 0.48, side * d * 0.43))
+        b.box((across[0], across[1]), (-d * 0.44, d * 0.44), (base * 0.6, base * 1.6), b.mat(), "tray")
+        b.box((-w * 0.44, w * 0.44), (along[0], along[1]), (base * 0.6, base * 1.6), b.mat(), "tray")
     b.cyl(w * 0.22, d * 0.04, (base, h * 0.6), w * 0.08, "food_f3ead6", "candle", n=18)
     b.cyl(w * 0.22, d * 0.04, (base, h * 0.8), w * 0.11, "glass_clear", "glass", n=18)
     b.lathe(
@@ -335,9 +342,9 @@ def basket_stack(b: Builder) -> None:
         solid=False,
     )
     for side in (-1, 1):
-        x, y = sorted((side * w / 2, side * w * 0.43)), sorted((side * d / 2, side * d * 0.42))
-        b.box((x[0], x[1]), (-d / 2, d / 2), (rim - step * 0.5, rim), b.mat(), "rims")
-        b.box((-w / 2, w / 2), (y[0], y[1]), (rim - step * 0.5, rim), b.mat(), "rims")
+        across, along = sorted((side * w / 2, side * w * 0.43)), sorted((side * d / 2, side * d * 0.42))
+        b.box((across[0], across[1]), (-d / 2, d / 2), (rim - step * 0.5, rim), b.mat(), "rims")
+        b.box((-w / 2, w / 2), (along[0], along[1]), (rim - step * 0.5, rim), b.mat(), "rims")
     face, wall = DrawnFace.front(b, d * 0.42), DrawnFace.side(b, w * 0.44)
     for row in range(3):
         v = 0.03 + 0.055 * row

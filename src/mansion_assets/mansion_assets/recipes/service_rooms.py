@@ -68,9 +68,9 @@ def altar(b: Builder) -> None:
     cloth = (-d / 2 + 0.05, d / 2 - 0.05)
     b.box((-w / 2, w / 2), cloth, (h * 0.985, h), "fabric_fdfdfb", "cloth")
     for side in (-1, 1):
-        x = sorted((side * w / 2, side * (w / 2 - 0.012)))
-        b.box((x[0], x[1]), cloth, (h * 0.4, h), "fabric_fdfdfb", "cloth")
-        b.box((x[0] - 0.002, x[1] + 0.002), cloth, (h * 0.4, h * 0.44), "metal_brass", "fringe")
+        across = sorted((side * w / 2, side * (w / 2 - 0.012)))
+        b.box((across[0], across[1]), cloth, (h * 0.4, h), "fabric_fdfdfb", "cloth")
+        b.box((across[0] - 0.002, across[1] + 0.002), cloth, (h * 0.4, h * 0.44), "metal_brass", "fringe")
     face = DrawnFace.front(b, d / 2 - 0.01)
     face.field((-w * 0.3, w * 0.3), (h * 0.5, h * 0.98), "fabric_fdfdfb", "front_cloth", 0.008)
     face.field((-w * 0.3, w * 0.3), (h * 0.5, h * 0.54), "metal_brass", "fringe", 0.012)
@@ -154,9 +154,9 @@ def changing_table(b: Builder) -> None:
             for u in (-w * 0.2, w * 0.2):
                 b.rod((u, face + 0.015, sum(z) / 2), (u, d / 2 + 0.01, sum(z) / 2), 0.018, "wood_brown", "knobs", 12)
     for side in (-1, 1):
-        x = sorted((side * w / 2, side * (w / 2 - 0.025)))
+        across = sorted((side * w / 2, side * (w / 2 - 0.025)))
         wall = [(-d / 2, high), (face, high), (face, h * 0.94), (d * 0.1, h), (-d / 2, h)]
-        b.prism(wall, (x[0], x[1]), b.mat(), part="sides")
+        b.prism(wall, (across[0], across[1]), b.mat(), part="sides")
     b.box((-w / 2, w / 2), (-d / 2, -d / 2 + 0.025), (high, h), b.mat(), "sides")
     b.box((-w / 2, w / 2), (face - 0.02, face), (high, h * 0.89), b.mat(), "sides")
     for y in ((-d / 2 + 0.03, -d * 0.22), (d * 0.18, face - 0.025)):
@@ -288,8 +288,15 @@ def prayer_rug(b: Builder) -> None:
     for side in (-1, 1):
         for k in range(18):
             x = -w / 2 + w * (k + 0.5) / 18
-            y = sorted((side * d * 0.46, side * d / 2))
-            b.box((x - w * 0.012, x + w * 0.012), (y[0], y[1]), (0, h * 0.3), "fabric_white", "fringe", solid=False)
+            along = sorted((side * d * 0.46, side * d / 2))
+            b.box(
+                (x - w * 0.012, x + w * 0.012),
+                (along[0], along[1]),
+                (0, h * 0.3),
+                "fabric_white",
+                "fringe",
+                solid=False,
+            )
     face = DrawnFace.top(b, h * 0.5)
     for inset, color, level in ((0.04, gold, 0.1), (0.06, dark, 0.16), (0.12, gold, 0.22), (0.14, b.mat(), 0.28)):
         face.field(
