@@ -1,4 +1,4 @@
-"""Fittings and small ornaments of a home: dishwashers, blinds, teapots, jars, tooth brushes, ornaments, mats."""
+"""Fittings and small ornaments of a home: dishwashers, blinds, teapots, jars, tooth brushes, ornaments."""
 
 import itertools
 import math
@@ -261,24 +261,6 @@ def table_ornament(b: Builder) -> None:
     for x, y, color in ((-0.04, 0.22, "metal_brass"), (-0.24, 0.2, "stone_white"), (0.02, -0.04, "wood_walnut")):
         r = min(w, d) * 0.09
         b.ball((w * x, d * y, base + r), (r, r, r), color, "balls", 14)
-
-
-@recipe("welcome_mat")
-def welcome_mat(b: Builder) -> None:
-    """A mat of bristle with WELCOME in dark letters within a border."""
-    w, d, h = b.w, b.d, b.h
-    b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, h * 0.7), "fabric_a87b4a" if "brown" in b.mat() else b.mat(), "mat")
-    ink = "fabric_2f2a26" if "dark" not in b.mat() and "black" not in b.mat() else "fabric_beige"
-    face = DrawnFace.top(b, h * 0.7)
-    e = min(w, d) * 0.06
-    for u, v in (
-        ((-w / 2 + e, w / 2 - e), (-d / 2 + e, -d / 2 + 1.6 * e)),
-        ((-w / 2 + e, w / 2 - e), (d / 2 - 1.6 * e, d / 2 - e)),
-        ((-w / 2 + e, -w / 2 + 1.6 * e), (-d / 2 + e, d / 2 - e)),
-        ((w / 2 - 1.6 * e, w / 2 - e), (-d / 2 + e, d / 2 - e)),
-    ):
-        face.field(u, v, ink, "border", h * 0.2)
-    face.write("WELCOME", (-w * 0.38, w * 0.38), (-d * 0.22, d * 0.22), ink, "letters", h * 0.3)
 
 
 @recipe("hazard_cabinet")

@@ -1,4 +1,4 @@
-"""Furniture of plain shape that its marks tell apart: nail bars, waiters' stations, trunks, mats, curtains, pools."""
+"""Furniture of plain shape that its marks tell apart: nail bars, waiters' stations, trunks, curtains, pools."""
 
 from mansion_assets.builder import Builder
 from mansion_assets.drawn_faces import DrawnFace
@@ -87,34 +87,6 @@ def trunk(b: Builder) -> None:
         lid = DrawnFace.top(b, h)
         for u in (-w * 0.32, w * 0.32):
             lid.field((u - w * 0.035, u + w * 0.035), (-d / 2 + 0.03, d / 2), "leather_5a3a22", "straps", 0.001)
-
-
-@recipe("exercise_mat")
-def exercise_mat(b: Builder) -> None:
-    """A long plain mat with the figure of somebody who sits with crossed legs, and a line along its middle."""
-    w, d, h = b.w, b.d, b.h
-    b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, h * 0.7), b.mat(), "mat")
-    face, ink = DrawnFace.top(b, h * 0.7), "plastic_eef2f5"
-    s, z = w * 0.4, (h * 0.7, h * 0.9)
-    face.disc(0, s * 0.95, s * 0.2, ink, "figure", h * 0.2, 18)
-    b.prism(
-        [(-s * 0.22, -s * 0.66), (s * 0.22, -s * 0.66), (s * 0.14, s * 0.3), (-s * 0.14, s * 0.3)],
-        z,
-        ink,
-        "z",
-        "figure",
-    )
-    for side in (-1, 1):
-        for bone in (
-            [(0.1, -0.66), (0.3, -0.62), (0.68, 0.0), (0.56, 0.04)],
-            [(0.56, 0.04), (0.68, 0.0), (0.86, 0.22), (0.78, 0.3)],
-            [(0.0, 0.26), (0.1, 0.26), (0.95, 0.5), (0.86, 0.6), (0.0, 0.44)],
-            [(0.86, 0.46), (0.9, 0.62), (-0.16, 0.8), (-0.2, 0.66)],
-        ):
-            b.prism([(side * u * s, v * s) for u, v in bone], z, ink, "z", "figure", solid=False)
-    for v in ((-d * 0.46, -d * 0.28), (d * 0.28, d * 0.46)):
-        face.field((-w * 0.012, w * 0.012), v, ink, "line", h * 0.2)
-        face.field((-w * 0.3, w * 0.3), (v[0], v[0] + d * 0.006), ink, "line", h * 0.2)
 
 
 @recipe("ward_curtain")
