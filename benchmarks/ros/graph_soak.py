@@ -16,6 +16,7 @@ first.
 """
 
 import argparse
+import importlib.util
 import statistics
 import sys
 import tempfile
@@ -241,6 +242,8 @@ def main() -> int:
     parser.add_argument("--building", type=Path, help="a building of four storeys, instead of an office built for it")
     parser.add_argument("--domain", type=int, help="where to look for a free ROS domain")
     options = parser.parse_args()
+    if importlib.util.find_spec("mujoco") is None:
+        parser.error("the editor's placing needs MuJoCo: python -m mansion_bringup.extras sim")
     threading.excepthook = lambda hook: print(f"thread: {hook.exc_value}", file=sys.stderr)
     with tempfile.TemporaryDirectory(prefix="graph-soak-") as folder:
         return run(options, Path(folder))

@@ -4,6 +4,7 @@ import os
 import queue
 import signal
 import sys
+import threading
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -113,3 +114,33 @@ def test_the_process_ends_when_nobody_edits(
     maker, _ = maker_of(folder)
     while Path(f"/proc/{maker}").exists():
         pass
+
+
+def test_edits_while_it_rests_are_brought_up_to_date_together(
+    derived: DerivedFiles,
+    told: "queue.SimpleQueue[Any]",
+    folder: Path,
+    open_editor: EditorFactory,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    times, rests, rested = iter([10.0, 13.0]), queue.SimpleQueue[float](), threading.Event()
+
+    def rest(seconds: float) -> None:
+        rests.put(seconds)
+        rested.wait(PATIENCE)
+
+    monkeypatch.setattr(derived, "_clock", lambda: next(times, 20.0))
+    monkeypatch.setattr(derived, "_rest", rest)
+    editor = open_editor()
+    editor.call("PlaceInContainer", COLA)
+    derived.update(folder)
+    assert told.get(timeout=PATIENCE)[1] == [1]
+    assert rests.get(timeout=PATIENCE) == 3.0 * derived_files.REST
+    for tool in ("Undo", "Redo", "Undo"):
+        editor.call(tool)
+        derived.update(folder)
+    assert told.empty()
+    rested.set()
+    assert told.get(timeout=PATIENCE)[1] == [1]
+    rests.get(timeout=PATIENCE)
+    assert told.empty()

@@ -220,6 +220,26 @@ def test_a_plan_is_given_up_when_its_build_is_cancelled(client: MansionClient, t
     assert client.call("cancel_plan", {}) == {"plans": []}
 
 
+def test_an_instruction_is_given_up_when_it_is_cancelled(client: MansionClient, tmp_path: Path) -> None:
+    built = client.build(FLAT, output=str(tmp_path / "flat"))
+    client.call("scene/open", {"path": built.path, "editor": "long"})
+    ends: list[MansionError] = []
+
+    def instruct() -> None:
+        instruction = "Put a book on the floor of the living room. " * 90
+        with pytest.raises(MansionError) as ended:
+            client.call("scene/instruct", {"editor": "long", "instruction": instruction}, timeout=120.0)
+        ends.append(ended.value)
+
+    editing = threading.Thread(target=instruct)
+    editing.start()
+    assert wait_until(lambda: client.call("scene/cancel", {"editor": "long"})["editors"])
+    editing.join(timeout=60.0)
+    assert [end.code for end in ends] == [ErrorCode.CANCELED]
+    assert client.call("scene/diff", {"editor": "long"})["changes"] == []
+    assert client.call("scene/cancel", {}) == {"editors": []}
+
+
 def test_the_robot_rides_the_lift_through_services(client: MansionClient, tmp_path: Path) -> None:
     built = client.build("a three-storey office with an elevator", output=str(tmp_path / "office"))
     client.call("load_building", {"path": built.path})

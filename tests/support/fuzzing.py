@@ -261,6 +261,7 @@ def _services(fuzzer: Fuzzer, stock: Stock) -> list[_Target]:
         "skills/take_control": (0.3, lambda arguments: _controlled(fuzzer, arguments)),
         "skills/release_control": (0.3, lambda arguments: fuzzer.engine.release_control(arguments)),
         "scene/open": (1.0, lambda arguments: fuzzer.opened(Path(arguments.path))),
+        "scene/cancel": (0.1, lambda arguments: arguments),
         "scene/instruct": (4.0, lambda a: instruct(fuzzer.editor, a.instruction, "rules", partly=a.partly)),
         "scene/provision": (1.0, lambda arguments: provision(fuzzer.editor, arguments.task)),
     }

@@ -3,10 +3,10 @@
 import hashlib
 import math
 from collections import OrderedDict
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
-from typing import TypeVar
+from typing import TypeAlias, TypeVar
 
 import msgspec
 
@@ -19,7 +19,7 @@ from mansion_bringup.check.fault import Fault
 from mansion_bringup.check.integrity import check_identity
 from mansion_bringup.check.objects import carriers, check_objects
 from mansion_bringup.check.openings import check_openings
-from mansion_bringup.check.reach import Walk, check_reach, walkable
+from mansion_bringup.check.reach import Walk, check_reach, floor_reach, walkable
 from mansion_bringup.check.rooms import check_partition, check_walls
 from mansion_msgs_py.building import Building, BuildingReport
 from mansion_msgs_py.codec import decode, encode_bytes
@@ -92,17 +92,26 @@ def _concerned(before: FloorScene, after: FloorScene) -> set[str]:
     touched = {name for name in {*old, *new} if old.get(name) != new.get(name)}
     spots = [item for side in (old, new) for name in touched if (item := side.get(name))]
     names = set(touched)
+    circles = [_circle(spot) for spot in spots]
     for side in (old, new):
-        near = [item for item in side.values() if item.parent in touched or any(_meet(item, spot) for spot in spots)]
+        near = [item for item in side.values() if item.parent in touched or _meets(_circle(item), circles)]
         for item in near:
             names.add(item.id)
             names.update(carriers(item, side))
     return names
 
 
-def _meet(one: SceneObject, other: SceneObject) -> bool:
-    reach = (math.hypot(*one.size[:2]) + math.hypot(*other.size[:2])) / 2 + _NEAR
-    return math.dist(one.position[:2], other.position[:2]) <= reach
+_Circle: TypeAlias = tuple[float, float, float]
+"""Centre and radius of what an object covers, however it is turned."""
+
+
+def _circle(item: SceneObject) -> _Circle:
+    return (item.position[0], item.position[1], math.hypot(item.size[0], item.size[1]) / 2)
+
+
+def _meets(one: _Circle, others: Iterable[_Circle]) -> bool:
+    x, y, radius = one
+    return any((x - a) ** 2 + (y - b) ** 2 <= (radius + other + _NEAR) ** 2 for a, b, other in others)
 
 
 def _object_faults(scene: FloorScene, names: set[str]) -> list[Fault]:
@@ -119,13 +128,21 @@ _walks: OrderedDict[bytes, Walk] = OrderedDict()
 """Where a robot can be on a floor: an edit changes one floor, and the check asks about all."""
 
 
+_floors: OrderedDict[bytes, list[Fault]] = OrderedDict()
+"""Faults of a floor, by the floor and the pieces of it that a robot gets to."""
+
+
 def _reach_faults(scenes: Mapping[int, FloorScene]) -> list[Fault]:
     digests = {floor: _digest(scenes[floor]) for floor in sorted(scenes)}
     key = b"".join(digests.values())
 
     def checked() -> list[Fault]:
         walks = {f: _remembered(_walks, digest, partial(walkable, scenes[f])) for f, digest in digests.items()}
-        return list(check_reach([scenes[floor] for floor in digests], walks))
+        return list(check_reach([scenes[floor] for floor in digests], walks, judged))
+
+    def judged(scene: FloorScene, walk: Walk, reached: set[int]) -> list[Fault]:
+        pieces = " ".join(map(str, sorted(reached))).encode()
+        return _remembered(_floors, digests[scene.floor] + pieces, lambda: list(floor_reach(scene, walk, reached)))
 
     return _remembered(_memory, key, checked)
 

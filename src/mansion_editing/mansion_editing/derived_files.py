@@ -2,6 +2,7 @@
 
 import os
 import threading
+import time
 from collections.abc import Callable
 from concurrent.futures import BrokenExecutor, ProcessPoolExecutor
 from importlib import import_module
@@ -23,6 +24,10 @@ NICENESS: Final = 5
 """By how much its priority is lower than that of the process that answers calls."""
 
 
+REST: Final = 2.0
+"""How much longer the process rests than it has worked: while edits follow each other, it takes a third of a core."""
+
+
 class DerivedFiles:
     """Brings plans, pictures and models of edited buildings up to date, one building after the other.
 
@@ -36,6 +41,8 @@ class DerivedFiles:
         Told the folder and the floors whose files were written.
     failed : callable
         Told the folder and what went wrong; the next edit of the building tries again.
+    clock : callable
+        Seconds, by which the process rests after work; edits that come meanwhile are brought up to date together.
     """
 
     def __init__(
@@ -44,11 +51,13 @@ class DerivedFiles:
         allowed: AllowedFolders,
         written: Callable[[Path, list[int]], None],
         failed: Callable[[Path, Exception], None],
+        clock: Callable[[], float] = time.monotonic,
     ) -> None:
         self._hooks, self._allowed, self._written, self._failed = hooks, allowed, written, failed
         self._behind: dict[Path, None] = {}
         self._wake = threading.Event()
-        self._closed = False
+        self._clock = clock
+        self._closed = threading.Event()
         self._pool: ProcessPoolExecutor | None = None
         threading.Thread(target=self._work, name="derive", daemon=True).start()
 
@@ -59,19 +68,24 @@ class DerivedFiles:
 
     def close(self) -> None:
         """End the process; files that it has not written are behind until the building is opened again."""
-        self._closed = True
+        self._closed.set()
         self._wake.set()
         self._end_process()
 
     def _work(self) -> None:
-        while not self._closed:
+        while not self._closed.is_set():
             if not self._wake.wait(IDLE):
                 self._end_process()
                 self._wake.wait()
             self._wake.clear()
+            begin = self._clock()
             for folder in list(self._behind):
                 del self._behind[folder]
                 self._update(folder)
+            self._rest(REST * (self._clock() - begin))
+
+    def _rest(self, seconds: float) -> None:
+        self._closed.wait(seconds)
 
     def _update(self, folder: Path) -> None:
         try:
@@ -81,7 +95,7 @@ class DerivedFiles:
         except (MansionError, OSError, RuntimeError) as error:
             if isinstance(error, BrokenExecutor):
                 self._end_process()
-            if not self._closed:
+            if not self._closed.is_set():
                 self._failed(folder, error)
         else:
             if floors:

@@ -1,6 +1,7 @@
 """The editor of a building: tools by name, edits that wait or land at once, undo and redo; all editors of a process."""
 
-from collections.abc import Callable, Mapping, Sequence, Set
+from collections.abc import Callable, Iterator, Mapping, Sequence, Set
+from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any, Final, TypeAlias
 
@@ -150,6 +151,8 @@ class SceneEditor:
     ----------
     answered : Answered, optional
         What the last question was about.
+    cancelled : callable
+        Whether what is in work is not wanted any more (see `cancellable`).
     """
 
     def __init__(
@@ -170,6 +173,7 @@ class SceneEditor:
         self._marks: list[int] = []
         self._redo: list[tuple[str, list[Change]]] = []
         self.answered: Answered | None = None
+        self.cancelled: Callable[[], bool] = _never
         self.reload()
 
     def reload(self) -> None:
@@ -186,6 +190,35 @@ class SceneEditor:
             if seen != {floor: scene.revision for floor, scene in scenes.items()}:
                 self.reload()
         return self.state
+
+    @contextmanager
+    def cancellable(self, cancelled: Callable[[], bool]) -> Iterator[None]:
+        """Let what is called in the block be cancelled: it ends at its next step, and nothing of it lands.
+
+        Raises
+        ------
+        MansionError
+            ``CANCELED`` where something in the block failed after it was cancelled.
+        """
+        self.cancelled = cancelled
+        try:
+            yield
+        except MansionError:
+            self.go_on()
+            raise
+        finally:
+            self.cancelled = _never
+
+    def go_on(self) -> None:
+        """Go on, unless what is in work was cancelled.
+
+        Raises
+        ------
+        MansionError
+            ``CANCELED``.
+        """
+        if self.cancelled():
+            raise MansionError(ErrorCode.CANCELED, "the edit was cancelled; nothing of it was done")
 
     def call(self, tool: str, arguments: Any = None) -> Any:
         """Run a tool by name.
@@ -208,6 +241,7 @@ class SceneEditor:
         if not isinstance(arguments, kind):
             text = arguments if isinstance(arguments, str) else encode(arguments or {})
             args = decode(kind, text)
+        self.go_on()
         state = self.refreshed()
         if tool in _ASK:
             return _ASK[tool](state, args)
@@ -225,6 +259,7 @@ class SceneEditor:
         start = len(self.state.pending)
         try:
             message = act()
+            self.go_on()
         except BaseException:
             self.state.roll_back(start)
             raise
@@ -285,7 +320,7 @@ class SceneEditor:
         if self.furnisher is None:
             raise MansionError(ErrorCode.UNAVAILABLE, "this editor was opened without a placer, which furnishes rooms")
         made = reshaping.reshape_floor(
-            self.state, args, self.document, self._new_faults, self.catalogue, self.furnisher
+            self.state, args, self.document, self._new_faults, self.catalogue, self.furnisher, self.go_on
         )
         done = self.replace_documents(made.files, f"ReshapeFloor {encode(_without_editor(args))}")
         return msgspec.structs.replace(done, message=" ".join(made.moved), room_ids=made.rooms)
@@ -410,6 +445,10 @@ class SceneEditor:
         done = self.store.redo(self.who)
         self.reload()
         return _landed(done.what, done)
+
+
+def _never() -> bool:
+    return False
 
 
 def _where(item: SceneObject) -> str:

@@ -29,8 +29,8 @@ def building_title(scenes: Sequence[FloorScene]) -> str:
 
 
 def building_name(scene: FloorScene) -> str:
-    """Return what people call a building of its type: ``Office``, ``Fire station``."""
-    kind = scene.building_type or scene.building_id
+    """Return what people call a building: as its brief does, or as its type: ``Office``, ``Fire station``."""
+    kind = scene.called or scene.building_type or scene.building_id
     name = kind.removesuffix("_building").replace("_", " ").strip() or "building"
     return name[0].upper() + name[1:]
 

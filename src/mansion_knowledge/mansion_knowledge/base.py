@@ -10,7 +10,7 @@ import io
 import os
 import tomllib
 from collections.abc import Container, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from pathlib import Path
 from typing import Any, TypeAlias, get_args
@@ -39,7 +39,7 @@ FOLDERS = "MANSION_KNOWLEDGE"
 _DATA = Path(__file__).parent / "data"
 _STOREYS = ("single", "ground", "second", "upper", "top", "basement")
 _WALLS = ("dry", "wet", "circulation", "industrial")
-_FLAGS = ("daylight", "wet", "open", "flex", "unit", "sleeping", "toilet", "food", "common")
+_FLAGS = ("daylight", "wet", "open", "flex", "unit", "sleeping", "toilet", "food", "common", "whole")
 _OWN = ("name", "synonyms", "kin")
 """Cells of a room type that its kin does not fill."""
 
@@ -118,7 +118,8 @@ def _load(folders: tuple[Path, ...]) -> KnowledgeBase:
         words |= {name: _word(file, row) for name, (file, row) in _read_rows(folder / "room_words.csv", "word").items()}
         telling |= _read_rows(folder / "telling_words.csv", "word")
         styles |= _read_styles(folder / "styles.toml")
-        buildings |= _read_buildings(folder / "building_types.toml")
+        own = _read_buildings(folder / "building_types.toml")
+        buildings = _without_synonyms(buildings, {name for kind in own.values() for name in kind.synonyms}) | own
         for name, record in _read_toml(folder / "building_groups.toml").items():
             groups[name] = groups.get(name, {}) | record
     known = _rooms(rows)
@@ -230,6 +231,7 @@ def _room(row: _Row) -> RoomType:
         toilet="toilet" in flags,
         food="food" in flags,
         common="common" in flags,
+        whole="whole" in flags,
         suite=tuple(parse_entry(part) for part in _parts(row.get("suite", ""))),
         kin=row.get("kin", ""),
         suggests=row.get("suggests", ""),
@@ -323,6 +325,14 @@ def _read_buildings(file: Path) -> dict[str, BuildingType]:
     return buildings
 
 
+def _without_synonyms(buildings: Mapping[str, BuildingType], claimed: Container[str]) -> dict[str, BuildingType]:
+    """Return building types without the synonyms that a later folder claims for its own."""
+    return {
+        name: replace(kind, synonyms=tuple(phrase for phrase in kind.synonyms if phrase not in claimed))
+        for name, kind in buildings.items()
+    }
+
+
 def _building(name: str, record: dict[str, Any]) -> BuildingType:
     floors = tuple(int(value) for value in record["floors"])
     areas = tuple(float(value) for value in record["floor_area"])
@@ -354,6 +364,7 @@ def _building(name: str, record: dict[str, Any]) -> BuildingType:
         stretcher=bool(record.get("stretcher", False)),
         like=str(record.get("like", "")),
         heads=tuple(str(head) for head in record.get("heads", ())),
+        main=frozenset(str(name) for name in record.get("main", ())),
         small=float(record.get("small", 0.0)),
     )
 
@@ -411,7 +422,7 @@ def _check_references(knowledge: KnowledgeBase) -> None:
         check(building.name, [RoomEntry(building.hub), RoomEntry(building.hub_upper)])
         for entries in building.storeys.values():
             check(building.name, entries)
-        check(building.name, [RoomEntry(name) for name in building.filler])
+        check(building.name, [RoomEntry(name) for name in (*building.filler, *sorted(building.main))])
         check(building.name, [entry for entry in (building.seats, building.places) if entry is not None])
         if building.style not in knowledge.styles:
             raise MansionError(

@@ -15,8 +15,8 @@ __all__ = ["furnished_as"]
 
 class _Rule(msgspec.Struct, frozen=True, forbid_unknown_fields=True, rename={"as_": "as"}):
     why: str
-    rooms: list[str]
     as_: str
+    rooms: list[str] = []
     buildings: list[str] = []
     families: list[str] = []
     names: list[str] = []
@@ -57,7 +57,7 @@ def furnished_as(room_type: str, building_type: str = "", name: str = "", beside
     building, called = _words(building_type), _words(name)
     for rule in _rules():
         if (
-            room_type in rule.rooms
+            (not rule.rooms or room_type in rule.rooms)
             and (not rule.buildings or building.intersection(rule.buildings))
             and (not rule.families or _family(building_type) in rule.families)
             and (not rule.names or called.intersection(rule.names))

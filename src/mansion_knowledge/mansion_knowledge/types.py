@@ -98,9 +98,9 @@ class RoomType:
     daylight, wet, open, flexible, unit : bool
         Wants a window; has water; stands open to what it is reached from; may take up a storey's spare area; is a
         dwelling of several rooms.
-    sleeping, toilet, food, common : bool
+    sleeping, toilet, food, common, whole : bool
         Somebody sleeps there; has a toilet; food is prepared or kept there; belongs to most storeys, so that a brief
-        that asks for one does not rule out others.
+        that asks for one does not rule out others; is of use as one rectangle alone, so that nothing is cut from it.
     finish : str
         Which floor material of a style it takes.
     suite : tuple of RoomEntry
@@ -136,6 +136,7 @@ class RoomType:
     toilet: bool = False
     food: bool = False
     common: bool = False
+    whole: bool = False
     suggests: str = ""
     counts_as: str = ""
     stack: int = 0
@@ -206,6 +207,8 @@ class BuildingType:
         Needs a lift on any number of storeys above one.
     heads : tuple of str
         Nouns that end the names of unknown kinds that are most like it ("agency", "bureau").
+    main : frozenset of str
+        Room types that such a building is there for: its entrance storey has those of its list whatever a brief adds.
     small : float
         Most gross square metres of a storey that are called small; 0 where a share of the usual ones are.
     """
@@ -229,6 +232,7 @@ class BuildingType:
     stretcher: bool = False
     like: str = ""
     heads: tuple[str, ...] = ()
+    main: frozenset[str] = frozenset()
     small: float = 0.0
 
 

@@ -16,7 +16,7 @@ from mansion_msgs_py.editing.objects import (
     SetStateArgs,
     SwapObjectsArgs,
 )
-from mansion_msgs_py.editing.open_buildings import EditorInfo, OpenEditorArgs, ToolArgs
+from mansion_msgs_py.editing.open_buildings import CanceledEdits, CancelEdit, EditorInfo, OpenEditorArgs, ToolArgs
 from mansion_msgs_py.editing.questions import (
     AssetHits,
     CheckPathArgs,
@@ -482,6 +482,15 @@ _EDITING_SERVICES: tuple[ServiceInterface, ...] = (
         "scene/diff", "scene_editor", "What waits to be saved.", ToolArgs, DiffReport, "{}", repeatable=True
     ),
     ServiceInterface("scene/save", "scene_editor", "Land what waits as one transaction.", ToolArgs, EditResult, "{}"),
+    ServiceInterface(
+        "scene/cancel",
+        "scene_editor",
+        "End the edit in work, whose call is answered with `CANCELED`; nothing of it lands.",
+        CancelEdit,
+        CanceledEdits,
+        "{}",
+        repeatable=True,
+    ),
     ServiceInterface(
         "scene/instruct",
         "scene_editor",

@@ -358,7 +358,9 @@ class FloorScene(msgspec.Struct, frozen=True, kw_only=True):
     outline, holes : Ring, list of Ring
         Inner face of the outer wall.
     building_type : str
-        What the building is, ``office``; what pictures are titled with.
+        What the building is, ``office``.
+    called : str, optional
+        What the brief calls it, where that is no such type; pictures and signs have that, else the type.
     downgrades : list of Downgrade
         Openings that differ from what the room graph asked, and why.
     sources : dict of str to str
@@ -390,6 +392,7 @@ class FloorScene(msgspec.Struct, frozen=True, kw_only=True):
     discarded: list[Discard] = []
     downgrades: list[Downgrade] = []
     building_type: str = ""
+    called: str | msgspec.UnsetType = msgspec.UNSET
     style: str = ""
     seed: int = 0
     sources: dict[str, str] = {}

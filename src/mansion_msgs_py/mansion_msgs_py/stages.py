@@ -58,6 +58,8 @@ class FurnishRequest(msgspec.Struct, frozen=True, kw_only=True):
     ----------
     floors : list of int
         All floor numbers of the building, ascending; the cores serve them.
+    called : str, optional
+        What the brief calls the building, where that is no type of the knowledge base.
     planner : {"rules", "llm"}
         Who chooses the furniture; a model is told the building's `description`.
     assets : tuple of str, optional
@@ -72,6 +74,7 @@ class FurnishRequest(msgspec.Struct, frozen=True, kw_only=True):
     topology: FloorTopology
     layout: FloorLayout
     building_type: str = ""
+    called: str | msgspec.UnsetType = msgspec.UNSET
     style: str = ""
     seed: int = 0
     planner: Literal["rules", "llm"] = "rules"

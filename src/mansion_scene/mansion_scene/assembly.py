@@ -146,6 +146,7 @@ def _scene(
         discarded=discarded,
         downgrades=structure.downgrades,
         building_type=request.building_type,
+        called=request.called,
         style=request.style,
         seed=request.seed,
     )

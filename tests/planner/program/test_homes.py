@@ -235,3 +235,18 @@ def test_a_small_home_has_a_bathroom_and_a_place_to_cook(kind: str, area: int) -
 def test_who_lives_in_a_studio_gets_no_bedroom_beside_it() -> None:
     types = [room.room_type for room in plan("A studio flat of 34 m2 for a single person").floors[0].rooms]
     assert "bedroom" not in types
+
+
+def test_a_home_has_no_room_twice_that_only_fills_up() -> None:
+    text = "A luxury villa of 740 m2 on two floors with a basement: great room, kitchen; three bedrooms upstairs"
+    program = plan_building(BuildRequest(description=text)).program
+    kinds = [room.room_type for floor in program.floors for room in floor.rooms if not room.notes]
+    for name in ("playroom", "game_room", "home_office", "guest_room"):
+        assert kinds.count(name) <= 1
+
+
+def test_a_living_and_dining_room_leaves_no_other_place_to_live_and_dine() -> None:
+    text = "A bungalow of 130 m2: living-dining room 34 m2, kitchen 14 m2, bedroom 18 m2, a guest room and a bathroom"
+    program = plan_building(BuildRequest(description=text)).program
+    kinds = [room.room_type for room in program.floors[0].rooms]
+    assert kinds.count("living_room") == 1 and "dining_room" not in kinds

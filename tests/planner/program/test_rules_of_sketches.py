@@ -42,7 +42,7 @@ def test_rooms_that_must_have_a_window_reach_an_outer_wall(brief: str) -> None:
                 assert is_outside(placement, building.massing), placement.room.id
 
 
-@pytest.mark.parametrize("brief", ["a two-storey art gallery", "a two-storey casino", "a three-storey museum"])
+@pytest.mark.parametrize("brief", ["a two-storey art gallery", "a two-storey casino", "a two-storey museum"])
 @pytest.mark.parametrize("seed", [0, 1])
 def test_a_lift_stands_at_the_corridor_where_a_lobby_would_be_a_long_dead_end(brief: str, seed: int) -> None:
     building = planned(brief, seed)

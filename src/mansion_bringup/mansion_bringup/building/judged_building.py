@@ -2,7 +2,7 @@
 
 import math
 import re
-from collections import Counter
+from collections import Counter, OrderedDict
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property, lru_cache
@@ -14,7 +14,7 @@ import numpy as np
 import shapely
 from shapely.geometry import Polygon
 
-from mansion_assets.catalogue import load_catalogue
+from mansion_assets.catalogue import Catalogue, load_catalogue
 from mansion_assets.catalogue.piece_counts import pieces
 from mansion_knowledge import is_class
 from mansion_knowledge.essentials import Need, needs_of, pieces_there, still_wanted
@@ -177,7 +177,8 @@ class JudgedBuilding:
 
 def finished_building(program: BuildingProgram, scenes: Sequence[FloorScene]) -> JudgedBuilding:
     """Return a building as its finished floors are."""
-    rooms = [_finished_room(scene, number) for scene in scenes for number in range(len(scene.rooms))]
+    catalogue = load_catalogue()
+    rooms = [room for scene in scenes for room in _finished_rooms(scene, catalogue)]
     return JudgedBuilding(
         program,
         rooms,
@@ -249,17 +250,38 @@ def _letters(word: str) -> str:
     return re.sub(r"[\W_]+", "", word)
 
 
-def _finished_room(scene: FloorScene, number: int) -> JudgedRoom:
-    room = scene.rooms[number]
+_MOST_REMEMBERED = 32
+_rooms_of: OrderedDict[tuple[int, int], tuple[FloorScene, Catalogue, list[JudgedRoom]]] = OrderedDict()
+"""Rooms of the scenes that were judged last: an edit changes one floor, and the wishes of all are judged."""
+
+
+def _finished_rooms(scene: FloorScene, catalogue: Catalogue) -> list[JudgedRoom]:
+    """Return the rooms of a floor; scenes and catalogues are not written to, so that the same ones have the same."""
+    key = (id(scene), id(catalogue))  # both are kept with the rooms, so that no other object can get their ids
+    known = _rooms_of.pop(key, None)
+    if known is None:
+        inside: dict[str, list[SceneObject]] = {}
+        for item in scene.objects:
+            inside.setdefault(item.room, []).append(item)
+        known = (scene, catalogue, [_finished_room(scene, r, inside.get(r.id, []), catalogue) for r in scene.rooms])
+    _rooms_of[key] = known
+    while len(_rooms_of) > _MOST_REMEMBERED:
+        _rooms_of.popitem(last=False)
+    return known[2]
+
+
+def _finished_room(
+    scene: FloorScene, room: SceneRoom, objects: Sequence[SceneObject], catalogue: Catalogue
+) -> JudgedRoom:
     short = room.id.removeprefix(f"F{scene.floor}/")
     things: dict[str, list[str]] = {}
     looks: dict[str, list[Look]] = {}
     numbers: Counter[str] = Counter()
-    objects = [entry for entry in scene.objects if entry.room == room.id]
     for entry in objects:
         things.setdefault(entry.category, []).append(entry.id)
         looks.setdefault(entry.category, []).append((entry.size, entry.material))
-        numbers[entry.category] += _pieces(entry)
+        asset = catalogue.assets.get(entry.asset)
+        numbers[entry.category] += pieces(asset.category, asset) if asset is not None else 1  # seats of a row of seats
     return JudgedRoom(
         scene.floor,
         short,
@@ -275,12 +297,6 @@ def _finished_room(scene: FloorScene, number: int) -> JudgedRoom:
         sum(entry.parent is not None for entry in objects),
         sum(entry.size[0] * entry.size[1] for entry in objects if entry.receptacle and entry.parent is None),
     )
-
-
-def _pieces(entry: SceneObject) -> int:
-    """Return how many pieces an object is: the seats of a row of seats."""
-    asset = load_catalogue().assets.get(entry.asset)
-    return pieces(asset.category, asset) if asset is not None else 1
 
 
 def _touching(scene: FloorScene) -> tuple[tuple[str, str], ...]:

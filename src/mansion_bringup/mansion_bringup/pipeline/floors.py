@@ -92,6 +92,7 @@ def furnish(
         topology=plan.topologies[index],
         layout=layout,
         building_type=program.kind,
+        called=program.building_type if program.planned_like else msgspec.UNSET,
         style=program.style,
         seed=program.seed,
         planner="llm" if plan.llm is not None else "rules",

@@ -21,7 +21,7 @@ def instruct(editor: SceneEditor, instruction: str, planner: str = "rules", *, p
     ------
     MansionError
         ``INVALID_PAYLOAD`` for another planner, ``UNAVAILABLE`` for a model that is not configured, ``CONFLICT`` when
-        edits wait to be saved.
+        edits wait to be saved, ``CANCELED`` where it was cancelled (see `SceneEditor.cancellable`).
     """
     if planner == "rules":
         with importing:
@@ -36,5 +36,5 @@ def instruct(editor: SceneEditor, instruction: str, planner: str = "rules", *, p
             from mansion_editing.instructions.by_model.carrying_out import carry_out_with_model
             from mansion_llm import LlmClient
 
-        return carry_out_with_model(LlmClient.from_environment(), editor, instruction)
+        return carry_out_with_model(LlmClient.from_environment(cancelled=editor.cancelled), editor, instruction)
     raise MansionError(ErrorCode.INVALID_PAYLOAD, f"no planner {planner!r}; use rules or llm", path="$.planner")

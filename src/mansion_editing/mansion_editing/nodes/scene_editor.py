@@ -1,7 +1,8 @@
 """``scene_editor``: the one writer of scenes; the editing tools and the editing agent as services."""
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from datetime import UTC, datetime
 from importlib import import_module
 from pathlib import Path
@@ -9,7 +10,7 @@ from types import ModuleType
 from typing import Any
 
 from rcl_interfaces.msg import ParameterDescriptor, SetParametersResult
-from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
+from rclpy.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
 from rclpy.parameter import Parameter
 
 from mansion_assets.library.building_assets import catalogue_for
@@ -21,13 +22,14 @@ from mansion_editing.physics.engine import engine_named
 from mansion_editing.provisioning.provision import provision
 from mansion_editing.storage import BuildingStore
 from mansion_msgs_py.editing.instructions import AgentReport, InstructArgs, ProvisionArgs
-from mansion_msgs_py.editing.open_buildings import EditorInfo, OpenEditorArgs
+from mansion_msgs_py.editing.open_buildings import CanceledEdits, CancelEdit, EditorInfo, OpenEditorArgs
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.interfaces import service, topic
 from mansion_msgs_py.nodes.allowed_folders import declare_allowed_folders
 from mansion_msgs_py.nodes.node import MansionNode
 from mansion_msgs_py.nodes.run import run_node
 from mansion_msgs_py.nodes.shell import JsonPublisher, add_json_service
+from mansion_msgs_py.running_calls import RunningCalls
 from mansion_scene.refurnishing import furnish_room
 
 __all__ = ["SceneEditorNode", "main"]
@@ -52,6 +54,7 @@ class SceneEditorNode(MansionNode):
         self.add_on_set_parameters_callback(_accept_physics)
         self._allowed = declare_allowed_folders(self, str(self.get_parameter("building").value))
         self._editors = OpenEditors()
+        self._edits = RunningCalls[str]("edits")
         self._scenes = JsonPublisher(self, topic("floor_scene"))
         hooks = str(self.get_parameter("hooks").value)
         self._hooks = _load_hooks(hooks)
@@ -60,6 +63,7 @@ class SceneEditorNode(MansionNode):
         add_json_service(self, service("scene/open"), self.open, callback_group=group)
         add_json_service(self, service("scene/instruct"), self.instruct, callback_group=group)
         add_json_service(self, service("scene/provision"), self.provision, callback_group=group)
+        add_json_service(self, service("scene/cancel"), self.cancel, callback_group=ReentrantCallbackGroup())
         for tool in TOOLS:
             name = f"scene/{_snake(tool)}"
             add_json_service(self, service(name), self._tool(tool), callback_group=group)
@@ -95,13 +99,27 @@ class SceneEditorNode(MansionNode):
 
     def instruct(self, args: InstructArgs) -> AgentReport:
         """Carry out an instruction."""
-        editor = self._editor(args.editor)
-        return self._reported(editor, instruct(editor, args.instruction, args.planner, partly=args.partly))
+        with self._edited(args.editor) as editor:
+            return self._reported(editor, instruct(editor, args.instruction, args.planner, partly=args.partly))
 
     def provision(self, args: ProvisionArgs) -> AgentReport:
         """Make a task possible."""
-        editor = self._editor(args.editor)
-        return self._reported(editor, provision(editor, args.task))
+        with self._edited(args.editor) as editor:
+            return self._reported(editor, provision(editor, args.task))
+
+    def cancel(self, args: CancelEdit) -> CanceledEdits:
+        """Ask the edit in work to end, where it is in the building that is named."""
+        return CanceledEdits(editors=self._edits.cancel(lambda editor: args.editor in (None, editor)))
+
+    @contextmanager
+    def _edited(self, name: str) -> Iterator[SceneEditor]:
+        """Give an open editor, whose work in the block ends when it is cancelled or the node is told to end."""
+        editor = self._editor(name)
+        with (
+            self._edits.begun(name) as asked_to_end,
+            editor.cancellable(lambda: asked_to_end.is_set() or not self.context.ok()),
+        ):
+            yield editor
 
     def _reported(self, editor: SceneEditor, report: AgentReport) -> AgentReport:
         if report.saved:
@@ -110,11 +128,11 @@ class SceneEditorNode(MansionNode):
 
     def _tool(self, tool: str) -> Callable[[Any], Any]:
         def call(args: Any) -> Any:
-            editor = self._editor(args.editor)
-            reply = editor.call(tool, args)
-            if getattr(reply, "transaction", None) is not None:
-                self._landed(editor, [int(floor) for floor in reply.revisions])
-            return reply
+            with self._edited(args.editor) as editor:
+                reply = editor.call(tool, args)
+                if getattr(reply, "transaction", None) is not None:
+                    self._landed(editor, [int(floor) for floor in reply.revisions])
+                return reply
 
         return call
 

@@ -43,7 +43,8 @@ def run_policy(
     Raises
     ------
     MansionError
-        ``CONFLICT`` when edits wait in the editor already.
+        ``CONFLICT`` when edits wait in the editor already, ``CANCELED`` where the run was cancelled (see
+        `SceneEditor.cancellable`).
     """
     if editor.state.pending:
         raise MansionError(ErrorCode.CONFLICT, "there are unsaved edits; save or undo them first")
@@ -52,6 +53,7 @@ def run_policy(
     try:
         editor.reload()
         verdict = run.drive(policy)
+        editor.go_on()
         return run.finish(verdict, what, land=autosave)
     finally:
         editor.autosave = autosave

@@ -59,6 +59,7 @@ def attempt(change: Change, workshop: Workshop) -> Outcome:
     MansionError
         ``INFEASIBLE`` where the storey could not be built so, or would have a fault that it has not now.
     """
+    workshop.go_on()
     rebuilt = rebuild(change.before, change.after, change.passages, change.released)
     _require_entrance(change, rebuilt)
     first = _finished(change, rebuilt, workshop, change.refurnished)

@@ -94,11 +94,14 @@ class Workshop:
         The placer, which furnishes them.
     judge : callable
         Says what would be wrong with a finished storey; a change that adds a fault is not made.
+    go_on : callable
+        Asked before each way to make a change; raises where nobody wants it any more.
     """
 
     catalogue: Catalogue
     furnisher: Furnisher
     judge: Judge
+    go_on: Callable[[], None] = lambda: None
 
 
 @dataclass(frozen=True)

@@ -64,8 +64,14 @@ def reshape_floor(
     judge: JudgeAll,
     catalogue: Catalogue,
     furnisher: Furnisher,
+    go_on: Callable[[], None] = lambda: None,
 ) -> ReshapedFloor:
     """Change the structure of a storey; nothing is written.
+
+    Parameters
+    ----------
+    go_on : callable
+        Asked before each way to make the change; raises where nobody wants it any more.
 
     Raises
     ------
@@ -75,7 +81,7 @@ def reshape_floor(
     """
     floor, room = room_named(state, args.room_id)
     index = _read(Building, documents, INDEX)
-    workshop = Workshop(catalogue, furnisher, lambda scene: judge({floor: scene}))
+    workshop = Workshop(catalogue, furnisher, lambda scene: judge({floor: scene}), go_on)
     if args.what == "stair" or args.what == "elevator":
         storeys = [_storey(state, index, documents, number) for number in state.floors]
         made = add_core(storeys, args.what, workshop, judge, room_id=room.id)

@@ -6,7 +6,7 @@ import msgspec
 
 from mansion_msgs_py.shapes import PathText
 
-__all__ = ["EditorInfo", "OpenEditorArgs", "Text", "ToolArgs"]
+__all__ = ["CancelEdit", "CanceledEdits", "EditorInfo", "OpenEditorArgs", "Text", "ToolArgs"]
 
 Text = Annotated[str, msgspec.Meta(max_length=400)]
 
@@ -43,3 +43,15 @@ class EditorInfo(msgspec.Struct, frozen=True, kw_only=True):
     editor: str = ""
     who: str = ""
     autosave: bool = True
+
+
+class CancelEdit(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """Arguments of ``scene/cancel``: in which open building to end the edit in work; in any when absent."""
+
+    editor: Text | None = None
+
+
+class CanceledEdits(msgspec.Struct, frozen=True, kw_only=True):
+    """Reply of ``scene/cancel``: the editors whose edits were asked to end; empty where none was in work."""
+
+    editors: list[str]

@@ -1,4 +1,4 @@
-"""Read parts of a room that are named for what stands there: "a living room with a TV corner", "a sleeping alcove"."""
+"""Read parts of a room that are named for what stands there: "a lounge with a TV corner", "a hall with a stage"."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -35,6 +35,12 @@ _ONE_ROOM = frozenset({"studio_flat", "tiny_house", "cabin"})
 _JOINTS = frozenset(
     {"with", "a", "an", "and", ",", "the", "its", "has", "have", "plus", "&", "also", "(", "each", "every"}
 )
+_STAGE = "stage"
+"""A room, and what stands in a hall that has it."""
+_OF_SIZE = frozenset(
+    {"of", "m2", "m²", "sqm", "qm", "square", "metre", "metres", "meter", "meters", "sq", "ft", "foot", "feet"}
+)
+"""Words of an area that a phrase has before what the room is said to have."""
 _INTO = frozenset({"in", "inside", "within", "of", "at"})
 _POINTING = frozenset({"the", "a", "each", "every", "our"})
 
@@ -48,13 +54,19 @@ def read_niches(reading: Reading, phrases: list[Phrase], building: int | None) -
         The phrase that names the building.
     """
     for number, phrase in enumerate(phrases):
-        if not _is_niche(reading, phrase) or not _is_part(reading, phrases, number, building):
+        stage = _is_bare_stage(phrase)
+        if not (stage or _is_niche(reading, phrase)) or not _is_part(reading, phrases, number, building):
             continue
         front = reading.words(phrase.begin, phrase.noun_end - 1)
-        category = THING_FOR.get(front[-1], "") or furniture_of(front)[0]
+        category = _STAGE if stage else THING_FOR.get(front[-1], "") or furniture_of(front)[0]
         if category:
-            label = phrase.label.rpartition(" ")[0] or phrase.label
+            label = phrase.label if stage else phrase.label.rpartition(" ")[0] or phrase.label
             phrases[number] = replace(phrase, head="object", category=category, room_type="", label=label)
+
+
+def _is_bare_stage(phrase: Phrase) -> bool:
+    """Whether a phrase names a stage without a size of its own, which a hall has as it has its chairs."""
+    return phrase.head == "room" and phrase.room_type == _STAGE and not phrase.areas and not phrase.plural
 
 
 def _is_niche(reading: Reading, phrase: Phrase) -> bool:
@@ -66,6 +78,12 @@ def _is_niche(reading: Reading, phrase: Phrase) -> bool:
     return reading.word(last - 1) in _RECESSES and not rest.strip()  # "a reading corner as its own room"
 
 
+def _joints(reading: Reading, first: Phrase, second: Phrase) -> set[str]:
+    """Return the words between two phrases, without those that state the first one's area."""
+    words = set(reading.words(first.last, second.first))
+    return {word for word in words if not (first.areas and (word in _OF_SIZE or word[0].isdigit()))}
+
+
 def _is_part(reading: Reading, phrases: Sequence[Phrase], number: int, building: int | None) -> bool:
     """Whether a phrase is told with the room that it is a part of: "lounge with a TV corner", "a nook in the den"."""
     phrase = phrases[number]
@@ -74,8 +92,8 @@ def _is_part(reading: Reading, phrases: Sequence[Phrase], number: int, building:
     if leads and after and set(reading.words(phrase.last, after.first)) <= _INTO | _POINTING:
         return True
     at, led = number, False
-    while at > 0 and set(reading.words(phrases[at - 1].last, phrases[at].first)) <= _JOINTS:
-        led = bool({"with", "has", "have"} & set(reading.words(phrases[at - 1].last, phrases[at].first)))
+    while at > 0 and (joints := _joints(reading, phrases[at - 1], phrases[at])) <= _JOINTS:
+        led = bool({"with", "has", "have"} & joints)
         at -= 1
         if led or not (phrases[at].head == "object" or reading.word(phrases[at].noun_end - 1) in _RECESSES):
             break

@@ -27,7 +27,7 @@ from mansion_planner.program.model import (
     joined_pairs,
     short_edges,
 )
-from mansion_planner.program.plan_quality import aspect, dark_rooms, strips
+from mansion_planner.program.plan_quality import aspect, carved, dark_rooms, strips
 from mansion_planner.program.separation import keep_apart
 
 __all__ = ["aisle_capacity", "aisle_massings", "plan_price", "sketch_aisles"]
@@ -174,10 +174,11 @@ def sketch_aisles(
 
 
 def plan_price(sketch: Sketch, massing: Massing) -> float:
-    """Return what is wrong with the rooms of a sketch: strips, rooms without the window that they want, long ones."""
+    """Return what is wrong with the rooms of a sketch: strips, carved halls, rooms without their window, long ones."""
     stretched = sum(max(aspect(p.boxes) - 2.0, 0.0) for p in sketch.rooms if p.boxes)
     empty = sum(len(c.boxes) > 1 and max(aspect([b]) < 8.0 for b in c.boxes[1:]) for c in sketch.corridors[1:])
-    return 3.0 * len(strips(sketch)) + 1.0 * len(dark_rooms(sketch, massing)) + 0.3 * stretched + 2.0 * empty
+    ill = 3.0 * len(strips(sketch)) + 8.0 * len(carved(sketch))
+    return ill + 1.0 * len(dark_rooms(sketch, massing)) + 0.3 * stretched + 2.0 * empty
 
 
 def _sketch(

@@ -201,8 +201,11 @@ def _unwanted_types(
     """Return the room types that a storey adds none of: those that the brief excludes there or that are in a unit."""
     unwanted = {floor: frozenset(private_types(facts, knowledge)) for floor, facts in wanted.items()}
     for floor, facts in wanted.items():
-        if any(fact.room_type in _KITCHENS for fact in facts):
-            unwanted[floor] |= _KITCHENS
+        for alike in (_KITCHENS, _FOR_MEALS, _RECEIVING):
+            if any(fact.room_type in alike for fact in facts):
+                unwanted[floor] |= alike
+        if any(fact.room_type == "living_room" and "dining" in fact.name for fact in facts):
+            unwanted[floor] |= {"dining_room"}
     for name, ref, _ in decisions.facts.excluded_on:
         like = next((group for group in _SAME_USE if name in group), frozenset())
         for floor in floors_of((ref,), decisions):
@@ -223,7 +226,13 @@ _SAME_USE = (
 _KITCHENS = frozenset({"kitchen", "open_kitchen", "commercial_kitchen"})
 """Rooms to cook in: a storey for which the brief asks one gets no other of another kind."""
 
-_REFUSED_TOGETHER = (frozenset({"cafeteria", "cafe", "restaurant"}),)
+_FOR_MEALS = frozenset({"cafeteria", "cafe", "restaurant"})
+"""Rooms that people eat in: a storey for which the brief asks one gets no other that nobody asks for."""
+
+_RECEIVING = frozenset({"reception", "ticket_office", "service_counter", "check_in_hall"})
+"""Rooms with a desk where visitors are received, of which the same holds."""
+
+_REFUSED_TOGETHER = (_FOR_MEALS,)
 """Room types of which a brief that refuses one by name wants none of the others."""
 
 _LEAVES_OUT = {

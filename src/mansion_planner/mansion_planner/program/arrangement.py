@@ -2,7 +2,7 @@
 
 import itertools
 import math
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -17,6 +17,7 @@ from mansion_planner.program.back_of_house import behind_staff_rooms
 from mansion_planner.program.decisions import Decisions
 from mansion_planner.program.dining_kitchens import with_kitchen
 from mansion_planner.program.footprint import free_cores, free_massing, sketch_free
+from mansion_planner.program.foyers import foyer_length
 from mansion_planner.program.hall_sketch import most_fronts
 from mansion_planner.program.home_orders import HOME_PAIRS
 from mansion_planner.program.home_quality import home_faults
@@ -24,7 +25,6 @@ from mansion_planner.program.household import STUDIO
 from mansion_planner.program.massing import MassingWish, choose_massing, gross_area, rectangle_massing
 from mansion_planner.program.model import (
     Massing,
-    PlannedRoom,
     Sketch,
     Storey,
     box_area,
@@ -36,6 +36,7 @@ from mansion_planner.program.model import (
 )
 from mansion_planner.program.outline import Envelope, Frame, envelope_of
 from mansion_planner.program.plan_quality import (
+    carved,
     comes_out_as_strips,
     shallow_garages,
     shrunk_rooms,
@@ -55,6 +56,7 @@ from mansion_planner.program.storey_rooms import (
     name_rooms,
     needed_area,
 )
+from mansion_planner.program.used_together import pairs_used_together
 
 __all__ = [
     "Arrangement",
@@ -128,7 +130,10 @@ def _ill_shaped(layout: Arrangement, *, home: bool) -> tuple[int, float]:
     Homes count what is wrong with them as such besides.
     """
     own = _own_sketches(layout)
-    ill: float = sum(len(strips(sketch)) + len(shrunk_rooms(sketch)) + len(swollen_rooms(sketch)) for sketch in own)
+    ill: float = sum(
+        len(strips(sketch)) + len(carved(sketch)) + len(shrunk_rooms(sketch)) + len(swollen_rooms(sketch))
+        for sketch in own
+    )
     if home:
         above = [storey for storey in layout.storeys if storey.copy is None and storey.index >= 1]
         ill += home_faults([(s, layout.sketches[s.index], layout.envelopes[s.index].area) for s in above])
@@ -291,7 +296,8 @@ def _arranged(
     pairs = wanted_pairs(decisions)
     for storey in filled:
         source = sketches.get(storey.copy) if storey.copy is not None else None
-        sketches[storey.index] = source or _sketch(decisions, massing, storey, pairs)
+        beside = [*pairs_used_together(storey), *pairs]
+        sketches[storey.index] = source or _sketch(decisions, massing, storey, beside)
         envelopes[storey.index] = (
             Envelope.of(decisions.outline)
             if decisions.free_form and decisions.outline is not None
@@ -303,16 +309,28 @@ def _arranged(
 def _filled(
     decisions: Decisions, massing: Massing, storeys: Sequence[Storey], allocation: Allocation, knowledge: KnowledgeBase
 ) -> list[Storey]:
-    """Return the storeys with their rooms; the entrance storey is filled last, with the toilets that others lack."""
+    """Return the storeys with their rooms; the entrance storey is filled last, with the toilets that others lack.
+
+    In a home it is the basement, with what the storeys above leave out.
+    """
     filled: dict[int, Storey] = {}
     others = Served()
-    for bare in sorted(storeys, key=lambda storey: storey.role in ("single", "ground")):
+    home = decisions.building.family == "home"
+    for bare in sorted(storeys, key=lambda storey: storey.role == "basement" if home else storey.role in _ENTERED):
         source = filled.get(bare.copy) if bare.copy is not None else None
-        rooms = source.rooms if source is not None else _rooms(bare, massing, allocation, knowledge, decisions, others)
-        storey = filled[bare.index] = replace(bare, rooms=rooms)
-        hub = max(capacity(massing, storey) - sum(room.gross for room in rooms), 0.0)
+        added = {room.kind.name for storey in filled.values() for room in storey.rooms if not room.stated}
+        storey = filled[bare.index] = (
+            replace(bare, rooms=source.rooms)
+            if source is not None
+            else _with_rooms(bare, massing, allocation, knowledge, decisions, others, added)
+        )
+        hub = max(capacity(massing, storey) - sum(room.gross for room in storey.rooms), 0.0)
         others += served_by(storey, hub, knowledge)
     return [filled[storey.index] for storey in storeys]
+
+
+_ENTERED = frozenset({"single", "ground"})
+"""Roles of the storey that a building is entered on."""
 
 
 def _massing(decisions: Decisions, wish: MassingWish, generator: np.random.Generator) -> Massing:
@@ -351,8 +369,8 @@ def _named(decisions: Decisions) -> list[str]:
     return [name for fact in (*decisions.facts.adjacent, *decisions.facts.apart) for name in _names(fact)]
 
 
-_SALES = "sales_area"
-"""The room that a shop is there for, and that takes what its other rooms leave."""
+_SALES, _WAITING = "sales_area", "waiting_hall"
+"""The rooms that a shop and a station are there for, and that take what the other rooms leave."""
 
 _MOST_HUB = 0.75
 """Greatest share of a public hall's storey for its main room: the rest is for toilets, stores and staff."""
@@ -370,15 +388,22 @@ def _most_home_hub(storey: Storey, allocation: Allocation, knowledge: KnowledgeB
     return max(room - needed_area(storey, allocation, knowledge), _LEAST_HOME_HUB * room)
 
 
-def _rooms(
+def _with_rooms(
     storey: Storey,
     massing: Massing,
     allocation: Allocation,
     knowledge: KnowledgeBase,
     decisions: Decisions,
     others: Served,
-) -> tuple[PlannedRoom, ...]:
-    """Choose a storey's rooms, with their areas and names; `others` are the building's other storeys."""
+    elsewhere: Collection[str],
+) -> Storey:
+    """Choose a storey's rooms, with their areas and names; `others` are the building's other storeys.
+
+    Parameters
+    ----------
+    elsewhere : collection of str
+        Types of rooms that those have although the brief does not ask for them.
+    """
     stated = hub_area(storey, allocation)
     form = form_of(massing, storey)
     hall = form.hall
@@ -388,7 +413,7 @@ def _rooms(
     else:
         room, share = capacity(massing, storey), 0.0
     stores = hall and storey.hub.zone == "service"
-    takes_rest = stores or storey.hub.name in (STUDIO, _SALES)
+    takes_rest = stores or storey.hub.name in (STUDIO, _SALES, _WAITING)
     if hall:
         most = _most_home_hub(storey, allocation, knowledge, room)
         if storey.use.family != "home":
@@ -397,7 +422,7 @@ def _rooms(
         least = storey.hub.least if storey.hub.name == STUDIO else storey.hub.usual
         share = stated or min(max(least, usual), most)
     most = most_fronts(form) if hall else MOST_ROOMS
-    filled = fill_storey(storey, allocation, knowledge, room, hub_share=share, most_rooms=most)
+    filled = fill_storey(storey, allocation, knowledge, room, hub_share=share, most_rooms=most, elsewhere=elsewhere)
     filled = with_kitchen(filled, storey, allocation, knowledge, share)
     grows_to = 0.0 if hall else room
     chosen = with_public_toilets(storey, filled, allocation, knowledge, share, others, grows_to)
@@ -409,4 +434,6 @@ def _rooms(
         wanted = sum(r.gross for r in chosen if r.stated)
         share = max(storey.hub.least, 0.5 * share, min(share, room - wanted))
         room = min(room - share, asked if takes_rest else max(asked, 0.45 * room))
-    return name_rooms(fit_areas(chosen, room), storey.hub.name)
+    foyer = 0.0 if decisions.free_form else foyer_length(storey, form, chosen, room, stated)
+    rooms = name_rooms(fit_areas(chosen, room - foyer * form.south), storey.hub.name)
+    return replace(storey, rooms=rooms, foyer=foyer)

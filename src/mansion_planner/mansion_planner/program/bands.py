@@ -8,7 +8,15 @@ from mansion_planner.program.blocks import Block
 from mansion_planner.program.model import Box, Massing, PlannedRoom, Wing
 from mansion_planner.program.widths import widened
 
-__all__ = ["Segment", "bring_together", "fill_segments", "front_order", "misfit_of_exchange", "with_rows"]
+__all__ = [
+    "Segment",
+    "bring_to_end",
+    "bring_together",
+    "fill_segments",
+    "front_order",
+    "misfit_of_exchange",
+    "with_rows",
+]
 
 _BESIDE_NICHE = 2.0
 """Least metres of corridor of a room that also has the floor behind lifts."""
@@ -97,11 +105,15 @@ class Segment(msgspec.Struct, frozen=True):
 
 
 def front_order(rooms: Sequence[PlannedRoom]) -> list[PlannedRoom]:
-    """Order rooms from the cores outwards: wet rooms (stacked from storey to storey), public, service, private."""
+    """Order rooms from the cores outwards: wet rooms (stacked from storey to storey), public, service, private.
+
+    Showers are with the changing rooms that they belong to, where a storey has those.
+    """
     zones = {"circulation": 0, "public": 1, "service": 2, "private": 3}
+    fixed = {room.kind.name for room in rooms if not room.kind.stack}
 
     def rank(room: PlannedRoom) -> tuple[int, int]:
-        if room.kind.stack:
+        if room.kind.stack and (room.kind.toilet or fixed.isdisjoint(room.kind.near)):
             return (0, room.kind.stack)
         if room.kind.open:
             return (1, 0)
@@ -269,6 +281,33 @@ def bring_together(segments: Sequence[Segment], first: str, second: str) -> list
     rows[s][i], rows[t][k] = rows[t][k], rows[s][i]
     rows[t].insert(j, rows[t].pop(k))
     return with_rows(segments, rows)
+
+
+def bring_to_end(
+    segments: Sequence[Segment], stop: float, ends: Sequence[PlannedRoom], pairs: Sequence[tuple[str, str]]
+) -> list[Segment]:
+    """Return the segments, a block that is to be beside a room which closes the bar last in a stretch that ends there.
+
+    Parameters
+    ----------
+    stop : float
+        Where the rooms that close the bar begin, along the main corridor.
+    ends : sequence of PlannedRoom
+        Those rooms; none where the corridor runs to the end.
+    pairs : sequence of (str, str)
+        Room types that are to be side by side, the most wanted last.
+    """
+    partners = [
+        other for pair in pairs for one, other in (pair, pair[::-1]) if ends and ends[0].called(one) and one != other
+    ]
+    rows = [list(segment.blocks) for segment in segments]
+    for name in dict.fromkeys(reversed(partners)):
+        for row, segment in zip(rows, segments):
+            place = next((i for i, block in enumerate(row) if _holds(block, name)), None)
+            if place is not None and segment.bar == "main" and abs(segment.end - stop) < 0.01:
+                row.append(row.pop(place))
+                return with_rows(segments, rows)
+    return list(segments)
 
 
 def with_rows(segments: Sequence[Segment], rows: Sequence[Sequence[Block]]) -> list[Segment]:

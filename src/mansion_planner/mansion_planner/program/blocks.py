@@ -14,7 +14,17 @@ from mansion_planner.program.plan_quality import STRIP
 from mansion_planner.program.side_passages import Cluster, Wish, cluster_layout, cluster_width
 from mansion_planner.program.widths import widened
 
-__all__ = ["DOOR", "LEAST_FRONT", "Block", "group_blocks", "lay_block", "least_sides", "needs_outer_wall", "passage_of"]
+__all__ = [
+    "DOOR",
+    "LEAST_FRONT",
+    "Block",
+    "group_blocks",
+    "lay_block",
+    "least_sides",
+    "needs_outer_wall",
+    "of_full_depth",
+    "passage_of",
+]
 
 DOOR = 1.5
 """Least contact of a room with what it is reached from, with a margin over the 1.20 m of a door, metres."""
@@ -170,7 +180,7 @@ def _clusters(
         and not any(room.called(name) for pair in pairs for name in pair)
     ]  # fmt: skip
     free = [room for room in dark if any(room is other for other in narrow)]
-    wider = [room for room in dark if not any(room is other for other in free)]
+    wider = [room for room in dark if not _is_wide(room) and not any(room is other for other in free)]
     free.sort(key=lambda room: (not room.kind.wet, -room.area))
     best: list[tuple[float, list[list[PlannedRoom]]]] = [(0.0, [])]
     for end in range(1, len(free) + 1):
@@ -262,6 +272,28 @@ def _wide_enough(room: PlannedRoom, depth: float) -> PlannedRoom:
     return msgspec.structs.replace(room, area=area)
 
 
+def of_full_depth(
+    rooms: Sequence[PlannedRoom], beside: Sequence[PlannedRoom], depth: float, pairs: Sequence[tuple[str, str]]
+) -> list[PlannedRoom]:
+    """Return the rooms, those that are to be beside one that closes the bar with the area for a band's whole depth.
+
+    In the corner of another room they would not reach its wall.
+
+    Parameters
+    ----------
+    beside : sequence of PlannedRoom
+        Rooms that close the bar.
+    """
+    partners = {other for pair in pairs for one, other in (pair, pair[::-1]) for room in beside if room.called(one)}
+    width = max(_NARROW, depth / STRIP) + 0.02
+    return [
+        msgspec.structs.replace(room, area=min(max(room.area, width * depth), room.most))
+        if not room.fixed and any(room.called(name) for name in partners)
+        else room
+        for room in rooms
+    ]
+
+
 _BEHIND = 1.2
 """Least depth of a host behind the small room in its front corner, metres."""
 
@@ -274,6 +306,10 @@ def _fits_in_front(room: PlannedRoom, depth: float) -> bool:
 def _spare_front(block: Block, depth: float) -> float:
     width = block.gross / depth
     return width - sum(room.area / _front_depth(room.area, depth) for room in block.smalls)
+
+
+_WHOLE = 12.0
+"""Price of a corner of a room that is of use as a rectangle alone; more than that of rooms that are wanted together."""
 
 
 def _fit(block: Block, room: PlannedRoom, depth: float, pairs: Sequence[tuple[str, str]]) -> float:
@@ -295,6 +331,7 @@ def _fit(block: Block, room: PlannedRoom, depth: float, pairs: Sequence[tuple[st
         + 2.0 * clean
         + 0.5 * same_zone
         - 2.0 * others
+        - (_WHOLE if block.host.kind.whole else 0.0)
         + min(_spare_front(block, depth), 12.0) / 6.0
         - (1.0 if block.host.fixed else 0.0)
     )

@@ -30,7 +30,7 @@ from mansion_planner.program.called_sizes import called_size
 from mansion_planner.program.compact_outline import with_compact_outline
 from mansion_planner.program.decisions import Decisions, decide
 from mansion_planner.program.massing import MassingWish, choose_shape, storey_area, typical_room, vertical_method
-from mansion_planner.program.model import CoreWish, Massing, Placement, Sketch, Storey, aliases_of
+from mansion_planner.program.model import CoreWish, Massing, Placement, PlannedRoom, Sketch, Storey, aliases_of
 from mansion_planner.program.outline import Envelope, Frame, bearing_walls
 from mansion_planner.program.setbacks import setback_record
 from mansion_planner.program.stair_sizes import stair_size, storey_height
@@ -249,10 +249,16 @@ def _room_program(
     return RoomProgram(
         id=room.id, area_estimate=round(placement.area, 2), room_type=room.kind.name,
         floor_material=floor, wall_material=wall,
-        open_relation="open" if room.kind.open else "door", notes=room.notes,
+        open_relation="open" if _stands_open(room, storey) else "door", notes=room.notes,
         adjacent_to=beside.get(room.id, []), name=room.label, aliases=aliases_of(room),
         objects=requested_objects(decisions, room.id, storey), clutter=clutter_of(room.kind.name, decisions),
     )  # fmt: skip
+
+
+def _stands_open(room: PlannedRoom, storey: Storey) -> bool:
+    """Whether a room has no wall to what it is reached from; outside homes kitchens and rooms of the staff have one."""
+    of_staff = "staff" in room.label.lower().split()
+    return room.kind.open and (storey.use.family == "home" or not (room.kind.food or of_staff))
 
 
 def clutter_of(kind: str, decisions: Decisions) -> Clutter | msgspec.UnsetType:

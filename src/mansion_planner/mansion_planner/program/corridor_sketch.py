@@ -7,8 +7,8 @@ from dataclasses import replace
 import msgspec
 
 from mansion_knowledge.norms import load_norms
-from mansion_planner.program.bands import Segment, fill_segments, front_order, with_rows
-from mansion_planner.program.blocks import DOOR, group_blocks, lay_block, passage_of
+from mansion_planner.program.bands import Segment, bring_to_end, fill_segments, front_order, with_rows
+from mansion_planner.program.blocks import DOOR, group_blocks, lay_block, of_full_depth, passage_of
 from mansion_planner.program.home_orders import best_sketch, home_price
 from mansion_planner.program.model import (
     Box,
@@ -66,8 +66,10 @@ def sketch_storey(
     segments = _segments(massing, stop, lobby_length(massing, storey))
     segments = _with_floor_behind_lifts(massing, storey, segments)
     depth = max(segment.depth for segment in segments)
-    blocks = group_blocks(front_order(rest), depth, pairs, passages=storey.use.family != "home")
-    filled = _room_beside_lifts(keep_apart(fill_segments(segments, blocks, pairs), apart, pairs))
+    rest = of_full_depth(front_order(rest), ends, depth, pairs)
+    blocks = group_blocks(rest, depth, pairs, passages=storey.use.family != "home")
+    filled = bring_to_end(fill_segments(segments, blocks, pairs), stop, ends, pairs)
+    filled = _room_beside_lifts(keep_apart(filled, apart, pairs))
     if storey.use.family != "home":
         return _assemble(massing, storey, hub_id, filled, ends, stop, length)
     return best_sketch(
@@ -193,7 +195,9 @@ def _corridors_of(
 def _lobby_boxes(massing: Massing, lobby: float) -> list[Box]:
     """Return what a lobby of `lobby` metres takes of the lower band: the floor before, beside and behind the lifts."""
     lifts = [core.box for core in massing.cores if core.box[3] <= massing.south + 0.01]
-    if not lobby or not lifts:
+    if not lifts:
+        return [(0.0, 0.0, lobby, massing.south)] if lobby else []
+    if not lobby:
         return []
     edge, low, top = max(box[2] for box in lifts), min(box[1] for box in lifts), max(box[3] for box in lifts)
     boxes: list[Box] = [(0.0, top, lobby, massing.south)] if massing.south - top > 0.01 else []

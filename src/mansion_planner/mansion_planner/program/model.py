@@ -122,6 +122,8 @@ class Storey:
         The main room of its use, where the building's circulation needs another hub.
     setback, extension : float
         Metres by which it is shorter or longer than the main bar.
+    foyer : float
+        Metres of the band beside the entrance that its hub has beyond the lift lobby.
     """
 
     index: int
@@ -133,6 +135,7 @@ class Storey:
     lead: RoomType | None = None
     setback: float = 0.0
     extension: float = 0.0
+    foyer: float = 0.0
 
 
 PUBLIC_STAIR: Final = (3, 6)
@@ -370,14 +373,14 @@ def _given(room: PlannedRoom, scale: float) -> float:
 
 
 def lobby_length(massing: Massing, storey: Storey) -> float:
-    """Return the length of the lift lobby on a storey: larger where the building is entered.
+    """Return the length of the lift lobby and the foyer on a storey: larger where the building is entered.
 
     Lifts that stand at the corridor have none above the entrance storey: their own length is returned.
     """
     if not massing.lobby:
-        return 0.0
+        return storey.foyer
     if storey.role in ("ground", "single"):
-        return massing.lobby + massing.entrance
+        return massing.lobby + massing.entrance + storey.foyer
     return behind_lifts(massing)[2] or massing.lobby
 
 

@@ -126,7 +126,11 @@ def place_requests(
 def _placed_people(decisions: Decisions) -> OccupantFact | None:
     """Return the occupants who have a place of work each, unless the brief states the places themselves."""
     facts, building = decisions.facts, decisions.building
-    counted = any(answers(building.place, fact.category) for fact in facts.objects if fact.category and fact.count)
+    counted = any(
+        answers(building.place, fact.category) or answers(fact.category, building.place)
+        for fact in facts.objects
+        if fact.category and fact.count
+    )
     if building.places is None or counted:
         return None
     return next((people for people in facts.occupants if people.noun not in _VISITORS), None)

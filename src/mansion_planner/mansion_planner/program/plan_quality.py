@@ -7,6 +7,7 @@ from mansion_planner.program.model import Box, Massing, Placement, PlannedRoom, 
 __all__ = [
     "STRIP",
     "aspect",
+    "carved",
     "comes_out_as_strips",
     "dark_rooms",
     "fill",
@@ -52,6 +53,15 @@ def fill(boxes: list[Box]) -> float:
 def ragged(sketch: Sketch) -> list[Placement]:
     """Return the rooms of a sketch that leave much of the rectangle around them to others."""
     return [placement for placement in sketch.rooms if placement.boxes and fill(placement.boxes) < _COMPACT]
+
+
+_WHOLE = 0.9
+"""Share of the rectangle around it that a room fills which is of use as one rectangle alone."""
+
+
+def carved(sketch: Sketch) -> list[Placement]:
+    """Return the halls of a sketch out of which other rooms are cut, though they are of use as rectangles alone."""
+    return [p for p in sketch.rooms if p.room.kind.whole and p.boxes and fill(p.boxes) < _WHOLE]
 
 
 def strips(sketch: Sketch) -> list[Placement]:

@@ -82,7 +82,7 @@ def with_public_toilets(
     """Return the rooms of a storey of a public building with the toilets of the rules.
 
     Those of the entrance storey serve whom the other storeys have too few for; an upper storey has toilets only where
-    its own list has. Toilets that the brief states or refuses stay as they are.
+    its own list has. Toilets that the brief counts, sizes or refuses stay as they are.
 
     Parameters
     ----------
@@ -95,7 +95,12 @@ def with_public_toilets(
     """
     kept = list(rooms)
     own = [room for room in kept if room.kind.name in TOILETS]
-    settled = any(room.stated for room in own) or not all(allocation.adds(name, storey.index) for name in TOILETS)
+    facts = [fact for fact in allocation.wanted.get(storey.index, ()) if fact.room_type in TOILETS]
+    settled = (
+        any(fact.area or fact.count is not None for fact in facts)
+        if facts
+        else not all(allocation.adds(name, storey.index) for name in TOILETS)
+    )
     entrance = storey.role in ("single", "ground")
     if settled or storey.role == "basement" or not (own or entrance):
         return kept
@@ -110,8 +115,18 @@ def with_public_toilets(
         if fitting:
             place = kept.index(own[0]) if own else len(kept)
             rest = [room for room in kept if room not in own]
-            return [*rest[:place], *fitting, *rest[place:]]
+            asked = [room for room in own if room.stated]
+            return [*rest[:place], *(_serving(room, asked) for room in fitting), *rest[place:]]
     return kept
+
+
+def _serving(toilet: PlannedRoom, asked: Sequence[PlannedRoom]) -> PlannedRoom:
+    """Return a toilet that is also one of those that the brief asks for, without saying how many or how large."""
+    if not asked:
+        return toilet
+    names = dict.fromkeys(name for room in asked for name in (room.base, room.kind.name) if name != toilet.kind.name)
+    label = toilet.base.replace("mens_", "men's ").replace("_", " ")
+    return msgspec.structs.replace(toilet, stated=True, label=label, serves_as=(*toilet.serves_as, *names))
 
 
 @dataclass(frozen=True)

@@ -7,7 +7,7 @@ from typing import Final
 from mansion_knowledge import BuildingType, RoomType
 from mansion_planner.program.model import PlannedRoom
 
-__all__ = ["at_home", "growth_weight", "is_described", "is_needed", "reach"]
+__all__ = ["at_home", "growth_weight", "is_described", "is_needed", "reach", "weight_beyond"]
 
 _NEEDED: Final = frozenset(
     """
@@ -29,16 +29,20 @@ _UNASKED: Final = 0.85
 
 _AT_HOME: Final = {
     "bar": 12.0, "workshop": 14.0, "music_room": 16.0, "art_room": 16.0, "dance_studio": 22.0, "yoga_studio": 16.0,
-    "photo_studio": 16.0, "recording_studio": 14.0, "greenhouse": 15.0, "spa": 20.0,
+    "photo_studio": 16.0, "recording_studio": 14.0, "greenhouse": 15.0, "spa": 20.0, "laundry_room": 7.0,
 }  # fmt: skip
 """Usual square metres in a home of rooms that other buildings have for many: a bar for a household and its guests."""
+
+_WITH_A_BATH: Final = frozenset({"resident_room", "patient_room", "hotel_room"})
+"""Rooms that have a bathroom of their own in other buildings, and are plain bedrooms in a home."""
 
 _LEAST_AT_HOME, _MOST_AT_HOME = 0.7, 1.8
 """Least and greatest share of those."""
 
 
 def at_home(kind: RoomType) -> RoomType:
-    """Return a type of room with the sizes that it has in a home."""
+    """Return a type of room with the sizes, and the rooms of its own, that it has in a home."""
+    kind = replace(kind, suite=()) if kind.name in _WITH_A_BATH else kind
     usual = _AT_HOME.get(kind.name)
     if usual is None:
         return kind
@@ -81,6 +85,16 @@ def growth_weight(room: PlannedRoom) -> float:
 
 _BATHS: Final = frozenset({"bathroom", "ensuite_bathroom", "toilet"})
 """Rooms for one at a time; those for many grow with the rooms of these."""
+
+
+def weight_beyond(room: PlannedRoom) -> float:
+    """Return the same where all rooms have the most that is sensible: nobody wants a toilet or a store larger then."""
+    serves = room.kind.zone == "service" and not (room.kind.flexible or room.kind.daylight)
+    hardly = serves or room.kind.toilet or room.kind.name in _BATHS
+    return _HARDLY if hardly else growth_weight(room)
+
+
+_HARDLY: Final = 0.15
 
 
 def _serves(kind: RoomType) -> bool:

@@ -5,6 +5,7 @@ rectangle and no classroom or office is left as an L.
 """
 
 import itertools
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
@@ -20,7 +21,7 @@ PASSAGE = 1.5
 _DOOR_SIDE = 1.4
 """Least length of wall along a passage for a room's door, metres."""
 
-_LONGEST = 4.8
+_LONGEST = 4.6
 """Most metres of a passage: with the way to the middle of the corridor, the dead end that the rules allow in public."""
 
 _DEEPER = (1.0, 0.8, 1.25)
@@ -134,6 +135,8 @@ def _laid(wishes: Sequence[Wish], width: float, depth: float, order: _Order, dee
 def _price(wishes: Sequence[Wish], rooms: Sequence[Box]) -> float:
     """Return the price of the worst room, and of the areas that are farthest from what is asked for."""
     scale = sum(map(box_area, rooms)) / sum(wish.area for wish in wishes)
+    if scale <= 0.0:
+        return math.inf  # cores have left no length for them
     off = max(abs(box_area(box) / (scale * wish.area) - 1.0) for wish, box in zip(wishes, rooms))
     worst = max(_price_of_sides(wish, box) for wish, box in zip(wishes, rooms))
     return worst + _OFF * max(off - _SLACK, 0.0)

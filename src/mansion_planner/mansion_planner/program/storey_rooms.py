@@ -1,7 +1,7 @@
 """Choose the rooms of each storey: those that the brief asks for, and its type's own, with their areas."""
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 import msgspec
 
@@ -10,7 +10,7 @@ from mansion_planner.program.allocation import Allocation
 from mansion_planner.program.household import STUDIO, use_of
 from mansion_planner.program.model import PlannedRoom, Storey
 from mansion_planner.program.planned_rooms import planned_room
-from mansion_planner.program.room_growth import at_home, growth_weight, is_described, is_needed, reach
+from mansion_planner.program.room_growth import at_home, growth_weight, is_described, is_needed, reach, weight_beyond
 from mansion_planner.program.storeys import entries_of
 
 __all__ = [
@@ -86,7 +86,7 @@ def hub_area(storey: Storey, allocation: Allocation) -> float:
 
 
 def needed_area(storey: Storey, allocation: Allocation, knowledge: KnowledgeBase) -> float:
-    """Return the least area of the rooms asked for and of those that no home does without, square metres."""
+    """Return the least area of the rooms asked for and of those that no such building does without, square metres."""
     asked = sum(room.least for top in base_rooms(storey, allocation, knowledge) for room in top.each())
     return asked + sum(
         knowledge.room(entry.room_type).least for entry in _needed_entries(storey, allocation, knowledge)
@@ -101,6 +101,7 @@ def fill_storey(
     *,
     hub_share: float = 0.0,
     most_rooms: int = MOST_ROOMS,
+    elsewhere: Collection[str] = (),
 ) -> list[PlannedRoom]:
     """Choose a storey's rooms: those asked for, then its type's list by priority, then what may repeat.
 
@@ -112,16 +113,21 @@ def fill_storey(
         Area that the hub takes of it, where the hub is the main room.
     most_rooms : int
         From so many rooms on, none is added that only fills up.
+    elsewhere : collection of str
+        Types of rooms that other storeys have although the brief does not ask for them.
     """
     budget = capacity - hub_share
     rooms = _with_main_room(base_rooms(storey, allocation, knowledge), storey, budget)
     needed = _needed_entries(storey, allocation, knowledge)
-    for entry in needed:
+    for entry in (each for each in needed for _ in range(each.count)):
         kind = knowledge.room(entry.room_type)
         if sum(room.least for top in rooms for room in top.each()) + kind.least <= _CROWDED * budget:
             rooms.append(allocation.added(entry, knowledge))
     described = is_described(rooms, budget)
-    rooms = _with_listed(storey, allocation, knowledge, rooms, budget, needed=needed, beside_hub=not hub_share)
+    rooms = _with_listed(
+        storey, allocation, knowledge, rooms, budget, elsewhere, needed=needed, beside_hub=not hub_share
+    )
+    rooms = _with_more_baths(storey, allocation, knowledge, rooms, budget)
     used = sum(room.gross for room in rooms)
     for entry in (entry for entry in entries_of(storey) if entry.repeat and entry not in needed):
         while allocation.adds(entry.room_type, storey.index) and len(rooms) < most_rooms:
@@ -130,7 +136,7 @@ def fill_storey(
                 break
             rooms.append(room)
             used += room.gross
-    return _topped_up(storey, allocation, knowledge, rooms, budget, most_rooms, described=described)
+    return _topped_up(storey, allocation, knowledge, rooms, budget, most_rooms, elsewhere, described=described)
 
 
 _MAIN, _MOST_MAIN = 0.45, 0.8
@@ -157,6 +163,7 @@ def _with_listed(
     knowledge: KnowledgeBase,
     rooms: Sequence[PlannedRoom],
     budget: float,
+    elsewhere: Collection[str],
     *,
     needed: Sequence[RoomEntry],
     beside_hub: bool,
@@ -176,6 +183,8 @@ def _with_listed(
     present = {fact.room_type for fact in allocation.wanted[storey.index]}
     used = sum(room.gross for room in filled)
     described = is_described(rooms, budget)
+    home = storey.use.family == "home"
+    extras = (storey.use.filler or knowledge.groups.filler_of(storey.use.family)) if home else ()
     for entry in (entry for entry in entries_of(storey) if entry not in needed):
         kind = knowledge.room(entry.room_type)
         if described and not is_needed(kind, storey.use) and reach(filled) >= budget:
@@ -183,6 +192,8 @@ def _with_listed(
         if kind.name == "bathroom" and _has_baths(filled):
             continue
         if not allocation.adds(kind.name, storey.index) or kind.name == storey.hub.name:
+            continue
+        if kind.name in extras and kind.name in elsewhere:
             continue
         for _ in range(0 if entry.repeat else max(entry.count - (kind.name in present), 0)):
             room = allocation.added(entry, knowledge)
@@ -200,6 +211,30 @@ def _has_baths(rooms: Sequence[PlannedRoom]) -> bool:
     return len(slept_in) > 1 and all(any(child.kind.wet for child in room.suite) for room in slept_in)
 
 
+_SHARING_A_BATH = 2
+"""Bedrooms of a home's storey for each bathroom, where the storey has area to spare."""
+
+
+def _with_more_baths(
+    storey: Storey, allocation: Allocation, knowledge: KnowledgeBase, rooms: Sequence[PlannedRoom], budget: float
+) -> list[PlannedRoom]:
+    """Return the rooms of a home's storey with bathrooms for its bedrooms, before it gets rooms that only fill up."""
+    filled = list(rooms)
+    if storey.use.family != "home" or not allocation.adds("bathroom", storey.index):
+        return filled
+    sharing = sum(room.kind.sleeping and not any(child.kind.wet for child in room.suite) for room in filled)
+    baths = sum(room.kind.name == "bathroom" for room in filled)
+    bath = planned_room(knowledge.room("bathroom"), knowledge)
+    used = sum(room.gross for room in filled)
+    while baths * _SHARING_A_BATH < sharing - 1 and used + _LEAST_SPARE * bath.area <= budget:
+        filled.append(bath)
+        baths, used = baths + 1, used + bath.area
+    return filled
+
+
+_LEAST_SPARE = 2.0
+"""Area that a storey has to spare for each further bathroom, in those of one."""
+
 _MOST_OF_A_STOREY = 0.5
 """Greatest share of the area for rooms of one that the brief does not ask for, unless its kind needs more."""
 
@@ -211,12 +246,16 @@ def _beside_others(room: PlannedRoom, budget: float) -> PlannedRoom:
 
 
 def _needed_entries(storey: Storey, allocation: Allocation, knowledge: KnowledgeBase) -> list[RoomEntry]:
-    """Return the rooms of a home's list to live, cook and wash in that the brief leaves open on every storey.
+    """Return the rooms of a storey's list that no such building does without, where the brief leaves them open.
 
-    Other rooms are made smaller for them: no home does without. In a studio people cook where they live.
+    Other rooms are made smaller for them. A home has rooms to live, cook and wash in; in a studio people cook where
+    they live. Other buildings have, behind their entrance, the rooms that they are there for.
     """
     if storey.use.family != "home":
-        return []
+        if storey.role not in ("single", "ground"):
+            return []
+        open_to = storey.use.main - {fact.room_type for fact in allocation.wanted[storey.index]}
+        return [e for e in entries_of(storey) if e.room_type in open_to and allocation.adds(e.room_type, storey.index)]
     needs = [need for need in _NEEDS if not (need == "cooking" and storey.hub.name == STUDIO)]
     stated = [fact for facts in allocation.wanted.values() for fact in facts]
     served = {use_of(knowledge.room(part.room_type)) for fact in stated for part in (fact, *fact.suite)}
@@ -242,6 +281,9 @@ _ONE_A_STOREY = frozenset(
 )
 """Rooms of general use that a storey is not filled up with more than once."""
 
+_ONE_A_BUILDING = frozenset("gym sauna business_center computer_lab art_room training_room".split())
+"""Those that a building is not filled up with more than once; a home has none twice."""
+
 _ENOUGH, _ENOUGH_FOR_GUESTS = 0.82, 0.7
 """Share of the area for rooms that rooms may take so that they grow to fill it: those of hotels rather grow than get
 lounges beside them that nobody asked for."""
@@ -254,6 +296,7 @@ def _topped_up(
     rooms: Sequence[PlannedRoom],
     budget: float,
     most: int,
+    elsewhere: Collection[str],
     *,
     described: bool,
 ) -> list[PlannedRoom]:
@@ -278,11 +321,12 @@ def _topped_up(
         and not (kind.storey == "ground" and storey.index >= 2)
         and kind.name not in stated
         and not ((home or kind.name in _ONE_A_STOREY) and kind.name in there)
+        and not ((home or kind.name in _ONE_A_BUILDING) and kind.name in elsewhere)
     ]
     if home and storey.index >= 2:
         kinds.sort(key=lambda kind: kind.storey != "upper")
     enough = _ENOUGH_FOR_GUESTS if storey.use.family == "lodging" else _ENOUGH
-    for kind in kinds + ([] if once else [kind for kind in kinds if kind.name not in _ONE_A_STOREY] * 2):
+    for kind in kinds + ([] if once or described else [kind for kind in kinds if kind.name not in _ONE_A_STOREY] * 2):
         used = sum(room.gross for room in filled)
         if used >= enough * budget or len(filled) >= most or (described and reach(filled) >= budget):
             break
@@ -294,7 +338,8 @@ def _topped_up(
 def fit_areas(rooms: Sequence[PlannedRoom], capacity: float) -> tuple[PlannedRoom, ...]:
     """Return the rooms scaled to fill `capacity`: stated areas stay, flexible rooms give and take first.
 
-    Rooms that cannot fill it within their limits, or do not fit, take what there is in proportion.
+    Rooms that do not fit within their limits give in proportion; where they cannot fill it, those that are good at any
+    size take more than toilets, baths and stores.
     """
     every = [room for top in rooms for room in top.each()]
     loose = [room for room in every if not room.fixed]
@@ -302,13 +347,13 @@ def fit_areas(rooms: Sequence[PlannedRoom], capacity: float) -> tuple[PlannedRoo
     areas = [room.area for room in loose]
     # A room that meets its limit leaves its share to the others, so the scale is sought anew a few times. Only what
     # cannot be met within the limits is spread over all rooms without them.
-    for limited in (True, False):
+    for scaled in (_within_limits, _beyond_limits, _in_proportion):
         for _ in range(6):
             total = sum(areas)
             if not loose or total <= 0 or abs(total - spare) < 0.01:
                 break
             factor = spare / total
-            areas = [_scaled(room, area, factor, limited=limited) for room, area in zip(loose, areas)]
+            areas = [scaled(room, area, factor) for room, area in zip(loose, areas)]
     found = {id(room): area for room, area in zip(loose, areas)}
     return tuple(
         top.changed(lambda room: room if room.fixed else msgspec.structs.replace(room, area=found[id(room)]))
@@ -316,11 +361,17 @@ def fit_areas(rooms: Sequence[PlannedRoom], capacity: float) -> tuple[PlannedRoo
     )
 
 
-def _scaled(room: PlannedRoom, area: float, factor: float, *, limited: bool) -> float:
-    if not limited:
-        return max(area * factor, 1.0)
+def _within_limits(room: PlannedRoom, area: float, factor: float) -> float:
     strength = factor if factor < 1.0 else 1.0 + (factor - 1.0) * growth_weight(room)
     return min(max(area * strength, room.least), room.most)
+
+
+def _beyond_limits(room: PlannedRoom, area: float, factor: float) -> float:
+    return _in_proportion(room, area, factor if factor < 1.0 else 1.0 + (factor - 1.0) * weight_beyond(room))
+
+
+def _in_proportion(room: PlannedRoom, area: float, factor: float) -> float:
+    return max(area * factor, 1.0)
 
 
 _CIRCULATION = frozenset({"corridor", "wing", "far", "stair", "elevator"})

@@ -10,6 +10,10 @@ __all__ = ["as_meant_in", "with_main_room"]
 
 _MEANT = {
     "kitchen": ("commercial_kitchen",), "open_kitchen": ("commercial_kitchen",), "dining_room": ("restaurant",),
+    "dining_area": ("restaurant",), "dining_space": ("restaurant",), "entrance_hall": ("lobby",),
+    "living_dining_room": ("living_room",), "living_and_dining_room": ("living_room",),
+    "lounge_diner": ("living_room",),
+    "shower_room": ("shower_area",), "shower": ("shower_area",), "showers": ("shower_area",),
     "private_room": ("resident_room", "patient_room"), "single_room": ("resident_room", "patient_room"),
     "child_room": ("childrens_area",), "kid_room": ("childrens_area",), "lounge": ("living_room",),
     "showroom": ("car_showroom",), "kitchenette": ("kitchen",), "sleeping_area": ("bedroom",),
@@ -146,7 +150,7 @@ def _meanings_in(building: BuildingType, facts: BriefFacts) -> _Meanings | None:
     if stated & _SHARED_BATHS:
         meant.pop("bedroom", "")
     private = _PRIVATE - _OF_GUESTS if building.family == "lodging" else _PRIVATE
-    at_home = {room.floors for room in facts.rooms if room.room_type in private}
+    at_home = {room.floors for room in facts.rooms if room.room_type in private and room.name not in meant}
     shared = building.family != "home" and any(room.name in meant and room.floors in at_home for room in facts.rooms)
     if not meant or shared:
         return None

@@ -13,7 +13,7 @@ from mansion_msgs_py.openings import GivenOpenings
 from mansion_msgs_py.program import GROUND_FLOOR, Downgrade
 from mansion_msgs_py.scene import Door, SceneCore, SceneRoom, Wall, Window
 from mansion_msgs_py.stages import FurnishRequest
-from mansion_scene.structure.access import AccessPlan, plan_access, shared_boundaries
+from mansion_scene.structure.access import AccessPlan, Pair, pair_key, plan_access, shared_boundaries
 from mansion_scene.structure.boundaries import BoundarySegment, boundary_segments
 from mansion_scene.structure.cores import scene_cores
 from mansion_scene.structure.dimensions import SLAB_THICKNESS
@@ -43,7 +43,9 @@ from mansion_scene.structure.outer_doors import entrance_room, place_entrance, p
 from mansion_scene.structure.payloads import number_doors, number_walls, number_windows, scene_rooms
 from mansion_scene.structure.regions import FloorRegions, Region, floor_regions
 from mansion_scene.structure.second_doors import place_second_doors
+from mansion_scene.structure.street_doors import place_street_doors
 from mansion_scene.structure.windows import place_windows
+from mansion_scene.structure.working_doors import place_working_doors
 
 __all__ = ["FloorStructure", "build_structure", "ceiling_height"]
 
@@ -120,6 +122,10 @@ def build_structure(request: FurnishRequest, held: HeldAccess | None = None) -> 
         if free and not residential:
             beside = with_doors(frontages, [entrance])
             openings += place_further_exits(floor, usable, entrance, beside, partition.nets, request.building_type)
+            if given is None:
+                beside = with_doors(frontages, openings)
+                kind = request.building_type
+                openings += place_street_doors(floor, usable, openings, beside, partition.nets, kind)
     frontages = with_doors(frontages, openings)
     wide, blocked = place_garage_doors(floor, usable, frontages, partition.nets, _driven(kept)) if free else ([], [])
     frontages = with_doors(frontages, wide)
@@ -131,6 +137,11 @@ def build_structure(request: FurnishRequest, held: HeldAccess | None = None) -> 
         second = place_second_doors(floor, usable, shared, known, frontages, partition.nets, kind)
         placed += second
         frontages = with_doors(frontages, second)
+    if given is None and held is None:
+        known, kind = [*openings, *placed], request.building_type
+        working = place_working_doors(floor, shared, known, frontages, kind, _wished_pairs(floor, request))
+        placed += working
+        frontages = with_doors(frontages, working)
     fixed = {opening.segment for opening in kept} if given is not None else set()
     openings, leafless = hang_doors(
         floor,
@@ -158,6 +169,16 @@ def build_structure(request: FurnishRequest, held: HeldAccess | None = None) -> 
         downgrades=[*plan.downgrades, *_cut_off(floor, partition), *blocked, *narrowed, *leafless],
         ceiling=ceiling,
     )
+
+
+def _wished_pairs(floor: FloorRegions, request: FurnishRequest) -> set[Pair]:
+    """Return the rooms that the brief wants side by side."""
+    return {
+        pair_key(floor.by_node[room.id].id, floor.by_node[other].id)
+        for room in request.floor.rooms
+        for other in room.adjacent_to
+        if room.id in floor.by_node and other in floor.by_node
+    }
 
 
 def _kept_access(

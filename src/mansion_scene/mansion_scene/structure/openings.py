@@ -6,7 +6,7 @@ from typing import Literal
 
 from shapely.geometry import Polygon
 
-from mansion_knowledge import is_class
+from mansion_knowledge import is_class, kin_of
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.program import Downgrade
 from mansion_msgs_py.scene import DoorKind
@@ -20,11 +20,13 @@ from mansion_scene.structure.regions import FloorRegions, Region
 from mansion_scene.structure.stairs import landing_zone
 
 __all__ = [
+    "BED_WIDTH",
     "Opening",
     "OpeningKind",
     "entrance_kind",
     "is_circulation",
     "make_frontages",
+    "narrower_widths",
     "open_passages",
     "opening_at",
     "opening_kind",
@@ -35,6 +37,9 @@ __all__ = [
 ]
 
 _LARGE_PUBLIC = 45.0  # square metres from which a public room gets a double door
+
+BED_WIDTH = 1.06
+"""Clear width through which beds are moved (rule ``door_width``), for wide doors that find no place, metres."""
 
 
 @dataclass(frozen=True)
@@ -81,6 +86,8 @@ def opening_kind(a: Region, b: Region) -> OpeningKind:
         return OpeningKind("doorway", 1.4, "painted_wood")
     served = served_room(a, b)
     kind, area = served.room_type, served.polygon.area
+    if kin_of(kind) == "commercial_kitchen":
+        return OpeningKind("single", 1.0, "painted_steel")
     if is_class(kind, "wet") or is_class(kind, "store") or is_class(kind, "sleeping"):
         return OpeningKind("single", CLEAR_WIDTH, "painted_wood")
     if is_class(kind, "assembly"):
@@ -210,14 +217,19 @@ def place_doors(
 def other_places(
     opening: Opening, shared: Mapping[Pair, Sequence[BoundarySegment]], frontages: Mapping[str, Frontage]
 ) -> Iterator[Opening]:
-    """Yield the same door at other positions between its two regions, best first, then all again 0.9 m wide."""
+    """Yield the same door at other positions between its two regions, best first, then all again narrower."""
     a, b = opening.regions
     if b is None:
         return
     sides = {region: _without(frontages[region], opening.segment) for region in (a, b)}
-    for width in sorted({opening.kind.width, min(opening.kind.width, CLEAR_WIDTH)}, reverse=True):
+    for width in narrower_widths(opening.kind.width):
         for position in ranked_positions(shared[pair_key(a, b)], sides, width):
             yield opening_at(position, opening.kind)
+
+
+def narrower_widths(wished: float) -> list[float]:
+    """Return the clear widths of a door, the wished one first, down to 0.9 m."""
+    return [wished, *(width for width in (BED_WIDTH, CLEAR_WIDTH) if width < wished)]
 
 
 def _without(frontage: Frontage, segment: Segment) -> Frontage:
@@ -286,9 +298,9 @@ def _widest(
     within: Polygon | None,
     center: Point | None = None,
 ) -> Position | None:
-    """Choose the position of the widest opening that fits: of the full width, 0.9 m, with thinner jambs, narrower."""
+    """Choose the position of the widest opening that fits: as wide as wished, for beds, 0.9 m, with thinner jambs."""
     bare = INTERIOR_THICKNESS / 2
-    trials = [(width, WALL_END), (CLEAR_WIDTH, WALL_END), (CLEAR_WIDTH, bare)]
+    trials = [(trial, WALL_END) for trial in narrower_widths(width)] + [(CLEAR_WIDTH, bare)]
     trials += [(trial, bare) for trial in (0.85, 0.8, 0.75, MIN_CLEAR_WIDTH)]
     for trial, margin in trials:
         position = choose_position(boundaries, frontages, trial, margin=margin, within=within, center=center)

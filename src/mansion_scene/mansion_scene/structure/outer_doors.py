@@ -60,13 +60,15 @@ def facades_of(floor: FloorRegions, boundaries: Sequence[BoundarySegment], regio
 def entrance_room(floor: FloorRegions, boundaries: Sequence[BoundarySegment]) -> Region:
     """Return the room through which the building is entered: the hub, else the room best placed on the outer wall.
 
+    Where a reception stands open to a passage that is the hub, people come in to it.
+
     Raises
     ------
     MansionError
         ``INFEASIBLE`` when no room has 1.2 m of outer wall.
     """
     choices = [
-        (_entrance_rank(floor, region), -round(facades[0].length, 3), region.id)
+        (_entrance_rank(floor, region, facades[0].length), -round(facades[0].length, 3), region.id)
         for region in floor.regions
         if region.is_room and (facades := facades_of(floor, boundaries, region.id))
     ]
@@ -79,7 +81,23 @@ def entrance_room(floor: FloorRegions, boundaries: Sequence[BoundarySegment]) ->
     return floor.by_id[min(choices)[2]]
 
 
-def _entrance_rank(floor: FloorRegions, region: Region) -> int:
+_FRONT = 3.0
+"""Least facade of a reception that people come in to, metres."""
+
+_RECEPTION = 10.0
+"""Least area of one, square metres."""
+
+
+def _receives(floor: FloorRegions, region: Region, facade: float) -> bool:
+    """Whether a room is a reception open to a passage, with a facade and floor for a way in beside its desk."""
+    stands_open = region.open_relation == "open" and is_circulation(floor.hub) and not is_circulation(region)
+    large = region.polygon.area >= _RECEPTION and facade >= _FRONT
+    return stands_open and large and is_class(region.room_type, "welcome")
+
+
+def _entrance_rank(floor: FloorRegions, region: Region, facade: float) -> int:
+    if _receives(floor, region, facade):
+        return -1
     if region.id == floor.hub.id:
         return 0
     if is_class(region.room_type, "welcome"):

@@ -28,6 +28,8 @@ class Region:
         ``F2/office_1`` of a room, ``stair_1`` of a core.
     node : str
         Id in the floor's room graph.
+    name : str
+        What people call it; empty where they do not name it.
     polygon : Polygon
         Counter-clockwise, holes clockwise.
     """
@@ -40,6 +42,7 @@ class Region:
     node_kind: NodeKind = "Entities"
     open_relation: Literal["open", "door"] = "door"
     core: CorePlan | None = None
+    name: str = ""
 
     @property
     def is_room(self) -> bool:
@@ -109,6 +112,7 @@ def _rooms(request: FurnishRequest, nodes: dict[str, TopologyNode]) -> list[Regi
                 room_type=room_type or _type_of_id(room.id),
                 node_kind=node.type if node else "Entities",
                 open_relation=node.open_relation if node else "door",
+                name=program.name if program else "",
             )
         )
     return rooms
