@@ -34,7 +34,14 @@ def dishwasher(b: Builder) -> None:
     panel = ((-w / 2 + 0.005, w / 2 - 0.005), front, (min(0.1, h * 0.12), cell.top - 0.01))
     with b.door(*panel, "bottom"):
         b.box(*panel, b.mat(), "door", solid=False)
-        b.box((-w * 0.4, w * 0.4), (front[1], d / 2), (cell.top - 0.06, cell.top - 0.045), "metal_chrome", "handle", solid=False)
+        b.box(
+            (-w * 0.4, w * 0.4),
+            (front[1], d / 2),
+            (cell.top - 0.06, cell.top - 0.045),
+            "metal_chrome",
+            "handle",
+            solid=False,
+        )
         sign = DrawnFace.front(b, front[1])
         for k in range(3):
             sign.disc(w * (-0.2 + 0.14 * k), h * 0.45, h * 0.13, "plastic_white", "plates", 0.004 + 0.002 * k, 24)
