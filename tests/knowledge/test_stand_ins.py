@@ -13,6 +13,7 @@ def test_every_type_is_known() -> None:
     assert set(listed.rooms) <= set(known.rooms)
     assert set(listed.buildings) <= set(known.buildings)
     assert set(listed.objects) <= set(load_catalogue().categories)
+    assert set(listed.told["rooms"]) <= set(known.rooms)
 
 
 @pytest.mark.parametrize(
@@ -25,6 +26,8 @@ def test_every_type_is_known() -> None:
         ("rooms", "prayer_room", "quiet_room", True),
         ("buildings", "shop_building", "Flower shop", True),
         ("buildings", "shop_building", "bookshop", False),
+        ("buildings", "nightclub", "brewpub", True),
+        ("objects", "fireplace", "wood stove", True),
     ],
 )
 def test_a_type_stands_in_for_some_names(kind: StandInKind, type_: str, name: str, only: bool) -> None:

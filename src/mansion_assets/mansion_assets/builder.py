@@ -131,6 +131,15 @@ class Builder:
         finally:
             self._link = ""
 
+    @contextmanager
+    def fixed_to(self, part: str) -> Iterator[None]:
+        """Make what is added within move with a part that there is already, as a sign with its door."""
+        before, self._link = self._link, part
+        try:
+            yield
+        finally:
+            self._link = before
+
     def door(
         self, x: tuple[float, float], y: tuple[float, float], z: tuple[float, float], hinge: Hinge = "left"
     ) -> AbstractContextManager[None]:

@@ -8,7 +8,7 @@ import msgspec
 
 from mansion_msgs_py.codec import prepared
 
-__all__ = ["StandInKind", "stands_in"]
+__all__ = ["StandInKind", "answers_when_told", "stands_in"]
 
 StandInKind: TypeAlias = Literal["rooms", "buildings", "objects"]
 
@@ -17,6 +17,7 @@ class _StandIns(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     rooms: dict[str, list[str]]
     buildings: dict[str, list[str]]
     objects: dict[str, list[str]]
+    told: dict[str, list[str]]
 
 
 @cache
@@ -46,3 +47,14 @@ def stands_in(kind: StandInKind, type_: str, name: str) -> bool:
     words = name.lower().replace("_", " ").replace("-", " ").split()
     known: dict[str, list[str]] = getattr(_stand_ins(), kind)
     return any(words[-len(other.split()) :] == other.split() for other in known.get(type_, ()))
+
+
+def answers_when_told(room_type: str) -> bool:
+    """Whether a room type is what a name asks for in which a word tells it: a common room is a youth room.
+
+    Examples
+    --------
+    >>> answers_when_told("common_room"), answers_when_told("laboratory")
+    (True, False)
+    """
+    return room_type in _stand_ins().told["rooms"]

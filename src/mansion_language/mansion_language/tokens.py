@@ -9,7 +9,7 @@ from typing import Literal, TypeAlias
 
 from mansion_language.inflection import singular
 from mansion_language.numbers import CARDINALS, ORDINALS, SCALES, SOFT_NUMBERS, figure
-from mansion_language.units import AREA_PATTERN, LENGTH_PATTERN
+from mansion_language.units import AREA, AREA_PATTERN, LENGTH_PATTERN
 
 __all__ = ["Kind", "Token", "tokenize"]
 
@@ -156,7 +156,7 @@ def _token(match: re.Match[str], text: str, *, spaced: bool) -> Token:
     if match["level"]:
         return Token("level", match["level"], start, end, float(re.sub(r"\D", "", match["level"])), spaced=spaced)
     if match["area"]:
-        return Token("unit", "m2" if match["m2"] else "ft2", start, end, spaced=spaced)
+        return Token("unit", next(unit for unit in AREA if match[unit]), start, end, spaced=spaced)
     if match["length"]:
         return Token("unit", next(u for u in ("cm", "m", "ft") if match[u]), start, end, spaced=spaced)
     if match["compound"]:

@@ -14,6 +14,10 @@ from mansion_planner.brief import read_brief
         ("An office with four meeting rooms, two of them 30 m2, and a lobby.", [(2, None), (2, 30.0), (1, None)]),
         ("A courthouse with two courtrooms, of which one 110 m2 and one 70 m2.", [(1, 110.0), (1, 70.0)]),
         ("A house with two bedrooms of 12 m2 each.", [(2, 12.0)]),
+        (
+            "A house with three bedrooms - ours 18 m2 with its own bathroom, the two for the boys 13 m2 each.",
+            [(1, 18.0), (2, 13.0)],
+        ),
     ],
 )
 def test_one_of_several_rooms_has_the_area_that_is_told_of_it(text: str, rooms: list[tuple[int, float | None]]) -> None:

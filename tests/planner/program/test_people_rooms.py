@@ -77,3 +77,9 @@ def test_what_fills_a_building_belongs_there(brief: str, unwanted: set[str]) -> 
 def test_a_storey_of_a_hotel_is_filled_with_one_lounge_at_most() -> None:
     program = planned("A boutique hotel of four storeys with 24 rooms, a restaurant and a small spa", seed=3)
     assert all([room.room_type for room in floor.rooms].count("lounge") <= 1 for floor in program.floors)
+
+
+@pytest.mark.parametrize(("brief", "storeys"), [("an office for 12 people", 1), ("an office for 40 people", 2)])
+def test_a_building_for_few_people_has_few_storeys(brief: str, storeys: int) -> None:
+    program = plan_building(BuildRequest(description=brief, seed=3)).program
+    assert len(program.floors) == storeys

@@ -85,7 +85,7 @@ class Vocabulary:
         if len(words) != 1 or words[0] not in _GENERIC:
             return []
         ends = _GENERIC[words[0]]
-        return [c for c in self.categories if c.endswith(ends)]
+        return [c for c in self.categories if c.endswith(ends) and not c.endswith("cabin")]
 
     def containing(self, words: tuple[str, ...]) -> list[str]:
         """Return the categories whose name has all of these words."""

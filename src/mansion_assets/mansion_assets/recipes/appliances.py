@@ -1,10 +1,12 @@
 """Appliances of kitchen and house, large and small."""
 
 import itertools
+import math
 from typing import Any
 
 from mansion_assets.builder import Builder
 from mansion_assets.catalogue.receptacles import Receptacle, inset, surface, volume
+from mansion_assets.drawn_faces import DrawnFace
 from mansion_assets.registry import receptacles, recipe
 from mansion_msgs_py.shapes import Size3
 
@@ -37,14 +39,32 @@ def fridge(b: Builder) -> None:
         with b.door(*panel):
             b.box(*panel, main, "door", solid=False)
             b.box(
-                (w / 2 - 0.08, w / 2 - 0.055),
+                (w / 2 - 0.085, w / 2 - 0.05),
                 (d / 2 - 0.03, d / 2),
-                (zm, zm + min(0.45, (z1 - z0) * 0.4)),
-                "metal_steel",
+                (zm, zm + min(0.5, (z1 - z0) * 0.45)),
+                "metal_light" if "black" in main else "metal_dark",
                 "handle",
                 solid=False,
             )
+            if z0 > 0.1:
+                _dispenser(b, (z0, z1))
     b.box((-w / 2, w / 2), (-d / 2, face), (h - 0.004, h), main, "case", solid=False)
+
+
+def _dispenser(b: Builder, z: tuple[float, float]) -> None:
+    """A recess for cold water with its lit panel, and a blue flake, on the upper door of a fridge."""
+    w = b.w
+    face = DrawnFace.front(b, b.d / 2 - 0.03)
+    low, tall = z[0] + (z[1] - z[0]) * 0.3, min(0.34, (z[1] - z[0]) * 0.36)
+    face.field((-w * 0.16, w * 0.16), (low, low + tall), "plastic_black", "dispenser", 0.004)
+    face.field((-w * 0.12, w * 0.12), (low + tall * 0.06, low + tall * 0.62), "metal_grey", "dispenser", 0.006)
+    face.field((-w * 0.02, w * 0.02), (low + tall * 0.42, low + tall * 0.62), "plastic_black", "dispenser", 0.016)
+    face.field((-w * 0.12, w * 0.12), (low + tall * 0.7, low + tall * 0.94), "light_4fd0f0", "dispenser", 0.007)
+    top = z[1] - (z[1] - z[0]) * 0.16
+    for k in range(3):
+        a = math.pi / 2 + k * math.pi / 3
+        arm = (math.cos(a) * w * 0.07, math.sin(a) * w * 0.07)
+        face.line([(-arm[0], top - arm[1]), (arm[0], top + arm[1])], w * 0.01, "plastic_3f8fe0", "flake")
 
 
 @recipe("display_fridge")

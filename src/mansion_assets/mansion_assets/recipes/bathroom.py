@@ -4,6 +4,7 @@ from typing import Any
 
 from mansion_assets.builder import Builder
 from mansion_assets.catalogue.receptacles import Receptacle, inset, surface, volume
+from mansion_assets.drawn_faces import DrawnFace
 from mansion_assets.registry import receptacles, recipe
 from mansion_msgs_py.shapes import Size3
 
@@ -38,23 +39,6 @@ def toilet(b: Builder) -> None:
         solid=False,
     )
     b.box((-w * 0.25, w * 0.25), (-d / 2, -d / 2 + tank + 0.1), (0, rim), b.mat(), "foot")
-
-
-@recipe("urinal")
-def urinal(b: Builder) -> None:
-    """Wall urinal on a back panel."""
-    w, d, h = b.w, b.d, b.h
-    b.box((-w / 2, w / 2), (-d / 2, -d / 2 + 0.06), (0, h), "ceramic_light", "panel")
-    b.lathe(
-        [(0.2, h * 0.38), (0.85, h * 0.5), (1.0, h * 0.62), (0.9, h * 0.62), (0.5, h * 0.5)],
-        b.mat(),
-        (0, 0.03),
-        "bowl",
-        20,
-        (w * 0.45, d / 2 - 0.03),
-    )
-    b.box((-w * 0.4, w * 0.4), (-d / 2 + 0.05, -d / 2 + 0.16), (h * 0.55, h * 0.92), b.mat(), "back")
-    b.rod((0, -d / 2 + 0.08, h * 0.9), (0, -d / 2 + 0.08, h), 0.012, "metal_chrome", "pipe")
 
 
 @recipe("bidet")
@@ -113,9 +97,11 @@ def sink(b: Builder) -> None:
     top = main if steel or main.startswith(("ceramic", "stone")) else "ceramic_white"
     thick = min(0.05, rim * 0.3)
     for span_x, span_y in (
-        ((-w / 2, bowl.x0), (-d / 2, d / 2)), ((bowl.x1, w / 2), (-d / 2, d / 2)),
-        ((bowl.x0, bowl.x1), (-d / 2, bowl.y0)), ((bowl.x0, bowl.x1), (bowl.y1, d / 2)),
-    ):  # fmt: skip
+        ((-w / 2, bowl.x0), (-d / 2, d / 2)),
+        ((bowl.x1, w / 2), (-d / 2, d / 2)),
+        ((bowl.x0, bowl.x1), (-d / 2, bowl.y0)),
+        ((bowl.x0, bowl.x1), (bowl.y1, d / 2)),
+    ):
         b.box(span_x, span_y, (rim - thick, rim), top, "top")
     deep = bowl.z
     b.box(
@@ -263,6 +249,9 @@ def stall(b: Builder) -> None:
     with b.door(*panel):
         b.box(*panel, b.mat(), "door")
         b.box((w * 0.24, w * 0.27), (d / 2 - 0.006, d / 2), (1.0, 1.1), "metal_steel", "lock", solid=False)
+        face = DrawnFace.front(b, d / 2 - 0.006)
+        face.write("WC", (-w * 0.22, w * 0.22), (h * 0.66, h * 0.86), "plastic_white", "sign", 0.004)
+        face.field((-w * 0.27, -w * 0.17), (1.12, 1.16), "plastic_green", "lock", 0.004)
     b.lathe(
         [(0.55, 0), (0.5, 0.12), (0.95, 0.38), (1.0, 0.41)],
         "ceramic_white",
@@ -312,19 +301,6 @@ def shower_head(b: Builder) -> None:
     b.rod((0, -d / 2 + 0.02, h - 0.05), (0, d / 2 - 0.06, h - 0.02), 0.012, b.mat(), "arm")
     b.cyl(0, d / 2 - w * 0.3, (h - 0.07, h), w * 0.3, b.mat(), "head", n=20)
     b.box((-w / 2, w / 2), (-d / 2, -d / 2 + 0.05), (0.0, 0.06), b.mat(), "mixer")
-
-
-@recipe("faucet")
-def faucet(b: Builder) -> None:
-    """Spout with two handles."""
-    w, d, h = b.w, b.d, b.h
-    r = max(0.006, min(0.016, w * 0.1, h * 0.08))
-    y = -d / 2 + 2 * r
-    b.path([(0, y, 0), (0, y, h - r), (0, d / 2 - r, h - r), (0, d / 2 - r, h * 0.6)], r, b.mat(), "spout")
-    b.box((-r * 2, r * 2), (-d / 2, -d / 2 + 4 * r), (0, h * 0.2), b.mat(), "foot")
-    for sx in (-1, 1):
-        x = sx * (w / 2 - r)
-        b.rod((x, y, 0), (x, y, h * 0.4), r, b.mat(), "handles", solid=True)
 
 
 @recipe("curtain")

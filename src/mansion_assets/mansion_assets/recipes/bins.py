@@ -1,10 +1,11 @@
 """Bins, baskets, sacks, and stands open at the top."""
 
-from contextlib import nullcontext
+import math
 from typing import Any
 
 from mansion_assets.builder import Box, Builder
 from mansion_assets.catalogue.receptacles import Receptacle, inset, volume
+from mansion_assets.drawn_faces import DrawnFace
 from mansion_assets.registry import receptacles, recipe
 from mansion_msgs_py.shapes import Size3
 
@@ -34,15 +35,59 @@ def bin_(b: Builder) -> None:
         _tapered_walls(b, high, t)
         _hollow(b, high, t, 1.0)
     if lid:
-        _lid(b, high, slotted=lid == "slot")
+        _lid(b, high)
+    if b.p.get("sign") == "compost":
+        face = DrawnFace.front(b, d / 2)
+        face.write("COMPOST", (-w * 0.42, w * 0.42), (h * 0.2, h * 0.36), "plastic_white", "letters", 0.004)
+        leaf = [
+            (0.0, h * 0.44),
+            (w * 0.2, h * 0.56),
+            (w * 0.16, h * 0.74),
+            (0.0, h * 0.84),
+            (-w * 0.16, h * 0.74),
+            (-w * 0.2, h * 0.56),
+        ]
+        b.prism(leaf, (d / 2, d / 2 + 0.005), "leaf_8fd05a", "y", "sign")
+        face.line([(0.0, h * 0.4), (0.0, h * 0.8)], w * 0.014, "leaf_3f7f3a", "sign", 0.005)
+    if b.p.get("wheels"):
+        _barrow(b, high)
 
 
-def _lid(b: Builder, low: float, *, slotted: bool) -> None:
-    """A lid on a hinge at the back; the slotted head of a shredder is fixed."""
-    panel = ((-b.w / 2, b.w / 2), (-b.d / 2, b.d / 2), (low, b.h))
-    with nullcontext() if slotted else b.door(*panel, "back"):
-        b.box(*panel, "plastic_dark" if slotted else b.mat(), "lid", solid=False)
-        b.box((-b.w * 0.3, b.w * 0.3), (-0.02, 0.0), (b.h - 0.003, b.h), "plastic_black", "slot", solid=False)
+def _barrow(b: Builder, high: float) -> None:
+    """Two wheels and a handle behind, by which a bin is pulled, and the sign of what goes round on its front."""
+    w, d = b.w, b.d
+    for side in (-1, 1):
+        b.rod((side * w * 0.38, -d * 0.4, 0.1), (side * w / 2, -d * 0.4, 0.1), 0.1, "rubber_black", "wheels", 18)
+        b.rod((side * w / 2, -d * 0.4, 0.1), (side * (w / 2 + 0.004), -d * 0.4, 0.1), 0.05, "metal_light", "wheels", 14)
+        b.rod(
+            (side * w * 0.36, -d * 0.46, high - 0.06),
+            (side * w * 0.36, -d / 2 - 0.05, high),
+            0.02,
+            b.mat(),
+            "handle",
+            8,
+        )
+    b.rod((-w * 0.36, -d / 2 - 0.05, high), (w * 0.36, -d / 2 - 0.05, high), 0.022, "rubber_black", "handle", 10)
+    face = DrawnFace.front(b, d / 2)
+    for k in range(3):
+        a = math.radians(90 + 120 * k)
+        arc = [(math.cos(a + t) * w * 0.2, high * 0.55 + math.sin(a + t) * w * 0.2) for t in (0.35, 0.9, 1.4, 1.75)]
+        face.line(arc, w * 0.03, "plastic_white", "sign")
+        tip = math.cos(a + 2.0) * w * 0.2, high * 0.55 + math.sin(a + 2.0) * w * 0.2
+        face.line([arc[-1], tip], w * 0.05, "plastic_white", "sign")
+
+
+def _lid(b: Builder, low: float) -> None:
+    """A lid on a hinge at the back, ribbed, with a lip in front to lift it by."""
+    w, d = b.w, b.d
+    panel = ((-w / 2, w / 2), (-d / 2, d / 2), (low, b.h))
+    with b.door(*panel, "back"):
+        b.box((-w / 2, w / 2), (-d / 2, d / 2), (low, low + 0.03), b.mat(), "lid", solid=False)
+        slope = [(-d / 2, low + 0.03), (d * 0.4, low + 0.03), (d * 0.3, b.h), (-d * 0.42, b.h)]
+        b.prism(slope, (-w * 0.42, w * 0.42), b.mat(), part="lid", solid=False)
+        b.box(
+            (-w * 0.2, w * 0.2), (d / 2 - 0.004, d / 2 + 0.02), (low, low + 0.024), "plastic_dark", "lid", solid=False
+        )
 
 
 def _tapered_walls(b: Builder, high: float, t: float) -> None:

@@ -370,25 +370,3 @@ def battery(b: Builder) -> None:
     ]
     b.prism([bolt[0], bolt[1], bolt[2], bolt[5]], (d * 0.44, d * 0.505), "paint_yellow", "y", "sign", solid=False)
     b.prism([bolt[2], bolt[3], bolt[4], bolt[5]], (d * 0.44, d * 0.505), "paint_yellow", "y", "sign", solid=False)
-
-
-@recipe("computer_mouse")
-def computer_mouse(b: Builder) -> None:
-    """A rounded back with two buttons parted by a wheel, and a cable that leaves in front."""
-    w, d, h = b.w, b.d, b.h
-    body = d * 0.3
-    b.cushion((-w / 2, w / 2), (-d / 2, body), (0, h), b.mat(), "body", 0.95, 16)
-    b.box((-w * 0.015, w * 0.015), (-d * 0.02, body * 0.86), (h * 0.5, h * 0.97), "plastic_grey", "seam", solid=False)
-    b.box((-w * 0.4, w * 0.4), (-d * 0.05, -d * 0.03), (h * 0.5, h * 0.99), "plastic_grey", "seam", solid=False)
-    b.rod((-w * 0.07, d * 0.12, h * 0.84), (w * 0.07, d * 0.12, h * 0.84), h * 0.22, "plastic_light", "wheel", 12)
-    b.path(
-        [
-            (0, body * 0.96, h * 0.3),
-            (0, d * 0.38, h * 0.12),
-            (w * 0.1, d * 0.44, h * 0.08),
-            (w * 0.06, d / 2, h * 0.08),
-        ],
-        h * 0.06,
-        "plastic_grey",
-        "cable",
-    )

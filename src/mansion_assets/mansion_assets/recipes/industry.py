@@ -10,9 +10,13 @@ __all__: list[str] = []
 
 @recipe("conveyor")
 def conveyor(b: Builder) -> None:
-    """Belt between side rails on legs."""
+    """Rollers between side rails on legs, with a motor below."""
     w, d, h = b.w, b.d, b.h
-    b.box((-w / 2, w / 2), (-d / 2 + 0.04, d / 2 - 0.04), (h - 0.06, h), "rubber_black", "belt")
+    b.box((-w / 2, w / 2), (-d / 2 + 0.04, d / 2 - 0.04), (h - 0.1, h - 0.06), "metal_dark", "bed")
+    count = max(8, round(w / 0.11))
+    for k in range(count):
+        x = -w / 2 + w * (k + 0.5) / count
+        b.rod((x, -d / 2 + 0.02, h - 0.03), (x, d / 2 - 0.02, h - 0.03), 0.03, "metal_chrome", "rollers", 10)
     for sy in (-1, 1):
         lo, hi = sorted((sy * d / 2, sy * (d / 2 - 0.04)))
         b.box((-w / 2, w / 2), (lo, hi), (h - 0.16, h - 0.004), b.mat(), "rails")

@@ -170,11 +170,12 @@ def surgical_light(b: Builder) -> None:
     b.rod((0, -d * 0.3, h), (0, -d * 0.3, h * 0.5), 0.035, b.mat(), "arm")
     b.rod((0, -d * 0.3, h * 0.5), (0, 0.1, h * 0.42), 0.03, b.mat(), "arm")
     b.lathe([(0.46, 0.0), (0.5, 0.06), (0.36, 0.14), (0.1, 0.2)], b.mat(), (0, 0), "head", 32, (w, d))
+    b.lathe([(0.07, -0.1), (0.05, 0.0)], "plastic_4f9bd9", (0, 0), "grip", 16, (w * 0.6, d * 0.6))
     for k in range(7):
         a = k * 2 * math.pi / 6
         r = 0.28 if k < 6 else 0.0
         b.cyl(
-            math.cos(a) * r * w, math.sin(a) * r * d, (-0.004, 0.004), 0.07, "light_white", "lamps", n=14, solid=False
+            math.cos(a) * r * w, math.sin(a) * r * d, (-0.012, 0.004), 0.085, "light_fff6df", "lamps", n=16, solid=False
         )
 
 

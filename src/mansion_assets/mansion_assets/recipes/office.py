@@ -52,17 +52,6 @@ def platform(b: Builder) -> None:
     b.box((-w / 2, w / 2), (d / 2 - 0.32, d / 2 - 0.3), (h - 0.02, h), "metal_brass", "edge", solid=False)
 
 
-@recipe("turnstile")
-def turnstile(b: Builder) -> None:
-    """Cabinet with glass wings and a reader."""
-    w, d, h = b.w, b.d, b.h
-    b.cushion((-w * 0.35, w * 0.35), (-d / 2, d / 2), (0, h), b.mat(), "case", 0.3, 12)
-    for sx in (-1, 1):
-        lo, hi = sorted((sx * w / 2, sx * w * 0.3))
-        b.box((lo, hi), (-0.006, 0.006), (h * 0.25, h * 0.9), "glass_clear", "wings", solid=False)
-    b.box((-w * 0.15, w * 0.15), (d * 0.3, d * 0.42), (h - 0.001, h), "light_green", "reader", solid=False)
-
-
 @recipe("barrier")
 def barrier(b: Builder) -> None:
     """Two posts and a hanging rope."""

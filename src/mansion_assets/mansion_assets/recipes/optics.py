@@ -20,17 +20,6 @@ def camera(b: Builder) -> None:
     b.box((-w * 0.2, w * 0.2), (-d / 2, d * 0.05), (h * 0.8, h), b.mat(), "finder", solid=False)
 
 
-@recipe("projector")
-def projector(b: Builder) -> None:
-    """Projector below a ceiling mount."""
-    w, d, h = b.w, b.d, b.h
-    low = min(0.12, h * 0.4)
-    b.box((-w / 2, w / 2), (-d / 2, d / 2 - 0.03), (0, low), b.mat(), "case")
-    b.rod((-w * 0.25, d / 2 - 0.04, low / 2), (-w * 0.25, d / 2, low / 2), low * 0.35, "glass_black", "lens", 16)
-    b.cyl(0, 0, (low, h), 0.02, "metal_white", "mount")
-    b.cyl(0, 0, (h - 0.015, h), 0.07, "metal_white", "mount")
-
-
 @recipe("microscope")
 def microscope(b: Builder) -> None:
     """Foot, arm, stage, tube."""

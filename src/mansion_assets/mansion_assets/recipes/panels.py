@@ -22,6 +22,23 @@ def _shown(b: Builder, face: str) -> str:
 def _face(b: Builder, face: str, x: tuple[float, float], z: tuple[float, float], y: float) -> None:
     """What a panel shows, flat on its front at `y`."""
     b.box(x, (y - 0.0015, y), z, _shown(b, face), "face", solid=False)
+    if face == "glass_mirror":
+        _gleam(b, x, z, y)
+
+
+def _gleam(b: Builder, x: tuple[float, float], z: tuple[float, float], y: float) -> None:
+    """Two slanted bands of light on a mirror."""
+    w, h = x[1] - x[0], z[1] - z[0]
+    slant = min(w * 0.4, h * 0.4)
+    for low, wide in ((0.34, 0.14), (0.56, 0.05)):
+        u = x[0] + (w - slant) * low
+        band = [
+            (u, z[0] + h * 0.12),
+            (u + w * wide, z[0] + h * 0.12),
+            (u + w * wide + slant, z[1] - h * 0.12),
+            (u + slant, z[1] - h * 0.12),
+        ]
+        b.prism(band, (y - 0.0008, y + 0.0006), "plastic_eef6fa", "y", "gleam", solid=False)
 
 
 @recipe("panel")

@@ -60,9 +60,8 @@ def pallet(b: Builder) -> None:
     if b.p.get("style") == "stack":
         count = max(2, round(h / 0.15))
         for k in range(count):
-            _empty_pallet(b, k * (h / count), h / count, gap=0.01)
+            _empty_pallet(b, k * (h / count), h / count, gap=0.01 * (k < count - 1))
         b.boxes.append(b.whole_box())
-        b.box((-w / 2, w / 2), (-d / 2, d / 2), (h - 0.02, h), "wood_birch", "boards", solid=False)
         return
     high = 0.145
     _empty_pallet(b, 0.0, high, gap=0.0)
@@ -74,14 +73,19 @@ def pallet(b: Builder) -> None:
 def _empty_pallet(b: Builder, z: float, high: float, *, gap: float) -> None:
     """Add blocks and boards from height `z` on, with a `gap` below the next pallet."""
     w, d = b.w, b.d
+    board, top = high * 0.15, z + high - gap
     for sy in (-1, 0, 1):
-        middle = sy * (d / 2 - 0.06)
-        span = (middle - 0.06, middle + 0.06)
-        b.box((-w / 2, w / 2), span, (z, z + high - 0.05), "wood_birch", "blocks", solid=False)
+        y = (sy * (d / 2 - 0.06) - 0.06, sy * (d / 2 - 0.06) + 0.06)
+        b.box((-w / 2, w / 2), y, (z, z + board), "wood_birch", "boards", solid=False)
+        for sx in (-1, 0, 1):
+            x = (sx * (w / 2 - 0.07) - 0.07, sx * (w / 2 - 0.07) + 0.07)
+            b.box(x, y, (z + board, top - 2 * board), "wood_oak", "blocks", solid=False)
+    for sx in (-1, 0, 1):
+        x = (sx * (w / 2 - 0.07) - 0.07, sx * (w / 2 - 0.07) + 0.07)
+        b.box(x, (-d / 2, d / 2), (top - 2 * board, top - board), "wood_birch", "boards", solid=False)
     for j in range(5):
-        y = -d / 2 + j * (d - 0.12) / 4
-        height = (z + high - 0.05, z + high - gap)
-        b.box((-w / 2, w / 2), (y, y + 0.12), height, "wood_birch", "boards", solid=False)
+        y = (-d / 2 + j * (d - 0.12) / 4, -d / 2 + j * (d - 0.12) / 4 + 0.12)
+        b.box((-w / 2, w / 2), y, (top - board, top), "wood_birch", "boards", solid=False)
 
 
 def _cartons(b: Builder, low: float) -> None:

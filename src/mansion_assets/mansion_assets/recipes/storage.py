@@ -1,10 +1,13 @@
 """Shelves, cabinets and trolleys, with the goods in them."""
 
-from typing import Any
+import math
+from typing import Any, Final
 
 from mansion_assets.builder import TRAY, Builder, Rect
 from mansion_assets.catalogue.receptacles import BOARD, Receptacle, inset, surface, volume
+from mansion_assets.drawn_faces import DrawnFace
 from mansion_assets.registry import receptacles, recipe
+from mansion_assets.shelf_goods import Goods, hung_bags, lying_bottles, magazines, medicine, potted_plants, toys, trays
 from mansion_msgs_py.shapes import Size3
 
 __all__: list[str] = []
@@ -36,43 +39,32 @@ _FACINGS = 4
 
 def goods(b: Builder, fill: str, cell: Rect, depth: float, key: int) -> None:
     """Show goods in a compartment; they are part of the mesh, and the compartment is no receptacle."""
-    if fill == "groceries":
-        _groceries(b, cell, depth, key)
+    own = _OWN_GOODS.get(fill)
+    if own is not None:
+        own(b, cell, depth, key)
         return
     room = cell.top - cell.z
     step, palette = {
         "books": (0.045, _BOOKS),
         "folders": (0.08, ("paper_dark", "paper_blue", "paper_grey")),
-        "medicine": (0.06, ("paper_white", "paper_blue", "paper_green")),
         "boxes": (0.36, ("paper_brown", "paper_beige")),
         "bins": (0.2, ("plastic_blue", "plastic_red")),
-        "bottles": (0.09, ("glass_green", "glass_brown")),
-        "toys": (0.17, _GOODS),
-        "bags": (0.32, ("fabric_red", "fabric_blue", "fabric_green")),
         "shoes": (0.13, ("leather_brown", "fabric_white", "leather_black")),
         "linen": (0.36, ("fabric_white", "fabric_beige")),
-        "magazines": (0.2, _GOODS),
-        "plants": (0.22, ("leaf_green",)),
     }.get(fill, (0.2, _GOODS))
     count = max(1, int((cell.x1 - cell.x0) / step))
     step = (cell.x1 - cell.x0) / count
-    tall = {"books": 0.78, "folders": 0.85, "magazines": 0.9, "shoes": 0.4, "boxes": 0.72}.get(fill, 0.66)
-    mid = (cell.y0 + cell.y1) / 2
+    tall = {"books": 0.78, "folders": 0.85, "shoes": 0.4, "boxes": 0.72}.get(fill, 0.66)
     for k in range(count):
         mark = (k * 7 + key * 13 + k * k * 3) % 11
         height = room * tall * (0.8 + 0.02 * mark)
         x0 = cell.x0 + k * step
         color = palette[(mark + k) % len(palette)]
         back = cell.y0 + 0.01 + 0.002 * mark
-        front = min(cell.y1 - 0.01, back + depth * (0.8 if fill != "magazines" else 0.3))
-        if fill in ("bottles", "plants"):
-            b.cyl(x0 + step / 2, mid, (cell.z, cell.z + height), step * 0.4, color, "goods", n=8, solid=False)
-        elif fill == "books" and mark == 3:
+        front = min(cell.y1 - 0.01, back + depth * 0.8)
+        if fill == "books" and mark == 3:
             continue
-        else:
-            b.box(
-                (x0 + 0.002, x0 + step - 0.002), (back, front), (cell.z, cell.z + height), color, "goods", solid=False
-            )
+        b.box((x0 + 0.002, x0 + step - 0.002), (back, front), (cell.z, cell.z + height), color, "goods", solid=False)
 
 
 def _groceries(b: Builder, cell: Rect, depth: float, key: int) -> None:
@@ -99,6 +91,19 @@ def _groceries(b: Builder, cell: Rect, depth: float, key: int) -> None:
     rail = sorted((front, front + inwards * 0.012))
     z = (cell.z - 0.03, cell.z + 0.012)
     b.box((cell.x0, cell.x1), (rail[0], rail[1]), z, "plastic_white", "rails", solid=False)
+
+
+_OWN_GOODS: Final[dict[str, Goods]] = {
+    "bags": hung_bags,
+    "bottles": lying_bottles,
+    "groceries": _groceries,
+    "magazines": magazines,
+    "medicine": medicine,
+    "plants": potted_plants,
+    "toys": toys,
+    "trays": trays,
+}
+"""Goods with a shape of their own; the others are boxes."""
 
 
 @receptacles("shelf")
@@ -215,7 +220,7 @@ def cabinet(b: Builder) -> None:
         if front == "lid" and row == rows:
             with b.door((-w / 2, w / 2), (-d / 2, face), (z, z + BOARD), "back"):
                 b.box((-w / 2, w / 2), (-d / 2, face), (z, z + BOARD), main, "boards")
-        else:
+        elif row < rows or not b.p.get("top"):
             b.box((-w / 2, w / 2), (-d / 2, face), (z, z + BOARD - tray * (row < rows)), main, "boards")
     for col in range(1, cols):
         x = -w / 2 + col * width
@@ -308,7 +313,7 @@ def _grip(b: Builder, style: str, x: Span, z: Span, y: Span, column: int) -> Non
     """The dial of a safe, an upright handle on the free side of a door, or a level one."""
     xm, zm = (x[0] + x[1]) / 2, (z[0] + z[1]) / 2
     if style == "safe":
-        b.rod((xm, y[0], zm), (xm, y[1], zm), min(b.w, b.h) * 0.12, "metal_steel", "dial", 16)
+        _combination_lock(b, (xm, zm), y)
         return
     if style in ("doors", "glass", "locker"):
         hx = x[0] + 0.04 if _grips_left(b, column) else x[1] - 0.04
@@ -318,6 +323,26 @@ def _grip(b: Builder, style: str, x: Span, z: Span, y: Span, column: int) -> Non
         level = zm if style != "lid" else z[1] - 0.05
         across, up = (xm - half, xm + half), (level - 0.006, level + 0.006)
     b.box(across, y, up, "metal_steel", "handles", solid=False)
+
+
+def _combination_lock(b: Builder, at: tuple[float, float], y: Span) -> None:
+    """A black dial with white marks, above a wheel of three spokes."""
+    x, z = at
+    r = min(b.w, b.h) * 0.15
+    face = DrawnFace.front(b, y[0])
+    face.disc(-x, z + r * 1.2, r, "metal_steel", "dial", (y[1] - y[0]) * 0.5, 24)
+    face.disc(-x, z + r * 1.2, r * 0.86, "plastic_black", "dial", (y[1] - y[0]) * 0.7, 24)
+    for k in range(12):
+        a = k * math.pi / 6
+        marks = [(-x + math.cos(a) * r * s, z + r * 1.2 + math.sin(a) * r * s) for s in (0.62, 0.8)]
+        face.line(marks, r * 0.04, "plastic_white", "dial", (y[1] - y[0]) * 0.7)
+    face.disc(-x, z + r * 1.2, r * 0.34, "metal_chrome", "dial", y[1] - y[0], 16)
+    for k in range(3):
+        a = math.pi / 2 + k * math.tau / 3
+        tip = (-x + math.cos(a) * r * 1.1, z - r * 1.3 + math.sin(a) * r * 1.1)
+        face.line([(-x, z - r * 1.3), tip], r * 0.13, "metal_chrome", "wheel", (y[1] - y[0]) * 0.4)
+        face.disc(*tip, r * 0.2, "metal_chrome", "wheel", y[1] - y[0], 12)
+    face.disc(-x, z - r * 1.3, r * 0.28, "metal_steel", "wheel", y[1] - y[0], 16)
 
 
 @receptacles("trolley")

@@ -1,5 +1,6 @@
 """Tables and desks."""
 
+import math
 from collections.abc import Callable
 from typing import Any
 
@@ -154,10 +155,34 @@ def _desk_tops(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
     w, d, h = size
     if h <= 0.95:
         return [surface("top", inset(size, 0.02), h, 1.2)]
+    if p.get("mirror"):
+        return [surface("top", (-w / 2 + 0.02, w / 2 - 0.02, -d / 2 + 0.08, d / 2 - 0.02), 0.76, h - 0.76)]
     z, hutch = min(0.76, h * 0.6), min(0.3, d * 0.45)
     top = (-w / 2 + 0.02, w / 2 - 0.02, -d / 2 + hutch + 0.01, d / 2 - 0.02)
     shelf = (-w / 2 + 0.03, w / 2 - 0.03, -d / 2 + 0.02, -d / 2 + hutch - 0.02)
     return [surface("top", top, z, h - z), surface("shelf", shelf, h, 0.4)]
+
+
+def _vanity_mirror(b: Builder, z: float) -> None:
+    """An oval mirror with a gleam, lamps round it, at the back of a top at height `z`."""
+    y, middle = -b.d / 2 + 0.03, (z + b.h) / 2
+    rx, rz = b.w * 0.28, (b.h - z) / 2 - 0.03
+    ring = [(math.cos(a) * rx, middle + math.sin(a) * rz) for a in (k * math.tau / 28 for k in range(28))]
+    b.prism([(x * 1.06, middle + (v - middle) * 1.05) for x, v in ring], (y - 0.03, y - 0.004), b.mat(), "y", "frame")
+    b.prism(ring, (y - 0.004, y), "glass_mirror", "y", "mirror")
+    band = [
+        (-rx * 0.5, middle - rz * 0.6),
+        (-rx * 0.2, middle - rz * 0.7),
+        (rx * 0.5, middle + rz * 0.6),
+        (rx * 0.2, middle + rz * 0.7),
+    ]
+    b.prism(band, (y, y + 0.001), "plastic_eef6fa", "y", "gleam", solid=False)
+    b.box((-0.05, 0.05), (-b.d / 2, y - 0.004), (z, middle - rz), b.mat(), "frame")
+    for k in range(9):
+        a = math.radians(-20 + 27.5 * k)
+        b.ball(
+            (math.cos(a) * rx * 1.1, y, middle + math.sin(a) * rz * 1.04), (0.02, 0.02, 0.02), "light_warm", "lamps", 8
+        )
 
 
 @recipe("desk")
@@ -174,7 +199,9 @@ def desk(b: Builder) -> None:
         for sx in sides:
             lo, hi = sorted((sx * (w / 2 - 0.08), sx * (w / 2 - 0.08 - width)))
             _drawers(b, (lo, hi), z)
-    if b.h > z + 0.02:
+    if b.p.get("mirror"):
+        _vanity_mirror(b, z)
+    elif b.h > z + 0.02:
         shelf = b.tops[1]
         for x in (-w / 2 + 0.012, w / 2 - 0.012):
             b.box((x - 0.012, x + 0.012), (-d / 2, shelf.y1 + 0.02), (z, b.h), b.mat(), "hutch")

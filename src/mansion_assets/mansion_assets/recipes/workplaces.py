@@ -1,9 +1,11 @@
 """Places to work at: benches, cubicles, lecterns, dressing tables, consoles."""
 
+import math
 from typing import Any
 
 from mansion_assets.builder import Builder
 from mansion_assets.catalogue.receptacles import Receptacle, surface
+from mansion_assets.drawn_faces import DrawnFace
 from mansion_assets.registry import receptacles, recipe
 from mansion_msgs_py.shapes import Size3
 
@@ -103,7 +105,7 @@ def _salon_shelf(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
 
 @recipe("salon_station")
 def salon_station(b: Builder) -> None:
-    """Mirror with lights above a shelf and drawers."""
+    """Mirror with lights above a shelf and drawers, a hair dryer, scissors on the wall, and the word SALON."""
     w, d, h = b.w, b.d, b.h
     b.box((-w / 2, w / 2), (-d / 2, -d / 2 + 0.04), (0, h), b.mat(), "panel")
     b.box((-w / 2, w / 2), (-d / 2 + 0.04, d / 2), (0.78, 0.82), b.mat(), "shelf")
@@ -120,6 +122,19 @@ def salon_station(b: Builder) -> None:
         for k in range(4):
             z = 1.0 + k * (h - 1.2) / 3
             b.ball((sx * (w / 2 - 0.06), -d / 2 + 0.06, z), (0.03, 0.03, 0.03), "light_warm", "bulbs", 8, solid=False)
+    face = DrawnFace.front(b, -d / 2 + 0.055)
+    face.write("SALON", (-w * 0.3, w * 0.3), (h - 0.3, h - 0.16), "plastic_black", "letters", 0.004)
+    x, y = -w * 0.3, d * 0.1
+    b.rod((x, y, 0.72), (x, y, 0.56), 0.022, "plastic_black", "dryer", 10)
+    b.rod((x + 0.09, y, 0.73), (x - 0.12, y, 0.73), 0.04, "paint_red", "dryer", 14)
+    b.rod((x - 0.12, y, 0.73), (x - 0.18, y, 0.73), 0.026, "plastic_black", "dryer", 12)
+    for side in (-1, 1):
+        face.line([(-side * 0.06, 1.06), (side * 0.05, 1.34)], 0.01, "metal_dark", "scissors", 0.004)
+        ring = [
+            (-side * 0.075 + math.cos(a) * 0.035, 1.03 + math.sin(a) * 0.035)
+            for a in (k * math.tau / 10 for k in range(11))
+        ]
+        face.line(ring, 0.009, "plastic_black", "scissors", 0.004)
 
 
 @receptacles("control_desk")

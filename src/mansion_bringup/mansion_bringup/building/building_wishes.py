@@ -6,6 +6,8 @@ from typing import Final
 
 from mansion_bringup.building.judged_building import JudgedBuilding
 from mansion_bringup.building.verdicts import Judge, Verdict, keeps_to, listed, met_if, spoken
+from mansion_knowledge import default_knowledge
+from mansion_knowledge.places import places_of, use_of
 from mansion_msgs_py.shapes import Ring
 from mansion_msgs_py.wishes import AREA_TOLERANCE, Wish
 
@@ -124,7 +126,19 @@ def _core(wish: Wish, state: JudgedBuilding) -> Verdict:
 def _occupants(wish: Wish, state: JudgedBuilding) -> Verdict:
     count = wish.value.count or 1
     area = sum(room.area for room in state.rooms)
-    return met_if(area >= 2.0 * count, f"{area:.0f} m2 of rooms are little for {count} people")
+    if area < 2.0 * count:
+        return Verdict("not_met", f"{area:.0f} m2 of rooms are little for {count} people")
+    record = default_knowledge().buildings.get(state.program.kind)
+    use = use_of(wish.value.name, record.family if record is not None else "")
+    if state.planned or not use:
+        return Verdict("met")
+    have = sum(
+        places_of(category, size[0], use)
+        for room in state.rooms
+        for category, looks in room.looks.items()
+        for size, _ in looks
+    )
+    return met_if(have >= count, f"there are {have} places to {use}", partly=have > 0)
 
 
 BUILDING_JUDGES: Final[Mapping[str, Judge]] = {

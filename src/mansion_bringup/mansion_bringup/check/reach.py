@@ -4,6 +4,9 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import networkx as nx
+import numpy as np
+import shapely
+from numpy.typing import NDArray
 from shapely import LineString, Point, Polygon, STRtree
 from shapely.geometry.base import BaseGeometry
 
@@ -11,7 +14,7 @@ from mansion_bringup.check.fault import Fault
 from mansion_bringup.check.shapes import net_area, vertical
 from mansion_geometry.doorways import PASSAGE_DEPTH, is_walkway
 from mansion_geometry.floor_regions import disc_positions_among, strip
-from mansion_geometry.object_footprints import WALKABLE_HEIGHT, footprint, oblique_margin
+from mansion_geometry.object_footprints import WALKABLE_HEIGHT, footprints, oblique_margin
 from mansion_geometry.robot_body import BODY_RADIUS, CLEARANCE, ROBOT_RADIUS, ROBOT_REACH
 from mansion_msgs_py.scene import FloorScene, SceneObject
 
@@ -35,6 +38,13 @@ class Walk:
         """Numbers of the pieces within `distance` of `shape`."""
         found = self.tree.query(shape, predicate="dwithin", distance=distance)
         return set(found.tolist())
+
+    def all_near(self, shapes: "NDArray[np.object_]", distance: float, reached: set[int]) -> "NDArray[np.bool_]":
+        """Whether each of some shapes is within `distance` of a piece that is reached."""
+        numbers, pieces = self.tree.query(shapes, predicate="dwithin", distance=distance)
+        near = np.zeros(len(shapes), dtype=bool)
+        near[numbers[np.isin(pieces, list(reached))]] = True
+        return near
 
 
 def check_reach(
@@ -79,15 +89,11 @@ def walkable(scene: FloorScene) -> Walk:
     cores = [core.id for core in scene.cores]
     inner = [door for door in scene.doors if door.is_open or door.kind != "entrance"]
     passages = [strip(door.segment, PASSAGE_DEPTH) for door in inner if is_walkway(door, cores)]
-    obstacles = [_body(item) for item in scene.objects if _obstructs(item)]
+    solid = [item for item in scene.objects if _obstructs(item)]
+    # What stands on a slant takes a little more floor from the robot.
+    obstacles = shapely.buffer(footprints(solid), [oblique_margin(item) for item in solid])
     pieces = disc_positions_among([*rooms, *passages], obstacles, BODY_RADIUS, quad_segs=16)
     return Walk(pieces, STRtree(pieces))
-
-
-def _body(item: SceneObject) -> Polygon:
-    """Return the floor that an object takes from the robot."""
-    margin = oblique_margin(item)
-    return footprint(item).buffer(margin) if margin else footprint(item)
 
 
 def _obstructs(item: SceneObject) -> bool:
@@ -106,16 +112,15 @@ def floor_reach(scene: FloorScene, walk: Walk, reached: set[int]) -> Iterator[Fa
     if not reached:
         yield Fault("FLOOR_UNREACHABLE", f"floor {scene.floor}", "no stair or lift leads to it")
         return
-    for room in scene.rooms:
-        if room.kind in ("stair", "elevator"):
-            continue
-        inside = walk.near(net_area(room).buffer(-0.15), 0.0)
-        if not inside & reached:
+    rooms = [room for room in scene.rooms if room.kind not in ("stair", "elevator")]
+    inside = shapely.buffer(np.array([net_area(room) for room in rooms], dtype=object), -0.15)
+    for room, near in zip(rooms, walk.all_near(inside, 0.0, reached), strict=True):
+        if not near:
             yield Fault("ROOM_UNREACHABLE", room.id, "a robot cannot get in from the entrance")
-    for item in scene.objects:
-        if item.mount != "floor" or item.size[2] <= WALKABLE_HEIGHT:
-            continue
-        if not walk.near(footprint(item), ROBOT_RADIUS + ROBOT_REACH + SLACK) & reached:
+    standing = [item for item in scene.objects if item.mount == "floor" and item.size[2] > WALKABLE_HEIGHT]
+    beside = walk.all_near(footprints(standing), ROBOT_RADIUS + ROBOT_REACH + SLACK, reached)
+    for item, near in zip(standing, beside, strict=True):
+        if not near:
             yield Fault("OBJECT_UNREACHABLE", item.id, "a robot cannot get near it")
     yield from _spawn(scene, walk, reached)
 

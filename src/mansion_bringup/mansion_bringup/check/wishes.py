@@ -15,10 +15,11 @@ from mansion_bringup.check.fault import Fault
 from mansion_bringup.check.finished_building import FinishedBuilding, Judge, is_on, labels_of
 from mansion_bringup.check.interior_wishes import INTERIOR_JUDGES
 from mansion_bringup.check.shapes import outline_forms, shared_wall
-from mansion_knowledge import is_class
+from mansion_knowledge import default_knowledge, is_class
 from mansion_knowledge.essentials import needs_of
 from mansion_knowledge.furnished_as import furnished_as
 from mansion_knowledge.object_kinds import answers
+from mansion_knowledge.places import places_of, use_of
 from mansion_msgs_py.building import Building
 from mansion_msgs_py.layout import FloorLayout
 from mansion_msgs_py.program import GROUND_FLOOR
@@ -374,8 +375,14 @@ def _side_by_side(first: SceneRoom, second: SceneRoom) -> bool:
 
 
 def _occupants(wish: Wish, finished: FinishedBuilding) -> str:
-    area = sum(room.area for _, room in finished.rooms())
-    return "" if area >= PERSON * (wish.value.count or 1) else f"its rooms have {area:.0f} m2"
+    area, people = sum(room.area for _, room in finished.rooms()), wish.value.count or 1
+    if area < PERSON * people:
+        return f"its rooms have {area:.0f} m2"
+    kind = default_knowledge().buildings.get(finished.building.program.kind)
+    use = use_of(wish.value.name, "" if kind is None else kind.family)
+    things = [thing for scene in finished.scenes for thing in scene.objects]
+    places = sum(places_of(thing.category, thing.size[0], use) for thing in things)
+    return f"{places} people have a place to {use}" if use and places < people else ""
 
 
 def _only(wish: Wish, finished: FinishedBuilding) -> str:

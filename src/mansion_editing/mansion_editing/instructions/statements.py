@@ -144,7 +144,7 @@ class Things(msgspec.Struct, frozen=True, kw_only=True, tag=True):
         ``open`` and ``on``, where they tell which ("the open window").
     ordinal : int
         Which of several ("the second desk"); -1 is the last.
-    size : {"", "largest", "smallest"}
+    size : {"", "largest", "smallest", "tallest", "shortest"}
     refers : str
         ``last``: what was mentioned last ("it", "them"); ``others``: those of the kind that were not meant
         ("the others").
@@ -166,7 +166,7 @@ class Things(msgspec.Struct, frozen=True, kw_only=True, tag=True):
     material: str = ""
     states: dict[str, bool] = {}
     ordinal: int = 0
-    size: Literal["", "largest", "smallest"] = ""
+    size: Literal["", "largest", "smallest", "tallest", "shortest"] = ""
     refers: Literal["", "last", "others"] = ""
     place: "Place | None" = None
     beside: "tuple[Things, ...]" = ()
@@ -327,11 +327,20 @@ class Paint(_Said, kw_only=True, frozen=True):
 
 
 class Turn(_Said, kw_only=True, frozen=True):
-    """Things turn where they stand: by degrees (counter-clockwise seen from above), or their front to something."""
+    """Things turn where they stand: by degrees (counter-clockwise seen from above), or their front to something.
+
+    Attributes
+    ----------
+    facing : Things, optional
+        What the front turns to.
+    spot : str
+        ``window``, ``door`` or ``wall`` of the room that the front turns to, the nearest.
+    """
 
     things: Things
     degrees: float = 0.0
     facing: Things | None = None
+    spot: Spot = ""
 
 
 class Reach(_Said, kw_only=True, frozen=True):

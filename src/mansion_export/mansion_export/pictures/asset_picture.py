@@ -20,6 +20,12 @@ THUMBNAIL: Final = 256
 """Pixels of a side of the picture that a library keeps of each asset."""
 
 _VIEW: Final = View(azimuth=-125.0, elevation=28.0)
+_VIEW_FROM_BELOW: Final = View(azimuth=-125.0, elevation=-28.0)
+"""Of what hangs from a ceiling, as people see it."""
+
+_SHINE: Final = 2.0
+"""How much brighter what gives light is drawn than it were lit by the sun alone."""
+
 _SUPERSAMPLING: Final = 2
 _MARGIN: Final = 16
 _LINE: Final = 14
@@ -29,8 +35,12 @@ _PAPER: Final = "#f6f6f6"
 
 
 def asset_picture(asset: Asset, catalogue: Catalogue, size: int) -> "Image":
-    """Draw an asset of a catalogue from the front, right and above, as large as fits a square of `size` pixels."""
-    return _drawn(asset_surfaces(asset.key, catalogue, ""), size)
+    """Draw an asset of a catalogue from the front and right, as large as fits a square of `size` pixels.
+
+    The eye is above it, but below what hangs from a ceiling.
+    """
+    view = _VIEW_FROM_BELOW if asset.mount == "ceiling" else _VIEW
+    return _drawn(asset_surfaces(asset.key, catalogue, ""), size, view)
 
 
 def source_thumbnail(surfaces: Sequence[SourceSurface], size: int = THUMBNAIL) -> bytes:
@@ -40,7 +50,7 @@ def source_thumbnail(surfaces: Sequence[SourceSurface], size: int = THUMBNAIL) -
         red, green, blue = (value / 255.0 for value in surface.look.color)
         look = Material(f"m{number}", (red, green, blue), surface.look.opacity)
         seen.append(Surface(look, surface.vertices, surface.faces))
-    return _png(_drawn(seen, size))
+    return _png(_drawn(seen, size, _VIEW))
 
 
 def contact_sheet(assets: Sequence[Asset], catalogue: Catalogue, *, tile: int = 180, columns: int = _COLUMNS) -> bytes:
@@ -71,15 +81,24 @@ def _cut(text: str, tile: int) -> str:
     return text if len(text) <= most else text[: most - 1] + "…"
 
 
-def _drawn(surfaces: Sequence[Surface], size: int) -> "Image":
+def _drawn(surfaces: Sequence[Surface], size: int, seen_from: View) -> "Image":
     from PIL import Image
 
-    part = Node("asset", "asset", "objects", rotation=180.0), surfaces
+    part = Node("asset", "asset", "objects", rotation=180.0), [_shining(surface) for surface in surfaces]
     triangles = flatten(assemble("asset", 1, 0.0, [part]))
-    low, high = bounds(project(triangles.corners, _VIEW.axes()))
+    low, high = bounds(project(triangles.corners, seen_from.axes()))
     scale = _SUPERSAMPLING * (size - _MARGIN) / max(float((high - low)[:2].max()), 1e-9)
-    pixels = render(triangles, replace(_VIEW, scale=scale), _GROUND)
+    pixels = render(triangles, replace(seen_from, scale=scale), _GROUND)
     return Image.fromarray(pixels).reduce(_SUPERSAMPLING)
+
+
+def _shining(surface: Surface) -> Surface:
+    """Brighten what gives light."""
+    look = surface.material
+    if look.emission < 1.0:
+        return surface
+    red, green, blue = (value * _SHINE for value in look.color)
+    return replace(surface, material=replace(look, color=(red, green, blue)))
 
 
 def _png(picture: "Image") -> bytes:

@@ -1,10 +1,10 @@
-"""Read what is done on a storey as where the rooms for it are: "living downstairs, sleeping upstairs"."""
+"""Read words for what is done somewhere as rooms: "living downstairs, sleeping upstairs", "entrance, kitchen"."""
 
 from dataclasses import replace
 
 from mansion_language import Token
 
-__all__ = ["activities"]
+__all__ = ["activities", "entrances"]
 
 _ROOMS = {"sleeping": ("bedroom", True), "cooking": ("kitchen", False), "eating": ("dining", False),
           "dining": ("dining", False), "bathing": ("bathroom", False), "living": ("living", False)}  # fmt: skip
@@ -49,3 +49,20 @@ def _is_told_of_storey(tokens: list[Token], index: int) -> bool:
     if index + 1 >= len(tokens) or tokens[index + 1].text not in _STOREYS:
         return False
     return index == 0 or tokens[index - 1].kind == "mark" or tokens[index - 1].text in ("and", "with")
+
+
+_OPENS = frozenset({"", ":", ",", "\n", "-", "*", "•", ".", "an", "with"})
+_CLOSES = frozenset({"", ",", ".", ";", "\n", "(", "with", "and", "&"})
+
+
+def entrances(tokens: list[Token]) -> list[Token]:
+    """Read "entrance" as an entry of a list as the hall that people come in by: "ground floor: entrance, kitchen"."""
+    result: list[Token] = []
+    for index, token in enumerate(tokens):
+        result.append(token)
+        before = tokens[index - 1].text if index else ""
+        after = tokens[index + 1].text if index + 1 < len(tokens) else ""
+        entry = token.text == "entrance" and not token.plural and before in _OPENS and after in _CLOSES
+        if entry and (before != "." or after == "with"):
+            result.append(replace(token, text="hall", start=token.end))
+    return result

@@ -5,7 +5,18 @@ from dataclasses import dataclass
 from mansion_planner.brief.bounds import Limit
 from mansion_planner.brief.reading import Reading
 
-__all__ = ["ABOUT", "FILLERS", "Measure", "PLOT", "TOTALS", "is_filler", "is_of_each", "lead_of", "words_after"]
+__all__ = [
+    "ABOUT",
+    "FILLERS",
+    "Measure",
+    "PLOT",
+    "TOTALS",
+    "after_area",
+    "is_filler",
+    "is_of_each",
+    "lead_of",
+    "words_after",
+]
 
 FILLERS = frozenset(
     """
@@ -34,6 +45,15 @@ class Measure:
     values: tuple[float, ...]
     sides: bool = False
     limit: Limit = ""
+
+
+def after_area(reading: Reading, index: int) -> int:
+    """Return the token after an area that stands at a token: "of 60 m2 each,"; the token itself where none does."""
+    number = index + (reading.word(index) in ("of", "with", "à", ",", "("))
+    if reading.kind(number) != "number" or reading.kind(number + 1) != "unit":
+        return index
+    end = number + 2 + (reading.word(number + 2) in ("each", "apiece"))
+    return end + (reading.word(end) == ")" and number > index)
 
 
 def is_of_each(reading: Reading, measure: Measure) -> bool:

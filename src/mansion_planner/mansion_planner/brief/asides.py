@@ -58,11 +58,11 @@ def aside_tokens(reading: Reading) -> set[int]:
 _SITES = frozenset(
     """
     town village city suburb countryside lake beach plot park neighbourhood neighborhood hill hillside mountain island
-    forest coast sea seaside river riverside meadow valley square row
+    forest coast sea seaside river riverside meadow valley square row road
     """.split()
 )
 """Nouns for where a building stands, of which no plan is made."""
-_AT = frozenset({"in", "at", "on", "of", "for", "by", "near"})
+_AT = frozenset({"in", "at", "on", "of", "for", "by", "near", "across", "over", "opposite"})
 _ATTRIBUTES = frozenset("the a an our my their this small little big large market quiet busy narrow old edge".split())
 
 

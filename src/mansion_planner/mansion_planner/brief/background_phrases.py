@@ -119,6 +119,8 @@ _PARTS_WITH = frozenset("replace replacing replaces quit quitting sell selling s
 
 
 def _is_bystander(reading: Reading, phrase: Phrase, sites: set[int]) -> bool:
+    if phrase.head == "object":
+        return _is_done(reading, phrase)
     if phrase.head not in ("room", "building"):
         return False
     lead = reading.words(max(phrase.first - 4, 0), phrase.begin)
@@ -130,7 +132,7 @@ def _is_bystander(reading: Reading, phrase: Phrase, sites: set[int]) -> bool:
         phrase.determiner == "the"
         and not phrase.counted
         and reading.words(phrase.last, phrase.last + 2) in (("is", "too"), ("was", "too"), ("has", "become"))
-    )
+    ) or _is_left(reading, phrase)
     verb = (
         phrase.last - phrase.begin == 1
         and reading.tokens[phrase.begin].text in ("house", "houses")
@@ -153,6 +155,41 @@ def _is_bystander(reading: Reading, phrase: Phrase, sites: set[int]) -> bool:
         or verb
         or (phrase.first in sites and phrase.determiner in ("the", ""))
     )
+
+
+def _is_done(reading: Reading, phrase: Phrase) -> bool:
+    """Whether a phrase is what somebody does, a verb with its object: "I write novels", "we collect chairs"."""
+    bare = phrase.noun_end - phrase.begin > 1 and not phrase.counted and not phrase.determiner
+    return bare and reading.word(phrase.begin - 1) in ("i", "we", "they", "she", "he", "who")
+
+
+_GOING = frozenset("go goes going went gone walk walks drive cycle".split())
+_NOW = frozenset("bursting small cramped tiny full old cold damp noisy overcrowded falling burnt gone getting".split())
+"""What people say of the place that they have."""
+_DOING = frozenset("will wants want needs need tests test uses use runs run plans plan works work trains train".split())
+_BUILT_LONG_AGO = frozenset({"is", "was", "has", "had", "leaks", "leak", "burnt", "burned"})
+
+
+def _is_left(reading: Reading, phrase: Phrase) -> bool:
+    """Whether a phrase is the place that people have now: "the flat is bursting", "the old school leaks"."""
+    if phrase.counted:
+        return False
+    at = phrase.last
+    if reading.word(at) == ",":
+        at = next((end + 1 for end in range(at + 1, at + 6) if reading.word(end) == ","), at)
+    verb, after = reading.word(at), reading.word(at + 1)
+    if reading.word(phrase.begin - 1) == "to" and reading.word(phrase.begin - 2) in _GOING and phrase.building:
+        return True  # "the kids go to school"
+    if phrase.determiner not in ("the", "our", "my"):
+        return False
+    old = verb in _BUILT_LONG_AGO and reading.word(phrase.begin) in ("old", "current", "present", "existing", "former")
+    old = old or (
+        verb in _BUILT_LONG_AGO and reading.word(phrase.begin - 1) in ("old", "current", "present", "existing")
+    )
+    home = phrase.building in ("flat", "house", "studio_flat", "apartment") and phrase.determiner != "a"
+    bursting = home and verb in ("is", "was", "are") and after in _NOW
+    tested = phrase.determiner in ("our", "my") and verb == "will" and after in _DOING
+    return old or bursting or tested
 
 
 def _site_tokens(reading: Reading) -> set[int]:

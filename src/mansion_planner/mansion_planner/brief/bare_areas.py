@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
+from mansion_language.units import AREA
 from mansion_planner.brief.phrase import Phrase
 from mansion_planner.brief.reading import Reading
 
@@ -19,6 +20,9 @@ def with_bare_areas(reading: Reading, phrases: Sequence[Phrase]) -> list[Phrase]
     2" are names, and "office 4, toilet 3" says how many.
     """
     found = {n: tokens for n, phrase in enumerate(phrases) if (tokens := _numbers_after(reading, phrase))}
+    unit = _unit_of_all(reading)
+    if unit is not None:
+        return _measured(reading, phrases, found, unit)
     values = {n: tuple(reading.value(at) for at in tokens) for n, tokens in found.items()}
     listed = [n for n, tokens in found.items() if _ends_entry(reading, tokens[-1] + 1)]
     if len({phrases[n].name for n in listed}) < 2:
@@ -28,6 +32,29 @@ def with_bare_areas(reading: Reading, phrases: Sequence[Phrase]) -> list[Phrase]
     for tokens in found.values():
         reading.taken.update(tokens)
     return [replace(phrase, areas=values[n]) if n in found else phrase for n, phrase in enumerate(phrases)]
+
+
+def _unit_of_all(reading: Reading) -> int | None:
+    """Return the token of the unit of all bare numbers: "(all in m2)", "areas in m2"; none where none is told."""
+    for index, token in enumerate(reading.tokens):
+        measured = token.kind == "unit" and token.text in AREA and reading.word(index - 1) == "in"
+        if measured and reading.word(index - 2) in _ALL:
+            return index
+    return None
+
+
+_ALL = frozenset({"all", "area", "size", "figure", "number", "everything", "room", "("})
+
+
+def _measured(
+    reading: Reading, phrases: Sequence[Phrase], found: dict[int, tuple[int, ...]], unit: int
+) -> list[Phrase]:
+    """Return the phrases with the numbers after them as areas in the unit that is told of all."""
+    factor = AREA[reading.word(unit)]
+    reading.take(unit - 2 + (reading.word(unit - 2) == "("), unit + 1)
+    reading.taken.update(at for tokens in found.values() for at in tokens)
+    areas = {n: tuple(reading.value(at) * factor for at in tokens) for n, tokens in found.items()}
+    return [replace(phrase, areas=areas[n]) if n in found else phrase for n, phrase in enumerate(phrases)]
 
 
 def _numbers_after(reading: Reading, phrase: Phrase) -> tuple[int, ...]:

@@ -412,8 +412,10 @@ def _names_part(reading: Reading, first: int, last: int, like: str) -> bool:
     word = reading.word(last - 1)
     whole = lexicon_of(reading.knowledge).phrases.get(reading.words(first, last))
     listed = reading.word(first - 1) == ":" and whole is not None and whole.room and not whole.building
+    sized = reading.sentence[first] > 0 and reading.kind(last) == "number" and reading.kind(last + 1) == "unit"
+    listed = listed or (sized and whole is not None and bool(whole.room) and not whole.building)
     if listed and last - first > 1:
-        return True  # "Ground floor: entrance hall, ..."
+        return True  # "Ground floor: entrance hall, ...", "We brew cider. Production hall 200 m2, ..."
     if like:
         return False
     if word in _PARTS or word in PEOPLE or word in HEAD_TYPES or furniture_of(reading.words(first, last))[0]:

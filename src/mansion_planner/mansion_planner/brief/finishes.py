@@ -93,7 +93,7 @@ _SURFACES = {"floor": "floor", "flooring": "floor", "wall": "wall"}
 _STYLE_NOUNS = frozenset(
     """
     style look feel feeling character design interior manner spirit flavour flavor aesthetic vibe taste decor theme
-    furniture fittings touch atmosphere decoration ambience ambiance mood
+    furniture fittings touch atmosphere decoration ambience ambiance mood chic
     """.split()
 )
 
@@ -112,8 +112,14 @@ def read_style(reading: Reading, *, named: bool) -> None:
             continue
         if modifies and _is_of_a_room(reading, mention):
             continue  # "two bright bedrooms" and "a grand hall" say nothing of the building
-        if reading.word(mention.last) in ("rectangle", "rectangular", "box", "outline"):
+        if reading.word(mention.last) in ("rectangle", "rectangular", "box", "outline", "art"):
             continue
+        if _is_too_much(reading, mention.first):
+            reading.take(mention.first - 2, mention.last)
+            continue
+        if reading.word(mention.first) == "modern" and _ends_style(reading, mention.first):
+            reading.take(mention.first, mention.last)
+            continue  # "mid-century modern" is one style
         if not named and _tells_no_style(reading, mention, modifies=modifies):
             continue
         last = mention.last
@@ -141,6 +147,22 @@ def read_style(reading: Reading, *, named: bool) -> None:
     # A style with a name of its own says more than "plain" or "traditional".
     reading.facts.styles.sort(
         key=lambda style: (is_property(style[1].words.lower()), reading.knowledge.styles[style[0]].like == "")
+    )
+
+
+def _is_too_much(reading: Reading, index: int) -> bool:
+    """Whether a style word says how the building is not to be: "nothing too modern", "not too rustic"."""
+    return reading.word(index - 2) in ("nothing", "not", "never") and reading.word(index - 1) in (
+        "too",
+        "very",
+        "overly",
+    )
+
+
+def _ends_style(reading: Reading, index: int) -> bool:
+    """Whether the style of the middle of a century was read right before a token."""
+    return any(
+        style == "mid_century" and span.end == reading.tokens[index - 1].end for style, span in reading.facts.styles
     )
 
 

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import TypeAlias
 
+from mansion_planner.brief.area_words import after_area
 from mansion_planner.brief.facts import ObjectFact
 from mansion_planner.brief.furniture_words import usually_in
 from mansion_planner.brief.phrase import FUNCTION_WORDS, PEOPLE, Phrase
@@ -242,8 +243,9 @@ def _seats(reading: Reading, phrases: list[Phrase], negated: dict[int, tuple[int
         bedded = phrase.room_type in _DORMITORIES
         if not named or not phrase.room_type or number in negated or (phrase.room_type in _UNSEATED and not bedded):
             continue
-        begin = phrase.last + (reading.word(phrase.last) == ",")
-        begin = begin + 1 if reading.word(begin) in ("each", "every") else phrase.last
+        end = after_area(reading, phrase.last)
+        begin = end + (reading.word(end) == ",")
+        begin = begin + 1 if reading.word(begin) in ("each", "every") else end
         link, at = reading.word(begin), begin + 1
         at += reading.word(at) in ("about", "around", "up", "at", "some")
         at += reading.word(at) in ("to", "least")
@@ -258,15 +260,15 @@ def _seats(reading: Reading, phrases: list[Phrase], negated: dict[int, tuple[int
         last = at + 1 + seated + (bracketed and not apiece)
         if last == at + 1 and reading.kind(last) == "word" and reading.word(last) not in FUNCTION_WORDS:
             continue  # "for 150 stacking chairs" is about what is kept there
-        each = begin > phrase.last or reading.word(last) in ("each", "apiece")
+        each = begin > end or reading.word(last) in ("each", "apiece")
         last += (reading.word(last) in ("each", "apiece")) + (bracketed and apiece)
-        span = reading.span(begin - (begin > phrase.last), last)
+        span = reading.span(begin - (begin > end), last)
         found.append(ObjectFact(
             words=f"for {reading.value(at):.0f}", category="bed" if bedded else "chair", span=span,
             count=int(reading.value(at)), room=phrase.name, room_type=phrase.room_type, each=each,
             noun="beds" if bedded else "seats",
         ))  # fmt: skip
-        reading.take(phrase.last, last)
+        reading.take(end, last)
     return found
 
 

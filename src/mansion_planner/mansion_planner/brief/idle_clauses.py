@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 
 from mansion_planner.brief.furniture_words import furniture_of
+from mansion_planner.brief.idle_words import is_idle_word
 from mansion_planner.brief.persons import COLLECTIVES, PRONOUNS, ROBOTS, is_person
 from mansion_planner.brief.qualifiers import is_property
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
@@ -94,4 +95,5 @@ def _tells(words: tuple[str, ...]) -> bool:
         return False
     about_building = plain[0] in _OF_A_BUILDING and not {"has", "have", "had"}.isdisjoint(plain)
     subject = plain[0] in _SUBJECTS | _OWNERS or is_person(plain[0])
-    return not about_building and (subject or not _VERBS.isdisjoint(plain[1:]))
+    verb = not _VERBS.isdisjoint(plain[1:]) or any(map(is_idle_word, plain[1:]))
+    return not about_building and (subject or verb)

@@ -7,6 +7,7 @@ from mansion_language.units import AREA, LENGTH
 from mansion_planner.brief.area_words import FILLERS, PLOT, TOTALS, Measure, is_of_each, words_after
 from mansion_planner.brief.bounds import limit_of
 from mansion_planner.brief.facts import Quantity, Span
+from mansion_planner.brief.idle_words import is_idle_word
 from mansion_planner.brief.phrase import FUNCTION_WORDS, Phrase
 from mansion_planner.brief.reading import Reading
 from mansion_planner.brief.room_areas import is_building, joined_alike, room_of, said_of_each
@@ -106,6 +107,12 @@ def give_measures(reading: Reading, measures: list[Measure], phrases: list[Phras
         if len(measure.values) > 1:
             _give_to_several(reading, measure, result)
             continue
+        owner = _room_before(
+            reading, measure, result, told=bool(reading.facts.area or reading.facts.floor_area or single)
+        )
+        if owner is not None:
+            result[owner] = replace(result[owner], areas=measure.values, limit=measure.limit)
+            continue
         fact = Quantity(measure.values[0], reading.span(measure.first, measure.last), measure.limit)
         if is_of_one_storey(reading, measure):
             single.append(fact)
@@ -137,6 +144,32 @@ def _given_to_room(reading: Reading, measure: Measure, phrases: list[Phrase]) ->
     for number in (target, *joined_alike(reading, measure, phrases, target)):
         phrases[number] = replace(phrases[number], areas=areas, limit=measure.limit)
     return True
+
+
+def _room_before(reading: Reading, measure: Measure, phrases: list[Phrase], *, told: bool) -> int | None:
+    """Return the room named last before an area that cannot be the building's, in its sentence; none where it can be.
+
+    "Twelve rooms each, 22 m2" is of the rooms; so is "a kitchen where all can eat (20 m2)" if the building's is told.
+    """
+    near = reading.words(max(measure.first - 4, 0), measure.last + 4)
+    if measure.sides or measure.limit or not TOTALS.isdisjoint(near):
+        return None
+    sentence = reading.sentence[measure.first]
+    before = [n for n, p in enumerate(phrases) if p.last <= measure.first and reading.sentence[p.first] == sentence]
+    if not before or phrases[before[-1]].head != "room" or phrases[before[-1]].areas:
+        return None
+    room, value = phrases[before[-1]], measure.values[0]
+    gap = set(reading.words(room.last, measure.first))
+    each = bool(gap & {"each", "apiece", "per"}) and gap <= _EACH_TIME
+    opened = reading.word(measure.first - 1) == "("
+    fits = bool(room.room_type) and value <= _ROOMY * reading.knowledge.room(room.room_type).most
+    return before[-1] if each or (told and opened and fits) else None
+
+
+_EACH_TIME = frozenset({"each", "apiece", "per", "floor", "storey", "level", ",", "(", "-", "–"})
+"""Words between rooms and the area that each of them has: "eight rooms per floor, 24 m2"."""
+_ROOMY = 1.6
+"""Share of the most area of its kind that a room may have and still be meant."""
 
 
 def _give_to_several(reading: Reading, measure: Measure, phrases: list[Phrase]) -> None:
@@ -240,6 +273,7 @@ def _of_unread_noun(reading: Reading, measure: Measure, phrases: list[Phrase]) -
         index -= 1
     named = reading.kind(index) in ("word", "number")
     unread = index >= 0 and index not in reading.taken and reading.sentence[index] == reading.sentence[measure.first]
+    named = named and not is_idle_word(reading.word(index))
     return unread and named and reading.word(index) not in _BUILDINGS | FUNCTION_WORDS
 
 

@@ -30,6 +30,11 @@ _AFTER_GROUND = frozenset("and there has is are also we should must".split())
 """Words that what is on the ground floor follows: "on the ground are a kitchen and a pantry"."""
 
 
+_ARTICLES = frozenset({"a", "an", "and", "one"})
+_ON_ROOFS = frozenset({"terrace", "garden", "deck", "room"})
+"""Nouns that with "roof" or "attic" before them name a room of its own."""
+
+
 class NamedStoreys:
     """Reads the names of storeys: each method returns what is meant at a token and the token after it, if anything.
 
@@ -162,7 +167,7 @@ class NamedStoreys:
         single = word in TOPS and not reading.plural(index + 1)
         if following in FLOOR_WORDS and (single or word in ("rooftop", "roof", "attic", "loft", "mansard", "garret")):
             return [FloorRef("top")], index + 2
-        if self._is_roof(index) or self._is_top(index):
+        if self._is_roof(index) or self._is_top(index) or self._is_under_roof(index):
             return [FloorRef("top")], index + 1
         if self._is_on_top_of_it(index):
             return [FloorRef("top")], index + 3
@@ -184,6 +189,16 @@ class NamedStoreys:
             return False
         led = reading.word(index - 1) in ("the", "on") and reading.word(index - 2) in ("on", "")
         return led and index not in reading.mention_at
+
+    def _is_under_roof(self, index: int) -> bool:
+        """Whether a roof or an attic before a room says where that is: "a rooftop bar", "an attic study"."""
+        reading = self.reading
+        if reading.word(index) not in ("rooftop", "roof-top", "attic") or reading.word(index - 1) not in _ARTICLES:
+            return False
+        own = reading.mention_at.get(index)
+        room = reading.mention_at.get(index + 1)
+        alone = own is None or own.last == index + 1
+        return alone and room is not None and bool(room.room) and reading.word(index + 1) not in _ON_ROOFS
 
     def _is_top(self, index: int) -> bool:
         """Whether "top" stands for the top storey: "top: a bar", "the top is a bar", "and on top a terrace"."""

@@ -287,12 +287,14 @@ def _furniture_or_core(reading: Reading, begin: int, end: int, mention: Mention 
     category, size = furniture_of(reading.words(begin, end))
     if last == "screen" and all(word in PLAIN for word in reading.words(begin, end - 1)) and _in_cinema(reading):
         return finished_phrase(reading, "room", begin, end, room="cinema_hall")
+    if end - begin == 1 and last == "screen" and reading.words(begin - 2, begin) in (("with", "a"), ("and", "a")):
+        return finished_phrase(reading, "object", begin, end, category="projection_screen")
     if last in _LIFTS and _lifts_cars(reading, begin, end):
         return finished_phrase(reading, "object", begin, end, category="car_lift")
     if last in _STAIRS | _LIFTS and size < 2:
         return finished_phrase(reading, "stair" if last in _STAIRS else "elevator", begin, end)
     longer = size > 1 and (mention is None or mention.last - mention.first < size)
-    counter = last == "counter" and mention is not None
+    counter = last in ("counter", "desk") and size > 1 and mention is not None
     counter = counter and reading.word(count_before(reading, begin, end)[0] - 1) == "with"
     lockers = last == "locker" and reading.plural(end - 1) and not count_before(reading, begin, end)[2]
     if lockers and longer and set(reading.words(begin, end - 1)) <= PEOPLE:

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 
+from mansion_planner.brief.area_words import after_area
 from mansion_planner.brief.facts import OccupantFact
 from mansion_planner.brief.furnishings import people_served
 from mansion_planner.brief.persons import COLLECTIVES
@@ -33,7 +34,7 @@ def read_occupants(
             continue
         noun = reading.word(phrase.noun_end - 1)
         after_room = any(
-            p.head == "room" and n != building and 0 <= phrase.first - p.last <= 3
+            p.head == "room" and n != building and 0 <= phrase.first - after_area(reading, p.last) <= 3
             for n, p in enumerate(phrases[:number])
         )
         furnished = number and (

@@ -1,4 +1,4 @@
-"""Read the area of one of several rooms: "two bedrooms (the larger about 16 m2)", "one of which is 25 m2"."""
+"""Read the areas of some of several rooms: "two bedrooms (the larger 16 m2)", "ours 18 m2, the two for the boys 13"."""
 
 from dataclasses import replace
 
@@ -22,20 +22,33 @@ _MOST_LEADS = 6
 
 
 def with_one_sized(reading: Reading, measures: list[Measure], phrases: list[Phrase]) -> list[Phrase]:
-    """Return the phrases with the one of several rooms whose area is told as a phrase of its own.
+    """Return the phrases with those of several rooms whose area is told apart as phrases of their own.
 
     The areas read are added to `reading.named_areas`.
     """
     begins = {measure.first: measure for measure in measures if len(measure.values) == 1 and not measure.sides}
     found: list[Phrase] = []
+    owned: set[int] = set()
     for phrase in phrases:
+        if phrase.first in owned:
+            continue
+        parts = _owners_parts(reading, phrase, begins) if _are_several(phrase) else []
+        if parts:
+            left = (phrase.count or 0) - sum(many for many, _, _ in parts)
+            if left:
+                found.append(replace(phrase, count=left, plural=left > 1))
+            for many, first, measure in parts:
+                _take(reading, first, measure)
+                owned.update(range(first, measure.last))
+                own = replace(phrase, first=first, begin=first, noun_end=measure.last, last=measure.last)
+                found.append(replace(own, count=many, plural=many > 1, areas=measure.values, limit=measure.limit))
+            continue
         told = _told(reading, phrase, begins) if _are_several(phrase) else None
         if told is None:
             found.append(phrase)
             continue
         many, first, measure = told
-        reading.take(first, measure.last)
-        reading.named_areas.add(measure.first)
+        _take(reading, first, measure)
         left = (phrase.count or 0) - many
         rank = next((word for word in reading.words(first, measure.first) if word in COMPARATIVES), "")
         own = replace(phrase, first=first, begin=first, noun_end=measure.last, last=measure.last)
@@ -46,6 +59,46 @@ def with_one_sized(reading: Reading, measures: list[Measure], phrases: list[Phra
             replace(own, count=many, plural=many > 1, areas=measure.values, limit=measure.limit),
         ]
     return found
+
+
+def _take(reading: Reading, first: int, measure: Measure) -> None:
+    reading.take(first, measure.last)
+    reading.named_areas.add(measure.first)
+
+
+_OWN = frozenset({"ours", "mine", "his", "hers", "theirs"})
+"""Whose one of several rooms is, in the place of its noun."""
+
+
+def _owners_parts(reading: Reading, phrase: Phrase, begins: dict[int, Measure]) -> list[tuple[int, int, Measure]]:
+    """Return the parts of several rooms that are told by whose they are: how many, the first token and the area each.
+
+    "Three bedrooms - ours 18 m2 with a bathroom, the two for the boys 13 m2 each".
+    """
+    found: list[tuple[int, int, Measure]] = []
+    at = phrase.last
+    while not reading.breaks(at):
+        opens = reading.word(at - 1) in _OPENERS | {"and"}
+        many, end = _owner_at(reading, at) if opens else (0, at)
+        while many and end not in begins and _leads(reading, end) and end - at < _MOST_LEADS + 4:
+            end += 1
+        if many and end in begins:
+            found.append((many, at, begins[end]))
+            at = begins[end].last
+        else:
+            at += 1
+    return found if sum(many for many, _, _ in found) <= (phrase.count or 0) else []
+
+
+def _owner_at(reading: Reading, index: int) -> tuple[int, int]:
+    """Return how many rooms "ours" or "the two for the boys" at a token are, and where that ends; 0 for neither."""
+    if reading.word(index) in _OWN:
+        return 1, index + 1
+    counted = reading.word(index) == "the" and reading.kind(index + 1) == "number"
+    if not (counted and reading.word(index + 2) == "for"):
+        return 0, index
+    noun = index + 3 + (reading.word(index + 3) in ("the", "our", "my"))
+    return int(reading.value(index + 1)), noun + 1
 
 
 def _are_several(phrase: Phrase) -> bool:

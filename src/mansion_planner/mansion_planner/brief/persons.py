@@ -17,6 +17,12 @@ PERSONS = PEOPLE | frozenset(
     head chief mechanic carpenter electrician plumber farmer fisherman hunter shopkeeper trader seller buyer shopper
     reader
     cat dog kitten puppy
+    commander captain sergeant officer colonel coach trainer instructor lecturer professor researcher scientist engineer
+    technician architect lawyer attorney judge clerk cashier cook chef waiter bartender baker butcher brewer tailor
+    hairdresser barber therapist psychologist midwife dentist surveyor inspector diplomat consul minister bishop nun
+    conductor composer dj photographer editor journalist programmer developer designer consultant contractor builder
+    plaintiff prisoner guard watchman caretaker janitor cleaner housekeeper volunteer intern apprentice trainee
+    grandchildren cousins buddy mate colleague coworker roommate flatmate tenant
     listener walker hiker skier cyclist runner athlete player fan lover enthusiast
     """.split()
 )

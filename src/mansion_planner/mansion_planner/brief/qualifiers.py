@@ -86,7 +86,7 @@ def unheeded_words(reading: Reading, phrases: Sequence[Phrase], facts: BriefFact
     for phrase in phrases:
         if phrase.head not in _KINDS:
             continue
-        properties = _properties(reading, phrase) + _widths_of_beds(reading, phrase)
+        properties = _properties(reading, phrase) + _widths_of_beds(reading, phrase) + _loads(reading, phrase)
         if reading.tokens[phrase.begin].start in starts and not phrase.plural:
             told = {at for first, last in properties for at in range(first, last)}
             properties += [run for run in subject_of_building(reading, phrase) if told.isdisjoint(range(*run))]
@@ -121,6 +121,14 @@ def _widths_of_beds(reading: Reading, phrase: Phrase) -> list[tuple[int, int]]:
     return [(at, at + 1) for at in range(phrase.first, phrase.noun_end) if reading.word(at) in _WIDTHS_OF_BEDS]
 
 
+def _loads(reading: Reading, phrase: Phrase) -> list[tuple[int, int]]:
+    """Return the token that says what a lift carries besides people: "goods lift"; all lifts are alike."""
+    if phrase.head != "elevator":
+        return []
+    return [(at, at + 1) for at in range(phrase.first, phrase.noun_end - 1) if reading.word(at) in _LOADS]
+
+
+_LOADS = frozenset("good goods freight cargo bed stretcher car vehicle service food platform".split())
 _WIDTHS_OF_BEDS = frozenset({"double", "king", "queen"})
 
 

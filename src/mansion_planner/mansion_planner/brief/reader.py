@@ -155,7 +155,11 @@ class _Reader:
         read_trade(reading)
         self.opening = unknown_building(reading, self.places)
         named = without_retractions(reading, noun_phrases(reading))
-        phrases = rooms_of_several_uses(reading, without_bystanders(reading, named))
+        own = without_bystanders(reading, named)
+        left = {old.last for old, new in zip(named, own, strict=True) if old.head != new.head}
+        if self.opening is not None and self.opening[3] in left:
+            self.opening = None  # "the flat is bursting: we want a house"
+        phrases = rooms_of_several_uses(reading, own)
         phrases = with_some_en_suite(reading, with_blocks(reading, phrases))
         phrases = with_accessible_ones(reading, desks_as_places(reading, rooms_by_name(reading, phrases)))
         read_shares(reading, phrases)
@@ -321,6 +325,11 @@ class _Reader:
                 n for n, p in enumerate(self.phrases) if self.reading.tokens[p.begin].start == span.start
             )
 
+    def _are_alike(self, one: Phrase, other: Phrase) -> bool:
+        """Whether two rooms count as the same kind: a main bedroom and a second one."""
+        kinds = [self.reading.knowledge.room(p.room_type).counts_as if p.room_type else "" for p in (one, other)]
+        return one.room_type == other.room_type or (kinds[0] == kinds[1] != "")
+
     def _wanted_rooms(self) -> list[int]:
         """Return the phrases that name rooms of the building."""
         return [
@@ -335,6 +344,7 @@ class _Reader:
             ordinal = phrase.begin - 1
             if phrase.head != "room" or self.reading.kind(ordinal) != "ordinal" or ordinal in self.reading.taken:
                 continue
-            before = [p for p in self.phrases[:number] if p.head == "room" and p.room_type == phrase.room_type]
-            if self.reading.word(ordinal - 1) in ("a", "the", "and") and before and number not in self.same:
+            before = [p for p in self.phrases[:number] if p.head == "room" and self._are_alike(p, phrase)]
+            leads = self.reading.word(ordinal - 1) in ("a", "the", "and", ",", ":", "(") or self.reading.starts(ordinal)
+            if leads and before and number not in self.same:
                 self.reading.take(ordinal, ordinal + 1)

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from mansion_knowledge import KnowledgeBase
 from mansion_language import Token, tokenize
 from mansion_msgs_py.errors import ErrorCode, MansionError
-from mansion_planner.brief.activities import activities
+from mansion_planner.brief.activities import activities, entrances
 from mansion_planner.brief.corrections import corrected_numbers
 from mansion_planner.brief.count_forms import count_forms
 from mansion_planner.brief.facts import BriefFacts, FloorRef, Quantity, Span
@@ -37,6 +37,7 @@ from mansion_planner.brief.token_forms import (
     upward_ranges,
     workplaces,
 )
+from mansion_planner.brief.told_again import without_asides
 
 __all__ = ["FLOOR_WORDS", "Place", "Reading", "start_reading"]
 
@@ -209,8 +210,10 @@ class Reading:
 def start_reading(text: str, knowledge: KnowledgeBase, cancelled: Callable[[], bool] = lambda: False) -> Reading:
     """Tokenise `text`, correct misspelt words and find the phrases of the knowledge base."""
     lexicon = lexicon_of(knowledge)
-    tokens, corrections = corrected_numbers(spoken_turns(shortened_nouns(tokenize(text.replace("@", "à")))))
-    tokens = labelled_rooms(paired_nouns(tokens))
+    tokens, corrections = corrected_numbers(
+        without_asides(spoken_turns(shortened_nouns(tokenize(text.replace("@", "à")))))
+    )
+    tokens = labelled_rooms(paired_nouns(entrances(tokens)))
     tokens = storey_tables(abbreviated_storeys(text, decades(tokens)), FLOOR_WORDS)
     tokens = flat_types(count_forms(storeys_by_use(storey_forms(text, tokens), FLOOR_WORDS)))
     tokens = compounds(corrected(tokens, lexicon.words, furniture_vocabulary()), lexicon.words)

@@ -13,7 +13,7 @@ __all__ = ["state_relations"]
 _THROUGH = frozenset(
     """
     open opening lead leading connected connect connecting linked joined link access accessed accessible reached entered
-    communicate communicating attached passage
+    communicate communicating attached passage off behind
     """.split()
 )
 """Words of relations between rooms of which one is entered from the other."""

@@ -100,6 +100,8 @@ _APART = [
     ("apart", "from"),
     ("far", "from"),
     ("far", "away", "from"),
+    ("kept", "off"),
+    ("keep", "off"),
     ("separated", "from"),
     ("remote", "from"),
     ("distance", "from"),

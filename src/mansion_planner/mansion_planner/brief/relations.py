@@ -123,6 +123,8 @@ def _relation_at(reading: Reading, phrases: list[Phrase], rooms: list[int], inde
 def _adds(reading: Reading, index: int) -> bool:
     """Whether "besides" means in addition to: "everything besides toilets", "a canteen besides toilets"."""
     after = index + 1
+    if reading.word(after) in ("that", "this") and reading.word(after + 1) in (":", ","):
+        return True  # "besides that: a hall"
     bare = reading.word(after) not in ("the", "a", "an", "it", "this", "that", "each", "every", "our", "its")
     return bare or reading.word(index - 1) in ("nothing", "anything", "everything", ",")
 

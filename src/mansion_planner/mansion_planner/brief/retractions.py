@@ -25,6 +25,7 @@ _WITHDRAWING = (
     ("forget", "about"),
     ("never", "mind"),
     ("leave", "out"),
+    *[(verb, "that", ",", "no") for verb in ("forget", "scrap", "scratch", "cancel", "strike")],
     *[(*lead, "no") for lead in (("on", "second", "thought"), ("on", "reflection"), ("actually",), ("wait",))],
     *[(*lead, ",", "no") for lead in (("on", "second", "thought"), ("on", "reflection"), ("actually",), ("wait",))],
 )

@@ -475,6 +475,8 @@ def _is_name(reading: Reading, index: int) -> bool:
 _MEASURING = frozenset("about around approximately approx roughly nearly at up over under several some".split())
 
 
+_RESIDENTS = frozenset("grandmother grandfather grandma grandpa granny mother father mum dad son daughter".split())
+"""Those of a family who sleep in the rooms that are theirs."""
 _ROOMED = frozenset({"child", "kid", "guest"})
 """Those whose rooms are called after them: "three rooms for children"."""
 
@@ -515,12 +517,14 @@ def with_purpose(reading: Reading, phrase: Phrase) -> Phrase:
     generic = phrase.name in _PURPOSEFUL
     room = (
         similar_room_type(name, reading.knowledge)
-        if generic and phrase.name in ("room", "space", "area", "corner", "zone", "post", "section")
+        if generic and phrase.name in ("hall", "room", "space", "area", "corner", "zone", "post", "section")
         else phrase.room_type
     )
     label = reading.span(phrase.begin, end).words
     same = _kind_named(reading, begin, end, phrase.name)
     known = bool(same) or phrase.known
+    if phrase.name == "room" and reading.word(end - 1) in _RESIDENTS and not own_rooms:
+        same, known = "bedroom", True  # "the room of grandmother"
     known = known or bool(own_rooms and elliptic_room_type(reading.words(begin, end), reading.knowledge))
     reading.take(last, end)
     return replace(phrase, name=name, label=label, last=end, room_type=same or room or phrase.room_type, known=known)

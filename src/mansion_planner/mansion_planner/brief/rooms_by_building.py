@@ -17,6 +17,8 @@ def room_for_building(reading: Reading, phrase: Phrase) -> Phrase:
     """
     if phrase.name == "cabin" and phrase.plural and phrase.counted and phrase.building:
         return replace(phrase, head="room", building="", room_type=HEAD_TYPES["cabin"], known=False)
+    if "_for_two_car" in phrase.name and not phrase.counted:
+        return replace(phrase, count=1, plural=False)  # "a garage for two cars"
     facts = reading.facts
     kind = facts.building[0][0] if facts.building else facts.building_like
     record = reading.knowledge.buildings.get(kind)
@@ -40,6 +42,8 @@ def room_for_building(reading: Reading, phrase: Phrase) -> Phrase:
         return replace(phrase, room_type=similar_room_type(phrase.name, reading.knowledge), known=False)
     if phrase.head == "building" and phrase.counted and phrase.plural and is_compound(reading, phrase):
         return replace(phrase, known=False)
+    if phrase.name in _ENTRANCES and family not in ("", "home") and not phrase.areas:
+        return replace(phrase, room_type="lobby")
     hall = phrase.name.split("_")[0] == "hall" and phrase.room_type == "hallway"
     big = not _BIG.isdisjoint(reading.words(phrase.first, phrase.noun_end)) and family not in _DWELT_IN
     big = big or (reading.word(phrase.last) == "for" and reading.value(phrase.last + 1) >= _CROWD)
@@ -66,6 +70,9 @@ def _by_family(reading: Reading, phrase: Phrase, family: str) -> Phrase | None:
             return replace(phrase, head="room", building="", room_type=kind, known=True)
         if words[-1] == "station" and phrase.building == "train_station" and not phrase.plural:
             return replace(phrase, head="room", building="", room_type=HEAD_TYPES["station"], known=False)
+    taught = next((kind for word, kind in _STUDIOS.items() if word in reading.facts.building_name), "")
+    if taught and words == ["studio"]:
+        return replace(phrase, head="room", building="", room_type=taught, known=True)
     if phrase.room_type == "studio_apartment" and words[-1] == "studio" and family in _WORKING:
         told = reading.word(phrase.last) == "for" and reading.kind(phrase.last + 1) == "word"
         desks = family == "office" and len(words) == 1 and not told  # "a studio for podcasts"
@@ -80,11 +87,17 @@ def _by_family(reading: Reading, phrase: Phrase, family: str) -> Phrase | None:
         return replace(phrase, room_type="bedroom", known=True)
     if family == "industry" and phrase.room_type == "assembly_hall" and words[0] == "assembly":
         return replace(phrase, room_type="production_hall")
+    if family == "industry" and words[-2:] == ["machine", "room"]:
+        return replace(phrase, room_type="production_hall")
+    if family == "sport" and words[-2:] == ["shower", "room"] and not phrase.building:
+        return replace(phrase, room_type="shower_area")
     if phrase.name == "student_room" and not phrase.counted and not phrase.plural and family in _WORKING:
         return replace(phrase, room_type="study_room", known=False)
     return None
 
 
+_ENTRANCES = frozenset({"entrance_hall", "entry_hall", "entrance_room"})
+"""What people come in by: in a building for the public, its lobby."""
 _BIG = frozenset({"big", "large", "main", "great", "huge", "grand", "tall", "public"})
 """What is said of a hall where people meet; a hall that leads to other rooms is not told of so."""
 _CROWD = 20
@@ -95,9 +108,14 @@ _DWELT_IN = frozenset({"home", "lodging"})
 _WORKING = frozenset({"office", "industry", "education", "culture", "sport", "retail"})
 """Families of buildings whose studios are to work in."""
 
+_STUDIOS = {"dance": "dance_studio", "ballet": "dance_studio", "yoga": "yoga_studio", "pilates": "yoga_studio",
+            "photo": "photo_studio", "radio": "recording_studio"}  # fmt: skip
+"""What a studio is in a building called after what is done there."""
 _NAMED = {
     ("surgery", "dental_clinic"): "dental_room",
     ("surgery", "dental_surgery"): "dental_room",
+    ("hall", "cinema"): "cinema_hall",
+    ("screen", "cinema"): "cinema_hall",
     ("sleeping_room", "kindergarten"): "nap_room",
     ("studio", "radio_station"): "recording_studio",
     ("studio", "media_house"): "recording_studio",

@@ -1,6 +1,7 @@
 """Bring turns of spoken English into written ones, which the readers know: answered questions, "let's say", "too"."""
 
 from dataclasses import replace
+from itertools import pairwise
 
 from mansion_language import Token
 
@@ -30,6 +31,7 @@ def spoken_turns(tokens: list[Token]) -> list[Token]:
     say, 45 m2" becomes "of 45 m2", "a reading corner as a separate room of 18 m2" and "a bedroom too, 7 m2" lose the
     words that only say that there is such a room.
     """
+    tokens = _headed_storeys(tokens)
     result: list[Token] = []
     index = 0
     while index < len(tokens):
@@ -47,6 +49,33 @@ def spoken_turns(tokens: list[Token]) -> list[Token]:
             result.append(_storey_of_some(tokens, index))
             index += 1
     return result
+
+
+_OPENING = {"below": "downstairs", "down": "downstairs", "above": "upstairs", "up": "upstairs"}
+_TO_STOREYS = frozenset({"floor", "level", "storey", "story", "storie"})
+_NO_HEADING = frozenset("the it them this that these those all each every to , : = is are a an our one".split())
+
+
+def _headed_storeys(tokens: list[Token]) -> list[Token]:
+    """Return the tokens of a brief on two storeys, "below" and "up" that open its lists as "downstairs" and "upstairs".
+
+    "Two floors. Below reception and bar; up two bedrooms."
+    """
+    two = any(
+        one.kind == "number" and one.value == 2.0 and other.text in _TO_STOREYS for one, other in pairwise(tokens)
+    )
+    if not two:
+        return tokens
+    return [
+        replace(token, text=_OPENING[token.text])
+        if token.text in _OPENING
+        and _word(tokens, index - 1) in (".", ";", ":", "\n")
+        and index + 1 < len(tokens)
+        and _word(tokens, index + 1) not in _NO_HEADING
+        and (tokens[index + 1].kind != "number" or _word(tokens, index + 2) not in ("m2", "ft2"))
+        else token
+        for index, token in enumerate(tokens)
+    ]
 
 
 def _storey_of_some(tokens: list[Token], index: int) -> Token:

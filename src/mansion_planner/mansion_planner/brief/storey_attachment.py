@@ -153,7 +153,6 @@ class _Walk:
             elif self._is_prenominal(place, rest):
                 self._give(rest[0], place, trailing=False)
                 items[position + 1 :] = [item for item in items[position + 1 :] if item[:2] != ("phrase", rest[0])]
-                left.append(rest[0])
             elif left and self._puts_it(place):
                 self._give_all(left[-1:], place)
             elif self.reading.word(place.first - 1) == "both" and len(left) > 1:

@@ -521,6 +521,9 @@ class StoreyCounts:
             last += 1
         if reading.word(index + 1) in ("the", "each", "no"):
             return index
+        held = reading.mention_at.get(last)
+        if held is not None and held.room:
+            return index  # "a basement gym" is a room and where it is
         self._state(1, index, last, below=True)
         self._place_in_basement(last - 1, last)
         return last

@@ -3,6 +3,8 @@
 from mansion_planner.brief.asides import aside_tokens
 from mansion_planner.brief.exclusions import MOTIONS
 from mansion_planner.brief.figurative_nouns import is_figurative
+from mansion_planner.brief.idle_words import is_date_or_age, is_idle, is_idle_word
+from mansion_planner.brief.persons import is_person
 from mansion_planner.brief.phrase import FUNCTION_WORDS, PLAIN, PREDICATES
 from mansion_planner.brief.qualifiers import is_property
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
@@ -19,8 +21,39 @@ def leave_unread(reading: Reading) -> None:
         if open_word and first < 0:
             first = index
         elif not open_word and first >= 0:
-            reading.facts.unread.append(reading.span(first, min(index, first + 12)))
+            if not _asks_for_nothing(reading, first, index):
+                reading.facts.unread.append(reading.span(first, min(index, first + 12)))
             first = -1
+
+
+def _asks_for_nothing(reading: Reading, first: int, last: int) -> bool:
+    """Whether each token of an unread run is a word or a number that asks for nothing by itself."""
+    return all(
+        is_idle(reading, at) or is_date_or_age(reading, at) or _is_ones_own(reading, at) or _is_told_of(reading, at)
+        for at in range(first, last)
+    )
+
+
+def _is_told_of(reading: Reading, index: int) -> bool:
+    """Whether a token is where people go ("to Ireland"), the way of a verb ("moving back"), or what is not needed."""
+    token, before = reading.tokens[index], reading.word(index - 1)
+    town = token.capital and token.kind == "word" and before in ("to", "in", "from", "near") and index > 1
+    town = town and reading.kind(index + 1) != "number" and index not in reading.mention_at
+    way = token.text in _WAYS_OF_VERBS and is_idle_word(before)
+    needless = before == "no" and reading.word(index + 1) in ("needed", "necessary", "required")
+    return town or way or needless or token.text in _REFLEXIVE
+
+
+_WAYS_OF_VERBS = frozenset({"back", "away", "out", "ahead", "around", "home"})
+_REFLEXIVE = frozenset(
+    {"myself", "yourself", "himself", "herself", "ourselves", "themselves", "yourselves", "themself", "ourself"}
+)
+
+
+def _is_ones_own(reading: Reading, index: int) -> bool:
+    """Whether an ordinal counts people or times: "our second baby", "the third time"."""
+    after = reading.word(index + 1)
+    return reading.kind(index) == "ordinal" and (is_person(after) or is_idle_word(after))
 
 
 _HOUSEHOLD = frozenset({"couple", "family", "man", "woman", "people", "professional"})
@@ -64,6 +97,7 @@ _PRAISE = frozenset(
     """
     fancy posh lovely gorgeous charming stunning spectacular magnificent superb impressive wonderful amazing pretty cute
     cheap affordable inexpensive lively perfect perfectly happy fantastic marvellous delightful inviting memorable fun
+    chic flair vibe vibes
     """.split()
 )
 """Words of taste, which no building could be checked for."""
@@ -130,7 +164,8 @@ def _says_no_more(reading: Reading, index: int) -> bool:
         return True
     if reading.word(index - 1) in _AFTER_LEAD.get(token.text, ()):
         return True
-    if token.text == "step" and reading.word(index - 1) in ("no", "without", "any") and _on_one_level(reading):
+    level = _on_one_level(reading) or not reading.facts.floors
+    if token.text == "step" and reading.word(index - 1) in ("no", "without", "any") and level:
         return True  # "everything on one level, no steps"
     if token.text == "over" and reading.word(index + 1) == "all" and _has_measure(reading, index):
         return True  # "150 m2 over all"
@@ -139,6 +174,18 @@ def _says_no_more(reading: Reading, index: int) -> bool:
     if token.text == "flat" and is_figurative(reading, index, index + 1):
         return True  # "Flat, no stairs!"
     if token.text == "young" and reading.word(index + 1) in _HOUSEHOLD:
+        return True
+    if token.text == "plan" and reading.word(index - 1) in ("same", "that"):
+        return True  # "the two floors have the same plan"
+    if token.text == "plan" and reading.words(index - 2, index) in (("is", "the"), ("that", "the")):
+        return True
+    if token.text in ("one", "roof") and "under one roof" in " ".join(reading.words(index - 2, index + 2)):
+        return True
+    if reading.words(index - 2, index) in (("it", "is"), ("it", "was"), ("it", "get")):
+        return not is_property(token.text) or reading.word(index + 1) in ("there", "outside", "here")
+    if token.text == "set" and reading.word(index + 1) == "up":
+        return True
+    if token.text == "place" and reading.word(index - 1) in ("old", "current", "present", "previous", "last", "other"):
         return True
     if token.text in _SIZES and _has_measure(reading, index):
         return True  # "a gross floor area in the region of 3,200 m2"

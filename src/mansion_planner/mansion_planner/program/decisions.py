@@ -1,5 +1,6 @@
 """Decide type, storeys, areas and style of a building (Algorithm 1, line 1), and settle what contradicts itself."""
 
+import math
 from dataclasses import dataclass, field, replace
 
 import msgspec
@@ -288,6 +289,11 @@ def _usual_floors(
         return min(max(needed, 1), max(most, 1)), "the stated area"
     if size is not None:
         return size.storeys, f'enough for "{size.words}"'
+    if facts.occupants and building.seats is None and building.family != "home":
+        people = sum(occupants.count for occupants in facts.occupants)
+        enough = max(1, math.ceil(people * building.people / building.floor_area[1]))
+        if enough < usual:
+            return enough, f"enough for {people} people"
     reason = f"{with_article(building.name)} usually has {usual}"
     if called_size(facts) == "small":
         return max(1, usual - 1) if usual > 2 else usual, reason

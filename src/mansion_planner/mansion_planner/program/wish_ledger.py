@@ -5,13 +5,14 @@ from collections.abc import Sequence
 import msgspec
 
 from mansion_knowledge import KnowledgeBase
-from mansion_knowledge.stand_ins import stands_in
+from mansion_knowledge.stand_ins import answers_when_told, stands_in
 from mansion_language import singular
 from mansion_msgs_py.program import RequestedObject
 from mansion_msgs_py.wishes import Scope, Wish, WishKind, WishValue
 from mansion_planner.brief.bounds import Limit
 from mansion_planner.brief.facts import AdjacencyFact, BriefFacts, FloorRef, ObjectFact, RoomFact, Span
 from mansion_planner.brief.furniture_words import own_furniture_of
+from mansion_planner.brief.similarity import told_room_type
 from mansion_planner.brief.sizes import size_bound
 from mansion_planner.program.allocation import MANY
 from mansion_planner.program.called_sizes import called_bound
@@ -160,8 +161,17 @@ def _spaced(name: str) -> str:
     return name.replace("_", " ")
 
 
-def _stand_in_of(room: RoomFact) -> str:
+_AS_NAMED = {"bedroom": ("cabin", "berth", "chamber"), "private_office": ("office",), "open_kitchen": ("dining_room",)}
+"""Last words of names for which a room type is what they say, whoever uses the room."""
+
+
+def _stand_in_of(room: RoomFact, knowledge: KnowledgeBase) -> str:
     """Say what is planned in the place of a room of which nothing is known, or that is another thing."""
+    told = not room.known and answers_when_told(room.room_type)
+    if told and told_room_type(room.name, knowledge) == room.room_type:
+        return ""
+    if not room.known and room.name.endswith(_AS_NAMED.get(room.room_type, ("-",))):
+        return ""
     if not room.known:
         return f"no such room is known; planned and furnished like {_spaced(room.room_type)}"
     only = stands_in("rooms", room.room_type, room.name)
@@ -309,7 +319,7 @@ class _Ledger:
             self.add(kind, span, WishValue(unwanted=name.startswith("no_"), count=counts.get(span)))
 
     def _room(self, room: RoomFact) -> None:
-        reason = _stand_in_of(room)
+        reason = _stand_in_of(room, self.knowledge)
         whole = room.area is not None and is_whole(room, self.knowledge)
         area, limit = self._area_of(room)
         name = self._called(room)
@@ -335,7 +345,7 @@ class _Ledger:
         """Add what each unit holds."""
         scope = Scope(floors=self.floors(room.floors), unit=room.name, unit_type=room.room_type)
         for child in room.suite:
-            reason = _stand_in_of(child)
+            reason = _stand_in_of(child, self.knowledge)
             area, limit = self._area_of(child)
             value = WishValue(name=child.name, type=child.room_type, count=child.count, area=area, limit=limit)
             self.add("room", child.span, value, scope, reason=reason)

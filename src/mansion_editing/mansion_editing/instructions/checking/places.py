@@ -11,7 +11,7 @@ from mansion_editing.instructions.doing.work import listed
 from mansion_editing.instructions.meaning.choices import at_home, concerned, from_there
 from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.descriptions import rooms_of, things_of
-from mansion_editing.instructions.meaning.directions import direction_of
+from mansion_editing.instructions.meaning.directions import direction_of, faced_point, rotation_towards
 from mansion_editing.instructions.meaning.wording import place_words, thing_words
 from mansion_editing.instructions.statements import Add, Move, Rooms, Shift, Swap, Turn
 from mansion_editing.state import SceneState
@@ -83,6 +83,8 @@ def check_shift(
     return Finding(reason, set(went) | carried_below(before, went))
 
 
+_FACING = 30.0
+"""Greatest angle between where a front points and the window, door or wall that it faces, degrees."""
 _CLOSE = 1.0
 """Greatest distance between where one thing is and where that which it changed places with was, metres."""
 
@@ -131,6 +133,9 @@ def check_turn(statement: Turn, before: SceneState, after: SceneState, context: 
         new = diff.moved[old.id][1]
         if math.dist(old.position, new.position) > 0.01 or old.room != new.room:
             reason = f"{old.id} is not where it stood"
+        elif statement.spot:
+            off = (new.rotation - rotation_towards(new, faced_point(statement.spot, new, after)) + 180.0) % 360.0 - 180.0
+            reason = "" if abs(off) <= _FACING else f"{old.id} does not face the {statement.spot}"
         elif statement.facing is None:
             off = (new.rotation - old.rotation - statement.degrees + 180.0) % 360.0 - 180.0
             reason = "" if abs(off) <= 1.0 else f"{old.id} is turned by {new.rotation - old.rotation:g} degrees"
@@ -143,7 +148,7 @@ def check_turn(statement: Turn, before: SceneState, after: SceneState, context: 
         good = {i.id for i in fitting if any(_faces(after, i, mark) for mark in marks)}
         if len(good) < max(1, low) or any(item.id not in good for item in turned):
             reason = f"{thing_words(statement.things)} does not face {thing_words(statement.facing)}"
-    if not reason and (len(turned) > high or (statement.facing is None and len(turned) < low)):
+    if not reason and (len(turned) > high or (not (statement.facing or statement.spot) and len(turned) < low)):
         reason = f"{len(turned)} of {len(fitting)} {thing_words(statement.things)} turned"
     ids = {item.id for item in turned}
     return Finding(reason, ids | carried_below(before, ids))

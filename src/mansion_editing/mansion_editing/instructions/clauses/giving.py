@@ -14,7 +14,7 @@ from mansion_editing.instructions.statements import Add, Amount, Ensure, Stateme
 
 __all__ = ["Giving"]
 
-_LOADING: Final = frozenset("load fill pack stock".split())
+_LOADING: Final = frozenset("load fill pack stock restock refill".split())
 """Verbs that name what is filled, or what it is filled with."""
 _HOLDING: Final = frozenset(["on", "in"])
 
@@ -37,6 +37,7 @@ class Giving(Outcomes):
         if goal.anchor is not None and self.text(at) in _LOADING and self._opens(where):
             goal = msgspec.structs.replace(goal, relation="in")
         each = where.phrase.each or where.phrase.amount.kind == "all" or (where.phrase.plural and where.phrase.definite)
+        goal = goal if goal.rooms is not None else self._framed((goal, each))[0]
         quote = self.quote(at, end)
         out = [self._given(item, goal, quote, each=each) for item in items]
         out = [_there(s) for s in out] if served else out

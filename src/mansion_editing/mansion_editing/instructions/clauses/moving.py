@@ -1,6 +1,7 @@
 """Things that move, change places with others, or make way for others."""
 
 from collections.abc import Sequence
+from typing import Final
 
 import msgspec
 
@@ -23,6 +24,12 @@ from mansion_editing.instructions.statements import (
 )
 
 __all__ = ["Moving"]
+
+
+_FOR: Final = frozenset("for with by to against".split())
+"""Words before what something is swapped for."""
+_SEATS: Final = ("chair", "sofa", "loveseat", "couch", "bench", "recliner")
+"""Ends of names of what no other furniture stands on."""
 
 
 class Moving(Shifting):
@@ -74,7 +81,9 @@ class Moving(Shifting):
         mark = next((p for p in places if p.goal and p.place.anchor is not None), None)
         bare = mark is not None and self.text(mark.start) in ("over", "to", "up") and goal.relation == "on"
         holder = () if goal.anchor is None else tuple(goal.anchor.noun.split())
-        furniture = self.lexicon.stands(noun) and not self.lexicon.is_loose(noun) and self.lexicon.stands(holder)
+        sat_on = bool(holder) and holder[-1].endswith(_SEATS)
+        heavy = sat_on or not self.lexicon.is_loose(noun)
+        furniture = self.lexicon.stands(noun) and heavy and self.lexicon.stands(holder)
         return bare and furniture and self.text(mark.end - 1 if mark else 0) != "it"
 
     def _swap(self, at: int, place: int) -> tuple[list[Statement], int]:
@@ -86,13 +95,19 @@ class Moving(Shifting):
         of_each = _of_two_rooms(items[0]) if len(items) == 1 else None
         if of_each is not None:
             return [Swap(one=of_each[0], other=of_each[1], quote=quote)], end
+        exchanged = any(self.text(read.start) in _FOR for item in items for read in item.places)
+        if len(items) == 1 and _names_two(items[0]) and not exchanged and self._ends_swap(end):
+            both = self._within_frame(items[0].things())
+            return [Swap(one=both, other=both, quote=quote)], end
         names = items[0].rooms().words.split(JOINED) if len(items) == 1 and items[0].is_room else []
         if len(names) == 2:
             floors = items[0].rooms().floors
             pair = [Rooms(words=name, floors=floors) for name in names]
             return [Swap(one=pair[0], other=pair[1], quote=quote)], end
         if len(items) == 2 and items[0].is_room and items[1].is_room:
-            return [Swap(one=items[0].rooms(), other=items[1].rooms(), quote=quote)], end
+            one, other = items[0].rooms(), items[1].rooms()
+            one = one if one.floors else msgspec.structs.replace(one, floors=other.floors)
+            return [Swap(one=one, other=other, quote=quote)], end
         if len(items) == 1 and items[0].is_room and self.text(end) == ":":
             named = self.items(end + 1)
             if len(named) == 2:
@@ -100,18 +115,23 @@ class Moving(Shifting):
                 return [Swap(one=named[0].rooms(), other=named[1].rooms(), quote=quote)], named[1].end
         if len(items) == 1 and items[0].is_room and items[0].phrase.amount.number == 2:
             return [Swap(one=items[0].rooms(), other=Rooms(same=True), quote=quote)], end
-        joint = next((k for k in range(place, len(self.words)) if self.text(k) in ("for", "with", "by", "to", "against")
+        joint = next((k for k in range(place, len(self.words)) if self.text(k) in _FOR
                       and self.phrase(k + 1) is not None), None)  # fmt: skip
         if len(items) == 1 and joint is not None:
             return self._replaced_by(at, place, joint)
         if len(items) == 2:
-            one, other = items
-            shared = other.places and not one.places
-            first = (
-                one.things() if not shared else with_place(one.phrase.things(), joined_places(list(other.places))[0])
-            )
-            return [Swap(one=self._within_frame(first), other=self._within_frame(other.things()), quote=quote)], end
+            nearer, further = items
+            shared = further.places and not nearer.places
+            place_of_both = joined_places(list(further.places))[0]
+            first = with_place(nearer.phrase.things(), place_of_both) if shared else nearer.things()
+            return [Swap(one=self._within_frame(first), other=self._within_frame(further.things()), quote=quote)], end
         raise NotUnderstood(at, self.boundary(at))
+
+    def _ends_swap(self, at: int) -> bool:
+        """Whether nothing follows that two things are swapped for."""
+        while self.text(at) in ("around", "round", "over"):
+            at += 1
+        return at >= len(self.words) or self.words[at].kind == "mark" or self.text(at) == "and"
 
     def _change_places(self, at: int) -> tuple[list[Statement], int] | None:
         """Read ``the sofa and the desk change places``, ``let the sofa and the desk trade places``."""
@@ -207,6 +227,13 @@ class Moving(Shifting):
         if first is not None and other is not None and other.phrase.definite and not first.phrase.definite:
             return self.until(first.end).items(at)
         return self.items(at)
+
+
+def _names_two(item: Item) -> bool:
+    """Whether an item is ``the two armchairs``, ``both lamps``, which change places with each other."""
+    phrase = item.phrase
+    two = phrase.amount.number == 2 and phrase.amount.kind in ("some", "all")
+    return two and phrase.definite and not item.is_room and bool(phrase.noun.words) and not phrase.refers
 
 
 def _of_two_rooms(item: Item) -> tuple[Things, Things] | None:

@@ -8,7 +8,7 @@ import msgspec
 from mansion_editing.instructions.clauses.items import Item, joined_places
 from mansion_editing.instructions.clauses.sentence import Sentence
 from mansion_editing.instructions.phrases.places import ReadPlace, merged, read_place, with_place
-from mansion_editing.instructions.phrases.word_sets import NO_FRONTED_PLACES
+from mansion_editing.instructions.phrases.word_sets import BEFORE_SPOTS, NO_FRONTED_PLACES
 from mansion_editing.instructions.statements import (
     Add,
     Amount,
@@ -18,6 +18,7 @@ from mansion_editing.instructions.statements import (
     Place,
     Remove,
     Rooms,
+    Spot,
     Statement,
     Things,
 )
@@ -34,10 +35,18 @@ __all__ = [
 
 _RUBBISH: Final = frozenset("rubbish trash garbage dump skip tip landfill".split())
 """Where things go that leave the building."""
+_FACED: Final[dict[str, Spot]] = {"window": "window", "door": "door", "doorway": "door", "wall": "wall"}
 
 
 class Outcomes(Sentence):
     """Makes statements of items and the places that are said of them."""
+
+    def faced_spot(self, at: int) -> tuple[Spot, int] | None:
+        """Read ``the window`` that something turns to, with the end of the words; None for things."""
+        while self.text(at) in BEFORE_SPOTS | {"nearest", "closest"}:
+            at += 1
+        spot = _FACED.get(self.text(at))
+        return None if spot is None else (spot, at + 1)
 
     def _shared_goal(self, items: Sequence[Item], item: Item) -> tuple[Place, bool]:
         """Return where a thing of several goes: its own place, else the next one's, else the last before it."""

@@ -243,7 +243,7 @@ class Predicates(States, Colours, Ways):
                 out.append(self._given(thing, goal, quote, each=each))
             elif thing.phrase.definite and own != Place() and not thing.phrase.plural:
                 out.append(Move(things=thing.phrase.things(), place=where, or_new=True, quote=quote))
-            elif thing.phrase.amount.kind == "more" or verb in _GETTING:
+            elif thing.phrase.amount.kind == "more" or (verb in _GETTING and not (each and _is_one(thing))):
                 out.append(self._given(thing, goal, quote, each=each))
             else:
                 out.append(Ensure(things=thing.phrase.things(), place=where, each=each, quote=quote))
@@ -493,6 +493,9 @@ class Predicates(States, Colours, Ways):
                 return None
             return self._there(item, item.goal(), self.quote(at, place + 1)), place + 1
         if self.text(place) in ("face", "facing"):
+            faced = self._said_to_face(item, place + 1, at)
+            if faced is not None:
+                return faced
             goal = self.item(place + 1)
             if goal is not None and not goal.is_room:
                 quote = self.quote(at, goal.end)
@@ -548,11 +551,26 @@ class Predicates(States, Colours, Ways):
         asked = self.text(joint) == "so" and verb_at(self.words, joint + 1, self.lexicon) is not None
         return end if asked else 0
 
+    def _said_to_face(self, item: Item, place: int, at: int) -> tuple[list[Statement], int] | None:
+        """Read ``the window`` that its front shall turn to; None for things."""
+        faced = self.faced_spot(place)
+        if faced is None:
+            return None
+        spot, end = faced
+        return [Turn(things=self._all_if_plural(item.things()), spot=spot, quote=self.quote(at, end))], end
+
     def _said_to_look(self, item: Item, place: int, at: int) -> tuple[list[Statement], int] | None:
         """Read ``must look to the bed``, which its front shall turn to."""
         asked = any(word.text in MODALS for word in self.words[item.end : place])
-        if not asked or self.text(place) != "look" or self.text(place + 1) not in ("to", "at", "towards", "toward"):
+        if not asked or self.text(place) != "look":
             return None
+        if (self.text(place + 1), self.text(place + 2)) == ("out", "of"):
+            return self._said_to_face(item, place + 3, at)
+        if self.text(place + 1) not in ("to", "at", "towards", "toward"):
+            return None
+        spot = self._said_to_face(item, place + 2, at)
+        if spot is not None:
+            return spot
         goal = self.item(place + 2)
         if goal is None or goal.is_room:
             return None
@@ -567,3 +585,9 @@ class Predicates(States, Colours, Ways):
             return None
         end = colour[2] + (self.text(colour[2]) == "one")  # "could the black chairs be white ones"
         return self._painted([item], colour[0], colour[1], self.quote(at, end)), end
+
+
+def _is_one(item: Item) -> bool:
+    """Whether ``a plant`` is spoken of, of which each of several has enough with one."""
+    amount = item.phrase.amount
+    return amount.kind == "some" and amount.number == 1 and not item.phrase.definite

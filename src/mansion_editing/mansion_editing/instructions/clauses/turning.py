@@ -42,6 +42,10 @@ class Turning(Outcomes):
             return [Turn(things=self._within_frame(things), degrees=value, quote=self.quote(at, last))], last
         while self.text(end) in TOWARDS:
             end += 1
+        faced = self.faced_spot(end)
+        if faced is not None:
+            spot, stop = faced
+            return [Turn(things=self._within_frame(things), spot=spot, quote=self.quote(at, stop))], stop
         goal = self.item(end)
         if goal is None or goal.is_room:
             raise NotUnderstood(at, self.boundary(at))

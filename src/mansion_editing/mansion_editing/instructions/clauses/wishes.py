@@ -300,11 +300,12 @@ class Wishes(Subjects, Negations):
         if verb is not None:
             return self._negated_verb(at, *verb)
         items = self.items(place)
+        named = self.words[place : items[-1].end]
         end = items[-1].end
         while self.text(end) in ANY_LONGER:
             end += 1
         quote = self.quote(at, end)
-        if {"new", "more", "further", "additional", "another", "extra"} & {w.text for w in self.words[place:end]}:
+        if {"new", "more", "further", "additional", "another", "extra"} & {w.text for w in named}:
             goals = [self._framed(self._shared_goal(items, item))[0] for item in items]
             things = [msgspec.structs.replace(item.phrase.things(), amount=_ALL) for item in items]
             return [Forbid(things=one, place=goal, quote=quote) for one, goal in zip(things, goals, strict=True)], end

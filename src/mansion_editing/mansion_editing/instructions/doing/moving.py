@@ -1,6 +1,5 @@
 """Move, Swap and Turn: things that are there go to another place, or turn where they stand."""
 
-import math
 from collections.abc import Generator, Sequence, Set
 from dataclasses import replace
 from typing import Any
@@ -12,6 +11,7 @@ from mansion_editing.instructions.doing.rooms import swap_rooms
 from mansion_editing.instructions.doing.work import Done, Work, listed, live, whereabouts
 from mansion_editing.instructions.meaning.choices import at_home, from_there, one_room_each, things_meant
 from mansion_editing.instructions.meaning.context import Context
+from mansion_editing.instructions.meaning.directions import faced_point, rotation_towards
 from mansion_editing.instructions.meaning.descriptions import all_at, rooms_of, things_of
 from mansion_editing.instructions.meaning.nouns import is_loose
 from mansion_editing.instructions.meaning.numbers import means_one
@@ -275,6 +275,8 @@ def swap(statement: Swap, state: SceneState, context: Context) -> Work:
     if isinstance(one, Rooms) or isinstance(other, Rooms):
         raise Unmet("a room and a thing cannot change places")
     first, second = (things_meant(state, things, context) for things in (one, other))
+    if one == other and len(first) == 2:
+        first, second = first[:1], first[1:]
     if len(first) != 1 or len(second) != 1:
         raise Unmet(f"{listed(first)} and {listed(second)}: say which two things change places")
     arguments = {"object_id": first[0].id, "other_id": second[0].id}
@@ -307,18 +309,24 @@ def turn(statement: Turn, state: SceneState, context: Context) -> Work:
 
 
 def _rotations(statement: Turn, item: SceneObject, state: SceneState, context: Context) -> list[float]:
+    if statement.spot:
+        straight = rotation_towards(item, faced_point(statement.spot, item, state))
+        return _square_first(item, straight)
     if statement.facing is None:
         return [round((item.rotation + statement.degrees) % 360.0, 4)]
     facing = msgspec.structs.replace(
         statement.facing, place=statement.facing.place or Place(rooms=Rooms(words=item.room))
     )
     (target,) = things_meant(state, facing, context)[:1]
-    straight = facing_rotation(item, target)
+    return _square_first(item, facing_rotation(item, target))
+
+
+def _square_first(item: SceneObject, straight: float) -> list[float]:
+    """Return a rotation, before it the one square to the present one where that looks nearly the same way."""
     square = round((item.rotation + 90.0 * round((straight - item.rotation) / 90.0)) % 360.0, 4)
     return [square, straight] if abs((square - straight + 180.0) % 360.0 - 180.0) <= 25.0 else [straight]
 
 
 def facing_rotation(item: SceneObject, target: SceneObject) -> float:
     """Return the rotation at which the front of an object points to the middle of another, degrees."""
-    dx, dy = target.position[0] - item.position[0], target.position[1] - item.position[1]
-    return round(math.degrees(math.atan2(-dx, dy)) % 360.0, 4)
+    return rotation_towards(item, (target.position[0], target.position[1]))

@@ -150,7 +150,8 @@ def things_of(state: SceneState, things: Things, context: Context) -> list[Scene
     if things.owned:
         pool = _owned(state, pool, things.owned, context)
     if noun and not many:
-        pool = _called(state, pool, noun, apart=apart)
+        named = _called(state, pool, noun, apart=apart)
+        pool = pool if things.size and len(named) == 1 else named
     for spared in things.beside:
         out = {item.id for item in things_of(state, spared, context)}
         pool = [item for item in pool if item.id not in out]
@@ -202,9 +203,10 @@ def _plain_names(state: SceneState, rooms: set[str]) -> set[str]:
 
 def _picked(pool: list[SceneObject], things: Things) -> list[SceneObject]:
     if things.size and pool:
-        largest = things.size == "largest"
-        pool = sorted(pool, key=lambda item: math.prod(item.size), reverse=largest)
-        pool = [item for item in pool if math.isclose(math.prod(item.size), math.prod(pool[0].size), rel_tol=1e-3)]
+        high = things.size in ("tallest", "shortest")
+        sizes = {item.id: item.size[2] if high else math.prod(item.size) for item in pool}
+        extreme = max(sizes.values()) if things.size in ("largest", "tallest") else min(sizes.values())
+        pool = [item for item in pool if math.isclose(sizes[item.id], extreme, rel_tol=1e-3)]
     if things.ordinal:
         at = things.ordinal if things.ordinal < 0 else things.ordinal - 1
         pool = [pool[at]] if -len(pool) <= at < len(pool) else []

@@ -9,13 +9,13 @@ from shapely.ops import nearest_points
 
 from mansion_editing.instructions.meaning.choices import things_meant
 from mansion_editing.instructions.meaning.context import Context
-from mansion_editing.instructions.statements import Place, Rooms, Shift
+from mansion_editing.instructions.statements import Place, Rooms, Shift, Spot
 from mansion_editing.state import SceneState
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import SceneObject
 from mansion_scene.decor.frames import wall_edges
 
-__all__ = ["direction_of"]
+__all__ = ["direction_of", "faced_point", "rotation_towards"]
 
 _COMPASS: Final = {"east": (1.0, 0.0), "north": (0.0, 1.0), "west": (-1.0, 0.0), "south": (0.0, -1.0)}
 _OWN: Final = {"front": 90.0, "left": 180.0, "behind": 270.0, "right": 0.0}
@@ -51,18 +51,43 @@ def _mark(statement: Shift, item: SceneObject, state: SceneState, context: Conte
             things_meant(state, mark, context), key=lambda other: (math.dist(other.position, item.position), other.id)
         )
         return found.position[0], found.position[1]
+    line = _nearest_of_spot(statement.spot, item, state)
+    point = nearest_points(line, Point(item.position[0], item.position[1]))[0]
+    return point.x, point.y
+
+
+def faced_point(spot: Spot, item: SceneObject, state: SceneState) -> tuple[float, float]:
+    """Return the middle of the window or door that a thing turns to, or the point of the wall before it.
+
+    Raises
+    ------
+    MansionError
+        ``NOT_FOUND`` where its room has none.
+    """
+    line = _nearest_of_spot(spot, item, state)
+    here = Point(item.position[0], item.position[1])
+    point = nearest_points(line, here)[0] if spot == "wall" else line.centroid
+    return point.x, point.y
+
+
+def rotation_towards(item: SceneObject, point: tuple[float, float]) -> float:
+    """Return the rotation at which the front of an object points to a point, degrees."""
+    dx, dy = point[0] - item.position[0], point[1] - item.position[1]
+    return round(math.degrees(math.atan2(-dx, dy)) % 360.0, 4)
+
+
+def _nearest_of_spot(spot: Spot, item: SceneObject, state: SceneState) -> LineString:
+    """Return the window, door or wall of its room that is nearest to a thing."""
     found_room = state.room(item.room)
     assert found_room is not None
     room, scene = found_room[1], state.scenes[found_room[0]]
     lines = {
         "window": [LineString(window.segment) for window in scene.windows if window.room == room.id],
         "door": [LineString(door.segment) for door in scene.doors if room.id in door.rooms],
-    }.get(statement.spot)
+    }.get(spot)
     if lines is None:
         lines = [LineString([edge.start, edge.end]) for edge in wall_edges(room.net_polygon, room.net_holes)]
     if not lines:
-        raise MansionError(ErrorCode.NOT_FOUND, f"{room.id} has no {statement.spot}")
+        raise MansionError(ErrorCode.NOT_FOUND, f"{room.id} has no {spot}")
     here_now = Point(item.position[0], item.position[1])
-    nearest = min(lines, key=lambda line: (round(line.distance(here_now), 4), line.wkt))
-    point = nearest_points(nearest, here_now)[0]
-    return point.x, point.y
+    return min(lines, key=lambda line: (round(line.distance(here_now), 4), line.wkt))

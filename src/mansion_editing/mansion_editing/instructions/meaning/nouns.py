@@ -18,6 +18,8 @@ _BUILT_IN: Final = frozenset({"sink", "faucet", "beer_tap"})
 """Categories that stand in furniture and are fixed to it all the same."""
 
 _SEATS: Final = ("chair", "stool", "sofa", "loveseat", "bench", "seat", "pouf", "ottoman", "recliner", "pew", "couch")
+_SOFAS: Final = ("sofa", "loveseat")
+_CUPBOARDS: Final = ("wall_cabinet", "storage_cabinet", "china_cabinet", "bathroom_cabinet", "medicine_cabinet")
 _DRINKS: Final = ("cola_can", "juice_carton", "milk_carton", "water_bottle", "beer_bottle", "wine_bottle")
 _FOOD: Final = (
     "yogurt", "cheese", "butter", "jam_jar", "cereal_box", "canned_food", "apple", "orange", "banana", "lemon",
@@ -76,6 +78,12 @@ _MANY: Final[dict[str, Callable[[SceneObject], bool]]] = {
     "openable": lambda item: item.openable,
     "counter": _ending(("counter", "counter_top")),
     "sink": _ending(("sink", "sink_unit")),
+    "basin": _ending(("washbasin", "sink")),
+    "toilet": _one_of(("toilet", "toilet_pan")),
+    "cupboard": _one_of(_CUPBOARDS),
+    "couch": _ending(_SOFAS),
+    "settee": _ending(_SOFAS),
+    "pc": _one_of(_COMPUTERS),
     "furniture": _is_furniture,
     "furnishing": _is_furniture,
     "light": is_light,

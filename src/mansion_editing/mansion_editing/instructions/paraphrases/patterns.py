@@ -2,11 +2,14 @@
 
 import re
 import tomllib
+from collections.abc import Iterable
 from functools import cache
 from importlib.resources import files
 from typing import Final, NamedTuple
 
-__all__ = ["CLAUSE_START", "DETERMINERS", "in_plain_words", "in_running_text"]
+from mansion_editing.instructions.phrases.verb_words import BY_WORDS
+
+__all__ = ["CLAUSE_START", "DETERMINERS", "in_plain_words", "in_running_text", "without_idioms"]
 
 _NUMBERS: Final = r"one|two|three|four|five|six|seven|eight|nine|ten|eleven|twelve|\d+"
 DETERMINERS: Final = (
@@ -30,6 +33,7 @@ _MACROS: Final = {
     "state": "(?:on|off|open|closed|shut|running|switched on|switched off|lit)",
     "rest": r"[^.!?;\n]+?",
     "lead": r"[^.!?;:\n]+?",
+    "order": f"(?:{'|'.join(sorted(words[0] for words in BY_WORDS if len(words) == 1))})",
 }
 _CONTRACTED: Final = (
     (r"\bcan't\b", "cannot"), (r"\bwon't\b", "will not"), (r"\bshan't\b", "shall not"), (r"n't\b", " not"),
@@ -42,6 +46,12 @@ _MARKS: Final = (
     ("[‘’`]", "'"), ("[“”„]", '"'), (r"\s*(?:\.\.\.|…)\s*", " - "), (r"\s+(?:--|[–—-])\s+", " - "),
     (r"\bi\. ?e\. ?", "that is "), (r"\be\. ?g\. ?", "for example "), (r"[ \t]+", " "),
 )  # fmt: skip
+
+
+_ARTICLES: Final = re.compile(r"(?<=[a-z,] )(?:An?|The|Another|Some)\b")
+"""Those that no longer begin a sentence."""
+_IDIOMS: Final = "idioms"
+"""The group of what would be misread rather than not understood."""
 
 
 class _Rule(NamedTuple):
@@ -57,10 +67,27 @@ def in_plain_words(text: str) -> str:
     >>> in_plain_words("a trio of chairs")
     'three chairs'
     """
-    for group in _groups():
-        for rule in group:
-            text = rule.pattern.sub(rule.plain, text)
-        text = _tidied(text)
+    for name, group in _groups().items():
+        if name != _IDIOMS:
+            text = _tidied(_replaced(text, group))
+    return text
+
+
+def without_idioms(text: str) -> str:
+    r"""Return a text in which set phrases that mean something else than their words are put plainly.
+
+    Examples
+    --------
+    >>> without_idioms("Lights out in the hall!")
+    'switch the lights off in the hall!'
+    """
+    plain = _replaced(text, _groups()[_IDIOMS])
+    return text if plain == text else _tidied(plain)
+
+
+def _replaced(text: str, rules: Iterable[_Rule]) -> str:
+    for rule in rules:
+        text = rule.pattern.sub(rule.plain, text)
     return text
 
 
@@ -72,13 +99,14 @@ def in_running_text(text: str) -> str:
 
 
 @cache
-def _groups() -> tuple[tuple[_Rule, ...], ...]:
-    """Return the rules in the order of the file, compiled."""
+def _groups() -> dict[str, tuple[_Rule, ...]]:
+    """Return the groups of rules in the order of the file, compiled."""
     data = tomllib.loads(files(__package__).joinpath("data/plain_words.toml").read_text(encoding="utf-8"))
     words = data.pop("words")
-    return tuple(
-        tuple(_compiled(pattern, plain, words) for pattern, plain in group["rules"]) for group in data.values()
-    )
+    return {
+        name: tuple(_compiled(pattern, plain, words) for pattern, plain in group["rules"])
+        for name, group in data.items()
+    }
 
 
 def _compiled(pattern: str, plain: str, words: dict[str, str]) -> _Rule:
@@ -95,4 +123,5 @@ def _tidied(text: str) -> str:
     text = re.sub(r",(?:\s*,)+", ",", text)
     text = re.sub(r"(^|[.!?;\n])\s*(?:[,:]|- )+\s*", r"\1 ", text)
     text = re.sub(r"(?:,| -)+\s*([.!?;]|$)", r"\1", text)
+    text = _ARTICLES.sub(lambda match: match.group().lower(), text)
     return re.sub(r"[ \t]+", " ", text).strip()

@@ -1,15 +1,17 @@
 """Read an instruction; one that is not understood as it stands, in other words and without what only tells."""
 
+import re
 from collections.abc import Iterator
+from typing import Final
 
 import msgspec
 
-from mansion_editing.instructions.paraphrases.patterns import in_plain_words, in_running_text
+from mansion_editing.instructions.paraphrases.patterns import in_plain_words, in_running_text, without_idioms
 from mansion_editing.instructions.paraphrases.remarks import without_remarks
 from mansion_editing.instructions.paraphrases.strange_verbs import with_known_verbs
 from mansion_editing.instructions.phrases.lexicon import Lexicon
 from mansion_editing.instructions.sentences.reader import read_instruction
-from mansion_editing.instructions.statements import Instruction, Mention
+from mansion_editing.instructions.statements import Instruction, Mention, Things
 from mansion_editing.state import SceneState
 
 __all__ = ["read_in_other_words", "reworded"]
@@ -17,6 +19,12 @@ __all__ = ["read_in_other_words", "reworded"]
 _MOST_REMARKS = 2
 _MOST_READINGS = 14
 """How often one instruction is read."""
+_CORRECTION: Final = re.compile(
+    r"(?:\.\.\.|…|\s-|,|\.)\s*(?:(?:no|oh|oops|er|um)\b,? )*"
+    r"(?:sorry, |no,? wait|wait,? no|scratch that|i mean(?:t)? |or rather |make that |forget (?:that|it)\b)",
+    re.IGNORECASE,
+)
+"""Words by which what was said just before is taken back."""
 
 
 def read_in_other_words(text: str, state: SceneState, brief: str = "") -> Instruction:
@@ -30,18 +38,33 @@ def read_in_other_words(text: str, state: SceneState, brief: str = "") -> Instru
         With `read_as` where it was put in other words, and a passed-over `Mention` of each clause that was left out;
         where no wording is understood, what was read of the instruction's own.
     """
-    first = read_instruction(text, state, brief)
-    if not first.not_understood or first.undecided:
+    plainly = without_idioms(text)
+    first = read_instruction(plainly, state, brief)
+    if plainly != text:
+        first, text = msgspec.structs.replace(first, read_as=plainly), plainly
+    if first.undecided or _is_clear(first, text):
         return first
     lexicon = Lexicon(state)
     for number, (plain, remarks) in enumerate(_wordings(text, lexicon, tuple(state.floors))):
         if number >= _MOST_READINGS:
             break
         read = read_instruction(plain, state, brief)
-        if not read.not_understood:
+        if _is_clear(read, plain):
             left = [Mention(quote=remark, passed_over=True) for remark in remarks]
             return msgspec.structs.replace(read, statements=[*read.statements, *left], read_as=plain)
+    if _CORRECTION.search(text) and not first.not_understood:
+        return msgspec.structs.replace(first, not_understood=[_CORRECTION.search(text)[0].strip(" .-…,")])  # type: ignore[index]
     return first
+
+
+def _is_clear(read: Instruction, text: str) -> bool:
+    """Whether a text was understood, and nothing is left of a correction or of what a pronoun takes up of a remark."""
+    if read.not_understood or _CORRECTION.search(text):
+        return False
+    asked = next((one for one in read.statements if not isinstance(one, Mention)), None)
+    things = getattr(asked, "things", None)
+    bare = isinstance(things, Things) and things.refers == "last" and not things.noun
+    return not (bare and isinstance(read.statements[0], Mention))
 
 
 def reworded(text: str, lexicon: Lexicon) -> str:

@@ -169,7 +169,8 @@ def _begins(texts: Sequence[str], said: tuple[str, ...]) -> bool:
 def _counts_things(words: Sequence[Word], lexicon: Lexicon) -> bool:
     """Whether a number stands before a thing of the catalogue."""
     for at, word in enumerate(words):
-        if word.kind == "number" and any(_is_thing(after, lexicon) for after in words[at + 1 : at + 4]):
+        one_of = word.text == "one" and text_at(words, at + 1) == "of"
+        if word.kind == "number" and not one_of and any(_is_thing(after, lexicon) for after in words[at + 1 : at + 4]):
             return True
     return False
 
@@ -360,7 +361,9 @@ def _taken_up(
     if first.text not in _SINGULAR | _SEVERAL or len(things) != 1:
         return None if things else after
     at, item = things[0]
-    if not item.phrase.definite or item.phrase.noun.plural != (first.text in _SEVERAL):
+    one_of = part[at].text == "one" and text_at(part, at + 1) == "of"
+    plural = item.phrase.noun.plural and not one_of
+    if not (item.phrase.definite or one_of) or plural != (first.text in _SEVERAL):
         return None
     said = text[part[at].start : part[item.end - 1].end]
     return f"{after[: first.start - offset]}{said}{after[first.end - offset :]}"

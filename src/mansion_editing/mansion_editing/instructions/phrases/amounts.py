@@ -14,12 +14,17 @@ Amounted: TypeAlias = tuple[Amount, bool, bool, int]
 
 
 PARTS: Final = frozenset(
-    "seat seater person drawer door piece tier legged leg floor burner arm door shelf panel".split()
+    "seat seater person drawer door piece tier legged leg burner arm door shelf panel".split()
 )
+_COUNTED_IN_NAMES: Final = frozenset("drawer door leg shelf panel".split())
+"""Parts that names of whole things begin with too: ``two door mats``."""
 
 
 def is_compound(words: Sequence[Word], at: int) -> bool:
     """Whether a number only tells of a part, as in ``three-seat sofa``."""
+    names = text_at(words, at + 1) in _COUNTED_IN_NAMES and text_at(words, at - 1) not in DETERMINERS
+    if names and at + 2 < len(words) and words[at + 2].plural:
+        return False
     return (
         at + 2 < len(words)
         and words[at + 1].text in PARTS
@@ -159,7 +164,7 @@ def _indefinite(words: Sequence[Word], at: int) -> Amounted:
         return Amount(kind="more" if more else "some", number=number), False, False, place
     further = words[place] if place < len(words) else None
     if further is not None and (
-        further.kind == "ordinal" or further.text in ("additional", "extra", "further", "second")
+        (further.kind == "ordinal" and further.value > 1) or further.text in ("additional", "extra", "further", "second")
     ):
         return Amount(kind="more", number=1), False, False, place + 1
     return Amount(number=1), False, False, place

@@ -87,7 +87,7 @@ class NounPhrase:
             every=several and self.amount.kind in ("some", "all"),
             number=self.amount.number if noun.plural and self.amount.number > 1 else 0,
             ordinal=noun.ordinal,
-            size=noun.size,
+            size=noun.size if noun.size in ("largest", "smallest") else "",
             others=others,
         )
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
-from typing import Final, Literal
+from typing import Final, Literal, TypeAlias
 
 from mansion_editing.instructions.phrases.amounts import PARTS
 from mansion_editing.instructions.phrases.lexicon import ANYTHING, HYPERNYMS, Lexicon
@@ -35,8 +35,9 @@ _COLLECTIONS: Final = frozenset("loaf slice bunch stack pile pair piece set coup
 _OPENING: Final = frozenset(["door", "lid"])
 
 
-_SIZES: Final[dict[str, Literal["largest", "smallest"]]] = {
-    "largest": "largest", "biggest": "largest", "smallest": "smallest",
+_Size: TypeAlias = Literal["", "largest", "smallest", "tallest", "shortest"]
+_SIZES: Final[dict[str, _Size]] = {
+    "largest": "largest", "biggest": "largest", "smallest": "smallest", "tallest": "tallest", "shortest": "shortest",
 }  # fmt: skip
 
 
@@ -52,7 +53,7 @@ class Noun:
     colour: str = ""
     material: str = ""
     ordinal: int = 0
-    size: Literal["", "largest", "smallest"] = ""
+    size: _Size = ""
     states: dict[str, bool] = field(default_factory=dict)
     unknown: tuple[str, ...] = ()
     floors: tuple[int, ...] = ()
@@ -164,7 +165,7 @@ def _modified(
     """Read the modifiers before a noun."""
     colour = material = ""
     ordinal = 0
-    size: Literal["", "largest", "smallest"] = ""
+    size: _Size = ""
     states: dict[str, bool] = {}
     rest: list[Word] = []
     for at, word in enumerate(before):

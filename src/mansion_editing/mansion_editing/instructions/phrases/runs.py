@@ -15,8 +15,9 @@ from mansion_editing.instructions.phrases.words import (
     NEED,
     PARTICIPLES_OF_REST,
     PREPOSITIONS,
-    Word,
+    VAGUE,
     text_at,
+    Word,
 )
 from mansion_language.colours import COLOUR_WORDS
 
@@ -82,6 +83,7 @@ def end_of_run(words: Sequence[Word], at: int, lexicon: Lexicon) -> int:
             end += 1
             continue
         bare = end == at and text in ("empty", "free", "clear", "closed", "round")
+        bare = bare or (text == "round" and all(before.text in VAGUE for before in words[at:end]))
         thing = bare and text == "round" and lexicon.is_object((text_at(words, end + 1),))
         if thing or (bare and _starts_noun(words, end + 1, end + 1, lexicon)):
             end += 1

@@ -20,7 +20,7 @@ _VERBS: Final[dict[Deed, str]] = {
            "assemble|bring in|pop|"
            "scatter|drape|put up|put down|put out|add in|put in|put back|place back|set down|put on|dock|situate|"
            "generate|organise|organize|prepare|decorate|procure|leave behind|slot|slide in|nest|sit|"
-           "lay down|rack|file|organize|stow|stash",
+           "lay down|rack|file|organize|stow|stash|stack|pile|pile up|heap",
     "bring": "bring|fetch|deliver|get|carry|return",
     "remove": "remove|delete|take away|take out|take off|take down|get rid of|throw away|throw out|dispose of|discard|"
               "eliminate|clear away|erase|bin|scrap|drop off|rid|ditch|lose|junk|trash|chuck out|chuck|"

@@ -113,7 +113,17 @@ ADVERBS: Final = frozenset(
     "therefore today tonight tomorrow here actually basically slightly bit little even same way thus altogether "
     "neatly nicely safely gently everywhere along though itself themselves anyway however besides".split()
 )
-UNRECORDED: Final = frozenset(
+_OF_TASTE: Final = frozenset(
+    "comfy snug posh fabulous spacious roomy sleek chic trendy classy rustic vintage antique retro contemporary "
+    "ergonomic lightweight chunky slim slender giant enormous massive gigantic oversized medium-sized mid-sized "
+    "decorative ornate plush fluffy cuddly squishy padded practical handy reliable robust silent noisy squeaky "
+    "wobbly rickety creaky shabby worn-out tatty scruffy grubby dusty filthy stained smelly stinky mouldy brand- "
+    "new pristine spotless shiny sparkling cheerful colourful colorful funky quirky adorable tasteful luxurious "
+    "expensive pricey inexpensive affordable delicious yummy friendly calming soothing inviting welcoming homely biggish smallish".split()
+)
+"""Adjectives of taste, size and wear, which no scene describes and no name of a thing has."""
+
+UNRECORDED: Final = _OF_TASTE | frozenset(
     "nice new small large big clean fresh cosy cozy comfortable modern old fancy simple pretty beautiful lovely little "
     "tiny huge tall long wide low high round rectangular dirty tasty warm cute elegant cheap sturdy soft heavy "
     "stylish ripe smaller larger bigger taller newer nicer better softer brighter wider comfier prettier "
@@ -121,7 +131,7 @@ UNRECORDED: Final = frozenset(
 )
 """Adjectives that are understood but that no scene describes."""
 
-VAGUE: Final = frozenset(
+VAGUE: Final = _OF_TASTE | frozenset(
     "nice new small large big clean fresh full empty good proper decent spare extra additional cosy cozy comfortable "
     "modern old fancy simple plain pretty beautiful lovely little tiny huge tall short long wide narrow low high "
     "normal usual standard regular suitable matching similar different own personal certain main existing current "

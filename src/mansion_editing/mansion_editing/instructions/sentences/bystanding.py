@@ -42,7 +42,7 @@ _ASKING: Final = MODALS | NEED | frozenset(
     "please let make wish prefer like love fancy expect missing belong deserve instead only just another more less "
     "fewer exactly least most each every all both half either or to too longer anymore if unless when until except "
     "wrong same supposed due ready nice good great better best ask demand than unwanted superfluous surplus "
-    "unnecessary redundant enough insist suggest recommend propose beg urge".split()
+    "unnecessary redundant enough plenty ample sufficient suffice insist suggest recommend propose beg urge".split()
 )  # fmt: skip
 """Words of clauses that may ask for something, though their form only tells."""
 
@@ -84,7 +84,7 @@ def asks_for_nothing(words: Sequence[Word], lexicon: Lexicon, *, followed: bool)
         return False
     texts = [word.text for word in words]
     plenty = texts[verb] in _HAVING and ("enough" in texts or "plenty" in texts)
-    asking = bool(set(texts) & (_ASKING - {"enough"} if plenty else _ASKING))
+    asking = bool(set(texts) & (_ASKING - {"enough", "plenty"} if plenty else _ASKING))
     asking = asking or any(word.raw.endswith("'d") for word in words)
     asking = asking or tells_what_becomes(words)
     if asking or (set(texts) & _LACKING and not followed and not _denies_kind(texts, verb)):

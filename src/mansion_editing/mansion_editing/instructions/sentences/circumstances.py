@@ -44,6 +44,7 @@ _WISHING: Final = frozenset(
 _LIMITING: Final = frozenset(
     "only just exactly least most more less fewer enough instead except without another same other others rest "
     "everything nothing none one ones them those these anything something all both each every half neither either "
+    "plenty ample sufficient "
     "again back away if unless when until than otherwise anymore longer".split()
 )
 """Words that tell how much or which of something is meant."""

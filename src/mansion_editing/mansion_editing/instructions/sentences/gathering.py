@@ -177,6 +177,8 @@ class Gathering(Tails):
             quote = self._from_to(listed[0], statement)
             moved_all = [Move(things=gone.things, place=statement.place, quote=quote) for gone in listed]
             self.statements[-len(listed) :] = moved_all
+        elif isinstance(last, Mention) and self._moves_on_past_remarks(statement):
+            return True
         elif (isinstance(last, Remove) or is_only_fetched(last)) and last.things.noun and moves_it(statement):
             moved = Move(things=last.things, place=statement.place, quote=self._from_to(last, statement))
             if re.search(r"\b(not|no|No)\b|n't\b", last.quote):  # "we do not need it here: take it to the hall"
@@ -186,6 +188,16 @@ class Gathering(Tails):
                 self.statements[-1] = moved
         else:
             return False
+        return True
+
+    def _moves_on_past_remarks(self, statement: Move) -> bool:
+        """Read where what was taken out goes, with remarks in between: ``Get it out of here. It is loud. It can ...``."""
+        at = next((k for k in reversed(range(len(self.statements))) if not isinstance(self.statements[k], Mention)), 0)
+        last = self.statements[at]
+        if not isinstance(last, Remove) or not last.things.noun or not moves_it(statement) or self.topic is not None:
+            return False
+        self.statements[at] = Mention(quote=last.quote)
+        self.statements.append(msgspec.structs.replace(statement, things=last.things))
         return True
 
     def _tells_of_rest(self, statement: Statement, last: Statement | None) -> bool:

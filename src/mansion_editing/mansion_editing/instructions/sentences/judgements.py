@@ -41,6 +41,7 @@ _ASKING: Final = NEED | frozenset(
     "please let make wish prefer like love fancy expect missing belong deserve instead only another more less fewer "
     "exactly least most each every either or if unless when until except supposed due enough ask unwanted superfluous "
     "surplus unnecessary redundant needed necessary required wanted many few several spare welcome here there gone "
+    "plenty ample sufficient suffice "
     "same without".split()
 )
 """Words of a predicate by which it may ask for something."""

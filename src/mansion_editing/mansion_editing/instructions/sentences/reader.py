@@ -279,10 +279,11 @@ class _Reader(
                 self.statements.append(Mention(quote=self._quote(words, at, end)))
                 at = end
                 continue
-            start = at
+            start, told = at, len(self.statements)
             at = self._goes_to_rest(reader, at) or self._read_clause(reader, words, at)
             if reader.text(at) == ":":
                 self._tidied_before(reader, start)
+                self._told_before(reader, told, reader.skip(at))
 
     def _read_later_frame(self, reader: ClauseReader, at: int) -> int:
         """Read a room that a later clause begins with: ``leave the hall, but in the kitchen remove the mugs``."""
@@ -308,6 +309,21 @@ class _Reader(
         told = isinstance(last, Mention) and last.rooms is not None and reader.frame == Place()
         if told and verb is not None and verb[0] == "tidy" and isinstance(last, Mention):
             reader.frame = Place(rooms=last.rooms)
+
+    def _told_before(self, reader: ClauseReader, first: int, at: int) -> None:
+        """Let ``the hall gets new chairs: replace the armchairs`` ask for no more than the order after the colon."""
+        told = self.statements[first:]
+        if verb_at(reader.words, at, self.lexicon) is None or not told:
+            return
+        after = [word.text for word in reader.words[at:]]
+        for statement in told:
+            head = statement.things.noun.split()[-1:] if isinstance(statement, Add | Ensure) else []
+            if not head or not any(text.endswith(head[0]) for text in after):
+                return
+        if not {"it", "them", "they", "these", "those", "both"} & {*after}:
+            self.statements[first:] = [Mention(quote=told[0].quote)]
+            if reader.frame == Place() and isinstance(told[0], Add | Ensure) and told[0].place.anchor is None:
+                reader.frame = Place(rooms=told[0].place.rooms)
 
     def _begin(self, reader: ClauseReader, words: Sequence[Word]) -> int:
         """Return the place after what a sentence only begins with: ``no, wait``, ``from now on``."""

@@ -83,7 +83,9 @@ def is_surplus(statement: Move | Remove, last: Ensure) -> bool:
     things, most = statement.things, last.things.amount
     named = bool(_SURPLUS.search(statement.quote)) and things.noun in ("", "one", last.things.noun)
     others = things.refers == "others" and not things.noun and isinstance(statement, Move)
-    return (named or others) and most.kind in ("at_most", "exactly") and things.place is None and bool(last.things.noun)
+    counted = things.refers == "last" and things.amount.kind == "some" and things.amount.number > 0
+    fewer = counted and not (things.noun or things.definite) and isinstance(statement, Remove)
+    return (named or others or fewer) and most.kind in ("at_most", "exactly") and things.place is None and bool(last.things.noun)
 
 
 def tells_of_surplus(statement: Statement) -> bool:
@@ -101,7 +103,7 @@ def tells_who_may_stay(statement: Statement) -> bool:
 def surplus_of(last: Ensure, things: Things) -> Things:
     """Return the things beyond the number that shall be at a place."""
     most = last.things.amount.number
-    whole = most + things.amount.number if things.refers == "others" and things.amount.kind == "some" else 0
+    whole = most + things.amount.number if things.refers and things.amount.kind == "some" else 0
     rest = Amount(kind="all_but", number=most, of=whole if whole > most else 0)
     at = None if last.place == Place() else last.place
     return msgspec.structs.replace(last.things, amount=rest, definite=True, plural=True, place=at)

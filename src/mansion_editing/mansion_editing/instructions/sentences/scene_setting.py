@@ -297,7 +297,8 @@ class SceneSetting(Progress):
     def _of_scene(self, statement: Statement) -> list[Statement]:
         """Return a statement about what the clause before told of: ``both``, ``that apple``, ``these two``."""
         scene = self.scene
-        if isinstance(statement, Swap) and statement.one == statement.other:
+        told = isinstance(statement, Swap) and isinstance(statement.one, Things) and bool(statement.one.refers)
+        if isinstance(statement, Swap) and told and statement.one == statement.other:
             if len(scene) != 2:
                 self.unknown.append(statement.quote)  # it is not told which two
                 return []
