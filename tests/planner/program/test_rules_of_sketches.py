@@ -147,3 +147,10 @@ def test_the_solver_takes_the_sketches_as_they_are(brief: str) -> None:
     for problem in plan_building(BuildRequest(description=brief)).problems:
         model = make_model(problem, SolverOptions())
         assert planned_partition(model, major_lines(model)) is not None
+
+
+@pytest.mark.parametrize("seed", [1, 2])
+def test_guests_of_a_hotel_have_a_window_whatever_the_depth_of_the_plan(seed: int) -> None:
+    building = planned("a four-storey hotel", seed)
+    for sketch in building.sketches.values():
+        assert all(is_outside(p, building.massing) for p in sketch.rooms if p.room.kind.name == "hotel_room")

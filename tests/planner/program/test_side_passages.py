@@ -6,9 +6,11 @@ from mansion_geometry.randomness import item_generator
 from mansion_knowledge import default_knowledge
 from mansion_msgs_py.request import BuildRequest
 from mansion_planner.brief import read_brief
+from mansion_planner.program.blocks import Block, lay_block
 from mansion_planner.program.building import PlannedBuilding, plan_program
 from mansion_planner.program.model import Placement, box_area, short_edges
 from mansion_planner.program.plan_quality import fill
+from mansion_planner.program.planned_rooms import planned_room
 from mansion_planner.program.side_passages import PASSAGE, Wish, cluster_layout, cluster_width
 
 BRIEFS = (
@@ -58,3 +60,14 @@ def test_rooms_of_a_cluster_are_about_as_large_as_asked_for_and_no_strips() -> N
         short, long = sorted((box[2] - box[0], box[3] - box[1]))
         assert box_area(box) == pytest.approx(wish.area, rel=0.25)
         assert long < 2.7 * short
+
+
+@pytest.mark.parametrize("depth", [2.5, 3.0, 4.5])
+def test_a_wheelchair_turns_in_a_toilet_beside_another_room_however_shallow_their_band(depth: float) -> None:
+    knowledge = default_knowledge()
+    toilet, bakery = (planned_room(knowledge.room(name), knowledge) for name in ("accessible_toilet", "bakery"))
+    laid = {room.id: boxes for room, boxes in lay_block(Block(bakery, (toilet,)), 40.0 / depth, depth)}
+    (box,) = laid["accessible_toilet"]
+    short, long = sorted((box[2] - box[0], box[3] - box[1]))
+    assert short >= 1.6 and long >= 2.3
+    assert sum(map(box_area, [box, *laid["bakery"]])) == pytest.approx(40.0)

@@ -14,6 +14,7 @@ from mansion_planner.brief.facts import AdjacencyFact
 from mansion_planner.program.aisle_sketch import aisle_massings, plan_price
 from mansion_planner.program.allocation import Allocation
 from mansion_planner.program.back_of_house import behind_staff_rooms
+from mansion_planner.program.blocks import needs_outer_wall
 from mansion_planner.program.decisions import Decisions
 from mansion_planner.program.dining_kitchens import with_kitchen
 from mansion_planner.program.footprint import free_cores, free_massing, sketch_free
@@ -38,6 +39,7 @@ from mansion_planner.program.outline import Envelope, Frame, envelope_of
 from mansion_planner.program.plan_quality import (
     carved,
     comes_out_as_strips,
+    dark_rooms,
     shallow_garages,
     shrunk_rooms,
     strips,
@@ -125,7 +127,7 @@ def _own_sketches(layout: Arrangement) -> list[Sketch]:
 
 
 def _ill_shaped(layout: Arrangement, *, home: bool) -> tuple[int, float]:
-    """Count the garages that are too shallow for their cars, and the rooms that are strips, too small or too large.
+    """Count the garages that are too shallow for their cars, and rooms: strips, too small or large, without a window.
 
     Homes count what is wrong with them as such besides.
     """
@@ -134,10 +136,25 @@ def _ill_shaped(layout: Arrangement, *, home: bool) -> tuple[int, float]:
         len(strips(sketch)) + len(carved(sketch)) + len(shrunk_rooms(sketch)) + len(swollen_rooms(sketch))
         for sketch in own
     )
+    ill += sum(_unlit(layout.sketches[storey.index], layout.massing) for storey in layout.storeys if _is_plain(storey))
     if home:
         above = [storey for storey in layout.storeys if storey.copy is None and storey.index >= 1]
         ill += home_faults([(s, layout.sketches[s.index], layout.envelopes[s.index].area) for s in above])
     return sum(len(shallow_garages(sketch)) for sketch in own), ill
+
+
+def _is_plain(storey: Storey) -> bool:
+    """Whether a storey has a plan of its own, under the same walls as the others."""
+    return storey.copy is None and not (storey.setback or storey.extension)
+
+
+def _unlit(sketch: Sketch, massing: Massing) -> int:
+    """Count the rooms of a bar without wings that must have a window and lie behind others."""
+    if massing.wings:
+        return 0
+    return sum(
+        needs_outer_wall(placement.room.kind) and bool(placement.boxes) for placement in dark_rooms(sketch, massing)
+    )
 
 
 _DEEP_FROM = 450.0

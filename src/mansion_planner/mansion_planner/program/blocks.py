@@ -355,15 +355,16 @@ def lay_block(block: Block, width: float, depth: float) -> list[tuple[PlannedRoo
     for number, room in enumerate(block.smalls):
         front, least = least_sides(room)
         high = max(_front_depth(room.area * scale, depth), min(least, depth - _BEHIND))
+        high = high if _fits_in_front(room, depth) else depth
         after = sum(least_sides(other)[0] for other in (*block.smalls[number + 1 :], block.host))
         wide = min(max(room.area * scale / high, front), max(width - x - after, 0.5))
-        high = min(high, max(room.area * scale / wide, least))
+        high = min(high, max(room.area * scale / wide, least)) if high < depth else depth
         corner_boxes.append((x, 0.0, x + wide, high))
         placed.append((room, [(x, 0.0, x + wide, high)]))
         x += wide
     if block.smalls:
         boxes = [(x, 0.0, width, depth)]
-        boxes += [(box[0], box[3], box[2], depth) for box in corner_boxes]
+        boxes += [(box[0], box[3], box[2], depth) for box in corner_boxes if box[3] < depth - 0.01]
         placed.append((block.host, boxes))
         return placed
     return _lay_suite(block.host, width, depth, scale)
