@@ -27,7 +27,7 @@ def nail_table(b: Builder) -> None:
 
 @recipe("waiter_station")
 def waiter_station(b: Builder) -> None:
-    """A sideboard with a plate between knife and fork on its doors, and a cup that steams on its side."""
+    """A sideboard with a plate between knife and fork on its doors, and a steaming cup on its side."""
     cabinet(b)
     w, d, h = b.w, b.d, b.h
     face = DrawnFace.front(b, d / 2 - 0.006)
