@@ -66,6 +66,20 @@ def test_a_telly_is_a_tv_on_the_wall_where_no_other_is(furnished: list[FloorScen
     assert _found("telly", furnished, catalogue, "wall_tv", "television") == ["television"]
 
 
+@pytest.mark.parametrize(
+    ("noun", "kinds"),
+    [("cupboard", ["wall_cabinet"]), ("toilet", ["toilet_pan"]), ("couch", ["loveseat"]), ("basin", ["washbasin"])],
+)
+def test_kinds_answer_to_what_people_call_them(
+    furnished: list[FloorScene], catalogue: Catalogue, noun: str, kinds: list[str]
+) -> None:
+    assert [kind for kind in _found(noun, furnished, catalogue, *kinds) if kind in kinds] == kinds
+
+
+def test_a_cabin_is_no_bin(furnished: list[FloorScene], catalogue: Catalogue) -> None:
+    assert "shower_cabin" not in _found("bin", furnished, catalogue, "shower_cabin", "waste_bin")
+
+
 def test_what_a_cup_holds_is_no_cup(furnished: list[FloorScene], catalogue: Catalogue) -> None:
     assert "yogurt" not in _found("cup", furnished, catalogue, "yogurt")
 
