@@ -58,7 +58,8 @@ def test_arrangements_name_receptacles_and_small_things() -> None:
 def test_sizes_are_plausible() -> None:
     for asset in CATALOGUE.assets.values():
         assert all(
-            0.0029 < side < 4.3 or asset.category in ("garage_car", "pool_basin", "van", "truck", "fire_engine")
+            0.0029 < side < 4.3
+            or asset.category in ("garage_car", "pool_basin", "ice_rink", "van", "truck", "fire_engine")
             for side in asset.size
         ), asset.key
         if asset.mount == "floor":

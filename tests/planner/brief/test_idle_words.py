@@ -21,6 +21,7 @@ def _unread(text: str) -> list[str]:
         "We just had our second baby, so the flat is bursting. A house with four bedrooms.",
         "A house for three generations under one roof with a hall.",
         "A cinema with a foyer. The city gave us money for it.",
+        "Our family is moving back to Ireland and wants a house. The kids go to school across the road.",
         "A police station. It is cold there nine months a year.",
     ],
 )

@@ -340,16 +340,6 @@ def kettle(b: Builder) -> None:
     )
 
 
-@recipe("vacuum")
-def vacuum(b: Builder) -> None:
-    """Upright cleaner."""
-    w, d, h = b.w, b.d, b.h
-    b.cushion((-w / 2, w / 2), (0, d / 2), (0, 0.12), "plastic_dark", "head", 0.5)
-    b.rod((0, 0.05, 0.1), (0, -d / 2 + 0.1, h * 0.6), min(w, d) * 0.28, b.mat(), "body", 16, solid=True)
-    b.rod((0, -d / 2 + 0.12, h * 0.55), (0, -d / 2 + 0.02, h - 0.02), 0.018, "metal_steel", "handle")
-    b.cushion((-0.05, 0.05), (-d / 2, -d / 2 + 0.08), (h - 0.1, h), "plastic_black", "grip")
-
-
 @recipe("ironing_board")
 def ironing_board(b: Builder) -> None:
     """Board on crossed legs."""

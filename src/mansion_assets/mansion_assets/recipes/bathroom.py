@@ -330,12 +330,3 @@ def curtain(b: Builder) -> None:
             )
     if style != "rail":
         b.box((-w / 2, -w / 2 + 0.01), (-d / 2, d / 2), (h - 0.06, h), "metal_steel", "end", solid=False)
-
-
-@recipe("toothbrush")
-def toothbrush(b: Builder) -> None:
-    """Cup with two brushes."""
-    w, h = b.w, b.h
-    b.lathe([(0.42, 0), (0.5, h * 0.5), (0.44, h * 0.5), (0.38, 0.01)], b.mat(), stretch=(w, b.d), n=14)
-    b.rod((-w * 0.1, 0, 0.01), (-w * 0.3, 0, h), 0.005, "plastic_red", "brush")
-    b.rod((w * 0.1, 0, 0.01), (w * 0.3, 0.01, h * 0.97), 0.005, "plastic_blue", "brush")

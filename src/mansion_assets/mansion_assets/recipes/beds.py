@@ -162,18 +162,6 @@ def _pet_cushion(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
     return [surface("mattress", (-w * 0.36, w * 0.36, -d * 0.36, d * 0.36), h * 0.5)]
 
 
-@recipe("pet_bed")
-def pet_bed(b: Builder) -> None:
-    """Padded ring around a cushion."""
-    w, d, h = b.w, b.d, b.h
-    b.cushion((-w * 0.42, w * 0.42), (-d * 0.42, d * 0.42), (0, h * 0.5), "fabric_beige", "cushion", 0.9)
-    for sx in (-1, 1):
-        lo, hi = sorted((sx * w / 2, sx * w * 0.36))
-        b.cushion((lo, hi), (-d / 2, d / 2), (0, h), b.mat(), "rim", 0.9)
-    b.cushion((-w / 2, w / 2), (-d / 2, -d * 0.36), (0, h), b.mat(), "rim", 0.9)
-    b.cushion((-w / 2, w / 2), (d * 0.36, d / 2), (0, h * 0.7), b.mat(), "rim", 0.9)
-
-
 @recipe("pillow")
 def pillow(b: Builder) -> None:
     """A cushion, thick in the middle."""

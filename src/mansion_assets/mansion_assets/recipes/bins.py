@@ -146,17 +146,6 @@ def basket(b: Builder) -> None:
     b.box((-w * 0.44, w * 0.44), (-d * 0.44, d * 0.44), (0, 0.01), b.mat(), "floor")
 
 
-@recipe("sack")
-def sack(b: Builder) -> None:
-    """Tied bag."""
-    b.lathe(
-        [(0.3, 0), (0.5, b.h * 0.2), (0.48, b.h * 0.5), (0.2, b.h * 0.85), (0.06, b.h * 0.9), (0.2, b.h)],
-        b.mat(),
-        stretch=(b.w, b.d),
-        n=14,
-    )
-
-
 @receptacles("open_top")
 def _open_tray(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
     """A tray of goods: stands, chest freezers, cradles."""

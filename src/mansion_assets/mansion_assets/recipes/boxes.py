@@ -6,26 +6,6 @@ from mansion_assets.registry import Recipe, recipe
 __all__: list[str] = []
 
 
-def _carton(b: Builder) -> None:
-    """Carton with labels; a tall one has a gable."""
-    w, d, h = b.w, b.d, b.h
-    x, y = (-w / 2, w / 2), (-d / 2, d / 2)
-    main = b.mat()
-    high = h * (0.86 if h > 1.3 * w else 1.0)
-    b.box(x, y, (0, high), main, "body")
-    if high < h:
-        b.prism(
-            [(-d / 2, high), (d / 2, high), (0.004, h * 0.97), (0.004, h), (-0.004, h), (-0.004, h * 0.97)],
-            x,
-            "paper_white",
-            part="gable",
-        )
-    b.box((-w * 0.32, w * 0.32), (d / 2 - 0.001, d / 2), (high * 0.3, high * 0.7), "paper_white", "label", solid=False)
-    b.box(
-        (-w * 0.36, w * 0.36), (d / 2 - 0.001, d / 2), (high * 0.74, high * 0.84), "paper_yellow", "label", solid=False
-    )
-
-
 def _carton_open(b: Builder) -> None:
     w, d, h = b.w, b.d, b.h
     t, low = 0.008, b.h * 0.92
@@ -154,16 +134,6 @@ def _speaker(b: Builder) -> None:
         b.rod((0, d / 2 - 0.013, z * h), (0, d / 2 - 0.001, z * h), r * wide * 0.4, "metal_grey", "cones", 12)
 
 
-def _screen(b: Builder) -> None:
-    """Case with a display and a plate on top."""
-    w, d, h = b.w, b.d, b.h
-    x, y = (-w / 2, w / 2), (-d / 2, d / 2)
-    main = b.mat()
-    b.box(x, y, (0, h), main, "case")
-    b.box((-w * 0.3, w * 0.3), (d / 2 - 0.001, d / 2), (h * 0.3, h * 0.7), "screen_blue", "panel", solid=False)
-    b.box((-w * 0.35, w * 0.35), (-d * 0.2, d * 0.25), (h - 0.001, h), "plastic_light", "plate", solid=False)
-
-
 def _wrapped(b: Builder) -> None:
     """Box with a band and a bow."""
     w, d, h = b.w, b.d, b.h
@@ -173,12 +143,6 @@ def _wrapped(b: Builder) -> None:
     b.box((-w * 0.06, w * 0.06), y, (0, h * 0.96), "paper_white", "band", solid=False)
     b.box(x, (-d * 0.06, d * 0.06), (0, h * 0.96), "paper_white", "band", solid=False)
     b.ball((0, 0, h * 0.96), (w * 0.12, d * 0.12, h * 0.04), "paper_white", "bow", 8, solid=False)
-
-
-def _tent(b: Builder) -> None:
-    """Card folded to a tent with a thin ridge."""
-    w, d, h = b.w, b.d, b.h
-    b.prism([(-d / 2, 0), (d / 2, 0), (0.004, h), (-0.004, h)], (-w / 2, w / 2), b.mat())
 
 
 def _knives(b: Builder) -> None:
@@ -196,14 +160,6 @@ def _clipboard(b: Builder) -> None:
     b.box((-w * 0.18, w * 0.18), (d * 0.36, d * 0.48), (h * 0.35, h), "metal_steel", "clip")
 
 
-def _napkins(b: Builder) -> None:
-    w, d, h = b.w, b.d, b.h
-    for sy in (-1, 1):
-        lo, hi = sorted((sy * d / 2, sy * (d / 2 - 0.006)))
-        b.box((-w / 2, w / 2), (lo, hi), (0, h * 0.75), b.mat(), "holder")
-    b.box((-w * 0.45, w * 0.45), (-d * 0.3, d * 0.3), (0.0, h), "paper_white", "napkins")
-
-
 def _pad(b: Builder) -> None:
     w, d, h = b.w, b.d, b.h
     b.cushion((-w / 2, w / 2), (-d * 0.1, d / 2), (0, h * 0.75), b.mat(), "body", 0.9)
@@ -215,19 +171,14 @@ def _pad(b: Builder) -> None:
 
 _BLOCKS: dict[str, Recipe] = {
     "bag": _bag,
-    "carton": _carton,
     "carton_open": _carton_open,
     "lidbox": _lidbox,
     "suitcase": _suitcase,
     "tissue": _tissue,
     "tray": _tray,
     "clipboard": _clipboard,
-    "flatbox": _wrapped,
     "gift": _wrapped,
     "knives": _knives,
-    "napkins": _napkins,
     "pad": _pad,
-    "screen": _screen,
     "speaker": _speaker,
-    "tent": _tent,
 }

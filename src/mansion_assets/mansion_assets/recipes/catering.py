@@ -55,10 +55,10 @@ def ice_machine(b: Builder) -> None:
     b.box((-w / 2, w / 2), (-d / 2, front), (bin_top + h * 0.06, h), b.mat(), "head")
     b.box((-w / 2, w / 2), (d * 0.1, front), (0.06, h * 0.36), b.mat(), "bin")
     for side in (-1, 1):
-        x = sorted((side * w / 2, side * (w / 2 - 0.03)))
+        across = sorted((side * w / 2, side * (w / 2 - 0.03)))
         b.prism(
             [(d * 0.1, h * 0.36), (front, h * 0.36), (front, h * 0.4), (d * 0.1, bin_top + h * 0.06)],
-            (x[0], x[1]),
+            (across[0], across[1]),
             b.mat(),
             part="bin",
         )
@@ -391,9 +391,9 @@ def lunch_box(b: Builder) -> None:
     low, t = h * 0.62, 0.006
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, t), b.mat(), "floor")
     for side in (-1, 1):
-        x, y = sorted((side * w / 2, side * (w / 2 - t))), sorted((side * d / 2, side * (d / 2 - t)))
-        b.box((x[0], x[1]), (-d / 2, d / 2), (0, low), b.mat(), "walls")
-        b.box((-w / 2, w / 2), (y[0], y[1]), (0, low), b.mat(), "walls")
+        across, along = sorted((side * w / 2, side * (w / 2 - t))), sorted((side * d / 2, side * (d / 2 - t)))
+        b.box((across[0], across[1]), (-d / 2, d / 2), (0, low), b.mat(), "walls")
+        b.box((-w / 2, w / 2), (along[0], along[1]), (0, low), b.mat(), "walls")
     b.box((-0.003, 0.003), (-d / 2, d / 2), (0, low * 0.9), b.mat(), "walls")
     b.box((-w / 2, 0), (-0.003, 0.003), (0, low * 0.9), b.mat(), "walls")
     b.prism(

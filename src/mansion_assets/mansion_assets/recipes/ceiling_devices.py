@@ -110,9 +110,9 @@ def bright_panel(b: Builder) -> None:
     rim = min(w, d) * 0.08
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (h * 0.3, h), b.mat(), "case")
     for side in (-1, 1):
-        x, y = sorted((side * w / 2, side * (w / 2 - rim))), sorted((side * d / 2, side * (d / 2 - rim)))
-        b.box((x[0], x[1]), (-d / 2, d / 2), (0, h * 0.4), b.mat(), "frame")
-        b.box((-w / 2, w / 2), (y[0], y[1]), (0, h * 0.4), b.mat(), "frame")
+        across, along = sorted((side * w / 2, side * (w / 2 - rim))), sorted((side * d / 2, side * (d / 2 - rim)))
+        b.box((across[0], across[1]), (-d / 2, d / 2), (0, h * 0.4), b.mat(), "frame")
+        b.box((-w / 2, w / 2), (along[0], along[1]), (0, h * 0.4), b.mat(), "frame")
     b.box((-w / 2 + rim, w / 2 - rim), (-d / 2 + rim, d / 2 - rim), (h * 0.12, h * 0.4), "light_white", "diffuser")
     for k in range(1, max(2, round(w / 0.15))):
         x = -w / 2 + k * w / max(2, round(w / 0.15))

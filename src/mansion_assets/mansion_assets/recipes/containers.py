@@ -1,6 +1,5 @@
 """Turned bodies: bottles, cups, jars, pans, racks of tubes."""
 
-import math
 from typing import Any
 
 from mansion_assets.builder import Builder
@@ -18,8 +17,6 @@ _PROFILES: dict[str, Profile] = {
     "cup": ((0.38, 0), (0.5, 1), (0.46, 1), (0.35, 0.06)),
     "bottle": ((0.48, 0), (0.5, 0.03), (0.5, 0.58), (0.2, 0.76), (0.17, 0.92), (0.2, 0.93), (0.2, 1)),
     "can": ((0.46, 0), (0.5, 0.04), (0.5, 0.95), (0.45, 1)),
-    "tin": ((0.5, 0), (0.5, 0.03), (0.48, 0.05), (0.48, 0.95), (0.5, 0.97), (0.5, 1)),
-    "jar": ((0.48, 0), (0.5, 0.05), (0.5, 0.72), (0.42, 0.8), (0.45, 0.82), (0.45, 1)),
     "bowl": ((0.25, 0), (0.28, 0.06), (0.44, 0.55), (0.5, 1), (0.46, 1), (0.36, 0.4), (0.2, 0.14)),
     "vase": (
         (0.3, 0),
@@ -32,7 +29,6 @@ _PROFILES: dict[str, Profile] = {
         (0.2, 0.85),
         (0.2, 0.5),
     ),
-    "candle": ((0.5, 0), (0.5, 0.88), (0.1, 0.9), (0.04, 0.92), (0.04, 1)),
     "pump": (
         (0.48, 0),
         (0.5, 0.05),
@@ -81,20 +77,15 @@ _PROFILES: dict[str, Profile] = {
     "bucket": ((0.36, 0), (0.48, 0.97), (0.5, 1), (0.46, 1), (0.34, 0.04)),
     "reel": ((0.5, 0), (0.5, 0.1), (0.3, 0.12), (0.3, 0.88), (0.5, 0.9), (0.5, 1), (0.12, 1), (0.12, 0.9)),
     "trophy": ((0.4, 0), (0.4, 0.12), (0.1, 0.16), (0.08, 0.4), (0.4, 0.6), (0.5, 1), (0.45, 1), (0.3, 0.6)),
-    "blender": ((0.5, 0), (0.46, 0.3), (0.3, 0.34), (0.36, 0.38), (0.46, 0.92), (0.4, 0.94), (0.3, 1)),
 }
 
 
 _BANDS = {
     "bottle": ("paper_white", 0.2, 0.48, 0.504),
     "can": ("metal_steel", 0.93, 1.0, 0.47),
-    "tin": ("paper_red", 0.1, 0.9, 0.5),
-    "jar": ("metal_brass", 0.82, 1.0, 0.47),
     "cone": ("plastic_white", 0.4, 0.55, 0.29),
     "pump": ("paper_white", 0.2, 0.5, 0.505),
-    "blender": ("plastic_black", 0.92, 0.99, 0.42),
     "jug": ("paper_white", 0.2, 0.5, 0.505),
-    "candle": ("food_orange", 0.93, 1.0, 0.06),
 }
 
 
@@ -107,7 +98,7 @@ def lathe(b: Builder) -> None:
     b.lathe(profile, b.mat(), n=n, stretch=(b.w, b.d))
     if name in _BANDS:
         color, z0, z1, r = _BANDS[name]
-        if name in ("can", "jar", "blender"):
+        if name == "can":
             b.lathe([(r, z0 * b.h), (r, z1 * b.h)], color, n=n, stretch=(b.w, b.d), part="lid", solid=False)
         else:
             b.lathe(
@@ -181,23 +172,6 @@ def fruit_bowl(b: Builder) -> None:
     ):
         b.ball((x * b.w, y * b.d, low * 0.85 + 0.004 * k), (r, r, r), f"food_{color}", "fruit", 10, solid=False)
     b.ball((0, 0, b.h - r), (r, r, r), "food_yellow", "fruit", 10, solid=False)
-
-
-@recipe("roll")
-def roll(b: Builder) -> None:
-    """A roll lying across: newspaper, foil."""
-    n = 16
-    outline = [
-        (b.d / 2 * math.cos(k * 2 * math.pi / n), b.h / 2 + b.h / 2 * math.sin(k * 2 * math.pi / n)) for k in range(n)
-    ]
-    b.prism(outline, (-b.w / 2, b.w / 2), b.mat())
-    b.prism(
-        [(0.6 * y, b.h / 2 + 0.6 * (z - b.h / 2)) for y, z in outline],
-        (-b.w / 2 - 0.001, b.w / 2 + 0.001),
-        "paper_grey",
-        part="core",
-        solid=False,
-    )
 
 
 @recipe("pen_cup")

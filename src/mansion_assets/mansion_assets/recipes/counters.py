@@ -119,15 +119,3 @@ def _worktop(b: Builder) -> None:
             "panels",
             solid=False,
         )
-
-
-@recipe("checkout")
-def checkout(b: Builder) -> None:
-    """Cashier's desk: belt, scanner, bagging end."""
-    w, d, h = b.w, b.d, b.h
-    z = h
-    b.box((-w / 2, w / 2), (-d / 2 + 0.35, d / 2), (0.05, z - 0.05), b.mat(), "body")
-    b.box((-w / 2, w / 2), (-d / 2 + 0.33, d / 2), (z - 0.06, z), "metal_steel", "top")
-    b.box((-w / 2 + 0.05, 0.2), (-d / 2 + 0.45, d / 2 - 0.08), (z - 0.004, z), "rubber_black", "belt", solid=False)
-    b.box((-0.45, 0.45), (-d / 2, -d / 2 + 0.36), (0.05, z * 0.72), b.mat(), "cash")
-    b.box((-w / 2, w / 2), (-d / 2 + 0.34, d / 2), (0, 0.06), "metal_dark", "plinth")

@@ -126,8 +126,8 @@ def hose_cabinet(b: Builder) -> None:
     door = (front + 0.001, front + 0.014)
     panel = ((-w / 2, w / 2), door, (0.0, h))
     with b.door(*panel, "left"):
-        for x in ((-w / 2, -w * 0.43), (w * 0.43, w / 2)):
-            b.box(x, door, (0, h), b.mat(), "door")
+        for across in ((-w / 2, -w * 0.43), (w * 0.43, w / 2)):
+            b.box(across, door, (0, h), b.mat(), "door")
         b.box((-w / 2, w / 2), door, (0, h * 0.07), b.mat(), "door")
         b.box((-w / 2, w / 2), door, (h * 0.8, h), b.mat(), "door")
         b.box(
@@ -159,10 +159,10 @@ def key_cabinet(b: Builder) -> None:
             b.box((x, x + w * 0.04), (y, y + 0.004), (z - h * (tooth + 0.014), z - h * tooth), "metal_brass", "keys")
     door = (front + 0.001, front + 0.01)
     with b.door((-w / 2, w / 2), door, (0.0, h), "left"):
-        for x in ((-w / 2, -w * 0.45), (w * 0.45, w / 2)):
-            b.box(x, door, (0, h), b.mat(), "door")
-        for z in ((0.0, h * 0.05), (h * 0.95, h)):
-            b.box((-w / 2, w / 2), door, z, b.mat(), "door")
+        for across in ((-w / 2, -w * 0.45), (w * 0.45, w / 2)):
+            b.box(across, door, (0, h), b.mat(), "door")
+        for up in ((0.0, h * 0.05), (h * 0.95, h)):
+            b.box((-w / 2, w / 2), door, up, b.mat(), "door")
         b.box(
             (-w * 0.45, w * 0.45),
             (door[0], door[0] + 0.003),
@@ -192,9 +192,9 @@ def cctv_camera(b: Builder) -> None:
     shade = [(-d * 0.3, h * 0.9), (d * 0.26, h * 0.63), (d * 0.26, h * 0.71), (-d * 0.3, h * 0.98)]
     b.prism(shade, (-w * 0.34, w * 0.34), b.mat(), part="sunshade")
     for side in (-1, 1):
-        x = sorted((side * w * 0.34, side * w * 0.29))
+        across = sorted((side * w * 0.34, side * w * 0.29))
         flap = [(-d * 0.28, h * 0.68), (d * 0.22, h * 0.5), (d * 0.26, h * 0.66), (-d * 0.3, h * 0.92)]
-        b.prism(flap, (x[0], x[1]), b.mat(), part="sunshade")
+        b.prism(flap, (across[0], across[1]), b.mat(), part="sunshade")
     b.rod(end, (0, d * 0.41, h * 0.295), w * 0.24, "plastic_black", "lens", 20)
     b.rod((0, d * 0.41, h * 0.295), (0, d * 0.44, h * 0.28), w * 0.12, "glass_3d6a9e", "lens", 16)
     for k in range(8):
@@ -324,10 +324,10 @@ def computer_case(b: Builder) -> None:
     w, d, h = b.w, b.d, b.h
     front, side = d / 2 - 0.012, w / 2 - 0.008
     b.box((-w / 2, side - 0.02), (-d / 2, front), (0.012, h), b.mat(), "case")
-    for z in ((0.012, 0.06), (h - 0.04, h)):
-        b.box((side - 0.02, side), (-d / 2, front), z, b.mat(), "case")
-    for y in ((-d / 2, -d * 0.44), (front - d * 0.1, front)):
-        b.box((side - 0.02, side), y, (0.012, h), b.mat(), "case")
+    for up in ((0.012, 0.06), (h - 0.04, h)):
+        b.box((side - 0.02, side), (-d / 2, front), up, b.mat(), "case")
+    for along in ((-d / 2, -d * 0.44), (front - d * 0.1, front)):
+        b.box((side - 0.02, side), along, (0.012, h), b.mat(), "case")
     for x in (-w * 0.36, w * 0.36):
         for y in (-d * 0.4, d * 0.36):
             b.box((x - 0.015, x + 0.015), (y - 0.02, y + 0.02), (0, 0.012), "rubber_black", "feet")
@@ -366,9 +366,8 @@ def score_board(b: Builder) -> None:
     w, d, h = b.w, b.d, b.h
     b.box((-w / 2, w / 2), (-d / 2, d / 2 - 0.012), (0, h), b.mat(), "case")
     face = DrawnFace.front(b, d / 2 - 0.012)
-    for u in ((-w * 0.49, w * 0.49),):
-        for v in ((h * 0.02, h * 0.035), (h * 0.965, h * 0.98)):
-            face.field(u, v, "plastic_white", "frame", 0.004)
+    for edge in ((h * 0.02, h * 0.035), (h * 0.965, h * 0.98)):
+        face.field((-w * 0.49, w * 0.49), edge, "plastic_white", "frame", 0.004)
     face.write("HOME", (-w * 0.47, -w * 0.14), (h * 0.78, h * 0.93), "plastic_white", "letters", 0.006)
     face.write("GUEST", (w * 0.12, w * 0.47), (h * 0.78, h * 0.93), "plastic_white", "letters", 0.006)
     for u, figure in ((-w * 0.305, "3"), (w * 0.295, "1")):

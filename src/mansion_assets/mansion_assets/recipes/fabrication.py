@@ -14,7 +14,7 @@ def printing_press(b: Builder) -> None:
     """Rollers with the four inks between two cheeks, a printed sheet that leaves them, and piles of paper."""
     w, d, h = b.w, b.d, b.h
     for side in (-1, 1):
-        y = sorted((side * d / 2, side * d * 0.4))
+        along = sorted((side * d / 2, side * d * 0.4))
         cheek = [
             (-w * 0.24, 0),
             (w * 0.24, 0),
@@ -23,7 +23,7 @@ def printing_press(b: Builder) -> None:
             (-w * 0.14, h),
             (-w * 0.24, h * 0.75),
         ]
-        b.prism(cheek, (y[0], y[1]) if side < 0 else (d * 0.4, d * 0.42), b.mat(), "y", "cheeks")
+        b.prism(cheek, (along[0], along[1]) if side < 0 else (d * 0.4, d * 0.42), b.mat(), "y", "cheeks")
     reach = (-d * 0.4, d * 0.47)
     inks = ("plastic_22a6d6", "plastic_d6258c", "plastic_yellow", "plastic_black")
     for k, color in enumerate(inks):
@@ -35,10 +35,10 @@ def printing_press(b: Builder) -> None:
         b.rod((x, reach[0], z), (x, reach[1], z), r, "metal_chrome", "cylinders", 24, solid=True)
         b.rod((x, reach[1], z), (x, d / 2, z), h * 0.04, "metal_dark", "axles", 12)
     for side in (-1, 1):
-        x = sorted((side * w / 2, side * w * 0.27))
-        b.box((x[0], x[1]), (-d * 0.4, d * 0.42), (0, h * 0.12), "metal_dark", "feeders")
-        b.box((x[0] + 0.03, x[1] - 0.03), (-d * 0.34, d * 0.36), (h * 0.12, h * 0.34), "paper_white", "piles")
-        b.box((x[0], x[1]), (-d * 0.42, -d * 0.4), (0, h * 0.5), b.mat(), "feeders")
+        across = sorted((side * w / 2, side * w * 0.27))
+        b.box((across[0], across[1]), (-d * 0.4, d * 0.42), (0, h * 0.12), "metal_dark", "feeders")
+        b.box((across[0] + 0.03, across[1] - 0.03), (-d * 0.34, d * 0.36), (h * 0.12, h * 0.34), "paper_white", "piles")
+        b.box((across[0], across[1]), (-d * 0.42, -d * 0.4), (0, h * 0.5), b.mat(), "feeders")
     top = DrawnFace.top(b, h * 0.34)
     for k, color in enumerate(inks):
         u = w * (-0.45 + 0.035 * k)
@@ -110,10 +110,10 @@ def laser_cutter(b: Builder) -> None:
     b.wheels(h * 0.04, 0.1)
     glass = w * 0.24
     b.box((glass, w / 2), (-d / 2, d / 2), (bed, h * 0.86), b.mat(), "head")
-    for x in ((-w / 2, -w / 2 + rim), (glass - rim, glass)):
-        b.box(x, (-d / 2, d / 2), (bed, h * 0.8), b.mat(), "walls")
-    for y in ((-d / 2, -d / 2 + rim), (d / 2 - rim, d / 2)):
-        b.box((-w / 2, glass), y, (bed, h * 0.8), b.mat(), "walls")
+    for across in ((-w / 2, -w / 2 + rim), (glass - rim, glass)):
+        b.box(across, (-d / 2, d / 2), (bed, h * 0.8), b.mat(), "walls")
+    for along in ((-d / 2, -d / 2 + rim), (d / 2 - rim, d / 2)):
+        b.box((-w / 2, glass), along, (bed, h * 0.8), b.mat(), "walls")
     middle = (glass - w / 2) / 2
     b.box((-w / 2 + rim, glass - rim), (-d / 2 + rim, d / 2 - rim), (bed, bed + 0.01), "plastic_black", "bed")
     for k in range(14):
@@ -145,10 +145,10 @@ def laser_cutter(b: Builder) -> None:
     b.rod((middle, 0.08, bed + 0.03), (middle, 0.08, bed + 0.1), 0.008, "light_red", "beam", 6)
     with b.door((-w / 2, glass), (-d / 2, d / 2), (h * 0.8, h * 0.86), "back"):
         b.box((-w / 2 + rim, glass - rim), (-d / 2 + rim, d / 2 - rim), (h * 0.82, h * 0.83), "glass_clear", "lid")
-        for x in ((-w / 2, -w / 2 + rim), (glass - rim, glass)):
-            b.box(x, (-d / 2, d / 2), (h * 0.8, h * 0.86), "metal_dark", "lid")
-        for y in ((-d / 2, -d / 2 + rim), (d / 2 - rim, d / 2)):
-            b.box((-w / 2, glass), y, (h * 0.8, h * 0.86), "metal_dark", "lid")
+        for across in ((-w / 2, -w / 2 + rim), (glass - rim, glass)):
+            b.box(across, (-d / 2, d / 2), (h * 0.8, h * 0.86), "metal_dark", "lid")
+        for along in ((-d / 2, -d / 2 + rim), (d / 2 - rim, d / 2)):
+            b.box((-w / 2, glass), along, (h * 0.8, h * 0.86), "metal_dark", "lid")
     b.prism(
         [(-d * 0.2, h * 0.86), (d * 0.3, h * 0.86), (-d * 0.2, h)],
         (glass + 0.03, w / 2 - 0.03),
@@ -245,8 +245,8 @@ def gantry_crane(b: Builder) -> None:
             )
         b.rod((x, -d * 0.46, 0.18), (x, d * 0.46, 0.18), 0.05, b.mat(), "legs", 10, solid=True)
         b.rod((x, -d * 0.2, h * 0.5), (x, d * 0.2, h * 0.5), 0.04, b.mat(), "legs", 8)
-    for z in ((girder, girder + 0.03), (h - 0.03, h)):
-        b.box((-w / 2, w / 2), (-0.12, 0.12), z, b.mat(), "girder")
+    for up in ((girder, girder + 0.03), (h - 0.03, h)):
+        b.box((-w / 2, w / 2), (-0.12, 0.12), up, b.mat(), "girder")
     b.box((-w / 2, w / 2), (-0.03, 0.03), (girder, h), b.mat(), "girder")
     face = DrawnFace.front(b, 0.03)
     face.write("2000 KG", (-w * 0.16, w * 0.16), (girder + 0.05, h - 0.05), "plastic_black", "letters", 0.006)
@@ -267,9 +267,9 @@ def car_lift(b: Builder) -> None:
     w, d, h = b.w, b.d, b.h
     level = h * 0.4
     for side in (-1, 1):
-        x = sorted((side * w / 2, side * (w / 2 - 0.26)))
-        b.box((x[0], x[1]), (-0.16, 0.16), (0, h - 0.1), b.mat(), "posts")
-        b.box((x[0] - 0.02, x[1] + 0.02), (-d * 0.46, d * 0.46), (0, 0.03), "metal_dark", "plates")
+        across = sorted((side * w / 2, side * (w / 2 - 0.26)))
+        b.box((across[0], across[1]), (-0.16, 0.16), (0, h - 0.1), b.mat(), "posts")
+        b.box((across[0] - 0.02, across[1] + 0.02), (-d * 0.46, d * 0.46), (0, 0.03), "metal_dark", "plates")
         inner = side * (w / 2 - 0.26)
         b.box(
             (min(inner, inner - side * 0.1), max(inner, inner - side * 0.1)),

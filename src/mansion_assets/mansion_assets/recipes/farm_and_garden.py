@@ -16,9 +16,9 @@ def wire_cage(b: Builder) -> None:
     low, high, r = h * 0.08, h * 0.95, 0.006
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, 0.012), "plastic_3d6ac8", "tray")
     for side in (-1, 1):
-        x, y = sorted((side * w / 2, side * (w / 2 - 0.012))), sorted((side * d / 2, side * (d / 2 - 0.012)))
-        b.box((x[0], x[1]), (-d / 2, d / 2), (0, low), "plastic_3d6ac8", "tray")
-        b.box((-w / 2, w / 2), (y[0], y[1]), (0, low), "plastic_3d6ac8", "tray")
+        across, along = sorted((side * w / 2, side * (w / 2 - 0.012))), sorted((side * d / 2, side * (d / 2 - 0.012)))
+        b.box((across[0], across[1]), (-d / 2, d / 2), (0, low), "plastic_3d6ac8", "tray")
+        b.box((-w / 2, w / 2), (along[0], along[1]), (0, low), "plastic_3d6ac8", "tray")
     for z in (low, (low + high) / 2, high):
         ring = [(-w / 2, -d / 2, z), (w / 2, -d / 2, z), (w / 2, d / 2, z), (-w / 2, d / 2, z), (-w / 2, -d / 2, z)]
         b.path(ring, r * 1.6, b.mat(), "frame")
@@ -52,10 +52,10 @@ def hay_trough(b: Builder) -> None:
     for side in (-1, 1):
         wall = [(side * d * 0.16, low), (side * d * 0.22, low), (side * d / 2, rim), (side * (d / 2 - 0.03), rim)]
         b.prism(wall, (-w / 2, w / 2), b.mat(), part="sides")
-        x = sorted((side * w / 2, side * (w / 2 - 0.03)))
+        across = sorted((side * w / 2, side * (w / 2 - 0.03)))
         b.prism(
             [(-d * 0.16, low), (d * 0.16, low), (d / 2 - 0.03, rim), (-d / 2 + 0.03, rim)],
-            (x[0], x[1]),
+            (across[0], across[1]),
             b.mat(),
             part="ends",
         )
@@ -130,20 +130,20 @@ def frozen_chest(b: Builder) -> None:
     b.box((-w / 2 + 0.02, w / 2 - 0.02), (-d / 2 + 0.02, d / 2 - 0.02), (0.06, low), b.mat(), "base")
     b.box((-w * 0.47, w * 0.47), (-d * 0.45, d * 0.45), (0, 0.06), "plastic_dark", "plinth")
     for side in (-1, 1):
-        x, y = sorted((side * w / 2, side * (w / 2 - t))), sorted((side * d / 2, side * (d / 2 - t)))
-        b.box((x[0], x[1]), (-d / 2, d / 2), (low - 0.1, h - 0.012), "plastic_4f9bd9", "rim")
-        b.box((-w / 2, w / 2), (y[0], y[1]), (low - 0.1, h - 0.012), "plastic_4f9bd9", "rim")
+        across, along = sorted((side * w / 2, side * (w / 2 - t))), sorted((side * d / 2, side * (d / 2 - t)))
+        b.box((across[0], across[1]), (-d / 2, d / 2), (low - 0.1, h - 0.012), "plastic_4f9bd9", "rim")
+        b.box((-w / 2, w / 2), (along[0], along[1]), (low - 0.1, h - 0.012), "plastic_4f9bd9", "rim")
     cols, rows = max(3, round(w / 0.26)), 3
     for i in range(cols):
         for j in range(rows):
             x0, y0 = -w / 2 + t + i * (w - 2 * t) / cols, -d / 2 + t + j * (d - 2 * t) / rows
-            x, y = (x0 + 0.01, x0 + (w - 2 * t) / cols - 0.01), (y0 + 0.01, y0 + (d - 2 * t) / rows - 0.01)
+            place = (x0 + 0.01, x0 + (w - 2 * t) / cols - 0.01), (y0 + 0.01, y0 + (d - 2 * t) / rows - 0.01)
             color = ("paper_red", "plastic_dff2fb", "paper_blue", "paper_green", "paper_yellow")[(i * 2 + j) % 5]
-            b.box(x, y, (low, low + (h - low) * (0.4 + 0.12 * ((i + j) % 3))), color, "goods", solid=False)
+            b.box(*place, (low, low + (h - low) * (0.4 + 0.12 * ((i + j) % 3))), color, "goods", solid=False)
     for k, z in enumerate((h - 0.012, h - 0.006)):
-        x = (-w / 2 + 0.01, w * 0.02) if k == 0 else (-w * 0.02, w / 2 - 0.01)
-        b.box(x, (-d / 2 + 0.01, d / 2 - 0.01), (z, z + 0.004), "glass_clear", "panes", solid=False)
-        edge = x[1] if k == 0 else x[0]
+        pane = (-w / 2 + 0.01, w * 0.02) if k == 0 else (-w * 0.02, w / 2 - 0.01)
+        b.box(pane, (-d / 2 + 0.01, d / 2 - 0.01), (z, z + 0.004), "glass_clear", "panes", solid=False)
+        edge = pane[1] if k == 0 else pane[0]
         b.box(
             (edge - 0.02, edge + 0.02),
             (-d / 2 + 0.01, d / 2 - 0.01),

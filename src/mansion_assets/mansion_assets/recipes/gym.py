@@ -95,14 +95,6 @@ def rower(b: Builder) -> None:
     b.rod((-0.25, -d * 0.18, 0.55), (0.25, -d * 0.18, 0.55), 0.016, "rubber_black", "handle")
 
 
-@recipe("punching_bag")
-def punching_bag(b: Builder) -> None:
-    """Standing bag on a weighted foot."""
-    w, d, h = b.w, b.d, b.h
-    b.lathe([(0.5, 0), (0.5, 0.1), (0.35, 0.35), (0.12, 0.45)], "plastic_black", stretch=(w, d), part="foot", n=24)
-    b.lathe([(0.2, h * 0.3), (0.3, h * 0.34), (0.3, h * 0.96), (0.22, h)], b.mat(), stretch=(w, d), part="bag", n=24)
-
-
 @recipe("trampoline")
 def trampoline(b: Builder) -> None:
     """Round mat in a padded ring on legs."""

@@ -3,7 +3,8 @@
 import math
 
 from mansion_assets.builder import Box, Builder
-from mansion_assets.registry import recipe
+from mansion_assets.recipes.mats import exercise_mat, prayer_rug, welcome_mat
+from mansion_assets.registry import Recipe, recipe
 
 __all__: list[str] = []
 
@@ -107,7 +108,11 @@ def tool_board(b: Builder) -> None:
 
 @recipe("rug")
 def rug(b: Builder) -> None:
-    """Rug with a border, round or rectangular; mats of tiles."""
+    """Rug with a border, round or rectangular; mats of tiles, or with a picture or a word on them."""
+    drawn = _DRAWN.get(str(b.p.get("style", "")))
+    if drawn is not None:
+        drawn(b)
+        return
     w, d, h = b.w, b.d, b.h
     main = b.mat()
     other = "fabric_light" if main != "fabric_white" else "fabric_grey"
@@ -141,3 +146,7 @@ def rug(b: Builder) -> None:
             "field",
             solid=False,
         )
+
+
+_DRAWN: dict[str, Recipe] = {"exercise": exercise_mat, "prayer": prayer_rug, "welcome": welcome_mat}
+"""Styles of rugs with something drawn on them."""

@@ -1,4 +1,4 @@
-"""Fittings and small ornaments of a home: dishwashers, blinds, teapots, jars, tooth brushes, ornaments, mats."""
+"""Fittings and small ornaments of a home: dishwashers, blinds, teapots, jars, tooth brushes, ornaments."""
 
 import itertools
 import math
@@ -34,7 +34,14 @@ def dishwasher(b: Builder) -> None:
     panel = ((-w / 2 + 0.005, w / 2 - 0.005), front, (min(0.1, h * 0.12), cell.top - 0.01))
     with b.door(*panel, "bottom"):
         b.box(*panel, b.mat(), "door", solid=False)
-        b.box((-w * 0.4, w * 0.4), (front[1], d / 2), (cell.top - 0.06, cell.top - 0.045), "metal_chrome", "handle", solid=False)
+        b.box(
+            (-w * 0.4, w * 0.4),
+            (front[1], d / 2),
+            (cell.top - 0.06, cell.top - 0.045),
+            "metal_chrome",
+            "handle",
+            solid=False,
+        )
         sign = DrawnFace.front(b, front[1])
         for k in range(3):
             sign.disc(w * (-0.2 + 0.14 * k), h * 0.45, h * 0.13, "plastic_white", "plates", 0.004 + 0.002 * k, 24)
@@ -227,9 +234,9 @@ def table_ornament(b: Builder) -> None:
     base = h * 0.12
     b.cushion((-w / 2, w / 2), (-d / 2, d / 2), (0, base), b.mat(), "tray", 0.5, 16)
     for side in (-1, 1):
-        x, y = sorted((side * w * 0.48, side * w * 0.44)), sorted((side * d * 0.48, side * d * 0.43))
-        b.box((x[0], x[1]), (-d * 0.44, d * 0.44), (base * 0.6, base * 1.6), b.mat(), "tray")
-        b.box((-w * 0.44, w * 0.44), (y[0], y[1]), (base * 0.6, base * 1.6), b.mat(), "tray")
+        across, along = sorted((side * w * 0.48, side * w * 0.44)), sorted((side * d * 0.48, side * d * 0.43))
+        b.box((across[0], across[1]), (-d * 0.44, d * 0.44), (base * 0.6, base * 1.6), b.mat(), "tray")
+        b.box((-w * 0.44, w * 0.44), (along[0], along[1]), (base * 0.6, base * 1.6), b.mat(), "tray")
     b.cyl(w * 0.22, d * 0.04, (base, h * 0.6), w * 0.08, "food_f3ead6", "candle", n=18)
     b.cyl(w * 0.22, d * 0.04, (base, h * 0.8), w * 0.11, "glass_clear", "glass", n=18)
     b.lathe(
@@ -254,24 +261,6 @@ def table_ornament(b: Builder) -> None:
     for x, y, color in ((-0.04, 0.22, "metal_brass"), (-0.24, 0.2, "stone_white"), (0.02, -0.04, "wood_walnut")):
         r = min(w, d) * 0.09
         b.ball((w * x, d * y, base + r), (r, r, r), color, "balls", 14)
-
-
-@recipe("welcome_mat")
-def welcome_mat(b: Builder) -> None:
-    """A mat of bristle with WELCOME in dark letters within a border."""
-    w, d, h = b.w, b.d, b.h
-    b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, h * 0.7), "fabric_a87b4a" if "brown" in b.mat() else b.mat(), "mat")
-    ink = "fabric_2f2a26" if "dark" not in b.mat() and "black" not in b.mat() else "fabric_beige"
-    face = DrawnFace.top(b, h * 0.7)
-    e = min(w, d) * 0.06
-    for u, v in (
-        ((-w / 2 + e, w / 2 - e), (-d / 2 + e, -d / 2 + 1.6 * e)),
-        ((-w / 2 + e, w / 2 - e), (d / 2 - 1.6 * e, d / 2 - e)),
-        ((-w / 2 + e, -w / 2 + 1.6 * e), (-d / 2 + e, d / 2 - e)),
-        ((w / 2 - 1.6 * e, w / 2 - e), (-d / 2 + e, d / 2 - e)),
-    ):
-        face.field(u, v, ink, "border", h * 0.2)
-    face.write("WELCOME", (-w * 0.38, w * 0.38), (-d * 0.22, d * 0.22), ink, "letters", h * 0.3)
 
 
 @recipe("hazard_cabinet")
@@ -335,9 +324,9 @@ def basket_stack(b: Builder) -> None:
         solid=False,
     )
     for side in (-1, 1):
-        x, y = sorted((side * w / 2, side * w * 0.43)), sorted((side * d / 2, side * d * 0.42))
-        b.box((x[0], x[1]), (-d / 2, d / 2), (rim - step * 0.5, rim), b.mat(), "rims")
-        b.box((-w / 2, w / 2), (y[0], y[1]), (rim - step * 0.5, rim), b.mat(), "rims")
+        across, along = sorted((side * w / 2, side * w * 0.43)), sorted((side * d / 2, side * d * 0.42))
+        b.box((across[0], across[1]), (-d / 2, d / 2), (rim - step * 0.5, rim), b.mat(), "rims")
+        b.box((-w / 2, w / 2), (along[0], along[1]), (rim - step * 0.5, rim), b.mat(), "rims")
     face, wall = DrawnFace.front(b, d * 0.42), DrawnFace.side(b, w * 0.44)
     for row in range(3):
         v = 0.03 + 0.055 * row

@@ -10,7 +10,7 @@ __all__: list[str] = []
 
 @recipe("ball")
 def ball(b: Builder) -> None:
-    """Round things: fruit, bread, balls, half shells."""
+    """Round things: apples, lettuce, potatoes, half shells."""
     w, d, h = b.w, b.d, b.h
     style = b.p.get("style", "plain")
     if style == "dome":
@@ -21,12 +21,6 @@ def ball(b: Builder) -> None:
             n=20,
         )
         return
-    if style == "loaf":
-        b.cushion((-w / 2, w / 2), (-d / 2, d / 2), (0, h), b.mat(), "loaf", 0.8, 14)
-        for k in range(3):
-            y = -d * 0.25 + k * d * 0.25
-            b.box((-w * 0.25, w * 0.25), (y - 0.006, y + 0.006), (h * 0.97, h), "food_beige", "cuts", solid=False)
-        return
     top = h * (0.93 if style == "apple" else 1.0)
     b.ball((0, 0, top / 2), (w / 2, d / 2, top / 2), b.mat(), "body", 16)
     if style == "apple":
@@ -35,9 +29,6 @@ def ball(b: Builder) -> None:
         for k in range(4):
             x, y = ((0.2, 0), (-0.2, 0.1), (0, 0.22), (0.05, -0.2))[k]
             b.ball((x * w, y * d, h * 0.55), (w * 0.28, d * 0.28, h * 0.42), "leaf_green", "leaves", 8, solid=False)
-    elif style == "seams":
-        for r in ((w * 0.502, 0.008, h * 0.5), (0.008, d * 0.502, h * 0.502)):
-            b.ball((0, 0, h / 2), (max(r[0], 0.004), max(r[1], 0.004), r[2]), "rubber_black", "seams", 16, solid=False)
 
 
 @recipe("banana")

@@ -43,59 +43,18 @@ def lamp(b: Builder) -> None:
     b.ball((0, 0, shade + (h - shade) * 0.4), (0.04, 0.04, 0.05), "light_warm", "bulb", 8, solid=False)
 
 
-@recipe("sconce")
-def sconce(b: Builder) -> None:
-    """Wall lamp."""
-    w, d, h = b.w, b.d, b.h
-    b.box((-w * 0.25, w * 0.25), (-d / 2, -d / 2 + 0.02), (h * 0.2, h * 0.7), b.mat(), "plate")
-    b.rod((0, -d / 2 + 0.02, h * 0.45), (0, 0.0, h * 0.45), 0.01, b.mat(), "arm")
-    r = min(w / 2, d * 0.38)
-    b.lathe(
-        [(r * 0.7, 0.0), (r, h), (r * 0.95, h), (r * 0.65, 0.01)],
-        "glass_white",
-        (0, d / 2 - r),
-        "shade",
-        20,
-        (w / 2 / r, 1.0),
-    )
-    b.ball((0, d / 2 - r, h * 0.5), (0.03, 0.03, 0.04), "light_warm", "bulb", 8, solid=False)
-
-
 @recipe("dome")
 def dome(b: Builder) -> None:
-    """Flat ceiling lamp, detector or sprinkler."""
+    """Flat ceiling lamp: a lit dome in a rim."""
     w, d, h = b.w, b.d, b.h
-    style = b.p.get("style", "dome")
-    if style == "sprinkler":
-        b.lathe(
-            [(0.5, 0), (0.5, h * 0.08), (0.08, h * 0.1), (0.12, h * 0.7), (0.5, h * 0.9), (0.5, h)],
-            b.mat(),
-            stretch=(w, d),
-            n=12,
-        )
-    elif style == "detector":
-        b.lathe([(0.2, 0), (0.34, h * 0.25), (0.46, h * 0.6), (0.5, h)], b.mat(), stretch=(w, d))
-        b.cyl(w * 0.2, 0, (h * 0.3, h * 0.5), w * 0.04, "light_red", "led", n=8, solid=False)
-    else:
-        b.lathe(
-            [(0.1, 0), (0.35, h * 0.15), (0.46, h * 0.55), (0.48, h * 0.8)],
-            "light_warm",
-            stretch=(w, d),
-            part="glass",
-            n=28,
-        )
-        b.lathe([(0.5, h * 0.75), (0.5, h)], "metal_steel", stretch=(w, d), part="rim", n=28)
-
-
-@recipe("ceiling_panel")
-def ceiling_panel(b: Builder) -> None:
-    """Luminous panel in a frame."""
-    w, d, h = b.w, b.d, b.h
-    b.box((-w / 2, w / 2), (-d / 2, d / 2), (h * 0.3, h), b.mat(), "frame")
-    edge = min(0.02, d * 0.1)
-    b.box(
-        (-w / 2 + edge, w / 2 - edge), (-d / 2 + edge, d / 2 - edge), (0, h * 0.31), "light_white", "panel", solid=False
+    b.lathe(
+        [(0.1, 0), (0.35, h * 0.15), (0.46, h * 0.55), (0.48, h * 0.8)],
+        "light_warm",
+        stretch=(w, d),
+        part="glass",
+        n=28,
     )
+    b.lathe([(0.5, h * 0.75), (0.5, h)], "metal_steel", stretch=(w, d), part="rim", n=28)
 
 
 @recipe("pendant")

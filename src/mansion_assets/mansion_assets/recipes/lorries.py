@@ -11,8 +11,8 @@ def _wheels(b: Builder, r: float, axles: tuple[float, ...]) -> None:
     """Add pairs of wheels, in places along the vehicle."""
     for y in axles:
         for side in (-1, 1):
-            x = sorted((side * b.w / 2, side * (b.w / 2 - 0.26)))
-            b.rod((x[0], y, r), (x[1], y, r), r, "rubber_black", "wheels", 20, solid=True)
+            across = sorted((side * b.w / 2, side * (b.w / 2 - 0.26)))
+            b.rod((across[0], y, r), (across[1], y, r), r, "rubber_black", "wheels", 20, solid=True)
             cap = side * b.w / 2
             b.rod((cap - side * 0.02, y, r), (cap + side * 0.004, y, r), r * 0.55, "metal_light", "wheels", 16)
 
@@ -48,10 +48,17 @@ def lorry(b: Builder) -> None:
         v = h * (0.33 + 0.042 * k)
         grille.field((-w * 0.34, w * 0.34), (v, v + h * 0.022), "plastic_black", "grille", 0.012)
     for side in (-1, 1):
-        x = sorted((side * w * 0.47, side * (w * 0.47 + 0.012)))
+        across = sorted((side * w * 0.47, side * (w * 0.47 + 0.012)))
         window = [(cab + 0.16, h * 0.54), (d / 2 - 0.12, h * 0.54), (d / 2 - 0.22, h * 0.8), (cab + 0.16, h * 0.8)]
-        b.prism(window, (x[0], x[1]), "glass_black", part="windows")
-        b.box((x[0], x[1] + 0.004), (cab + 0.05, cab + 0.08), (floor, h * 0.82), "metal_dark", "door", solid=False)
+        b.prism(window, (across[0], across[1]), "glass_black", part="windows")
+        b.box(
+            (across[0], across[1] + 0.004),
+            (cab + 0.05, cab + 0.08),
+            (floor, h * 0.82),
+            "metal_dark",
+            "door",
+            solid=False,
+        )
         mirror = sorted((side * w * 0.48, side * w * 0.5))
         b.box((mirror[0], mirror[1]), (d / 2 - 0.22, d / 2 - 0.12), (h * 0.6, h * 0.76), "plastic_black", "mirrors")
     b.box((-w / 2, w / 2), (-d / 2, cab - 0.16), (floor, h), "metal_white", "box")
@@ -92,16 +99,32 @@ def van(b: Builder) -> None:
         )
     b.box((-w * 0.49, w * 0.49), (d * 0.42, d / 2), (low * 0.9, h * 0.22), "plastic_dark", "bumper")
     for side in (-1, 1):
-        x = sorted((side * w * 0.48, side * (w * 0.48 + 0.012)))
+        across = sorted((side * w * 0.48, side * (w * 0.48 + 0.012)))
         window = [(d * 0.1, h * 0.58), (d * 0.32, h * 0.58), (d * 0.21, h * 0.88), (d * 0.1, h * 0.88)]
-        b.prism(window, (x[0], x[1]), "glass_black", part="windows")
+        b.prism(window, (across[0], across[1]), "glass_black", part="windows")
         for y in (d * 0.08, -d * 0.14):
-            b.box((x[0], x[1]), (y - 0.012, y + 0.012), (low, h * 0.92), "metal_dark", "doors", solid=False)
-        b.box((x[0], x[1] + 0.004), (-d * 0.44, -d * 0.14), (h * 0.52, h * 0.545), "metal_dark", "rail", solid=False)
-        b.box((x[0], x[1] + 0.01), (-d * 0.1, -d * 0.05), (h * 0.5, h * 0.53), "plastic_black", "handles", solid=False)
+            b.box((across[0], across[1]), (y - 0.012, y + 0.012), (low, h * 0.92), "metal_dark", "doors", solid=False)
+        b.box(
+            (across[0], across[1] + 0.004),
+            (-d * 0.44, -d * 0.14),
+            (h * 0.52, h * 0.545),
+            "metal_dark",
+            "rail",
+            solid=False,
+        )
+        b.box(
+            (across[0], across[1] + 0.01),
+            (-d * 0.1, -d * 0.05),
+            (h * 0.5, h * 0.53),
+            "plastic_black",
+            "handles",
+            solid=False,
+        )
         mirror = sorted((side * w * 0.48, side * w / 2))
         b.box((mirror[0], mirror[1]), (d * 0.28, d * 0.32), (h * 0.56, h * 0.66), "plastic_black", "mirrors")
-        b.box((x[0], x[1]), (-d * 0.47, d * 0.44), (h * 0.24, h * 0.275), "plastic_dark", "strip", solid=False)
+        b.box(
+            (across[0], across[1]), (-d * 0.47, d * 0.44), (h * 0.24, h * 0.275), "plastic_dark", "strip", solid=False
+        )
     side_wall = DrawnFace.side(b, w * 0.48)
     ink = "paint_2f5fc8" if "white" in b.mat() else "plastic_white"
     side_wall.write("EXPRESS", (-d * 0.45, d * 0.04), (h * 0.64, h * 0.82), ink, "letters", 0.008)

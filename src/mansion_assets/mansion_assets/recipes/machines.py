@@ -10,17 +10,8 @@ __all__: list[str] = []
 
 @recipe("machine")
 def machine(b: Builder) -> None:
-    """Case with what its style adds: copier, printer, vents, doors, tower, medical, lathe, mill."""
+    """A copier, a lathe, or a case with doors or vents."""
     _MACHINES.get(str(b.p.get("style", "vent")), _cabinet)(b)
-
-
-def _centrifuge(b: Builder) -> None:
-    """Bench device under a round lid."""
-    w, d, h = b.w, b.d, b.h
-    m = b.mat()
-    b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, h * 0.85), m, "case")
-    b.lathe([(0.42, h * 0.85), (0.4, h * 0.95), (0.2, h)], "plastic_grey", (0, -d * 0.04), "lid", 24, (w, w))
-    b.box((-w * 0.4, w * 0.4), (d / 2 - 0.001, d / 2), (h * 0.6, h * 0.78), "screen_blue", "panel", solid=False)
 
 
 def _cabinet(b: Builder) -> None:
@@ -64,7 +55,6 @@ def _doors(b: Builder, foot: float) -> None:
 def _vents(b: Builder, foot: float) -> None:
     """Vents, a screen and a cap, above the foot."""
     w, d, h = b.w, b.d, b.h
-    style = str(b.p.get("style", "vent"))
     for k in range(6):
         z = foot + (h - foot) * (0.08 + 0.05 * k)
         b.box(
@@ -76,49 +66,9 @@ def _vents(b: Builder, foot: float) -> None:
             solid=False,
         )
     b.box(
-        (-w * 0.3, w * 0.05),
-        (d / 2 - 0.02, d / 2 - 0.012),
-        (h * 0.68, h * 0.86),
-        "screen_dark" if style == "tower" else "screen_green",
-        "panel",
-        solid=False,
+        (-w * 0.3, w * 0.05), (d / 2 - 0.02, d / 2 - 0.012), (h * 0.68, h * 0.86), "screen_green", "panel", solid=False
     )
     b.cyl(w * 0.25, 0, (h - 0.001, h), min(w, d) * 0.1, "plastic_dark", "cap", solid=False)
-
-
-def _medical(b: Builder) -> None:
-    w, d, h = b.w, b.d, b.h
-    m = b.mat()
-    b.wheels(0.05, 0.07)
-    b.box((-w / 2, w / 2), (-d / 2, d / 2), (0.09, 0.15), "plastic_grey", "base")
-    b.box((-w * 0.36, w * 0.36), (-d * 0.35, d * 0.3), (0.14, h * 0.58), m, "body")
-    b.box((-w / 2, w / 2), (-d * 0.4, d / 2), (h * 0.56, h * 0.62), m, "desk")
-    for k in range(3):
-        z = 0.22 + k * h * 0.12
-        b.box((-w * 0.3, w * 0.3), (d * 0.3, d * 0.32), (z, z + h * 0.09), "plastic_light", "drawers", solid=False)
-    b.box((-0.03, 0.03), (-d * 0.2, -d * 0.1), (h * 0.6, h * 0.75), "metal_grey", "arm", solid=False)
-    b.box((-w * 0.4, w * 0.4), (-d * 0.2, -d * 0.1), (h * 0.7, h), "plastic_dark", "screen")
-    b.box((-w * 0.36, w * 0.36), (-d * 0.1, -d * 0.095), (h * 0.72, h * 0.98), "screen_blue", "screen", solid=False)
-    b.path(
-        [(w * 0.42, d * 0.1, h * 0.58), (w * 0.46, d * 0.3, h * 0.4), (w * 0.42, d * 0.2, h * 0.2)],
-        0.012,
-        "rubber_blue",
-        "hose",
-    )
-
-
-def _mill(b: Builder) -> None:
-    """Enclosed milling machine with a door and a panel."""
-    w, d, h = b.w, b.d, b.h
-    m = b.mat()
-    b.box((-w / 2, w / 2), (-d / 2, d / 2 - 0.08), (0.06, h), m, "case")
-    b.box((-w / 2 + 0.04, w / 2 - 0.04), (-d / 2 + 0.04, d / 2 - 0.14), (0, 0.06), "metal_dark", "feet")
-    b.box((-w * 0.4, w * 0.18), (d / 2 - 0.08, d / 2 - 0.05), (h * 0.4, h * 0.88), "metal_light", "door", solid=False)
-    b.box(
-        (-w * 0.34, w * 0.12), (d / 2 - 0.05, d / 2 - 0.04), (h * 0.5, h * 0.84), "glass_black", "window", solid=False
-    )
-    b.box((w * 0.24, w * 0.46), (d / 2 - 0.08, d / 2), (h * 0.5, h * 0.85), "plastic_dark", "panel")
-    b.box((w * 0.27, w * 0.43), (d / 2 - 0.002, d / 2), (h * 0.68, h * 0.82), "screen_blue", "panel", solid=False)
 
 
 def _lathe(b: Builder) -> None:
@@ -199,41 +149,5 @@ def _copier(b: Builder) -> None:
     )
 
 
-def _printer(b: Builder) -> None:
-    """Printer with a sheet in its mouth."""
-    w, d, h = b.w, b.d, b.h
-    m = b.mat()
-    b.cushion((-w / 2, w / 2), (-d / 2, d / 2 - 0.05), (0, h), m, "case", 0.25, 12)
-    b.box((-w * 0.34, w * 0.34), (d / 2 - 0.12, d / 2), (h * 0.25, h * 0.3), "paper_white", "paper")
-    b.box((-w * 0.36, w * 0.36), (d / 2 - 0.07, d / 2 - 0.045), (h * 0.3, h * 0.5), "plastic_dark", "slot", solid=False)
-    b.box((w * 0.15, w * 0.4), (d / 2 - 0.06, d / 2 - 0.045), (h * 0.68, h * 0.84), "screen_blue", "panel", solid=False)
-
-
-def _plotter(b: Builder) -> None:
-    """Plotter on two legs with a hanging sheet."""
-    w, d, h = b.w, b.d, b.h
-    m = b.mat()
-    for sx in (-1, 1):
-        x = sx * (w / 2 - 0.1)
-        b.box((x - 0.04, x + 0.04), (-d / 2, d / 2), (0, 0.06), "metal_dark", "feet")
-        b.box((x - 0.04, x + 0.04), (-0.06, 0.06), (0.05, h * 0.7), "metal_dark", "legs")
-    b.cushion((-w / 2, w / 2), (-d * 0.4, d * 0.4), (h * 0.68, h), m, "case", 0.35, 12)
-    b.prism(
-        [(d * 0.36, h * 0.74), (d * 0.38, h * 0.75), (d * 0.3, h * 0.25), (d * 0.28, h * 0.25)],
-        (-w * 0.4, w * 0.4),
-        "paper_white",
-        part="sheet",
-        solid=False,
-    )
-
-
-_MACHINES: dict[str, Recipe] = {
-    "centrifuge": _centrifuge,
-    "cnc": _mill,
-    "copier": _copier,
-    "lathe": _lathe,
-    "medical": _medical,
-    "plotter": _plotter,
-    "printer": _printer,
-}
+_MACHINES: dict[str, Recipe] = {"copier": _copier, "lathe": _lathe}
 """Styles with a shape of their own; the others are cabinets."""

@@ -1,4 +1,4 @@
-"""Furniture of plain shape that its marks tell apart: nail bars, waiters' stations, trunks, mats, curtains, pools."""
+"""Furniture of plain shape that its marks tell apart: nail bars, waiters' stations, trunks, curtains, pools."""
 
 from mansion_assets.builder import Builder
 from mansion_assets.drawn_faces import DrawnFace
@@ -73,9 +73,9 @@ def trunk(b: Builder) -> None:
         face.field((u - w * 0.045, u + w * 0.045), (h * 0.6, h * 0.7), "metal_brass", "buckles", 0.006)
     face.field((-w * 0.06, w * 0.06), (h * 0.6, top), "metal_brass", "hasp", 0.004)
     face.disc(0, h * 0.68, w * 0.02, "plastic_black", "hasp", 0.006, 12)
-    for u in ((-w / 2 + 0.004, -w * 0.43), (w * 0.43, w / 2 - 0.004)):
-        for v in ((h * 0.1, h * 0.24), (h * 0.8, top)):
-            face.field(u, v, "metal_brass", "corners", 0.005)
+    for end in ((-w / 2 + 0.004, -w * 0.43), (w * 0.43, w / 2 - 0.004)):
+        for level in ((h * 0.1, h * 0.24), (h * 0.8, top)):
+            face.field(end, level, "metal_brass", "corners", 0.005)
     side = DrawnFace.side(b, w / 2)
     side.line(
         [(-d * 0.18, h * 0.62), (-d * 0.14, h * 0.46), (d * 0.14, h * 0.46), (d * 0.18, h * 0.62)],
@@ -87,34 +87,6 @@ def trunk(b: Builder) -> None:
         lid = DrawnFace.top(b, h)
         for u in (-w * 0.32, w * 0.32):
             lid.field((u - w * 0.035, u + w * 0.035), (-d / 2 + 0.03, d / 2), "leather_5a3a22", "straps", 0.001)
-
-
-@recipe("exercise_mat")
-def exercise_mat(b: Builder) -> None:
-    """A long plain mat with the figure of somebody who sits with crossed legs, and a line along its middle."""
-    w, d, h = b.w, b.d, b.h
-    b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, h * 0.7), b.mat(), "mat")
-    face, ink = DrawnFace.top(b, h * 0.7), "plastic_eef2f5"
-    s, z = w * 0.4, (h * 0.7, h * 0.9)
-    face.disc(0, s * 0.95, s * 0.2, ink, "figure", h * 0.2, 18)
-    b.prism(
-        [(-s * 0.22, -s * 0.66), (s * 0.22, -s * 0.66), (s * 0.14, s * 0.3), (-s * 0.14, s * 0.3)],
-        z,
-        ink,
-        "z",
-        "figure",
-    )
-    for side in (-1, 1):
-        for bone in (
-            [(0.1, -0.66), (0.3, -0.62), (0.68, 0.0), (0.56, 0.04)],
-            [(0.56, 0.04), (0.68, 0.0), (0.86, 0.22), (0.78, 0.3)],
-            [(0.0, 0.26), (0.1, 0.26), (0.95, 0.5), (0.86, 0.6), (0.0, 0.44)],
-            [(0.86, 0.46), (0.9, 0.62), (-0.16, 0.8), (-0.2, 0.66)],
-        ):
-            b.prism([(side * u * s, v * s) for u, v in bone], z, ink, "z", "figure", solid=False)
-    for v in ((-d * 0.46, -d * 0.28), (d * 0.28, d * 0.46)):
-        face.field((-w * 0.012, w * 0.012), v, ink, "line", h * 0.2)
-        face.field((-w * 0.3, w * 0.3), (v[0], v[0] + d * 0.006), ink, "line", h * 0.2)
 
 
 @recipe("ward_curtain")
@@ -143,12 +115,12 @@ def lane_pool(b: Builder) -> None:
     w, d, h = b.w, b.d, b.h
     t = min(0.3, w * 0.08, d * 0.08)
     for side in (-1, 1):
-        x, y = sorted((side * w / 2, side * (w / 2 - t))), sorted((side * d / 2, side * (d / 2 - t)))
-        b.box((x[0], x[1]), (-d / 2, d / 2), (0, h * 0.8), b.mat(), "rim")
-        b.box((-w / 2, w / 2), (y[0], y[1]), (0, h * 0.8), b.mat(), "rim")
+        across, along = sorted((side * w / 2, side * (w / 2 - t))), sorted((side * d / 2, side * (d / 2 - t)))
+        b.box((across[0], across[1]), (-d / 2, d / 2), (0, h * 0.8), b.mat(), "rim")
+        b.box((-w / 2, w / 2), (along[0], along[1]), (0, h * 0.8), b.mat(), "rim")
     b.box((-w / 2 + t, w / 2 - t), (-d / 2 + t, d / 2 - t), (0, h * 0.66), "plastic_4fb3e0", "water")
-    along = w >= d
-    long, short = (w, d) if along else (d, w)
+    lengthwise = w >= d
+    long, short = (w, d) if lengthwise else (d, w)
     lanes = 4
     for k in range(1, lanes):
         c = -short / 2 + t + (short - 2 * t) * k / lanes
@@ -156,14 +128,14 @@ def lane_pool(b: Builder) -> None:
         for j in range(floats):
             a = -long / 2 + t + (long - 2 * t) * j / floats
             e = a + (long - 2 * t) / floats * 0.86
-            start, end = ((a, c, h * 0.68), (e, c, h * 0.68)) if along else ((c, a, h * 0.68), (c, e, h * 0.68))
+            start, end = ((a, c, h * 0.68), (e, c, h * 0.68)) if lengthwise else ((c, a, h * 0.68), (c, e, h * 0.68))
             b.rod(start, end, h * 0.07, ("plastic_red", "plastic_white")[j % 2], "floats", 6)
     for k in range(lanes):
         c = -short / 2 + t + (short - 2 * t) * (k + 0.5) / lanes
         half = short / lanes * 0.22
         far = (-long / 2, -long / 2 + t)
         b.box(
-            *((far, (c - half, c + half)) if along else ((c - half, c + half), far)),
+            *((far, (c - half, c + half)) if lengthwise else ((c - half, c + half), far)),
             (h * 0.8, h * 0.97),
             "plastic_2f5fc8",
             "blocks",
@@ -171,7 +143,7 @@ def lane_pool(b: Builder) -> None:
         line = (-long / 2 + t * 2, long / 2 - t * 2)
         stripe = (c - half * 0.2, c + half * 0.2)
         b.box(
-            *((line, stripe) if along else (stripe, line)),
+            *((line, stripe) if lengthwise else (stripe, line)),
             (h * 0.655, h * 0.664),
             "plastic_1f3f7f",
             "lines",

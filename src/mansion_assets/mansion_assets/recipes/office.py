@@ -24,34 +24,6 @@ def partition(b: Builder) -> None:
         b.box((x - 0.03, x + 0.03), (-d / 2, d / 2), (0, 0.06), "metal_dark", "feet")
 
 
-@recipe("booth")
-def booth(b: Builder) -> None:
-    """Telephone booth with a glass door, seat and shelf."""
-    w, d, h = b.w, b.d, b.h
-    t = 0.08
-    for sx in (-1, 1):
-        lo, hi = sorted((sx * w / 2, sx * (w / 2 - t)))
-        b.box((lo, hi), (-d / 2, d / 2), (0, h), b.mat(), "sides")
-    b.box((-w / 2, w / 2), (-d / 2, -d / 2 + t), (0, h), b.mat(), "back")
-    b.box((-w / 2, w / 2), (-d / 2, d / 2), (h - t, h), b.mat(), "roof")
-    b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, 0.05), "fabric_dark", "floor")
-    pane = ((-w / 2 + t, w / 2 - t), (d / 2 - 0.03, d / 2 - 0.01), (0.052, h - t - 0.002))
-    with b.door(*pane):
-        b.box(*pane, "glass_clear", "door", solid=False)
-        b.box((w * 0.3, w * 0.33), (d / 2 - 0.012, d / 2), (0.9, 1.2), "metal_steel", "handle", solid=False)
-    b.box((-w / 2 + t, w / 2 - t), (-d / 2 + t, -d / 2 + t + 0.3), (1.0, 1.03), "wood_oak", "shelf")
-    b.box((-0.1, 0.1), (-0.05, 0.05), (h - t - 0.01, h - t), "light_white", "lamp", solid=False)
-
-
-@recipe("platform")
-def platform(b: Builder) -> None:
-    """Stage with a step."""
-    w, d, h = b.w, b.d, b.h
-    b.box((-w / 2, w / 2), (-d / 2, d / 2 - 0.3), (0, h), b.mat(), "deck")
-    b.box((-w / 2, w / 2), (d / 2 - 0.3, d / 2), (0, h / 2), b.mat(), "step")
-    b.box((-w / 2, w / 2), (d / 2 - 0.32, d / 2 - 0.3), (h - 0.02, h), "metal_brass", "edge", solid=False)
-
-
 @recipe("barrier")
 def barrier(b: Builder) -> None:
     """Two posts and a hanging rope."""

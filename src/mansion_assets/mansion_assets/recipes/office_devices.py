@@ -64,8 +64,8 @@ def shredder_bin(b: Builder) -> None:
     low, high, t = h * 0.66, h * 0.82, 0.012
     b.box((-w * 0.46, w * 0.46), (-d * 0.46, d * 0.46), (0, t), b.mat(), "bin")
     for side in (-1, 1):
-        x = sorted((side * w * 0.46, side * (w * 0.46 - t)))
-        b.box((x[0], x[1]), (-d * 0.46, d * 0.46), (0, low), b.mat(), "bin")
+        across = sorted((side * w * 0.46, side * (w * 0.46 - t)))
+        b.box((across[0], across[1]), (-d * 0.46, d * 0.46), (0, low), b.mat(), "bin")
     b.box((-w * 0.46, w * 0.46), (-d * 0.46, -d * 0.46 + t), (0, low), b.mat(), "bin")
     b.box((-w * 0.46, w * 0.46), (d * 0.46 - t, d * 0.46), (0, low), b.mat(), "bin")
     b.cushion((-w / 2, w / 2), (-d / 2, d / 2), (low, high), "plastic_dark", "head", 0.3)

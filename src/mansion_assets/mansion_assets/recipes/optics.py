@@ -8,18 +8,6 @@ from mansion_assets.registry import recipe
 __all__: list[str] = []
 
 
-@recipe("camera")
-def camera(b: Builder) -> None:
-    """Camera with its lens to the front; surveillance cameras on a bracket."""
-    w, d, h = b.w, b.d, b.h
-    if b.p.get("style") == "cctv":
-        b.box((-w * 0.3, w * 0.3), (-d / 2, -d / 2 + 0.015), (h * 0.3, h), b.mat(), "plate")
-        b.box((-0.012, 0.012), (-d / 2, 0), (h * 0.7, h * 0.85), b.mat(), "arm", solid=False)
-    b.box((-w / 2, w / 2), (-d * 0.3, d * 0.15), (0, h * (0.8 if h > 0.07 else 1.0)), b.mat(), "body")
-    b.rod((0, d * 0.1, h * 0.4), (0, d / 2, h * 0.4), min(w, h) * 0.32, "plastic_black", "lens", 14, solid=True)
-    b.box((-w * 0.2, w * 0.2), (-d / 2, d * 0.05), (h * 0.8, h), b.mat(), "finder", solid=False)
-
-
 @recipe("microscope")
 def microscope(b: Builder) -> None:
     """Foot, arm, stage, tube."""

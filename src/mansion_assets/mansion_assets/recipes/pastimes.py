@@ -11,14 +11,14 @@ __all__: list[str] = []
 
 @recipe("air_hockey")
 def air_hockey(b: Builder) -> None:
-    """A white top full of small holes, with red and blue lines, goals, a puck, two mallets and a scoreboard above."""
+    """A white top in a blue rim, with red and blue lines, goals, a puck and two mallets."""
     w, d, h = b.w, b.d, b.h
     top = h * 0.9
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (top - 0.2, top - 0.04), "plastic_2f5fa8", "case")
     for side in (-1, 1):
-        x, y = sorted((side * w / 2, side * (w / 2 - 0.07))), sorted((side * d / 2, side * (d / 2 - 0.07)))
-        b.box((x[0], x[1]), (-d / 2, d / 2), (top - 0.04, top + 0.03), "plastic_2f5fa8", "rails")
-        b.box((-w / 2, w / 2), (y[0], y[1]), (top - 0.04, top + 0.03), "plastic_2f5fa8", "rails")
+        across, along = sorted((side * w / 2, side * (w / 2 - 0.07))), sorted((side * d / 2, side * (d / 2 - 0.07)))
+        b.box((across[0], across[1]), (-d / 2, d / 2), (top - 0.04, top + 0.03), "plastic_2f5fa8", "rails")
+        b.box((-w / 2, w / 2), (along[0], along[1]), (top - 0.04, top + 0.03), "plastic_2f5fa8", "rails")
         b.box(
             (-w * 0.3, w * 0.3),
             (side * d * 0.36 - 0.12, side * d * 0.36 + 0.12),

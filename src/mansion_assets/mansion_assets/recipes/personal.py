@@ -167,16 +167,6 @@ def router(b: Builder) -> None:
         )
 
 
-@recipe("goggles")
-def goggles(b: Builder) -> None:
-    """Protective spectacles."""
-    w, d, h = b.w, b.d, b.h
-    b.cushion((-w / 2, w / 2), (d * 0.1, d / 2), (0, h), "glass_clear", "lens", 0.7)
-    for sx in (-1, 1):
-        lo, hi = sorted((sx * w / 2, sx * (w / 2 - 0.01)))
-        b.box((lo, hi), (-d / 2, d * 0.3), (h * 0.4, h * 0.7), b.mat(), "arms")
-
-
 @recipe("hair_dryer")
 def hair_dryer(b: Builder) -> None:
     """Pistol shape: dryer, cordless drill."""

@@ -68,9 +68,9 @@ def altar(b: Builder) -> None:
     cloth = (-d / 2 + 0.05, d / 2 - 0.05)
     b.box((-w / 2, w / 2), cloth, (h * 0.985, h), "fabric_fdfdfb", "cloth")
     for side in (-1, 1):
-        x = sorted((side * w / 2, side * (w / 2 - 0.012)))
-        b.box((x[0], x[1]), cloth, (h * 0.4, h), "fabric_fdfdfb", "cloth")
-        b.box((x[0] - 0.002, x[1] + 0.002), cloth, (h * 0.4, h * 0.44), "metal_brass", "fringe")
+        across = sorted((side * w / 2, side * (w / 2 - 0.012)))
+        b.box((across[0], across[1]), cloth, (h * 0.4, h), "fabric_fdfdfb", "cloth")
+        b.box((across[0] - 0.002, across[1] + 0.002), cloth, (h * 0.4, h * 0.44), "metal_brass", "fringe")
     face = DrawnFace.front(b, d / 2 - 0.01)
     face.field((-w * 0.3, w * 0.3), (h * 0.5, h * 0.98), "fabric_fdfdfb", "front_cloth", 0.008)
     face.field((-w * 0.3, w * 0.3), (h * 0.5, h * 0.54), "metal_brass", "fringe", 0.012)
@@ -154,9 +154,9 @@ def changing_table(b: Builder) -> None:
             for u in (-w * 0.2, w * 0.2):
                 b.rod((u, face + 0.015, sum(z) / 2), (u, d / 2 + 0.01, sum(z) / 2), 0.018, "wood_brown", "knobs", 12)
     for side in (-1, 1):
-        x = sorted((side * w / 2, side * (w / 2 - 0.025)))
+        across = sorted((side * w / 2, side * (w / 2 - 0.025)))
         wall = [(-d / 2, high), (face, high), (face, h * 0.94), (d * 0.1, h), (-d / 2, h)]
-        b.prism(wall, (x[0], x[1]), b.mat(), part="sides")
+        b.prism(wall, (across[0], across[1]), b.mat(), part="sides")
     b.box((-w / 2, w / 2), (-d / 2, -d / 2 + 0.025), (high, h), b.mat(), "sides")
     b.box((-w / 2, w / 2), (face - 0.02, face), (high, h * 0.89), b.mat(), "sides")
     for y in ((-d / 2 + 0.03, -d * 0.22), (d * 0.18, face - 0.025)):
@@ -277,37 +277,3 @@ def folded_blanket(b: Builder) -> None:
         for k in range(16):
             y = d * (-0.44 + 0.0587 * k)
             b.rod((side * w * 0.44, y, h * 0.3), (side * w / 2, y, h * 0.12), h * 0.025, checks, "fringe", 5)
-
-
-@recipe("prayer_rug")
-def prayer_rug(b: Builder) -> None:
-    """A rug with a pointed arch between columns, a lamp that hangs in it, a border of two colours, and fringed ends."""
-    w, d, h = b.w, b.d, b.h
-    gold, dark = "fabric_d9b85a", "fabric_2a2f4f"
-    b.box((-w / 2, w / 2), (-d * 0.46, d * 0.46), (0, h * 0.5), b.mat(), "rug")
-    for side in (-1, 1):
-        for k in range(18):
-            x = -w / 2 + w * (k + 0.5) / 18
-            y = sorted((side * d * 0.46, side * d / 2))
-            b.box((x - w * 0.012, x + w * 0.012), (y[0], y[1]), (0, h * 0.3), "fabric_white", "fringe", solid=False)
-    face = DrawnFace.top(b, h * 0.5)
-    for inset, color, level in ((0.04, gold, 0.1), (0.06, dark, 0.16), (0.12, gold, 0.22), (0.14, b.mat(), 0.28)):
-        face.field(
-            (-w * (0.5 - inset), w * (0.5 - inset)),
-            (-d * (0.46 - inset * 0.7), d * (0.46 - inset * 0.7)),
-            color,
-            "border",
-            h * level,
-        )
-    top = DrawnFace.top(b, h * 0.78)
-    for side in (-1, 1):
-        u = sorted((side * w * 0.3, side * w * 0.24))
-        top.field((u[0], u[1]), (-d * 0.34, d * 0.1), gold, "arch", h * 0.1)
-    arch = [(0.3, 0.1), (0.3, 0.16), (0.2, 0.26), (0.0, 0.36), (-0.2, 0.26), (-0.3, 0.16), (-0.3, 0.1)]
-    b.prism([(-u * w, -v * d) for u, v in arch], (h * 0.78, h * 0.88), gold, "z", "arch")
-    inner = [(0.24, 0.1), (0.24, 0.15), (0.16, 0.23), (0.0, 0.31), (-0.16, 0.23), (-0.24, 0.15), (-0.24, 0.1)]
-    b.prism([(-u * w, -v * d) for u, v in inner], (h * 0.8, h * 0.92), dark, "z", "arch")
-    top.field((-w * 0.24, w * 0.24), (-d * 0.34, d * 0.1), dark, "arch", h * 0.14)
-    top.field((-w * 0.008, w * 0.008), (d * 0.12, d * 0.3), gold, "lamp", h * 0.2)
-    top.disc(0, d * 0.08, w * 0.07, gold, "lamp", h * 0.2)
-    top.field((-w * 0.05, w * 0.05), (-d * 0.02, d * 0.02), gold, "lamp", h * 0.2)

@@ -12,55 +12,15 @@ __all__: list[str] = []
 
 @recipe("wall_box")
 def wall_box(b: Builder) -> None:
-    """Boxes on walls: switches, dispensers, dryers, cabinets, air conditioners."""
+    """Boxes on walls: first aid, air conditioners."""
     style = str(b.p.get("style", "plain"))
-    if style == "nozzle":
-        _nozzle(b)
-    elif style == "fold":
-        _folding_table(b)
-    else:
-        front = _FRONTS.get(style)
-        body = b.d * (0.9 if front is not None else 1.0)
-        b.box((-b.w / 2, b.w / 2), (-b.d / 2, -b.d / 2 + body), (0, b.h), b.mat(), "case")
-        if front is not None:
-            front(b, (-b.d / 2 + body, b.d / 2))
-        elif style == "vent":
-            _slats(b)
-
-
-def _nozzle(b: Builder) -> None:
-    """Case with a nozzle below and a window."""
-    w, d, h = b.w, b.d, b.h
-    main = b.mat()
-    b.box((-w / 2, w / 2), (-d / 2, d / 2 - 0.015), (h * 0.15, h), main, "case")
-    b.box((-w * 0.15, w * 0.15), (-0.02, d / 2), (0, h * 0.2), "plastic_grey", "nozzle")
-    b.box(
-        (-w * 0.4, w * 0.4), (d / 2 - 0.016, d / 2 - 0.01), (h * 0.45, h * 0.85), "plastic_grey", "window", solid=False
-    )
-
-
-def _folding_table(b: Builder) -> None:
-    """Table with a pad, folded down from its back."""
-    w, d, h = b.w, b.d, b.h
-    main = b.mat()
-    b.box((-w / 2, w / 2), (-d / 2, -d / 2 + 0.1), (0, h), main, "back")
-    b.box((-w / 2 + 0.02, w / 2 - 0.02), (-d / 2 + 0.1, d / 2), (0, 0.06), main, "table")
-    b.box((-w / 2 + 0.1, w / 2 - 0.1), (-d / 2 + 0.1, d / 2 - 0.05), (0.06, 0.075), "rubber_grey", "pad", solid=False)
-
-
-def _sockets(b: Builder, y: tuple[float, float]) -> None:
-    """Row of six gas and power outlets."""
-    w, h = b.w, b.h
-    for k in range(6):
-        x = -w * 0.42 + k * w * 0.168
-        b.box(
-            (x - 0.04, x + 0.04),
-            y,
-            (h * 0.3, h * 0.7),
-            ("plastic_blue", "plastic_green", "plastic_grey", "light_white", "plastic_grey", "plastic_red")[k],
-            "sockets",
-            solid=False,
-        )
+    front = _FRONTS.get(style)
+    body = b.d * (0.9 if front is not None else 1.0)
+    b.box((-b.w / 2, b.w / 2), (-b.d / 2, -b.d / 2 + body), (0, b.h), b.mat(), "case")
+    if front is not None:
+        front(b, (-b.d / 2 + body, b.d / 2))
+    elif style == "vent":
+        _slats(b)
 
 
 def _cross(b: Builder, y: tuple[float, float]) -> None:
@@ -72,17 +32,6 @@ def _cross(b: Builder, y: tuple[float, float]) -> None:
     b.box((-w * 0.09, w * 0.09), y, (h * 0.24, h * 0.76), other, "cross", solid=False)
 
 
-def _door_front(b: Builder, y: tuple[float, float]) -> None:
-    """Door with a handle and a label."""
-    w, h = b.w, b.h
-    main = b.mat()
-    b.box((-w * 0.44, w * 0.44), (y[0], y[0] + 0.4 * (y[1] - y[0])), (h * 0.05, h * 0.95), main, "door", solid=False)
-    b.box((w * 0.32, w * 0.36), y, (h * 0.4, h * 0.6), "metal_steel", "handle", solid=False)
-    b.box(
-        (-w * 0.2, w * 0.1), (y[0], y[0] + 0.5 * (y[1] - y[0])), (h * 0.6, h * 0.8), "paper_white", "label", solid=False
-    )
-
-
 def _slats(b: Builder) -> None:
     """Slats of an air outlet, and a lamp."""
     w, d, h = b.w, b.d, b.h
@@ -92,7 +41,7 @@ def _slats(b: Builder) -> None:
     b.box((w * 0.3, w * 0.4), (d / 2 - 0.003, d / 2), (h * 0.75, h * 0.82), "light_green", "led", solid=False)
 
 
-_FRONTS = {"cross": _cross, "door": _door_front, "sockets": _sockets}
+_FRONTS = {"cross": _cross}
 """What stands out on the front of a box, from the case to the asset's front at `y`."""
 
 

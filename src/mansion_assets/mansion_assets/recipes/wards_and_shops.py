@@ -44,8 +44,8 @@ def office_booth(b: Builder) -> None:
     w, d, h = b.w, b.d, b.h
     t, head = 0.08, h * 0.86
     for side in (-1, 1):
-        x = sorted((side * w / 2, side * (w / 2 - t)))
-        b.box((x[0], x[1]), (-d / 2, d / 2), (0, h), b.mat(), "sides")
+        across = sorted((side * w / 2, side * (w / 2 - t)))
+        b.box((across[0], across[1]), (-d / 2, d / 2), (0, h), b.mat(), "sides")
     b.box((-w / 2, w / 2), (-d / 2, -d / 2 + t), (0, h), "fabric_4f7f9f", "back")
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (h - t, h), b.mat(), "roof")
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, 0.05), "fabric_dark", "floor")
@@ -111,11 +111,11 @@ def jewel_case(b: Builder) -> None:
         for y in (-d / 2 + 0.006, d / 2 - 0.006):
             b.box((x - 0.006, x + 0.006), (y - 0.006, y + 0.006), (base, h), "metal_brass", "frame")
     for side in (-1, 1):
-        x, y = sorted((side * w / 2, side * (w / 2 - 0.006))), sorted((side * d / 2, side * (d / 2 - 0.006)))
-        b.box((x[0], x[1]), (-d / 2, d / 2), (base, h - 0.012), "glass_clear", "glass")
-        b.box((-w / 2, w / 2), (y[0], y[1]), (base, h - 0.012), "glass_clear", "glass")
-        b.box((-w / 2, w / 2), (y[0], y[1]), (h - 0.012, h), "metal_brass", "frame", solid=False)
-        b.box((x[0], x[1]), (-d / 2, d / 2), (h - 0.012, h), "metal_brass", "frame", solid=False)
+        across, along = sorted((side * w / 2, side * (w / 2 - 0.006))), sorted((side * d / 2, side * (d / 2 - 0.006)))
+        b.box((across[0], across[1]), (-d / 2, d / 2), (base, h - 0.012), "glass_clear", "glass")
+        b.box((-w / 2, w / 2), (along[0], along[1]), (base, h - 0.012), "glass_clear", "glass")
+        b.box((-w / 2, w / 2), (along[0], along[1]), (h - 0.012, h), "metal_brass", "frame", solid=False)
+        b.box((across[0], across[1]), (-d / 2, d / 2), (h - 0.012, h), "metal_brass", "frame", solid=False)
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (h - 0.008, h - 0.002), "glass_clear", "glass", solid=False)
     tall = h - base
     for k in range(3):
@@ -177,10 +177,10 @@ def bread_case(b: Builder) -> None:
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, base - 0.02), b.mat(), "base")
     b.box((-w / 2, w / 2), (-d / 2, d * 0.3), (h - 0.03, h), b.mat(), "roof")
     for side in (-1, 1):
-        x = sorted((side * w / 2, side * (w / 2 - 0.01)))
+        across = sorted((side * w / 2, side * (w / 2 - 0.01)))
         b.prism(
             [(-d / 2, base - 0.02), (d / 2, base - 0.02), (d / 2, base + 0.1), (d * 0.3, h - 0.03), (-d / 2, h - 0.03)],
-            (x[0], x[1]),
+            (across[0], across[1]),
             "glass_clear",
             part="glass",
         )
@@ -318,10 +318,10 @@ def warm_incubator(b: Builder) -> None:
     door = (face + 0.002, face + 0.026)
     panel = ((-w / 2 + 0.005, w / 2 - 0.005), door, (low - t, high + t * 0.8))
     with b.door(*panel, "left"):
-        for x in ((panel[0][0], panel[0][0] + 0.05), (panel[0][1] - 0.05, panel[0][1])):
-            b.box(x, door, panel[2], b.mat(), "door")
-        for z in ((panel[2][0], panel[2][0] + 0.045), (panel[2][1] - 0.045, panel[2][1])):
-            b.box(panel[0], door, z, b.mat(), "door")
+        for across in ((panel[0][0], panel[0][0] + 0.05), (panel[0][1] - 0.05, panel[0][1])):
+            b.box(across, door, panel[2], b.mat(), "door")
+        for up in ((panel[2][0], panel[2][0] + 0.045), (panel[2][1] - 0.045, panel[2][1])):
+            b.box(panel[0], door, up, b.mat(), "door")
         b.box(panel[0], (door[0] + 0.008, door[0] + 0.012), panel[2], "glass_clear", "window", solid=False)
         b.box((w * 0.42, w * 0.45), (door[1], d / 2), (low + 0.1, high - 0.1), "metal_dark", "handle", solid=False)
     front = DrawnFace.front(b, face)
@@ -356,10 +356,10 @@ def lens_goggles(b: Builder) -> None:
             "gleam",
             -d * 0.02,
         )
-        x = sorted((side * w / 2, side * w * 0.475))
+        across = sorted((side * w / 2, side * w * 0.475))
         b.prism(
             [(y, h * 0.3), (y, h * 0.96), (d * 0.1, h * 0.86), (d * 0.1, h * 0.5)],
-            (x[0], x[1]),
+            (across[0], across[1]),
             "plastic_bfe3f0",
             part="shields",
         )

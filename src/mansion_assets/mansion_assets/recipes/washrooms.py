@@ -15,7 +15,7 @@ def urinal(b: Builder) -> None:
     back, front = -d / 2, d / 2
     b.box((-w * 0.46, w * 0.46), (back, back + d * 0.2), (low + 0.06, high), b.mat(), "back")
     for side in (-1, 1):
-        x = sorted((side * w / 2, side * w * 0.34))
+        across = sorted((side * w / 2, side * w * 0.34))
         wall = [
             (back, low),
             (d * 0.16, low),
@@ -24,7 +24,7 @@ def urinal(b: Builder) -> None:
             (back + d * 0.4, high),
             (back, high),
         ]
-        b.prism(wall, (x[0], x[1]), b.mat(), part="sides")
+        b.prism(wall, (across[0], across[1]), b.mat(), part="sides")
     b.prism(
         [
             (back, low),
@@ -126,10 +126,10 @@ def hot_tub(b: Builder) -> None:
         y = -d / 2 + 0.06 + (depth - 0.12) * k / 10
         b.box((w / 2 - 0.04, w / 2 - 0.03), (y - 0.012, y + 0.012), (0.02, h * 0.8), "wood_brown", "slats", solid=False)
     for side in (-1, 1):
-        x = sorted((side * w / 2, side * (w / 2 - rim)))
-        y = sorted((middle + side * depth / 2, middle + side * (depth / 2 - rim)))
-        b.cushion((x[0], x[1]), (-d / 2, front), (h * 0.6, h), b.mat(), "rim", 0.5)
-        b.cushion((-w / 2, w / 2), (y[0], y[1]), (h * 0.6, h), b.mat(), "rim", 0.5)
+        across = sorted((side * w / 2, side * (w / 2 - rim)))
+        along = sorted((middle + side * depth / 2, middle + side * (depth / 2 - rim)))
+        b.cushion((across[0], across[1]), (-d / 2, front), (h * 0.6, h), b.mat(), "rim", 0.5)
+        b.cushion((-w / 2, w / 2), (along[0], along[1]), (h * 0.6, h), b.mat(), "rim", 0.5)
         b.cushion(
             (side * w * 0.22 - 0.16, side * w * 0.22 + 0.16),
             (-d / 2 + 0.02, -d / 2 + 0.2),
@@ -249,8 +249,8 @@ def hair_wash_chair(b: Builder) -> None:
     )
     b.box((-w * 0.34, w * 0.34), (-d * 0.02, d * 0.3), (0, seat - 0.12), "plastic_dark", "base")
     for side in (-1, 1):
-        x = sorted((side * w / 2, side * w * 0.38))
-        b.cushion((x[0], x[1]), (-d * 0.06, d * 0.28), (seat + 0.1, seat + 0.17), main, "arms", 0.5)
+        across = sorted((side * w / 2, side * w * 0.38))
+        b.cushion((across[0], across[1]), (-d * 0.06, d * 0.28), (seat + 0.1, seat + 0.17), main, "arms", 0.5)
         b.box(
             (side * w * 0.44 - 0.02, side * w * 0.44 + 0.02),
             (d * 0.0, d * 0.2),

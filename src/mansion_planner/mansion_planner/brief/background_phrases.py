@@ -159,8 +159,13 @@ def _is_bystander(reading: Reading, phrase: Phrase, sites: set[int]) -> bool:
 
 def _is_done(reading: Reading, phrase: Phrase) -> bool:
     """Whether a phrase is what somebody does, a verb with its object: "I write novels", "we collect chairs"."""
-    bare = phrase.noun_end - phrase.begin > 1 and not phrase.counted and not phrase.determiner
-    return bare and reading.word(phrase.begin - 1) in ("i", "we", "they", "she", "he", "who")
+    if phrase.determiner == "the" and not phrase.counted and reading.word(phrase.last) in _MOVING:
+        return True  # "the forklifts run on Sundays"
+    bare = not phrase.counted and not phrase.determiner and not (phrase.plural and phrase.noun_end - phrase.begin == 1)
+    return bare and reading.word(phrase.begin - 1) in ("i", "we", "they", "she", "he", "who", "us")
+
+
+_MOVING = frozenset("run drive travel arrive leave break broke".split())
 
 
 _GOING = frozenset("go goes going went gone walk walks drive cycle".split())
@@ -178,6 +183,9 @@ def _is_left(reading: Reading, phrase: Phrase) -> bool:
     if reading.word(at) == ",":
         at = next((end + 1 for end in range(at + 1, at + 6) if reading.word(end) == ","), at)
     verb, after = reading.word(at), reading.word(at + 1)
+    lead = reading.words(phrase.first - 2, phrase.first)
+    if lead[1] in ("hate", "hates", "dislike") or (lead[0] in ("nobody", "none") and lead[1] in ("like", "likes")):
+        return True  # "nobody likes long corridors"
     if reading.word(phrase.begin - 1) == "to" and reading.word(phrase.begin - 2) in _GOING and phrase.building:
         return True  # "the kids go to school"
     if phrase.determiner not in ("the", "our", "my"):

@@ -80,20 +80,10 @@ class EllipticStoreys:
         opens = reading.starts(lead) or reading.word(lead - 1) in (",", "and", ";", ":", "while", "but", "–", "-")
         following = reading.word(last)
         goes_on = following in _VERBS | _OPENS_LIST | {":", ","} or reading.kind(last) == "number"
-        placed = reading.word(lead - 1) in _PLACING and not self._is_centre(index)
+        placed = reading.word(lead - 1) in _PLACING
         if (opens and goes_on and following != ",") or (placed and (goes_on or following in CLOSERS | {"and"})):
             return [ref], last
         return None
-
-    def _is_centre(self, index: int) -> bool:
-        """Whether "in the middle" is the centre of a storey: nothing in its sentence is at the top or the bottom."""
-        reading = self.reading
-        if reading.word(index) != "middle" or reading.word(index - 2) != "in":
-            return False
-        said = {
-            token.text for at, token in enumerate(reading.tokens) if reading.sentence[at] == reading.sentence[index]
-        }
-        return said.isdisjoint({"top", "bottom", "above", "below", "underneath", "attic"})
 
     def _follows_title(self, index: int) -> bool:
         """Whether only a title of what a storey is for stands before a token: "Quiet functions topmost: ..."."""

@@ -464,6 +464,10 @@ def _is_own_entry(reading: Reading, phrases: list[Phrase], before: int, number: 
     """Whether furniture is an entry of a list beside a room: "a kitchen corner with fridge and stove, one desk"."""
     things = [phrase for phrase in phrases[before + 1 : number + 1] if phrase.head == "object"]
     first = things[0]
+    last, thing = phrases[number - 1], phrases[number]
+    apart = last.head == "object" and not last.determiner and not last.counted and thing.determiner in ("a", "an")
+    if apart and reading.words(last.last, thing.first) == (",",):
+        return True  # "a bathroom with shower, a bench"
     listed = reading.words(phrases[before].last, first.first) == (",",) and not phrases[before].areas
     if listed and phrases[before].determiner in ("a", "an"):
         return first.determiner in ("a", "an") or first.counted  # "a kitchen corner, one bed and a desk"

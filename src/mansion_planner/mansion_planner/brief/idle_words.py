@@ -11,10 +11,10 @@ _TIMES = frozenset(
     monday tuesday wednesday thursday friday saturday sunday january february march april june july august september
     october november december spring summer autumn winter season day week weekend fortnight month year decade
     century hour minute morning noon afternoon evening tonight today tomorrow yesterday nowadays now currently soon
-    later eventually sometime someday once twice often sometimes usually mostly always never again already still yet
-    ago meanwhile meantime finally lately recently formerly originally previously afterwards christmas easter
-    ramadan holiday holidays vacation semester term shift deadline schedule timetable birthday anniversary wedding
-    funeral
+    later eventually sometime someday once twice abroad often sometimes usually mostly always never again already
+    still yet ago meanwhile meantime finally lately recently formerly originally previously afterwards christmas
+    easter ramadan holiday holidays vacation semester term shift deadline schedule timetable birthday anniversary
+    wedding funeral
     """.split()
 )
 _TALK = frozenset(

@@ -346,10 +346,23 @@ class NamedStoreys:
         named = sum(t.text in FLOOR_WORDS | {"ground", "upstairs", "downstairs"} or t.kind == "level" for t in tokens)
         return named > 1
 
+    def _is_centre(self, index: int) -> bool:
+        """Whether "in the middle" is the centre of a storey: nothing in its sentence is at the top or the bottom."""
+        reading = self.reading
+        said_after = (
+            reading.word(index - 2) == "in" and not reading.starts(index - 2) and reading.word(index + 1) == ","
+        )
+        if not said_after:
+            return False
+        said = {
+            token.text for at, token in enumerate(reading.tokens) if reading.sentence[at] == reading.sentence[index]
+        }
+        return said.isdisjoint({"top", "bottom", "above", "below", "underneath", "attic"})
+
     def _is_middle(self, index: int) -> bool:
         """Whether "middle" stands for the storeys in between: "Middle: three flats", "in the middle two offices"."""
         reading, following = self.reading, self.reading.word(index + 1)
-        if reading.word(index) not in ("middle", "mid"):
+        if reading.word(index) not in ("middle", "mid") or self._is_centre(index):
             return False
         if following in (":", "=") and reading.starts(index):
             return True

@@ -12,14 +12,14 @@ PERSONS = PEOPLE | frozenset(
     painter singer writer poet author sculptor potter gamer collector gardener
     solicitor accountant librarian director headteacher headmaster principal mayor imam vicar pastor pharmacist
     surgeon vet paramedic carer caregiver ambassador manager boss secretary receptionist assistant employer specialist
-    trustee insurer investor founder freelancer
+    trustee nun insurer investor founder freelancer
     entrepreneur professional expert everyone everybody nobody anyone someone personnel
     head chief mechanic carpenter electrician plumber farmer fisherman hunter shopkeeper trader seller buyer shopper
     reader
     cat dog kitten puppy
-    commander captain sergeant officer colonel coach trainer instructor lecturer professor researcher scientist engineer
-    technician architect lawyer attorney judge clerk cashier cook chef waiter bartender baker butcher brewer tailor
-    hairdresser barber therapist psychologist midwife dentist surveyor inspector diplomat consul minister bishop nun
+    planner commander captain sergeant officer colonel coach trainer instructor lecturer professor researcher scientist
+    engineer technician architect lawyer attorney judge clerk cashier cook chef waiter bartender baker butcher brewer
+    tailor hairdresser barber therapist psychologist midwife dentist surveyor inspector diplomat consul minister bishop
     conductor composer dj photographer editor journalist programmer developer designer consultant contractor builder
     plaintiff prisoner guard watchman caretaker janitor cleaner housekeeper volunteer intern apprentice trainee
     grandchildren cousins buddy mate colleague coworker roommate flatmate tenant

@@ -71,11 +71,16 @@ def _headed_storeys(tokens: list[Token]) -> list[Token]:
         if token.text in _OPENING
         and _word(tokens, index - 1) in (".", ";", ":", "\n")
         and index + 1 < len(tokens)
-        and _word(tokens, index + 1) not in _NO_HEADING
+        and (_word(tokens, index + 1) not in _NO_HEADING or _is_up_with(tokens, index))
         and (tokens[index + 1].kind != "number" or _word(tokens, index + 2) not in ("m2", "ft2"))
         else token
         for index, token in enumerate(tokens)
     ]
+
+
+def _is_up_with(tokens: list[Token], index: int) -> bool:
+    """Whether "up" or "down" stands before an article; "above a garage" tells where something else is."""
+    return tokens[index].text in ("up", "down") and _word(tokens, index + 1) in ("a", "an", "one")
 
 
 def _storey_of_some(tokens: list[Token], index: int) -> Token:

@@ -43,6 +43,7 @@ def without_asides(tokens: list[Token]) -> list[Token]:
             or _done_there(tokens, index)
             or _open_anyway(tokens, index)
             or _some_day(tokens, index)
+            or _height_of_somebody(tokens, index)
         )
         if not skipped:
             result.append(tokens[index])
@@ -75,9 +76,27 @@ def _sum(tokens: list[Token], index: int) -> int:
 
 
 def _at_home(tokens: list[Token], index: int) -> int:
-    """Return 2 for "from home" and "at home" after a form of "work"; else 0."""
+    """Return 2 for "from home" and "at home" after a form of "work", 1 for "home" after one of "come"; else 0."""
+    if _word(tokens, index) == "home" and _word(tokens, index - 1) in _COMING:
+        return 1
     home = _word(tokens, index) in ("from", "at") and _word(tokens, index + 1) == "home"
     return 2 if home and _word(tokens, index - 1) in _WORKING else 0
+
+
+_COMING = frozenset(
+    "come comes came coming go goes went going return returned returning back move moved moving".split()
+)
+
+
+def _height_of_somebody(tokens: list[Token], index: int) -> int:
+    """Return of how many tokens "1.90 m tall" after "I am" is; else 0."""
+    told = tuple(token.text for token in tokens[index + 1 : index + 3]) in (
+        ("m", "tall"),
+        ("cm", "tall"),
+        ("ft", "tall"),
+    )
+    somebody = {_word(tokens, index - 1), _word(tokens, index - 2)} & {"i", "he", "she", "we"}
+    return 3 if tokens[index].kind == "number" and told and somebody else 0
 
 
 def _done_there(tokens: list[Token], index: int) -> int:

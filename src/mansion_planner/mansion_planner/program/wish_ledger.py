@@ -170,6 +170,8 @@ def _stand_in_of(room: RoomFact, knowledge: KnowledgeBase) -> str:
     told = not room.known and answers_when_told(room.room_type)
     if told and told_room_type(room.name, knowledge) == room.room_type:
         return ""
+    if room.name == f"{room.room_type}_room":
+        return ""  # "a kennel room"
     if not room.known and room.name.endswith(_AS_NAMED.get(room.room_type, ("-",))):
         return ""
     if not room.known:

@@ -134,7 +134,9 @@ def check_turn(statement: Turn, before: SceneState, after: SceneState, context: 
         if math.dist(old.position, new.position) > 0.01 or old.room != new.room:
             reason = f"{old.id} is not where it stood"
         elif statement.spot:
-            off = (new.rotation - rotation_towards(new, faced_point(statement.spot, new, after)) + 180.0) % 360.0 - 180.0
+            off = (
+                new.rotation - rotation_towards(new, faced_point(statement.spot, new, after)) + 180.0
+            ) % 360.0 - 180.0
             reason = "" if abs(off) <= _FACING else f"{old.id} does not face the {statement.spot}"
         elif statement.facing is None:
             off = (new.rotation - old.rotation - statement.degrees + 180.0) % 360.0 - 180.0

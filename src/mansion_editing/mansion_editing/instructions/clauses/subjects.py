@@ -53,6 +53,8 @@ class Subjects(Lacks):
             item = self.item(place)
             if item is None:
                 return None
+            if any(read.source for read in item.places) and self.text(item.end) == ",":
+                return None  # "all pens off the desk, the laptop can stay"
             item = self._with_load(item)
             subjects.append(self._named(item, subjects))
             after = self.conjunction(item.end)

@@ -11,8 +11,8 @@ from mansion_editing.instructions.doing.rooms import swap_rooms
 from mansion_editing.instructions.doing.work import Done, Work, listed, live, whereabouts
 from mansion_editing.instructions.meaning.choices import at_home, from_there, one_room_each, things_meant
 from mansion_editing.instructions.meaning.context import Context
-from mansion_editing.instructions.meaning.directions import faced_point, rotation_towards
 from mansion_editing.instructions.meaning.descriptions import all_at, rooms_of, things_of
+from mansion_editing.instructions.meaning.directions import faced_point, rotation_towards
 from mansion_editing.instructions.meaning.nouns import is_loose
 from mansion_editing.instructions.meaning.numbers import means_one
 from mansion_editing.instructions.meaning.targets import Target, names_any, places_of

@@ -52,19 +52,29 @@ def read_in_other_words(text: str, state: SceneState, brief: str = "") -> Instru
         if _is_clear(read, plain):
             left = [Mention(quote=remark, passed_over=True) for remark in remarks]
             return msgspec.structs.replace(read, statements=[*read.statements, *left], read_as=plain)
-    if _CORRECTION.search(text) and not first.not_understood:
-        return msgspec.structs.replace(first, not_understood=[_CORRECTION.search(text)[0].strip(" .-…,")])  # type: ignore[index]
-    return first
+    taken_back = "" if first.not_understood else _taken_back(first, text)
+    return msgspec.structs.replace(first, not_understood=[taken_back]) if taken_back else first
 
 
 def _is_clear(read: Instruction, text: str) -> bool:
     """Whether a text was understood, and nothing is left of a correction or of what a pronoun takes up of a remark."""
-    if read.not_understood or _CORRECTION.search(text):
+    if read.not_understood or _taken_back(read, text):
         return False
     asked = next((one for one in read.statements if not isinstance(one, Mention)), None)
     things = getattr(asked, "things", None)
     bare = isinstance(things, Things) and things.refers == "last" and not things.noun
     return not (bare and isinstance(read.statements[0], Mention))
+
+
+def _taken_back(read: Instruction, text: str) -> str:
+    """Return the words by which something is taken back that was read as asked for all the same; empty for none."""
+    for correction in _CORRECTION.finditer(text):
+        ends = ((text.find(one.quote) + len(one.quote), one) for one in read.statements if one.quote in text)
+        before = [(end, one) for end, one in ends if end <= correction.start() + 1]
+        last = max(before, key=lambda pair: pair[0])[1] if before else None
+        if last is not None and not isinstance(last, Mention):
+            return correction[0].strip(" .-…,")
+    return ""
 
 
 def reworded(text: str, lexicon: Lexicon) -> str:

@@ -13,9 +13,7 @@ Amounted: TypeAlias = tuple[Amount, bool, bool, int]
 """Amount, whether the phrase is definite, whether every one is meant on its own, and the place after the words."""
 
 
-PARTS: Final = frozenset(
-    "seat seater person drawer door piece tier legged leg burner arm door shelf panel".split()
-)
+PARTS: Final = frozenset("seat seater person drawer door piece tier legged leg burner arm door shelf panel".split())
 _COUNTED_IN_NAMES: Final = frozenset("drawer door leg shelf panel".split())
 """Parts that names of whole things begin with too: ``two door mats``."""
 
@@ -164,7 +162,8 @@ def _indefinite(words: Sequence[Word], at: int) -> Amounted:
         return Amount(kind="more" if more else "some", number=number), False, False, place
     further = words[place] if place < len(words) else None
     if further is not None and (
-        (further.kind == "ordinal" and further.value > 1) or further.text in ("additional", "extra", "further", "second")
+        (further.kind == "ordinal" and further.value > 1)
+        or further.text in ("additional", "extra", "further", "second")
     ):
         return Amount(kind="more", number=1), False, False, place + 1
     return Amount(number=1), False, False, place

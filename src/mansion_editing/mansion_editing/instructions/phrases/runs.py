@@ -16,8 +16,8 @@ from mansion_editing.instructions.phrases.words import (
     PARTICIPLES_OF_REST,
     PREPOSITIONS,
     VAGUE,
-    text_at,
     Word,
+    text_at,
 )
 from mansion_language.colours import COLOUR_WORDS
 

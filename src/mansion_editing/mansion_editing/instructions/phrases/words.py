@@ -114,12 +114,13 @@ ADVERBS: Final = frozenset(
     "neatly nicely safely gently everywhere along though itself themselves anyway however besides".split()
 )
 _OF_TASTE: Final = frozenset(
-    "comfy snug posh fabulous spacious roomy sleek chic trendy classy rustic vintage antique retro contemporary "
-    "ergonomic lightweight chunky slim slender giant enormous massive gigantic oversized medium-sized mid-sized "
-    "decorative ornate plush fluffy cuddly squishy padded practical handy reliable robust silent noisy squeaky "
-    "wobbly rickety creaky shabby worn-out tatty scruffy grubby dusty filthy stained smelly stinky mouldy brand- "
-    "new pristine spotless shiny sparkling cheerful colourful colorful funky quirky adorable tasteful luxurious "
-    "expensive pricey inexpensive affordable delicious yummy friendly calming soothing inviting welcoming homely biggish smallish".split()
+    "comfy snug posh fabulous spacious roomy sleek chic trendy classy rustic vintage antique retro "
+    "contemporary ergonomic lightweight chunky slim slender giant enormous massive gigantic oversized "
+    "medium-sized mid-sized decorative ornate plush fluffy cuddly squishy padded practical handy reliable "
+    "robust silent noisy squeaky wobbly rickety creaky shabby worn-out tatty scruffy grubby dusty filthy "
+    "stained smelly stinky mouldy brand-new pristine spotless shiny sparkling cheerful colourful colorful "
+    "funky quirky adorable tasteful luxurious expensive pricey inexpensive affordable delicious yummy "
+    "friendly calming soothing inviting welcoming homely biggish smallish".split()
 )
 """Adjectives of taste, size and wear, which no scene describes and no name of a thing has."""
 

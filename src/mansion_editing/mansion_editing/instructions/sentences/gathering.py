@@ -191,7 +191,7 @@ class Gathering(Tails):
         return True
 
     def _moves_on_past_remarks(self, statement: Move) -> bool:
-        """Read where what was taken out goes, with remarks in between: ``Get it out of here. It is loud. It can ...``."""
+        """Read where what was taken out goes, also past remarks: ``Get it out. It is loud. It can ...``."""
         at = next((k for k in reversed(range(len(self.statements))) if not isinstance(self.statements[k], Mention)), 0)
         last = self.statements[at]
         if not isinstance(last, Remove) or not last.things.noun or not moves_it(statement) or self.topic is not None:

@@ -85,7 +85,12 @@ def is_surplus(statement: Move | Remove, last: Ensure) -> bool:
     others = things.refers == "others" and not things.noun and isinstance(statement, Move)
     counted = things.refers == "last" and things.amount.kind == "some" and things.amount.number > 0
     fewer = counted and not (things.noun or things.definite) and isinstance(statement, Remove)
-    return (named or others or fewer) and most.kind in ("at_most", "exactly") and things.place is None and bool(last.things.noun)
+    return (
+        (named or others or fewer)
+        and most.kind in ("at_most", "exactly")
+        and things.place is None
+        and bool(last.things.noun)
+    )
 
 
 def tells_of_surplus(statement: Statement) -> bool:
