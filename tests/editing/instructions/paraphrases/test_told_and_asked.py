@@ -19,6 +19,7 @@ def _asked(text: str, state: SceneState) -> list[Statement]:
     ("said", "plain"),
     [
         ("Lights out in the hall!", "switch the lights off in the hall!"),
+        ("Remove the rug in the hall, but only the hall.", "Remove the rug in the hall."),
         ("Dump the chairs in the hall, all 3.", "Dump all 3 chairs in the hall."),
         ("The fridge is open, isn't it? If so, close it.", "is The fridge open? If so, close it."),
         ("Change the carpet in the hall to oak parquet.", "change the floor in the hall to oak parquet."),
@@ -43,6 +44,11 @@ def test_idioms_are_read_before_their_words(said: str, plain: str) -> None:
         ("The cook would prefer a red sofa to that loveseat.", "replace that loveseat by a red sofa."),
         ("At the hall: 6 chairs max, prams need the space", "At the hall: at most 6 chairs"),
         ("Two mugs and a bowl have to go on the desk.", "put Two mugs and a bowl on the desk."),
+        ("Give the sofa in the hall a quarter turn.", "turn the sofa in the hall by 90 degrees."),
+        ("Every fridge in the kitchen has to stand open.", "open Every fridge in the kitchen."),
+        ("The lamps in the hall need to be off.", "turn The lamps in the hall off."),
+        ("Lock the cup away in the cupboard.", "put the cup in the cupboard."),
+        ("The two chairs should join the others in the hall.", "move The two chairs to the hall."),
         (
             "Of the two sofas in the hall, the taller one goes to the study.",
             "the tallest sofa in the hall should go to the study.",
