@@ -19,9 +19,10 @@ MATERIALS: Final = {
     "fabric": "fabric", "glass": "glass", "velvet": "fabric", "linoleum": "vinyl", "vinyl": "vinyl",
     "terrazzo": "terrazzo", "plaster": "plaster", "wallpaper": "wallpaper", "walnut": "wood", "bamboo": "wood",
     "paint": "paint", "granite": "stone", "laminate": "wood", "hardwood": "wood", "pine": "wood", "rattan": "wood",
-    "brass": "metal", "bronze": "metal", "copper": "metal", "chrome": "metal", "aluminium": "metal", "aluminum": "metal",
-    "porcelain": "ceramic", "terracotta": "ceramic", "mahogany": "wood", "teak": "wood", "birch": "wood", "beech": "wood",
-    "maple": "wood", "plywood": "wood", "timber": "wood", "suede": "leather", "woollen": "fabric", "woolen": "fabric",
+    "brass": "metal", "bronze": "metal", "copper": "metal", "chrome": "metal", "aluminium": "metal",
+    "aluminum": "metal", "porcelain": "ceramic", "terracotta": "ceramic", "mahogany": "wood", "teak": "wood",
+    "birch": "wood", "beech": "wood", "maple": "wood", "plywood": "wood", "timber": "wood", "suede": "leather",
+    "woollen": "fabric", "woolen": "fabric",
 }  # fmt: skip
 """Words for materials, and the family that a palette has for each."""
 
