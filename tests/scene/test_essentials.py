@@ -13,7 +13,7 @@ from mansion_msgs_py.program import RequestedObject, RoomProgram
 from mansion_msgs_py.scene import FloorScene, SceneObject
 from mansion_scene.assembly import furnish_floor
 
-NOT_IN_THE_CATALOGUE = {"bowling_alley", "ice_rink"}
+NOT_IN_THE_CATALOGUE = {"bowling_alley"}
 
 
 def furnished(
