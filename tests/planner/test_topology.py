@@ -110,8 +110,8 @@ def test_the_table_has_a_row_for_each_node_and_the_trace_quotes_the_brief() -> N
 
 def test_a_floor_whose_wishes_the_sketch_misses_has_a_problem_to_fall_back_to() -> None:
     brief = (
-        "A factory on one floor: a hall of 450 m2, and an office, a lab, a canteen, a workshop, a store and a wash room, "
-        "all next to the hall."
+        "A factory on one floor: a hall of 450 m2, and an office, a lab, a canteen, a workshop, a store and a wash "
+        "room, all next to the hall."
     )
     reply = plan_building(BuildRequest(description=brief))
     fallbacks = [problem for problem in reply.fallbacks if problem is not None]
