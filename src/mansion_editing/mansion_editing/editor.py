@@ -152,7 +152,7 @@ class SceneEditor:
     answered : Answered, optional
         What the last question was about.
     cancelled : callable
-        Whether what is in work is not wanted any more (see `cancellable`).
+        Whether the work in progress was cancelled (see `cancellable`).
     """
 
     def __init__(
@@ -193,7 +193,7 @@ class SceneEditor:
 
     @contextmanager
     def cancellable(self, cancelled: Callable[[], bool]) -> Iterator[None]:
-        """Let what is called in the block be cancelled: it ends at its next step, and nothing of it lands.
+        """Let the calls in the block be cancelled: they end at their next step, and none of their edits land.
 
         Raises
         ------
@@ -210,7 +210,7 @@ class SceneEditor:
             self.cancelled = _never
 
     def go_on(self) -> None:
-        """Go on, unless what is in work was cancelled.
+        """Raise an error if the work in progress was cancelled.
 
         Raises
         ------

@@ -12,7 +12,7 @@ _GATE = 0.7
 
 @recipe("ice_rink")
 def ice_rink(b: Builder) -> None:
-    """White ice with the lines of a hockey field and two goals, in boards with a gate amid each long side."""
+    """White ice with the lines of a hockey field and two goals, in boards with a gate in each long side."""
     w, d = b.w, b.d
     b.box((-w / 2 + _BOARD, w / 2 - _BOARD), (-d / 2 + _BOARD, d / 2 - _BOARD), (0, 0.05), "plastic_e9f5fc", "ice")
     for side in (-1, 1):

@@ -251,22 +251,22 @@ def _letters(word: str) -> str:
 
 
 _MOST_REMEMBERED = 32
-_rooms_of: OrderedDict[tuple[int, int], tuple[FloorScene, Catalogue, list[JudgedRoom]]] = OrderedDict()
+_remembered_rooms: OrderedDict[tuple[int, int], tuple[FloorScene, Catalogue, list[JudgedRoom]]] = OrderedDict()
 """Rooms of the scenes that were judged last: an edit changes one floor, and the wishes of all are judged."""
 
 
 def _finished_rooms(scene: FloorScene, catalogue: Catalogue) -> list[JudgedRoom]:
     """Return the rooms of a floor; scenes and catalogues are not written to, so that the same ones have the same."""
     key = (id(scene), id(catalogue))  # both are kept with the rooms, so that no other object can get their ids
-    known = _rooms_of.pop(key, None)
+    known = _remembered_rooms.pop(key, None)
     if known is None:
         inside: dict[str, list[SceneObject]] = {}
         for item in scene.objects:
             inside.setdefault(item.room, []).append(item)
         known = (scene, catalogue, [_finished_room(scene, r, inside.get(r.id, []), catalogue) for r in scene.rooms])
-    _rooms_of[key] = known
-    while len(_rooms_of) > _MOST_REMEMBERED:
-        _rooms_of.popitem(last=False)
+    _remembered_rooms[key] = known
+    while len(_remembered_rooms) > _MOST_REMEMBERED:
+        _remembered_rooms.popitem(last=False)
     return known[2]
 
 

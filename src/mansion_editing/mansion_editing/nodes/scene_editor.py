@@ -113,7 +113,7 @@ class SceneEditorNode(MansionNode):
 
     @contextmanager
     def _edited(self, name: str) -> Iterator[SceneEditor]:
-        """Give an open editor, whose work in the block ends when it is cancelled or the node is told to end."""
+        """Yield an open editor; its work in the block ends when somebody cancels it or the node shuts down."""
         editor = self._editor(name)
         with (
             self._edits.begun(name) as asked_to_end,

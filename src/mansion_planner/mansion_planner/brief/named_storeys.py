@@ -191,7 +191,7 @@ class NamedStoreys:
         return led and index not in reading.mention_at
 
     def _is_under_roof(self, index: int) -> bool:
-        """Whether a roof or an attic before a room says where that is: "a rooftop bar", "an attic study"."""
+        """Whether "rooftop" or "attic" before a room says where the room is: "a rooftop bar", "an attic study"."""
         reading = self.reading
         if reading.word(index) not in ("rooftop", "roof-top", "attic") or reading.word(index - 1) not in _ARTICLES:
             return False
