@@ -521,12 +521,15 @@ class StoreyCounts:
             last += 1
         if reading.word(index + 1) in ("the", "each", "no"):
             return index
-        held = reading.mention_at.get(last)
-        if held is not None and held.room:
+        if self._names_room(last):
             return index  # "a basement gym" is a room and where it is
         self._state(1, index, last, below=True)
         self._place_in_basement(last - 1, last)
         return last
+
+    def _names_room(self, index: int) -> bool:
+        mention = self.reading.mention_at.get(index)
+        return mention is not None and bool(mention.room)
 
     def _place_in_basement(self, first: int, last: int) -> None:
         """Read "with a basement holding the archive" as the place of what follows, besides the storey."""
