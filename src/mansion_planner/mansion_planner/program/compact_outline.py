@@ -38,7 +38,7 @@ def with_compact_outline(decisions: Decisions, area: float, stairs: int) -> Deci
     """
     shapes = decisions.facts.shapes
     wanted = bool(shapes) and shapes[0][0] == "L" and decisions.building.family == "home" and decisions.outline is None
-    if not wanted or holds_shape("L", area, stairs) or area < (_LEAST_WITH_STAIR if stairs else _LEAST):
+    if not wanted or area > 230.0 or area < (_LEAST_WITH_STAIR if stairs else _LEAST):
         return decisions
     return replace(decisions, outline=compact_l(area, decisions.seed, _WHOLE if stairs else _HALF), free_form=True)
 
