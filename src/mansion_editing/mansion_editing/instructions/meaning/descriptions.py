@@ -140,7 +140,8 @@ def things_of(state: SceneState, things: Things, context: Context) -> list[Scene
     if noun and not things.owned:
         things, noun = _with_owner(state, pool, things, noun, context)
     many = means_several(things)
-    pool = [item for item in pool if _has_traits(item, things)]
+    if things.colour or things.material or things.states:
+        pool = [item for item in pool if _has_traits(item, things)]
     apart = not many and things.place is not None and _are_several(things.place.rooms)
     if noun or not things.refers:
         pool = _called(state, pool, noun, apart=apart, many=True, every=things.amount.kind == "all")
