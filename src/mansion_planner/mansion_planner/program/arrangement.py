@@ -405,6 +405,10 @@ def _most_home_hub(storey: Storey, allocation: Allocation, knowledge: KnowledgeB
     return max(room - needed_area(storey, allocation, knowledge), _LEAST_HOME_HUB * room)
 
 
+_FREE, _FREE_WITH_STAIRS = 0.84, 0.78
+"""Share of a given outline that rooms take, stairs apart; a hall that also leads to stairs takes more of it."""
+
+
 def _with_rooms(
     storey: Storey,
     massing: Massing,
@@ -426,7 +430,8 @@ def _with_rooms(
     hall = form.hall
     if decisions.free_form and decisions.outline is not None:
         cores = sum(box_area(core.box) for core in massing.cores)
-        room, share = 0.84 * (decisions.outline.area - cores), 0.0
+        share_of_rooms = _FREE_WITH_STAIRS if cores else _FREE
+        room, share = share_of_rooms * (decisions.outline.area - cores), 0.0
     else:
         room, share = capacity(massing, storey), 0.0
     stores = hall and storey.hub.zone == "service"
