@@ -172,6 +172,7 @@ def read_copies(reading: Reading, places: list[Place]) -> None:
             first, last = sorted((pair[0].refs[0].first, pair[1].refs[0].first))
             span = reading.span(pair[0].first, pair[1].last)
             reading.facts.copies.append(CopyFact(FloorRef("range", first, last, span), span))
+            reading.take(index, index + 1)
             continue
         if comparing and not _is_within(places, index):
             continue
@@ -313,7 +314,11 @@ def _joined(place: Place) -> FloorRef:
 def _same_as(places: list[Place], index: int, reading: Reading) -> tuple[Place, Place] | None:
     """Return the two neighbouring storeys of "floor 3: same as floor 2", "5F just like 4F"."""
     places = [p for p in places if reading.sentence[p.first] == reading.sentence[index]]
-    before = [p for p in places if 0 <= index - p.last <= 3 and p.refs[0].kind == "number" and len(p.refs) == 1]
+    before = [
+        p for p in places
+        if 0 <= index - p.last and (p.heading or index - p.last <= 3)
+        and p.refs[0].kind == "number" and len(p.refs) == 1
+    ]  # fmt: skip
     after = [p for p in places if 0 < p.first - index <= 3 and p.refs[0].kind == "number"]
     if before and after and abs(before[-1].refs[0].first - after[0].refs[0].first) == 1:
         return before[-1], after[0]

@@ -16,6 +16,7 @@ from mansion_planner.brief.labelled_rooms import labelled_rooms
 from mansion_planner.brief.lexicon import Mention, lexicon_of
 from mansion_planner.brief.paired_nouns import paired_nouns
 from mansion_planner.brief.relative_areas import relative_areas
+from mansion_planner.brief.rooms_by_person import rooms_by_person
 from mansion_planner.brief.shortened_nouns import shortened_nouns
 from mansion_planner.brief.spelling import corrected
 from mansion_planner.brief.spoken_turns import spoken_turns
@@ -23,6 +24,7 @@ from mansion_planner.brief.stacked_flats import stacked_flats
 from mansion_planner.brief.storey_forms import storey_forms
 from mansion_planner.brief.storey_tables import storey_tables
 from mansion_planner.brief.storeys_by_use import storeys_by_use
+from mansion_planner.brief.storeys_in_order import storeys_in_order
 from mansion_planner.brief.token_forms import (
     abbreviated_storeys,
     capacities,
@@ -38,6 +40,8 @@ from mansion_planner.brief.token_forms import (
     workplaces,
 )
 from mansion_planner.brief.told_again import without_asides
+from mansion_planner.brief.twin_homes import twin_homes
+from mansion_planner.brief.withdrawn_briefs import without_withdrawn_briefs
 
 __all__ = ["FLOOR_WORDS", "Place", "Reading", "start_reading"]
 
@@ -211,10 +215,11 @@ def start_reading(text: str, knowledge: KnowledgeBase, cancelled: Callable[[], b
     """Tokenise `text`, correct misspelt words and find the phrases of the knowledge base."""
     lexicon = lexicon_of(knowledge)
     tokens, corrections = corrected_numbers(
-        without_asides(spoken_turns(shortened_nouns(tokenize(text.replace("@", "à")))))
+        without_asides(spoken_turns(shortened_nouns(without_withdrawn_briefs(tokenize(text.replace("@", "à"))))))
     )
-    tokens = labelled_rooms(paired_nouns(entrances(tokens)))
+    tokens = labelled_rooms(paired_nouns(entrances(rooms_by_person(twin_homes(tokens, FLOOR_WORDS)))))
     tokens = storey_tables(abbreviated_storeys(text, decades(tokens)), FLOOR_WORDS)
+    tokens = storeys_in_order(tokens, FLOOR_WORDS)
     tokens = flat_types(count_forms(storeys_by_use(storey_forms(text, tokens), FLOOR_WORDS)))
     tokens = compounds(corrected(tokens, lexicon.words, furniture_vocabulary()), lexicon.words)
     tokens = workplaces(foreign_storeys(open_decks(kinds_of_area(gross_areas(metering(tokens))))))

@@ -20,7 +20,7 @@ _GLUE = frozenset(
     """
     is are be goes go stay stays sit sits lie lies located situated placed both all only right directly up that
     which become stand kept share should must will shall belong take takes occupy occupies fills fill come found needed
-    wanted can could may might down shown housed displayed ,
+    wanted can could may might down shown housed displayed move moves moved ,
     on in at to entirely mostly alone as well too also each one apiece most much of occupy therefore be well
     """.split()
 )
@@ -379,11 +379,18 @@ class _Walk:
         reading = self.reading
         sentence = reading.sentence[place.first]
         following = any(reading.sentence[other.first] == sentence + 1 for other in self.places)
+        paired = any(self._ends_clause(other) for other in self.places if reading.sentence[other.first] == sentence - 1)
         alone = not any(other is not place and reading.sentence[other.first] == sentence for other in self.places)
-        if reading.word(place.last) != ";" or not following or not alone or not place.led or _several(place):
+        listed = reading.word(place.last) == ";" and following and place.led
+        paired = paired and reading.breaks(place.last)  # "three bedrooms up; kitchen, living, WC down"
+        if not (listed or paired) or not alone or _several(place):
             return []
         colons = [at for at in range(place.first) if reading.word(at) == ":" and reading.sentence[at] == sentence]
         return [number for number in left if not colons or self.phrases[number].first > colons[-1]]
+
+    def _ends_clause(self, place: Place) -> bool:
+        """Whether a storey stands at the end of a clause, behind what it holds."""
+        return not place.heading and self.reading.word(place.last) == ";" and not self.reading.starts(place.first)
 
     def _asyndetic(self, left: list[int]) -> bool:
         """Whether commas alone part a list, so that what follows is of its last entry: "shop, cafe upstairs"."""

@@ -170,12 +170,6 @@ class _Scanner:
                 self._counted_upper(index, last)
                 index = last
                 continue
-            floors = self.reading.facts.floors
-            listed = self.sequence.listed(index, int(floors[0].value) if floors else 0)
-            if listed:
-                self.places += listed
-                index = listed[0].first
-                continue
             refs, last = self._reference(index)
             if refs:
                 self._add(Place(index, last, refs, led=False))
