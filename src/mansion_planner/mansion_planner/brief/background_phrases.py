@@ -74,6 +74,31 @@ def _is_given_up(reading: Reading, phrase: Phrase) -> bool:
     return traded or verb in _PARTS_WITH
 
 
+def _is_host(reading: Reading, phrase: Phrase) -> bool:
+    """Whether a phrase is the old building that the new one is made in, or one of its neighbours.
+
+    "Ground floor of an old bank", "in a former church", "it stands between two other houses".
+    """
+    if not phrase.building:
+        return False
+    words = set(reading.words(max(phrase.begin - 3, 0), phrase.noun_end))
+    lead = phrase.begin - 1
+    while lead > phrase.begin - 6 and reading.word(lead) in _BEFORE_HOSTS:
+        lead -= 1
+    part = reading.word(lead) == "of" and reading.word(lead - 1) in _PARTS_OF_HOST
+    old = not _OLD.isdisjoint(words) and not {"a", "an"}.isdisjoint(reading.words(lead + 1, phrase.begin))
+    if old and (part or reading.word(lead) in ("inside", "within")):
+        return True
+    beside = reading.word(lead) in ("between", "beside", "against") and phrase.plural
+    return beside and not _NEIGHBOURS.isdisjoint(reading.words(lead, phrase.noun_end))
+
+
+_BEFORE_HOSTS = frozenset("a an the old former disused existing historic two other another neighbouring next".split())
+_OLD = frozenset("old former disused existing abandoned redundant historic".split())
+_PARTS_OF_HOST = frozenset("floor storey level wing part half bay corner side shell walls ruin".split())
+_NEIGHBOURS = frozenset("other another neighbouring neighboring existing adjoining old".split())
+
+
 def _is_destination(reading: Reading, phrase: Phrase) -> bool:
     """Whether a phrase is where people are sent, away from the building: "we send the people to the hospital"."""
     lead = reading.words(max(phrase.begin - 6, 0), phrase.begin)
@@ -141,7 +166,7 @@ def _is_bystander(reading: Reading, phrase: Phrase, sites: set[int]) -> bool:
     )
     fled = not {"leaving", "fleeing", "escaping"}.isdisjoint(reading.words(max(phrase.begin - 2, 0), phrase.noun_end))
     tried = _is_tried(reading, phrase) or _is_predicate(reading, phrase)
-    owned = _is_given_up(reading, phrase) or _is_destination(reading, phrase)
+    owned = _is_given_up(reading, phrase) or _is_destination(reading, phrase) or _is_host(reading, phrase)
     made = reading.word(phrase.last) in MADE_INTO and reading.word(phrase.last + 1) in ("into", "to")
     made = made or (phrase.building != "" and reading.word(phrase.last) == "into" and not phrase.counted)
     return (

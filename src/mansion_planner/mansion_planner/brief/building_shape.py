@@ -150,6 +150,9 @@ def _is_court(reading: Reading, index: int) -> bool:
     return open_yard and not {"around", "about", "round"}.isdisjoint(before)
 
 
+_LEADS_TO_THING = frozenset({"a", "an", "one", "the", "large", "big", "wall", "with", "and", ","})
+
+
 def read_copies(reading: Reading, places: list[Place]) -> None:
     """Read storeys that are to be identical: "floors 3 to 8 identical", "L3, L4, L5 the same", "share one plan"."""
     for index, token in enumerate(reading.tokens):
@@ -161,6 +164,8 @@ def read_copies(reading: Reading, places: list[Place]) -> None:
             continue
         if reading.word(index + 1) in ("time", "building", "room", "walls"):
             continue
+        if token.text == "mirror" and (token.plural or reading.word(index - 1) in _LEADS_TO_THING):
+            continue  # "a piano and a mirror"
         if token.text == "same" and reading.words(index + 1, index + 3) in (
             ("level", ","),
             ("floor", "as"),

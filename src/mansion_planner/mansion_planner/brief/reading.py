@@ -18,7 +18,7 @@ from mansion_planner.brief.paired_nouns import paired_nouns
 from mansion_planner.brief.relative_areas import relative_areas
 from mansion_planner.brief.rooms_by_person import rooms_by_person
 from mansion_planner.brief.shortened_nouns import shortened_nouns
-from mansion_planner.brief.spelling import corrected
+from mansion_planner.brief.spelling import corrected, without_slips
 from mansion_planner.brief.spoken_turns import spoken_turns
 from mansion_planner.brief.stacked_flats import stacked_flats
 from mansion_planner.brief.storey_forms import storey_forms
@@ -215,7 +215,7 @@ def start_reading(text: str, knowledge: KnowledgeBase, cancelled: Callable[[], b
     """Tokenise `text`, correct misspelt words and find the phrases of the knowledge base."""
     lexicon = lexicon_of(knowledge)
     tokens, corrections = corrected_numbers(
-        without_asides(spoken_turns(shortened_nouns(without_withdrawn_briefs(tokenize(text.replace("@", "à"))))))
+        without_asides(spoken_turns(shortened_nouns(without_withdrawn_briefs(without_slips(tokenize(text.replace("@", "à")))))))
     )
     tokens = labelled_rooms(paired_nouns(entrances(rooms_by_person(twin_homes(tokens, FLOOR_WORDS)))))
     tokens = storey_tables(abbreviated_storeys(text, decades(tokens)), FLOOR_WORDS)

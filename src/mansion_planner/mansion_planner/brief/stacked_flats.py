@@ -40,6 +40,9 @@ def stacked_flats(tokens: list[Token], floor_words: AbstractSet[str]) -> list[To
         if last and not elsewhere:
             told = _floors(tokens[index], tokens[index + 1], alike=not _ALIKE.isdisjoint(texts[last : last + 2]))
             rest = _by_storey(tokens[last:]) if tokens[index].value == _TWO else tokens[last:]
+            if len(rest) != len(tokens) - last or any(a.text != b.text for a, b in zip(rest, tokens[last:])):
+                rest = _of_each_floor(rest)
+                told = _building(tokens, index) + told[:2]  # what each flat holds is told
             return [*tokens[:index], *told, *_of_each(tokens[index + 2 : sized]), *rest]
     return tokens
 
@@ -66,6 +69,26 @@ def _of_each(size: list[Token]) -> list[Token]:
     at = measured[0].start
     floor = [Token("mark", ",", at, at), *measured]
     return [*floor, Token("word", "per", measured[-1].end, measured[-1].end), Token("word", "floor", at, measured[-1].end)]
+
+
+def _building(tokens: list[Token], index: int) -> list[Token]:
+    """Return the kind of building that flats make, where nothing before them names one."""
+    if index and tokens[index - 1].text not in (".", "\n", ":", ";"):
+        return []
+    at = tokens[index].start
+    texts = ("apartment", "building", "with")
+    return [Token("word", text, at, tokens[index + 1].end) for text in texts]
+
+
+def _of_each_floor(tokens: list[Token]) -> list[Token]:
+    """Return tokens with "each has" as "each floor has"."""
+    result: list[Token] = []
+    for index, token in enumerate(tokens):
+        result.append(token)
+        if token.text in ("each", "both") and index + 1 < len(tokens) and tokens[index + 1].text in ("has", "have", "with"):
+            result[-1] = replace(token, text="each")
+            result.append(Token("word", "floor", token.end, token.end))
+    return result
 
 
 def _by_storey(tokens: list[Token]) -> list[Token]:

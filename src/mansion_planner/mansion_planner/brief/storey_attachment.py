@@ -445,6 +445,8 @@ class _Walk:
     def _are_one(self, place: Place, number: int) -> bool:
         """Whether storeys are one room together: "the two floors above are one apartment"."""
         phrase, reading = self.phrases[number], self.reading
+        if not {"each", "every"}.isdisjoint(reading.words(place.first, place.last)):
+            return False  # "on each floor is one bathroom"
         verb = reading.words(place.last, phrase.first) in (("are",), ("is",), ("form",), ("become",))
         return verb and reading.kind(phrase.first) == "number" and reading.value(phrase.first) == 1
 

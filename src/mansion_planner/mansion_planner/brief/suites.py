@@ -244,7 +244,8 @@ class _Pair:
         if self.reading.word(self.owner.last) == "each":
             return True  # "floors with 30 desks each and 4 offices each"
         # "levels 3 and 4: ten patient rooms and a nurses' station each"
-        return not self.has() and "and" in self.gap and _of_storeys(self.reading, self.owner.begin)
+        listed = not {"and", ","}.isdisjoint(self.gap)
+        return not self.has() and listed and _of_storeys(self.reading, self.owner.begin)
 
     def _is_shared_out(self) -> bool:
         """Whether each of several owners has one: "bedrooms, each with a bathroom"."""
