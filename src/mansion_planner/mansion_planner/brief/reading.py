@@ -17,6 +17,7 @@ from mansion_planner.brief.lexicon import Mention, lexicon_of
 from mansion_planner.brief.paired_nouns import paired_nouns
 from mansion_planner.brief.relative_areas import relative_areas
 from mansion_planner.brief.rooms_by_person import rooms_by_person
+from mansion_planner.brief.seated_people import seated_people
 from mansion_planner.brief.shortened_nouns import shortened_nouns
 from mansion_planner.brief.spelling import corrected, without_slips
 from mansion_planner.brief.spoken_turns import spoken_turns
@@ -225,6 +226,7 @@ def start_reading(text: str, knowledge: KnowledgeBase, cancelled: Callable[[], b
     tokens = workplaces(foreign_storeys(open_decks(kinds_of_area(gross_areas(metering(tokens))))))
     tokens = stacked_flats(relative_areas(tokens), FLOOR_WORDS)
     tokens = activities(tokens)
+    tokens = seated_people(tokens)
     tokens = capacities(owned_by_each(upward_ranges(tokens, FLOOR_WORDS)), lexicon.heads)
     mentions = lexicon.find(tokens)
     reading = Reading(

@@ -208,14 +208,16 @@ def _users(reading: Reading, phrase: Phrase) -> tuple[list[int], int]:
     start = phrase.last + parted
     led = reading.word(start) in ("for", "of") or (parted and reading.word(start) in ("by", "between"))
 
+    users: list[int] = []
+
     def uses(at: int) -> bool:
         word = reading.word(at)
         if word in _DISABLED:
             return True
-        return (word in PEOPLE_APART or (apart and reading.plural(at))) if led else word in _SEXES
+        several = apart or (bool(users) and reading.word(users[0]) in _SEXES)
+        return (word in PEOPLE_APART or (several and reading.plural(at))) if led else word in _SEXES
 
     index = start + (led or reading.word(start) in _LEADS)
-    users: list[int] = []
     end = index
     closed = False  # behind the last "and" a comma ends the list
     while len(users) < 6:

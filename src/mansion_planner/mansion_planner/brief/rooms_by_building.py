@@ -70,7 +70,8 @@ def _by_family(reading: Reading, phrase: Phrase, family: str) -> Phrase | None:
             return replace(phrase, head="room", building="", room_type=kind, known=True)
         if words[-1] == "station" and phrase.building == "train_station" and not phrase.plural:
             return replace(phrase, head="room", building="", room_type=HEAD_TYPES["station"], known=False)
-    taught = next((kind for word, kind in _STUDIOS.items() if word in reading.facts.building_name), "")
+    kinds = [reading.facts.building_name, *(kind for kind, _ in reading.facts.building[:1])]
+    taught = next((kind for word, kind in _STUDIOS.items() if any(word in name for name in kinds)), "")
     if taught and words == ["studio"]:
         return replace(phrase, head="room", building="", room_type=taught, known=True)
     if phrase.room_type == "studio_apartment" and words[-1] == "studio" and family in _WORKING:

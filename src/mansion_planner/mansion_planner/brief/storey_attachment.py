@@ -92,6 +92,7 @@ class _Walk:
         self.reading, self.places, self.phrases, self.building = reading, places, phrases, building
         self.found: dict[int, Attachment] = {}
         self.heading: Place | None = None
+        self.trailing: Place | None = None
 
     def run(self) -> dict[int, Attachment]:
         """Walk over all sentences."""
@@ -106,7 +107,10 @@ class _Walk:
             ]
             items.sort(key=lambda item: item[2])
             end = max((i for i, s in enumerate(self.reading.sentence) if s == sentence), default=0)
+            self.trailing = None
             carried = self._sentence(items, carried, sentence)
+            if carried is None and self.trailing is not None and self._contrasts(sentence):
+                carried = self.trailing
             if self.reading.word(end) != ";":
                 carried = None
             blank = self.reading.word(end) == "\n" and self.reading.word(last_end) == "\n" and end == last_end + 1
@@ -117,6 +121,22 @@ class _Walk:
 
     def _in(self, index: int, sentence: int) -> bool:
         return index < len(self.reading.sentence) and self.reading.sentence[index] == sentence
+
+    def _contrasts(self, sentence: int) -> bool:
+        """Whether clauses without a storey follow, and then a sentence that opens with another one.
+
+        "Three studios downstairs; changing rooms; a waiting corner. Upstairs a theatre."
+        """
+        reading = self.reading
+        last = sentence + 1
+        while last < reading.sentence[-1] and reading.word(self._end_of(last)) == ";":
+            last += 1
+        inside = [p for p in self.places if sentence < reading.sentence[p.first] <= last]
+        after = [p for p in self.places if reading.sentence[p.first] == last + 1]
+        return not inside and bool(after) and (after[0].heading or reading.starts(after[0].first))
+
+    def _end_of(self, sentence: int) -> int:
+        return max((at for at, number in enumerate(self.reading.sentence) if number == sentence), default=0)
 
     def _heading_follows(self, sentence: int) -> bool:
         return any(place.heading and self.reading.sentence[place.first] > sentence for place in self.places)
@@ -162,6 +182,7 @@ class _Walk:
                 self._give_all(self._claimed(place, left, opened=opened), place)
                 self._give_all(self._in_brackets_after(place, rest), place)
                 left = []
+                self.trailing = place if not opened and place.refs[0].kind in ("number", "upper", "top") else None
                 if self._goes_on(place):
                     scope = place
                 elif not opened:

@@ -148,9 +148,10 @@ def workplaces(tokens: list[Token]) -> list[Token]:
         if counted and token.text == "cover" and token.plural:
             token = replace(token, text="seat")
         result.append(token)
-        if (before.text if before is not None else "", token.text) == ("open", "plan") and _has_desks(
-            tokens, index + 1
-        ):
+        planned = (before.text if before is not None else "", token.text) == ("open", "plan")
+        refused = planned and index > 1 and tokens[index - 2].text in ("no", "not", "without")
+        closes = index + 1 == len(tokens) or tokens[index + 1].kind == "mark"
+        if planned and (_has_desks(tokens, index + 1) or (refused and closes)):
             result.append(replace(token, text="office", start=token.end))
     return result
 
