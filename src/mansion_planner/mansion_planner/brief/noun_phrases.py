@@ -228,8 +228,18 @@ def _phrases_of(reading: Reading, begin: int, end: int) -> list[Phrase]:
     return phrases
 
 
+def _ends_scope(reading: Reading, begin: int, end: int) -> bool:
+    """Whether the room that "in every classroom low shelves" opens with ends before a token."""
+    if reading.word(begin - 1) not in ("every", "each") or reading.word(begin - 2) not in ("in", "inside"):
+        return False
+    mention = reading.mention_at.get(begin)
+    return mention is not None and bool(mention.room) and mention.last < end and reading.starts(begin - 2)
+
+
 def _headed(reading: Reading, begin: int, end: int, *, whole: bool) -> Phrase | None:
     """Return the phrase of tokens `begin` to `end` if the last of them can be its head."""
+    if _ends_scope(reading, begin, end):
+        return None
     if _goes_on(reading, begin, end, whole=whole) or is_figurative(reading, begin, end):
         return None
     mention = _mention_ending(reading, begin, end)

@@ -7,11 +7,14 @@ from mansion_knowledge import KnowledgeBase
 from mansion_language import Token, tokenize
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_planner.brief.activities import activities, entrances
+from mansion_planner.brief.children_groups import children_groups
+from mansion_planner.brief.conversions import without_conversions
 from mansion_planner.brief.corrections import corrected_numbers
 from mansion_planner.brief.count_forms import count_forms
 from mansion_planner.brief.facts import BriefFacts, FloorRef, Quantity, Span
 from mansion_planner.brief.flat_types import flat_types
 from mansion_planner.brief.furniture_words import furniture_vocabulary
+from mansion_planner.brief.garages import garages
 from mansion_planner.brief.labelled_rooms import labelled_rooms
 from mansion_planner.brief.lexicon import Mention, lexicon_of
 from mansion_planner.brief.paired_nouns import paired_nouns
@@ -216,9 +219,9 @@ def start_reading(text: str, knowledge: KnowledgeBase, cancelled: Callable[[], b
     """Tokenise `text`, correct misspelt words and find the phrases of the knowledge base."""
     lexicon = lexicon_of(knowledge)
     tokens, corrections = corrected_numbers(
-        without_asides(spoken_turns(shortened_nouns(without_withdrawn_briefs(without_slips(tokenize(text.replace("@", "à")))))))
+        without_asides(spoken_turns(shortened_nouns(without_conversions(without_withdrawn_briefs(without_slips(tokenize(text.replace("@", "à"))))))))
     )
-    tokens = labelled_rooms(paired_nouns(entrances(rooms_by_person(twin_homes(tokens, FLOOR_WORDS)))))
+    tokens = labelled_rooms(paired_nouns(entrances(rooms_by_person(twin_homes(children_groups(tokens), FLOOR_WORDS)))))
     tokens = storey_tables(abbreviated_storeys(text, decades(tokens)), FLOOR_WORDS)
     tokens = storeys_in_order(tokens, FLOOR_WORDS)
     tokens = flat_types(count_forms(storeys_by_use(storey_forms(text, tokens), FLOOR_WORDS)))
@@ -226,7 +229,7 @@ def start_reading(text: str, knowledge: KnowledgeBase, cancelled: Callable[[], b
     tokens = workplaces(foreign_storeys(open_decks(kinds_of_area(gross_areas(metering(tokens))))))
     tokens = stacked_flats(relative_areas(tokens), FLOOR_WORDS)
     tokens = activities(tokens)
-    tokens = seated_people(tokens)
+    tokens = seated_people(garages(tokens, lexicon.building_heads))
     tokens = capacities(owned_by_each(upward_ranges(tokens, FLOOR_WORDS)), lexicon.heads)
     mentions = lexicon.find(tokens)
     reading = Reading(

@@ -352,7 +352,13 @@ class _Entry:
         marked = self._before in (":", ",", "and", "|", "-", "*", "&", "\n")
         article = self._before in ("a", "an", "the", "one") and lead in (",", "and", ":", "a", "|", "with", "has")
         opens = marked or article or self._counted or self.begin - 1 in self.reading.taken
-        return opens and self._after in _LIST_ENDS
+        return opens and (self._after in _LIST_ENDS or self._is_for_many)
+
+    @property
+    def _is_for_many(self) -> bool:
+        """Whether a number of people follows: "guest Stube for 60 with a stove"."""
+        many = self._after == "for" and self.reading.kind(self.end + 1) == "number"
+        return many and self.reading.kind(self.end + 2) != "unit" and self._before in (",", ":", "and", "a", "one")
 
     def _goes_on_furniture(self) -> bool:
         """Whether a bare noun goes on with what a room holds: "a hall with a bed, chest and desk"."""

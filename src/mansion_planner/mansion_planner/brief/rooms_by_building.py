@@ -118,6 +118,10 @@ _NAMED = {
     ("hall", "cinema"): "cinema_hall",
     ("screen", "cinema"): "cinema_hall",
     ("sleeping_room", "kindergarten"): "nap_room",
+    ("group_room", "kindergarten"): "kindergarten_classroom",
+    ("bay", "fire_station"): "apparatus_bay",
+    ("engine_bay", "fire_station"): "apparatus_bay",
+    ("vehicle_bay", "fire_station"): "apparatus_bay",
     ("studio", "radio_station"): "recording_studio",
     ("studio", "media_house"): "recording_studio",
 }

@@ -85,6 +85,8 @@ class StoreySequence:
         if word not in _UP | _DOWN or reading.word(index + 1) not in _THAT or base is None:
             return None
         opens = reading.starts(index) or (reading.word(index - 1) in (",", "and", ";") and reading.starts(index - 1))
+        told = reading.word(index - 1) == "," and reading.word(index + 2) in ("the", "a", "an", "one", "two", "three")
+        opens = opens or (told and reading.word(index + 1) in ("it", "that", "this"))
         if not opens or base.kind not in ("number", "range", "top", "below_top"):
             return None
         self.direction = 1 if word in _UP else -1
