@@ -386,7 +386,8 @@ def _without_plurals(name: str) -> list[str]:
 def _people_or_furniture(reading: Reading, begin: int, end: int, *, whole: bool) -> Phrase | None:
     """Return the people or the furniture of the asset catalogue that some tokens name."""
     last = reading.word(end - 1)
-    if last in PEOPLE or (last in OFFICE_HOLDERS and end - begin == 1):
+    tells_whose = not whole and last == "guest" and not reading.plural(end - 1)  # "guest Stube"
+    if (last in PEOPLE and not tells_whose) or (last in OFFICE_HOLDERS and end - begin == 1):
         return finished_phrase(reading, "people", begin, end)
     category, _ = furniture_of(reading.words(begin, end))
     if last == "island" and reading.word(count_before(reading, begin, end)[0] - 1) in ("of", "on", "at"):

@@ -17,6 +17,7 @@ from mansion_planner.brief.furniture_words import furniture_vocabulary
 from mansion_planner.brief.garages import garages
 from mansion_planner.brief.labelled_rooms import labelled_rooms
 from mansion_planner.brief.lexicon import Mention, lexicon_of
+from mansion_planner.brief.masters_bathroom import masters_bathroom
 from mansion_planner.brief.paired_nouns import paired_nouns
 from mansion_planner.brief.relative_areas import relative_areas
 from mansion_planner.brief.rooms_by_person import rooms_by_person
@@ -45,6 +46,7 @@ from mansion_planner.brief.token_forms import (
 )
 from mansion_planner.brief.told_again import without_asides
 from mansion_planner.brief.twin_homes import twin_homes
+from mansion_planner.brief.unit_totals import unit_totals
 from mansion_planner.brief.withdrawn_briefs import without_withdrawn_briefs
 
 __all__ = ["FLOOR_WORDS", "Place", "Reading", "start_reading"]
@@ -221,9 +223,9 @@ def start_reading(text: str, knowledge: KnowledgeBase, cancelled: Callable[[], b
     tokens, corrections = corrected_numbers(
         without_asides(spoken_turns(shortened_nouns(without_conversions(without_withdrawn_briefs(without_slips(tokenize(text.replace("@", "à"))))))))
     )
-    tokens = labelled_rooms(paired_nouns(entrances(rooms_by_person(twin_homes(children_groups(tokens), FLOOR_WORDS)))))
+    tokens = labelled_rooms(paired_nouns(entrances(rooms_by_person(twin_homes(children_groups(masters_bathroom(tokens)), FLOOR_WORDS)))))
     tokens = storey_tables(abbreviated_storeys(text, decades(tokens)), FLOOR_WORDS)
-    tokens = storeys_in_order(tokens, FLOOR_WORDS)
+    tokens = unit_totals(storeys_in_order(tokens, FLOOR_WORDS), FLOOR_WORDS)
     tokens = flat_types(count_forms(storeys_by_use(storey_forms(text, tokens), FLOOR_WORDS)))
     tokens = compounds(corrected(tokens, lexicon.words, furniture_vocabulary()), lexicon.words)
     tokens = workplaces(foreign_storeys(open_decks(kinds_of_area(gross_areas(metering(tokens))))))

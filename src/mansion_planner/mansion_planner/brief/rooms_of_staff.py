@@ -14,7 +14,7 @@ _THE_ONE = frozenset({"", "the", "a", "an", "her", "his", "its", "their", "our",
 OFFICE_HOLDERS = frozenset(
     """
     director manager dean principal headmaster headmistress headteacher rector registrar bursar secretary assistant
-    treasurer president chairman chairwoman chair mayor editor publisher ceo boss receptionist caretaker warden janitor
+    treasurer president chairman chairwoman mayor editor ceo boss receptionist caretaker warden janitor
     accountant clerk deputy bookkeeper curator
     """.split()
 )

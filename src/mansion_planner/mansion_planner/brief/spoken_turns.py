@@ -98,6 +98,7 @@ def _headed_storeys(tokens: list[Token]) -> list[Token]:
     )
     if not two:
         return tokens
+    tokens = _on_top(tokens)
     return [
         replace(token, text=_OPENING[token.text])
         if _closes_list(tokens, index)
@@ -110,6 +111,27 @@ def _headed_storeys(tokens: list[Token]) -> list[Token]:
         else token
         for index, token in enumerate(tokens)
     ]
+
+
+_FLATS = frozenset({"flat", "apartment", "maisonette", "studio"})
+
+
+def _on_top(tokens: list[Token]) -> list[Token]:
+    """Return the tokens with "a flat on top" as one upstairs, and "the flat above: ..." without its storey again."""
+    result: list[Token] = []
+    index = 0
+    while index < len(tokens):
+        token, after = tokens[index], _word(tokens, index + 2)
+        top = token.text == "on" and _word(tokens, index + 1) == "top" and after in _ENDS | {",", "(", "and"}
+        if top and index and tokens[index - 1].kind == "word" and tokens[index - 1].text not in _TO_STOREYS:
+            result.append(replace(token, text="upstairs", end=tokens[index + 1].end))
+            index += 2
+            continue
+        again = token.text in ("above", "upstairs", "upstair") and _word(tokens, index + 1) == ":"
+        if not (again and _word(tokens, index - 1) in _FLATS and _word(tokens, index - 2) == "the"):
+            result.append(token)
+        index += 1
+    return result
 
 
 _NO_LIST = _TO_STOREYS | frozenset(

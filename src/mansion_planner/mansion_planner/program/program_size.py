@@ -53,7 +53,7 @@ _PARKED = 32.0
 
 def _parked(facts: BriefFacts, building: BuildingType) -> ProgramSize | None:
     """Return the size of a car park for so many cars, where the brief says nothing else of its size."""
-    cars = [wanted for wanted in facts.objects if wanted.category == "car" and wanted.count]
+    cars = [wanted for wanted in facts.objects if wanted.category == "garage_car" and wanted.count]
     if building.name != "parking_garage" or not cars or facts.floors or facts.area or facts.floor_area:
         return None
     whole = _PARKED * sum(wanted.count or 0 for wanted in cars) + _ENTRANCE
