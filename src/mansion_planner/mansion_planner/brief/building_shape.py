@@ -156,6 +156,8 @@ _LEADS_TO_THING = frozenset({"a", "an", "one", "the", "large", "big", "wall", "w
 def read_copies(reading: Reading, places: list[Place]) -> None:
     """Read storeys that are to be identical: "floors 3 to 8 identical", "L3, L4, L5 the same", "share one plan"."""
     for index, token in enumerate(reading.tokens):
+        if index in reading.differing:
+            continue
         if _read_unchanging(reading, places, index) or _read_again(reading, places, index):
             continue
         sharing = _shares_plan(reading, index)

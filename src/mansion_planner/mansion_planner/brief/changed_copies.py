@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from mansion_planner.brief.facts import FloorRef, ObjectFact, RoomFact, Span
 from mansion_planner.brief.reading import Place, Reading
 
-__all__ = ["read_changed_copies"]
+__all__ = ["ChangedCopy", "find_changed_copies", "read_changed_copies"]
 
 _LIKE = frozenset({"same", "identical", "like", "as", "repeat", "copy", "equal", "ditto", "similar"})
 _CHANGES = frozenset({"but", "except", "plus", "with", "without", "save", "minus", "only", "additionally", "apart"})
@@ -22,11 +22,13 @@ _REACH = 5
 
 
 @dataclass(frozen=True)
-class _ChangedCopy:
+class ChangedCopy:
     """A storey that is told to be like another one, changes aside.
 
     Attributes
     ----------
+    base : int
+        Number of the storey that it is like.
     first, last : int
         Tokens that say so, `last` exclusive: those up to the changes.
     end : int
@@ -40,15 +42,23 @@ class _ChangedCopy:
     end: int
 
 
-def read_changed_copies(reading: Reading, places: Sequence[Place]) -> None:
-    """State for such a storey the rooms and the furniture of the other one that its own statement does not replace."""
-    done: set[int] = set()
+def find_changed_copies(reading: Reading, places: list[Place]) -> list[ChangedCopy]:
+    """Return such storeys; the other storey that each is told from is taken from `places`: it holds nothing here."""
+    found: list[ChangedCopy] = []
     for index in range(len(reading.tokens)):
         copy = _copy_at(reading, places, index) if reading.word(index) in _LIKE else None
-        if copy is None or copy.storey.first in done:
+        if copy is None or any(copy.storey.first == other.storey.first for other in found):
             continue
-        done.add(copy.storey.first)
+        found.append(copy)
         reading.take(copy.first, copy.last)
+        reading.differing.update(range(copy.first, copy.last))
+        places[:] = [p for p in places if not copy.first < p.first < copy.last or p.first == copy.first]
+    return found
+
+
+def read_changed_copies(reading: Reading, copies: Sequence[ChangedCopy]) -> None:
+    """State for such a storey the rooms and the furniture of the other one that its own statement does not replace."""
+    for copy in copies:
         span = reading.span(copy.first, copy.last)
         _give_rooms(reading, copy, span)
         _give_furniture(reading, copy, span)
@@ -58,7 +68,7 @@ def _single(place: Place) -> bool:
     return len(place.refs) == 1 and place.refs[0].kind == "number"
 
 
-def _copy_at(reading: Reading, places: Sequence[Place], index: int) -> _ChangedCopy | None:
+def _copy_at(reading: Reading, places: Sequence[Place], index: int) -> ChangedCopy | None:
     """Return the storey that a word at a token tells to be like another one, but for what follows."""
     sentence = reading.sentence[index]
     here = [p for p in places if p.last <= index and reading.sentence[p.first] == sentence and _single(p)]
@@ -73,6 +83,10 @@ def _copy_at(reading: Reading, places: Sequence[Place], index: int) -> _ChangedC
         if named is not None:
             base, at = named.refs[0].first, named.last
             continue
+        again = _named_by_ordinal(reading, places, at)
+        if again:
+            base, at = again, at + 1
+            continue
         if reading.word(at) not in _BETWEEN | _LIKE | _MARKS or reading.breaks(at):
             return None
         at += 1
@@ -85,7 +99,18 @@ def _copy_at(reading: Reading, places: Sequence[Place], index: int) -> _ChangedC
     end = at
     while not reading.breaks(end):
         end += 1
-    return _ChangedCopy(FloorRef("number", storey.first, storey.first, storey.span), base, here[-1].first, at, end)
+    return ChangedCopy(FloorRef("number", storey.first, storey.first, storey.span), base, here[-1].first, at, end)
+
+
+def _named_by_ordinal(reading: Reading, places: Sequence[Place], index: int) -> int:
+    """Return the storey that "the second" at a token means, which was named with its noun before; 0 for none."""
+    if reading.kind(index) != "ordinal":
+        return 0
+    named = [
+        p for p in places
+        if p.last <= index and _single(p) and reading.word(index) in reading.words(p.first, p.last)
+    ]  # fmt: skip
+    return named[-1].refs[0].first if named else 0
 
 
 def _is_on(floors: tuple[FloorRef, ...], storey: int) -> bool:
@@ -93,7 +118,7 @@ def _is_on(floors: tuple[FloorRef, ...], storey: int) -> bool:
     return len(floors) == 1 and floors[0].kind in ("number", "range") and floors[0].first == floors[0].last == storey
 
 
-def _give_rooms(reading: Reading, copy: _ChangedCopy, span: Span) -> None:
+def _give_rooms(reading: Reading, copy: ChangedCopy, span: Span) -> None:
     """Add the rooms of the other storey that the statement has no other number of, and takes none of away."""
     facts = reading.facts
     own = [(n, room) for n, room in enumerate(facts.rooms) if _is_on(room.floors, copy.storey.first)]
@@ -122,7 +147,7 @@ def _is_more(reading: Reading, room: RoomFact) -> bool:
     return not _MORE.isdisjoint(reading.words(max(first - 2, 0), first + 2))
 
 
-def _give_furniture(reading: Reading, copy: _ChangedCopy, span: Span) -> None:
+def _give_furniture(reading: Reading, copy: ChangedCopy, span: Span) -> None:
     """Add the furniture of rooms that both storeys have."""
     facts = reading.facts
     on_base = {room.name for room in facts.rooms if _is_on(room.floors, copy.base)}

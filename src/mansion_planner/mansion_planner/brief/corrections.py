@@ -79,32 +79,37 @@ _CHANGED = frozenset(
     """.split()
 )
 """Verbs that tell the number that something has in the end: "the board cut it to four"."""
-_TURNS = frozenset({"but", "then", "however", "yet", "though", "later", "now", ",", "(", "-", "–", "since", "meanwhile"})
+_TURNS = frozenset({"but", "then", "however", "yet", "though", "later", "now", ",", "(", "-", "–", "since", "meanwhile", "so"})
 _MOVED = frozenset("it them that this these those number down up back have been be was were has to at on with".split())
-_LONGEST_SUBJECT = 5
+_LONGEST_SUBJECT = 7
 
 
 def _changed_to(tokens: list[Token], before: list[Token], index: int) -> tuple[int, int, int] | None:
     """Return what `_correction` does of "five rooms, but the board cut it to four" and "(reduced to four)"."""
     if _word(tokens, index) not in _TURNS:
         return None
-    at = index + 1
-    while at - index <= _LONGEST_SUBJECT and at < len(tokens) and tokens[at].kind == "word":
-        if tokens[at].text in _CHANGED:
+    number = 0
+    for at in range(index + 1, index + 2 + _LONGEST_SUBJECT):
+        if at >= len(tokens) or tokens[at].kind != "word":
+            return None
+        number = _number_after(tokens, at) if tokens[at].text in _CHANGED else 0
+        if number:
             break
-        at += 1
-    if _word(tokens, at) not in _CHANGED:
-        return None
-    number = at + 1
-    while _word(tokens, number) in _MOVED:
-        number += 1
-    to = _word(tokens, number - 1) in ("to", "at", "on", "with") or _word(tokens, at) in ("become", "became")
-    if not to or number >= len(tokens) or tokens[number].kind != "number":
+    if not number:
         return None
     earlier = _taken_back(tokens, before, number, counts=_word(tokens, number + 1) not in AREA)
     if earlier is None or before[earlier].value == tokens[number].value:
         return None
     return earlier, number, _end(tokens, before, earlier, number, opened=_word(tokens, index))
+
+
+def _number_after(tokens: list[Token], verb: int) -> int:
+    """Return the token of the number that "cut it to four" and "became four" end with; 0 where there is none."""
+    number = verb + 1
+    while _word(tokens, number) in _MOVED:
+        number += 1
+    to = _word(tokens, number - 1) in ("to", "at", "on", "with") or _word(tokens, verb) in ("become", "became")
+    return number if to and number < len(tokens) and tokens[number].kind == "number" else 0
 
 
 _RECALLING = frozenset({"that", "it", "this", "those", "these", "they"})

@@ -27,7 +27,7 @@ def garages(tokens: list[Token], buildings: frozenset[str]) -> list[Token]:
     first = next((at for at, text in enumerate(texts) if text == "garage"), -1)
     if first < 0 or not set(texts[:first]) <= _BEFORE or texts.count("garage") > 1:
         return tokens
-    if any(text in buildings for text in texts[:first] + texts[first + 1 :]):
+    if any(text in buildings - _REPAIRS for text in texts[:first] + texts[first + 1 :]):
         return tokens
     repaired = not _REPAIRS.isdisjoint(texts)
     after = texts[first + 1 : first + 6]

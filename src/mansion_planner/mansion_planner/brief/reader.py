@@ -25,7 +25,7 @@ from mansion_planner.brief.building import (
 )
 from mansion_planner.brief.building_again import leave_out_other_names
 from mansion_planner.brief.building_shape import give_rooms_to_copies, read_copies, read_massing, read_shape, read_sizes
-from mansion_planner.brief.changed_copies import read_changed_copies
+from mansion_planner.brief.changed_copies import find_changed_copies, read_changed_copies
 from mansion_planner.brief.clutter import read_clutter_words, read_things_about
 from mansion_planner.brief.coreference import coreferences
 from mansion_planner.brief.desk_areas import read_desk_areas
@@ -136,6 +136,7 @@ class _Reader:
 
     def __init__(self, reading: Reading, places: list[Place]) -> None:
         self.reading, self.facts, self.places = reading, reading.facts, places
+        self.changed = find_changed_copies(reading, places)
 
     def read(self, measures: list[Measure]) -> list[Phrase]:
         """Read everything that noun phrases are part of; return them."""
@@ -244,7 +245,7 @@ class _Reader:
             suites,
         ).record()
         among_adverts(facts, adverts)
-        read_changed_copies(reading, self.places)
+        read_changed_copies(reading, self.changed)
         read_desk_areas(facts)
         state_relations(reading, self.phrases, self.relations, self.same, self.groups)
         read_completeness(reading, self.places, self.phrases)

@@ -105,6 +105,8 @@ class Reading:
         Indices of numbers whose area was given to rooms together with their names.
     implied_storeys : list of Quantity
         Numbers of storeys that follow from other words ("the six upper floors"): they count where none is stated.
+    differing : set of int
+        Indices of tokens that say that a storey is like another one, but for what follows.
     cancelled : callable
         Whether the reading is not wanted any more.
     sentence : list of int
@@ -122,6 +124,7 @@ class Reading:
     sentence: list[int] = field(default_factory=list)
     modifiers: set[int] = field(default_factory=set)
     implied_storeys: list[Quantity] = field(default_factory=list)
+    differing: set[int] = field(default_factory=set)
     cancelled: Callable[[], bool] = lambda: False
 
     def go_on(self) -> None:

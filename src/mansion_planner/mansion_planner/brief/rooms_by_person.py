@@ -51,6 +51,7 @@ def _owners(tokens: list[Token], index: int) -> tuple[int, int, int] | None:
         return None
     many, groups, at = 0, 0, index
     while True:
+        at += _text(tokens, at) in _ONE and at + 1 < len(tokens) and tokens[at + 1].kind == "number"
         counted = at < len(tokens) and tokens[at].kind == "number"
         begin = at
         at += counted or _text(tokens, at) in _ONE

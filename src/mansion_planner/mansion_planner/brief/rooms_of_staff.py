@@ -48,11 +48,12 @@ def _room_of_staff(reading: Reading, phrases: list[Phrase], phrase: Phrase) -> P
     before, after = reading.word(lead), reading.word(phrase.last)
     sentence = reading.sentence[phrase.first]
     closed = after in (",", ";", ".", "\n", "", ")") or (after in ("and", "plus", "+", "&") and before != ":")
-    joined = before in ("and", "&") and any(p.head == "room" and p.last == lead for p in phrases)
+    rooms = [p for p in phrases if p.head == "room" or (p.head == "building" and p.counted and p.room_type)]
+    joined = before in ("and", "&") and any(p.last == lead for p in rooms)
     added = before in ("plus", "+", "additionally", "furthermore", "likewise") or joined
     plain = not phrase.determiner and word in _HAVE_ROOMS
     listed = closed and (added if not plain else added or before in (",", ":", ";"))
-    if not listed or not any(p.head == "room" and abs(reading.sentence[p.first] - sentence) <= 1 for p in phrases):
+    if not listed or not any(abs(reading.sentence[p.first] - sentence) <= 1 for p in rooms):
         return phrase
     kind = elliptic_room_type(reading.words(phrase.begin, phrase.noun_end), reading.knowledge)
     return replace(phrase, head="room", room_type=kind or "private_office", known=bool(kind))

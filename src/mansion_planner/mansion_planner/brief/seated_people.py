@@ -89,6 +89,10 @@ def _clause(tokens: list[Token], index: int) -> tuple[int, int] | None:
 
 def _verb(tokens: list[Token], index: int) -> tuple[int, int] | None:
     """Return the number and the end of "that seats 20", "big enough to seat 20 people", "seating forty"."""
+    seats = _text(tokens, index) == "with" and _text(tokens, index + 1) in ("seat", "seating", "place", "cover")
+    if seats and _text(tokens, index + 2) == "for":
+        number = _number(tokens, index + 3)
+        return (number, _after_people(tokens, number + 1)) if number >= 0 else None
     at = index
     while _text(tokens, at) in _LEADS | {"big", "large", "enough", ","} and at - index < 4:
         at += 1

@@ -37,10 +37,26 @@ def twin_homes(tokens: list[Token], floor_words: AbstractSet[str]) -> list[Token
         return tokens
     opened, begin, end = given
     house = replace(tokens[noun], text="house", plural=False, start=tokens[first].start)
-    between = _with_all_areas(tokens[noun + 1 : opened], many)
+    between = _with_all_areas(_without_sides(tokens[noun + 1 : opened]), many)
     link = [] if opened < begin and texts[opened - 1] in _ENDS | {";"} else [replace(tokens[begin - 1], text=":", kind="mark")]
     listed = _counted_for_all(tokens[begin:end], many)
     return [*tokens[:first], house, *between, *link, *listed, *_with_all_areas(tokens[end:], many)]
+
+
+_SIDES = (("side", "by", "side"), ("under", "one", "roof"), ("next", "to", "each", "other"), ("wall", "to", "wall"))
+
+
+def _without_sides(tokens: list[Token]) -> list[Token]:
+    """Return tokens without the words for how the homes stand, and without "each" after their storeys."""
+    result: list[Token] = []
+    index = 0
+    while index < len(tokens):
+        texts = [token.text for token in tokens[index : index + 4]]
+        said = next((len(words) for words in _SIDES if tuple(texts[: len(words)]) == words), 0)
+        index += said or 1
+        if not said:
+            result.append(tokens[index - 1])
+    return result
 
 
 def _homes(tokens: list[Token]) -> tuple[int, int, int] | None:

@@ -98,7 +98,8 @@ def _end(tokens: list[Token], at: int) -> int:
     while at < len(tokens):
         text = tokens[at].text
         depth += (text == "(") - (text == ")")
-        if depth <= 0 and (text in _ENDS or (text in (",", "-", "–") and _text(tokens, at + 1) in _RESTARTS)):
+        restarts = text in (",", "-", "–") and _text(tokens, at + 1) in _RESTARTS and _text(tokens, at + 2) != "one"
+        if depth <= 0 and (text in _ENDS or restarts):
             return at + 1
         at += 1
     return at
