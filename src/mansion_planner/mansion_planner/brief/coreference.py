@@ -103,7 +103,8 @@ def _other_mention(
     if earlier:
         return _best(phrases, phrase, earlier[::-1])
     later = [n for n in others if n > number and phrases[n].determiner not in ("the", "this", "that", "its")]
-    if phrase.determiner in ("each", "every", "all") and any(phrases[n].counted for n in later):
+    of_all = phrase.determiner == "the" and phrase.plural and not phrase.counted and "_" not in phrase.name
+    if (phrase.determiner in ("each", "every", "all") or of_all) and any(phrases[n].counted for n in later):
         return next(n for n in later if phrases[n].counted)  # "a desk in each bedroom; three bedrooms"
     if later and (operand or _is_inside(reading, phrase)) and phrase.determiner not in _INTRODUCING:
         return _best(phrases, phrase, later)

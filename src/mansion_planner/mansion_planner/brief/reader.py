@@ -12,6 +12,7 @@ from mansion_knowledge import KnowledgeBase
 from mansion_planner.brief.absences import read_absent_parts
 from mansion_planner.brief.accessible_parts import with_accessible_ones
 from mansion_planner.brief.adverts import among_adverts, read_adverts, read_bedrooms_of_building
+from mansion_planner.brief.all_but_some import place_all_others, place_some, read_all_but_some
 from mansion_planner.brief.area_words import Measure
 from mansion_planner.brief.background_phrases import without_bystanders
 from mansion_planner.brief.bare_areas import with_bare_areas
@@ -117,10 +118,13 @@ def read_brief(text: str, knowledge: KnowledgeBase, *, cancelled: Callable[[], b
     read_style(reading, named=True)
     read_shape(reading)
     measures = find_measures(reading)
+    exception = read_all_but_some(reading)
     places = read_storeys(reading)
+    place_some(reading, places, exception)
     read_massing(reading)
     reading.go_on()
     phrases = _Reader(reading, places).read(measures)
+    place_all_others(reading, exception)
     reading.go_on()
     read_copies(reading, places)
     give_rooms_to_copies(reading.facts)

@@ -20,6 +20,7 @@ from mansion_planner.brief.lexicon import Mention, lexicon_of
 from mansion_planner.brief.masters_bathroom import masters_bathroom
 from mansion_planner.brief.paired_nouns import paired_nouns
 from mansion_planner.brief.relative_areas import relative_areas
+from mansion_planner.brief.rooms_by_number import rooms_by_number
 from mansion_planner.brief.rooms_by_person import rooms_by_person
 from mansion_planner.brief.seated_people import seated_people
 from mansion_planner.brief.shortened_nouns import shortened_nouns
@@ -35,6 +36,7 @@ from mansion_planner.brief.token_forms import (
     capacities,
     compounds,
     decades,
+    equal_rooms,
     foreign_storeys,
     gross_areas,
     kinds_of_area,
@@ -227,7 +229,8 @@ def start_reading(text: str, knowledge: KnowledgeBase, cancelled: Callable[[], b
         without_asides(spoken_turns(shortened_nouns(without_conversions(without_withdrawn_briefs(without_slips(tokenize(text.replace("@", "à"))))))))
     )
     tokens = labelled_rooms(paired_nouns(entrances(rooms_by_person(twin_homes(children_groups(masters_bathroom(tokens)), FLOOR_WORDS)))))
-    tokens = storey_tables(abbreviated_storeys(text, decades(tokens)), FLOOR_WORDS)
+    tokens = storey_tables(abbreviated_storeys(text, decades(equal_rooms(tokens, FLOOR_WORDS))), FLOOR_WORDS)
+    tokens = rooms_by_number(tokens)
     tokens = unit_totals(storeys_in_order(tokens, FLOOR_WORDS), FLOOR_WORDS)
     tokens = flat_types(count_forms(storeys_by_use(storey_forms(text, tokens), FLOOR_WORDS)))
     tokens = compounds(corrected(tokens, lexicon.words, furniture_vocabulary()), lexicon.words)

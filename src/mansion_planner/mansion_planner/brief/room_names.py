@@ -203,7 +203,8 @@ def with_designators(
         if not length:
             break
         end = index + length
-        own = reading.span(index, end).words
+        figure = length == 1 and reading.kind(index) == "number" and reading.word(index).isdigit()
+        own = reading.word(index) if figure else reading.span(index, end).words
         reading.take(index, end)
         room = one_of(phrase, first, end)
         found.append(replace(room, name=f"{phrase.name}_{own.lower()}", label=f"{phrase.label} {own}", counted=False))

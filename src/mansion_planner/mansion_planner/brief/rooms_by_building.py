@@ -1,5 +1,6 @@
 """Read what a room is by the building that it stands in: "40 rooms" of a hotel, the cabin of a director."""
 
+import re
 from dataclasses import replace
 
 from mansion_planner.brief.building import is_compound
@@ -24,7 +25,8 @@ def room_for_building(reading: Reading, phrase: Phrase) -> Phrase:
     record = reading.knowledge.buildings.get(kind)
     family, like = (record.family, record.like) if record is not None else ("", "")
     itself = reading.tokens[phrase.begin].start in {span.start for _, span in facts.building if span.words}
-    named = _NAMED.get((phrase.name, kind)) or _NAMED.get((phrase.name, like))
+    base = re.sub(r"_\d+$", "", phrase.name)
+    named = _NAMED.get((base, kind)) or _NAMED.get((base, like))
     if named is not None and not itself:
         return replace(phrase, head="room", building="", room_type=named, known=True)
     lodging = _PLAIN.get(kind) or _PLAIN.get(like)

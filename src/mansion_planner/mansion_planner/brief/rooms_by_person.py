@@ -52,7 +52,8 @@ def _owners(tokens: list[Token], index: int) -> tuple[int, int, int] | None:
     many, groups, at = 0, 0, index
     while True:
         at += _text(tokens, at) in _ONE and at + 1 < len(tokens) and tokens[at + 1].kind == "number"
-        counted = at < len(tokens) and tokens[at].kind == "number"
+        at -= _text(tokens, at) in _PERSONS and at > index and _text(tokens, at - 1) in _ONE  # "the couple"
+        counted = at < len(tokens) and tokens[at].kind == "number" and tokens[at].text not in _PERSONS
         begin = at
         at += counted or _text(tokens, at) in _ONE
         if _text(tokens, at) not in _PERSONS:
