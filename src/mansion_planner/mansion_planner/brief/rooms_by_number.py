@@ -88,7 +88,7 @@ def _each(nouns: list[Token], lead: Token, numbers: list[Token], held: Token) ->
         result += [replace(noun, start=first, end=end, plural=False) for noun in nouns]
         result.append(Token("number", str(position + 1), first, end, position + 1.0))
         last = held.end if position == len(numbers) - 1 else number.end
-        result += [Token("word", join, number.start, number.end), number, replace(held, start=number.start, end=last)]
+        result += [Token("word", join, number.start, number.end), replace(number, spaced=True), replace(held, start=number.start, end=last)]
     return result
 
 

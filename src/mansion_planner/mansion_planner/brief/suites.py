@@ -75,7 +75,9 @@ def read_suites(
         if pair.counted_with_furniture() and phrases[number - 1].head == "object":
             continue
         if pair.again and pair.is_generic():
-            twins_of[number] = [n for n in before if phrases[n].name == pair.named.name and n not in same]
+            kind = pair.named.name
+            alike = [n for n in before if phrases[n].name == kind or phrases[n].name.endswith(f"_{kind}")]
+            twins_of[number] = [n for n in alike if n not in same]
         if owner in suites:
             if pair.adds_to(phrases[suites[owner]]):
                 suites[number] = suites[owner]
