@@ -48,5 +48,5 @@ def test_a_storey_may_be_told_by_its_ordinal() -> None:
 
 
 def test_furniture_of_the_rooms_is_there_again() -> None:
-    text = "Three levels. Level 2: an open-plan office with 30 desks and two meeting rooms, level 3 the same but with a gym."
+    text = "Three levels. Level 2: an open-plan office with 30 desks and two labs, level 3 the same but with a gym."
     assert [(wanted.count, wanted.floors[0].first) for wanted in read(text).objects] == [(30, 2), (30, 3)]

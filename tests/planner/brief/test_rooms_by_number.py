@@ -35,4 +35,4 @@ def test_as_many_numbers_as_rooms_are_needed() -> None:
 @pytest.mark.parametrize("words", ["bays for three engines", "bays for three vehicles", "bays for three trucks"])
 def test_there_is_a_bay_for_each(words: str) -> None:
     facts = read(f"A fire station with {words} and a dormitory")
-    assert [(fact.room_type, fact.count) for fact in facts.rooms][0] == ("apparatus_bay", 3)
+    assert next((fact.room_type, fact.count) for fact in facts.rooms) == ("apparatus_bay", 3)

@@ -36,6 +36,8 @@ def test_what_is_said_later_is_of_the_same_room() -> None:
     assert [(fact.first_name, fact.second_name) for fact in facts.adjacent] == [("dean", "dean_secretariat")]
 
 
-@pytest.mark.parametrize("text", ["An office for the manager and the secretary", "The director wants two meeting rooms"])
+@pytest.mark.parametrize(
+    "text", ["An office for the manager and the secretary", "The director wants two meeting rooms"]
+)
 def test_who_works_there_asks_for_no_room(text: str) -> None:
     assert not {"manager", "secretary", "director"} & {fact.name for fact in read(text).rooms}

@@ -57,7 +57,9 @@ def test_an_entry_may_repeat_the_one_below() -> None:
 
 
 def test_storeys_are_called_by_what_their_list_has_there() -> None:
-    text = "Four storeys. From bottom to top: shop; editorial; editorial; canteen. On each editorial storey one archive."
+    text = (
+        "Four storeys. From bottom to top: shop; editorial; editorial; canteen. On each editorial storey one archive."
+    )
     assert storeys(text)["archive"] == [(2, 2), (3, 3)]
 
 

@@ -24,7 +24,9 @@ def test_a_total_is_no_further_flats(words: str) -> None:
     assert [(fact.count, fact.each) for fact in flats] == [(2, True)]
 
 
-@pytest.mark.parametrize("words", ["All three groups are identical", "The three groups are the same", "All groups are alike"])
+@pytest.mark.parametrize(
+    "words", ["All three groups are identical", "The three groups are the same", "All groups are alike"]
+)
 def test_groups_are_the_storeys_that_they_fill(words: str) -> None:
     facts = read(f"Four storeys. Each of floors 2, 3 and 4 is one living group: a lounge and ten rooms. {words}.")
     assert [(copy.first.first, copy.first.last) for copy in facts.copies] == [(2, 4)]

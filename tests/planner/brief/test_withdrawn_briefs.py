@@ -30,7 +30,10 @@ def test_an_earlier_brief_asks_for_nothing(first: str) -> None:
 
 @pytest.mark.parametrize(
     "text",
-    ["Please ignore my last mail, we now want a house with two bedrooms.", "Forget my email: a house with two bedrooms."],
+    [
+        "Please ignore my last mail, we now want a house with two bedrooms.",
+        "Forget my email: a house with two bedrooms.",
+    ],
 )
 def test_what_follows_in_the_same_sentence_counts(text: str) -> None:
     assert [(fact.name, fact.count) for fact in read(text).rooms] == [("bedroom", 2)]

@@ -55,7 +55,17 @@ _OPENS = frozenset({"", ":", ",", "\n", "-", "*", "•", ".", "an", "with"})
 _CLOSES = frozenset({"", ",", ".", ";", "\n", "(", "with", "and", "&"})
 
 
-_BESIDE = (("next", "to"), ("close", "to"), ("by",), ("beside",), ("near",), ("at",), ("off",), ("behind",), ("adjoining",))
+_BESIDE = (
+    ("next", "to"),
+    ("close", "to"),
+    ("by",),
+    ("beside",),
+    ("near",),
+    ("at",),
+    ("off",),
+    ("behind",),
+    ("adjoining",),
+)
 _DOORS = (("main", "entrance"), ("front", "entrance"), ("entrance",), ("front", "door"), ("main", "door"), ("entry",))
 
 
@@ -72,7 +82,7 @@ def _beside_entrance(tokens: list[Token], index: int) -> int:
 
 
 def entrances(tokens: list[Token]) -> list[Token]:
-    """Read "entrance" as the hall that people come in by: "ground floor: entrance, kitchen", "a den by the entrance"."""
+    """Read "entrance" as the hall that people come in by: "floor 1: entrance, kitchen", "a den by the entrance"."""
     result: list[Token] = []
     beside = 0
     for index, token in enumerate(tokens):

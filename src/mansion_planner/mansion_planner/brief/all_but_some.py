@@ -9,7 +9,15 @@ __all__ = ["AllButSome", "place_all_others", "place_some", "read_all_but_some"]
 
 _ALL = frozenset({"everything", "all"})
 _BETWEEN = frozenset("the rooms room other else should must be is are goes go to on in at lies stays".split())
-_EXCEPT = (("except", "for"), ("except",), ("apart", "from"), ("but", "for"), ("other", "than"), ("save", "for"), ("bar",))
+_EXCEPT = (
+    ("except", "for"),
+    ("except",),
+    ("apart", "from"),
+    ("but", "for"),
+    ("other", "than"),
+    ("save", "for"),
+    ("bar",),
+)
 _PLACES = {"downstairs": 1, "downstair": 1, "ground": 1, "upstairs": 2, "upstair": 2}
 _REACH = 9
 
@@ -28,7 +36,9 @@ class AllButSome:
 def read_all_but_some(reading: Reading) -> AllButSome | None:
     """Take the words that put all rooms but some on a storey, before the storeys of the brief are read."""
     for index in range(len(reading.tokens)):
-        if reading.word(index) not in _ALL or not (reading.starts(index) or reading.word(index - 1) in (",", ":", "with")):
+        if reading.word(index) not in _ALL or not (
+            reading.starts(index) or reading.word(index - 1) in (",", ":", "with")
+        ):
             continue
         at = index + 1
         while reading.word(at) in _BETWEEN and at - index < _REACH:

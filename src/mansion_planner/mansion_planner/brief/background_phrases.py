@@ -77,7 +77,14 @@ def _is_given_up(reading: Reading, phrase: Phrase) -> bool:
 def _is_compared(reading: Reading, phrase: Phrase) -> bool:
     """Whether a building is only what this one is to be like or not: "it must not feel like a hospital"."""
     lead = reading.words(max(phrase.begin - 2, 0), phrase.begin)
-    likened = lead in (("like", "a"), ("like", "an"), ("resemble", "a"), ("resemble", "an"), ("than", "a"), ("than", "an"))
+    likened = lead in (
+        ("like", "a"),
+        ("like", "an"),
+        ("resemble", "a"),
+        ("resemble", "an"),
+        ("than", "a"),
+        ("than", "an"),
+    )
     return bool(phrase.building) and likened and not phrase.counted
 
 

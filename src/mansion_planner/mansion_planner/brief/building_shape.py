@@ -323,7 +323,7 @@ def _same_as(places: list[Place], index: int, reading: Reading) -> tuple[Place, 
     places = [p for p in places if reading.sentence[p.first] == reading.sentence[index]]
     before = [
         p for p in places
-        if 0 <= index - p.last and (p.heading or index - p.last <= 3)
+        if index - p.last >= 0 and (p.heading or index - p.last <= 3)
         and p.refs[0].kind == "number" and len(p.refs) == 1
     ]  # fmt: skip
     after = [p for p in places if 0 < p.first - index <= 3 and p.refs[0].kind == "number"]

@@ -137,7 +137,9 @@ def _give_rooms(reading: Reading, copy: ChangedCopy, span: Span) -> None:
     facts.rooms += given
     for name in removed:
         facts.excluded[:] = [
-            (other, where) for other, where in facts.excluded if other != name or not changes[0] <= where.start < changes[1]
+            (other, where)
+            for other, where in facts.excluded
+            if other != name or not changes[0] <= where.start < changes[1]
         ]
 
 
@@ -157,7 +159,9 @@ def _give_furniture(reading: Reading, copy: ChangedCopy, span: Span) -> None:
         if not told or wanted.each or wanted.excluded:
             continue
         if not wanted.floors:
-            facts.objects[number] = replace(wanted, floors=(FloorRef("number", copy.base, copy.base, copy.storey.span),))
+            facts.objects[number] = replace(
+                wanted, floors=(FloorRef("number", copy.base, copy.base, copy.storey.span),)
+            )
         own = any(
             other.category == wanted.category and _is_on(other.floors, copy.storey.first) for other in facts.objects
         )

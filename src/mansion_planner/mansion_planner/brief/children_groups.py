@@ -1,5 +1,6 @@
 """Give each group of a kindergarten its room: "a kindergarten for 4 groups", "each group has a room of 55 m2"."""
 
+import itertools
 from dataclasses import replace
 
 from mansion_language import Token
@@ -14,7 +15,7 @@ _OWN = frozenset({"has", "have", "get", "need", "with", "needs", "gets", "a", "a
 def children_groups(tokens: list[Token]) -> list[Token]:
     """Return the tokens with groups as group rooms, where the brief does not name these itself."""
     texts = [token.text for token in tokens]
-    if _HOUSES.isdisjoint(texts) or ("group", "room") in zip(texts, texts[1:], strict=False):
+    if _HOUSES.isdisjoint(texts) or ("group", "room") in itertools.pairwise(texts):
         return tokens
     result: list[Token] = []
     index, counted = 0, False

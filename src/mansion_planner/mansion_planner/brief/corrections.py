@@ -79,7 +79,9 @@ _CHANGED = frozenset(
     """.split()
 )
 """Verbs that tell the number that something has in the end: "the board cut it to four"."""
-_TURNS = frozenset({"but", "then", "however", "yet", "though", "later", "now", ",", "(", "-", "–", "since", "meanwhile", "so"})
+_TURNS = frozenset(
+    {"but", "then", "however", "yet", "though", "later", "now", ",", "(", "-", "–", "since", "meanwhile", "so"}
+)
 _MOVED = frozenset("it them that this these those number down up back have been be was were has to at on with".split())
 _LONGEST_SUBJECT = 7
 
@@ -114,9 +116,10 @@ def _number_after(tokens: list[Token], verb: int) -> int:
 
 _RECALLING = frozenset({"that", "it", "this", "those", "these", "they"})
 _GOING_ON = frozenset(
-    "now today meanwhile instead we i they it you need want have is are only just should be must take make has this year"
-    .split()
-)  # fmt: skip
+    """
+    now today meanwhile instead we i they it you need want have is are only just should be must take make has this year
+    """.split()
+)
 _LONGEST_RECALL = 9
 
 

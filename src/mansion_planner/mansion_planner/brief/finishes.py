@@ -98,7 +98,9 @@ _STYLE_NOUNS = frozenset(
 )
 
 
-_OF_THE_COUNTRY = frozenset({"house", "manor", "home", "estate", "hotel", "inn", "villa", "retreat", "club", "pub", "school"})
+_OF_THE_COUNTRY = frozenset(
+    {"house", "manor", "home", "estate", "hotel", "inn", "villa", "retreat", "club", "pub", "school"}
+)
 
 
 def read_style(reading: Reading, *, named: bool) -> None:

@@ -12,7 +12,9 @@ _REPAIRS = frozenset(
 _PARKED = frozenset({"car", "vehicle", "truck", "bus", "van", "motorbike", "motorcycle", "space", "bay", "place"})
 _HOLDING = frozenset({"for", "with", "of"})
 _LIFTS = frozenset({"lift", "hoist", "ramp"})
-_BEFORE = frozenset({"a", "an", "the", "our", "new", "small", "large", "big", "public", "car", "i", "we", "need", "want"})
+_BEFORE = frozenset(
+    {"a", "an", "the", "our", "new", "small", "large", "big", "public", "car", "i", "we", "need", "want"}
+)
 
 
 def garages(tokens: list[Token], buildings: frozenset[str]) -> list[Token]:

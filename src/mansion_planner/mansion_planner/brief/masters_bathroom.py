@@ -8,7 +8,9 @@ __all__ = ["masters_bathroom"]
 
 _BATHS = frozenset({"bathroom", "bath", "shower"})
 _OWNERS = frozenset({"master", "main", "principal", "primary", "parent", "parental", "owner"})
-_ATTACHED = frozenset("en suite ensuite attached adjoining adjacent connected opening off next to private is being for from of".split())
+_ATTACHED = frozenset(
+    "en suite ensuite attached adjoining adjacent connected opening off next to private is being for from of".split()
+)
 _NAMING = frozenset({"en", "ensuite", "attached", "adjoining", "adjacent", "connected", "off", "private", "next"})
 _LONGEST = 9
 
@@ -30,11 +32,17 @@ def masters_bathroom(tokens: list[Token]) -> list[Token]:
             continue
         end, closes = found
         fewer = replace(many, text=str(int(many.value) - 1), value=many.value - 1)
-        return [*tokens[:index], fewer, tokens[index + 1], *_suite(tokens[first], tokens[end - 1]), *tokens[end + closes :]]
+        return [
+            *tokens[:index],
+            fewer,
+            tokens[index + 1],
+            *_suite(tokens[first], tokens[end - 1]),
+            *tokens[end + closes :],
+        ]
     return tokens
 
 
-def _attached(tokens: list[Token], index: int) -> tuple[int, bool]| None:
+def _attached(tokens: list[Token], index: int) -> tuple[int, bool] | None:
     """Return where "of them en suite to the master bedroom" ends, and whether a bracket closes there."""
     at = index
     if tokens[at].text == "of" and at + 1 < len(tokens) and tokens[at + 1].text in ("them", "which", "these"):

@@ -78,7 +78,11 @@ def _is_desk_within(reading: Reading, phrases: Sequence[Phrase], number: int) ->
         return False
     after = phrases[number + 1] if number + 1 < len(phrases) else None
     within = after is not None and after.head == "room"
-    return within and reading.words(phrase.last, after.begin if after else 0) in (("in", "the"), ("in", "a"), ("inside", "the"))
+    return within and reading.words(phrase.last, after.begin if after else 0) in (
+        ("in", "the"),
+        ("in", "a"),
+        ("inside", "the"),
+    )
 
 
 def _is_bare_stage(phrase: Phrase) -> bool:

@@ -35,12 +35,7 @@ from mansion_planner.brief.room_names import (
 from mansion_planner.brief.room_users import with_users, with_users_before
 from mansion_planner.brief.rooms_named_again import room_by_its_contents, rooms_named_again
 from mansion_planner.brief.rooms_of_staff import OFFICE_HOLDERS, with_rooms_of_staff
-from mansion_planner.brief.similarity import (
-    HEAD_TYPES,
-    room_of_building,
-    similar_room_type,
-    told_room_type,
-)
+from mansion_planner.brief.similarity import HEAD_TYPES, room_of_building, similar_room_type, told_room_type
 
 __all__ = ["noun_phrases"]
 

@@ -7,6 +7,7 @@ from mansion_knowledge import KnowledgeBase
 from mansion_language import Token, tokenize
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_planner.brief.activities import activities, entrances
+from mansion_planner.brief.added_storeys import added_storeys
 from mansion_planner.brief.children_groups import children_groups
 from mansion_planner.brief.conversions import without_conversions
 from mansion_planner.brief.corrections import corrected_numbers
@@ -226,11 +227,19 @@ def start_reading(text: str, knowledge: KnowledgeBase, cancelled: Callable[[], b
     """Tokenise `text`, correct misspelt words and find the phrases of the knowledge base."""
     lexicon = lexicon_of(knowledge)
     tokens, corrections = corrected_numbers(
-        without_asides(spoken_turns(shortened_nouns(without_conversions(without_withdrawn_briefs(without_slips(tokenize(text.replace("@", "à"))))))))
+        without_asides(
+            spoken_turns(
+                shortened_nouns(
+                    without_conversions(without_withdrawn_briefs(without_slips(tokenize(text.replace("@", "à")))))
+                )
+            )
+        )
     )
-    tokens = labelled_rooms(paired_nouns(entrances(rooms_by_person(twin_homes(children_groups(masters_bathroom(tokens)), FLOOR_WORDS)))))
+    tokens = labelled_rooms(
+        paired_nouns(entrances(rooms_by_person(twin_homes(children_groups(masters_bathroom(tokens)), FLOOR_WORDS))))
+    )
     tokens = storey_tables(abbreviated_storeys(text, decades(equal_rooms(tokens, FLOOR_WORDS))), FLOOR_WORDS)
-    tokens = rooms_by_number(tokens)
+    tokens = rooms_by_number(added_storeys(tokens, FLOOR_WORDS))
     tokens = unit_totals(storeys_in_order(tokens, FLOOR_WORDS), FLOOR_WORDS)
     tokens = flat_types(count_forms(storeys_by_use(storey_forms(text, tokens), FLOOR_WORDS)))
     tokens = compounds(corrected(tokens, lexicon.words, furniture_vocabulary()), lexicon.words)

@@ -153,7 +153,12 @@ def _left_out_end(reading: Reading, index: int) -> int:
     at += reading.word(at) in ("please", "just")
     for words in _LEAVING:
         pointed = reading.word(at + 1) in ("it", "that", "them", "this")
-        if at > index and reading.word(at) == words[0] and pointed and reading.words(at + 2, at + 1 + len(words)) == words[1:]:
+        if (
+            at > index
+            and reading.word(at) == words[0]
+            and pointed
+            and reading.words(at + 2, at + 1 + len(words)) == words[1:]
+        ):
             end = at + 1 + len(words)
             return end if _closes(reading, end) or reading.breaks(end) else 0
     return 0

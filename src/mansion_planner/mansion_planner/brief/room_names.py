@@ -4,8 +4,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 
-from mansion_language import singular
 from mansion_knowledge.common_words import common_words
+from mansion_language import singular
 from mansion_planner.brief.lexicon import Mention, lexicon_of
 from mansion_planner.brief.phrase import FUNCTION_WORDS, PEOPLE, PLAIN, Phrase, finished_phrase, name_of
 from mansion_planner.brief.qualifiers import taken_for_its_head
@@ -363,9 +363,15 @@ class _Entry:
         reading, lead = self.reading, self.reading.word(self.begin - 2)
         if self.end - self.begin != 1 or self.reading.word(self.begin) in common_words():
             return False
-        beside = self._before == "the" and (lead in _BESIDE or reading.words(self.begin - 3, self.begin - 1) == ("next", "to"))
+        beside = self._before == "the" and (
+            lead in _BESIDE or reading.words(self.begin - 3, self.begin - 1) == ("next", "to")
+        )
         beside = beside or (self._before == "the" and lead == "and" and self.begin - 2 in self.named.ends)
-        told = self._before == "the" and reading.starts(self.begin - 1) and self._after in ("lie", "is", "(", "lies", "has")
+        told = (
+            self._before == "the"
+            and reading.starts(self.begin - 1)
+            and self._after in ("lie", "is", "(", "lies", "has")
+        )
         counted = self._counted and self._after in ("for", "with", "of", "on", "in") and not self._plural
         return beside or told or counted
 

@@ -1,4 +1,4 @@
-"""Tell apart rooms that a brief gives a number each: "three halls with 120, 80 and 60 seats", "bays for three engines"."""
+"""Tell apart rooms that a brief gives a number each: "three halls with 120, 80 and 60 seats"."""
 
 from dataclasses import replace
 
@@ -88,7 +88,11 @@ def _each(nouns: list[Token], lead: Token, numbers: list[Token], held: Token) ->
         result += [replace(noun, start=first, end=end, plural=False) for noun in nouns]
         result.append(Token("number", str(position + 1), first, end, position + 1.0))
         last = held.end if position == len(numbers) - 1 else number.end
-        result += [Token("word", join, number.start, number.end), replace(number, spaced=True), replace(held, start=number.start, end=last)]
+        result += [
+            Token("word", join, number.start, number.end),
+            replace(number, spaced=True),
+            replace(held, start=number.start, end=last),
+        ]
     return result
 
 

@@ -1,4 +1,4 @@
-"""Read the rooms of staff whom a list of rooms names in their place: "head teacher, sick bay", "ten offices plus the dean"."""
+"""Read the rooms of staff whom a list names in their place: "head teacher, sick bay", "ten offices plus the dean"."""
 
 from dataclasses import replace
 

@@ -8,12 +8,23 @@ __all__ = ["seated_people"]
 
 _PLACES = (("where",), ("in", "which"), ("at", "which"))
 _ABOUT = frozenset({"up", "to", "about", "around", "some", "at", "least", "max", "roughly", "all", "the"})
-_CAN = frozenset({"can", "could", "may", "will", "should", "must", "be", "are", "is", "to", "all", "comfortably", "easily"})
+_CAN = frozenset(
+    {"can", "could", "may", "will", "should", "must", "be", "are", "is", "to", "all", "comfortably", "easily"}
+)
 _SITTING = frozenset(
     "sit seated eat dine lunch gather meet fit worship pray watch listen stand assemble celebrate eats sits".split()
 )
-_SEATING = frozenset({"seat", "sit", "hold", "fit", "take", "accommodate", "seating", "fitting", "accommodating", "holding"})
-_TOGETHER = (("at", "once"), ("at", "a", "time"), ("at", "the", "same", "time"), ("together",), ("down",), ("comfortably",))
+_SEATING = frozenset(
+    {"seat", "sit", "hold", "fit", "take", "accommodate", "seating", "fitting", "accommodating", "holding"}
+)
+_TOGETHER = (
+    ("at", "once"),
+    ("at", "a", "time"),
+    ("at", "the", "same", "time"),
+    ("together",),
+    ("down",),
+    ("comfortably",),
+)
 _GROUPS = frozenset(
     """
     people person guest visitor diner customer student pupil child kid adult worker employee staff resident member

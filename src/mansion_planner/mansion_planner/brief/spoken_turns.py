@@ -52,8 +52,8 @@ def spoken_turns(tokens: list[Token]) -> list[Token]:
 
 
 _AGAIN = (
-    ("also", "no"), ("again", "no"), ("likewise", "no"), ("equally", "no"), ("no", "either"), ("also", "not"), ("neither",),
-    ("nor",), ("ditto",), ("same",), ("likewise",), ("also", "none"), ("not", "either"), ("no", "as", "well"),
+    ("also", "no"), ("again", "no"), ("likewise", "no"), ("equally", "no"), ("no", "either"), ("also", "not"),
+    ("neither",), ("nor",), ("ditto",), ("same",), ("likewise",), ("also", "none"), ("not", "either"), ("no", "as", "well"),
 )  # fmt: skip
 """Answers that deny one thing more after another one was denied."""
 
@@ -146,9 +146,19 @@ _NO_LIST = _TO_STOREYS | frozenset(
 
 
 def _closes_list(tokens: list[Token], index: int) -> bool:
-    """Whether "up" or "below" closes what is on a storey: "3 bedrooms + 1 bathroom up; kitchen and living room down"."""
+    """Whether "up" or "below" closes what is on a storey: "3 bedrooms + 1 bathroom up; kitchen, living room down"."""
     before = tokens[index - 1] if index else None
-    closes = tokens[index].text in _OPENING and _word(tokens, index + 1) in (";", ".", ",", "\n", "", ")", "and", "-", "–")
+    closes = tokens[index].text in _OPENING and _word(tokens, index + 1) in (
+        ";",
+        ".",
+        ",",
+        "\n",
+        "",
+        ")",
+        "and",
+        "-",
+        "–",
+    )
     return closes and before is not None and before.kind == "word" and before.text not in _NO_LIST
 
 

@@ -68,7 +68,11 @@ def _of_each(size: list[Token]) -> list[Token]:
         return []
     at = measured[0].start
     floor = [Token("mark", ",", at, at), *measured]
-    return [*floor, Token("word", "per", measured[-1].end, measured[-1].end), Token("word", "floor", at, measured[-1].end)]
+    return [
+        *floor,
+        Token("word", "per", measured[-1].end, measured[-1].end),
+        Token("word", "floor", at, measured[-1].end),
+    ]
 
 
 def _building(tokens: list[Token], index: int) -> list[Token]:
@@ -85,7 +89,11 @@ def _of_each_floor(tokens: list[Token]) -> list[Token]:
     result: list[Token] = []
     for index, token in enumerate(tokens):
         result.append(token)
-        if token.text in ("each", "both") and index + 1 < len(tokens) and tokens[index + 1].text in ("has", "have", "with"):
+        if (
+            token.text in ("each", "both")
+            and index + 1 < len(tokens)
+            and tokens[index + 1].text in ("has", "have", "with")
+        ):
             result[-1] = replace(token, text="each")
             result.append(Token("word", "floor", token.end, token.end))
     return result

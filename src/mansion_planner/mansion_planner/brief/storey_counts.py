@@ -41,8 +41,6 @@ ANAPHORS = frozenset({"it", "that", "them", "this", "these", "those"})
 HOLDING = frozenset({"with", "holding", "containing", "housing", "for"})
 """Words between a basement and the rooms that lie in it."""
 
-_ONE = frozenset({"a", "an", "one"})
-_FURTHER = frozenset({"second", "upper", "further", "additional", "extra"})
 _WISHES = frozenset({"want", "need", "make", "build", "dig", "have", "require"})
 _BELOW = frozenset({"underground", "basement", "subterranean", "below"})
 _WITH_BASEMENT = (
@@ -260,7 +258,6 @@ class StoreyCounts:
         if count is None:
             return index
         for read in (
-            self._plus_another,
             self._basement_among_them,
             self._above_ground,
             self._above_those_named,
@@ -319,21 +316,6 @@ class StoreyCounts:
         ):
             last += 1
         return reading.words(index, last)
-
-    def _plus_another(self, count: _Count) -> int:
-        """Read "one storey plus a mezzanine-like second storey" as two."""
-        reading, at = self.reading, count.last
-        article = at + 1 + (reading.word(at + 1) == "with")
-        if count.value != 1 or reading.word(at) not in ("plus", "and", "+", "with") or reading.word(article) not in _ONE:
-            return 0
-        noun = article + 1
-        while noun < article + 5 and reading.word(noun) not in FLOOR_WORDS:
-            noun += 1
-        further = not _FURTHER.isdisjoint(reading.words(article + 1, noun))
-        if reading.word(noun) not in FLOOR_WORDS or reading.plural(noun) or not further:
-            return 0
-        self._state(2, count.first, noun + 1)
-        return noun + 1
 
     def _basement_among_them(self, count: _Count) -> int:
         """Read "4 levels if you count the basement"; return where it ends, or 0, as all that read on from a count."""

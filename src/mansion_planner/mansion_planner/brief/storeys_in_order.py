@@ -118,7 +118,7 @@ class _List:
         return True
 
     def _stated(self) -> tuple[int, bool]:
-        """Return how many storeys above the ground the brief tells, 0 where it does not, and whether it has a cellar."""
+        """Return how many storeys above ground the brief tells, 0 where it does not, and whether it has a cellar."""
         texts = [token.text for token in self.tokens]
         most = 0
         for at, token in enumerate(self.tokens):

@@ -122,7 +122,9 @@ def _height_of_somebody(tokens: list[Token], index: int) -> int:
     return 3 if tokens[index].kind == "number" and told and somebody else 0
 
 
-_PARTING = frozenset({"thank", "thanks", "cheer", "cheers", "regard", "regards", "sincerely", "greeting", "greetings", "yours", "love"})
+_PARTING = frozenset(
+    {"thank", "thanks", "cheer", "cheers", "regard", "regards", "sincerely", "greeting", "greetings", "yours", "love"}
+)
 
 
 def _signature(tokens: list[Token], index: int) -> int:
@@ -130,7 +132,9 @@ def _signature(tokens: list[Token], index: int) -> int:
     rest = tokens[index + 1 :]
     named = [token for token in rest if token.kind != "mark"]
     ends = len(named) < _LONGEST and all(token.kind == "word" and token.capital for token in named[-2:])
-    talk = all(token.capital or token.text in _PARTING | {"and", "from", "a", "lot", "in", "advance"} for token in named)
+    talk = all(
+        token.capital or token.text in _PARTING | {"and", "from", "a", "lot", "in", "advance"} for token in named
+    )
     return len(rest) + 1 if tokens[index].text in _PARTING and named and ends and talk else 0
 
 

@@ -38,7 +38,11 @@ def twin_homes(tokens: list[Token], floor_words: AbstractSet[str]) -> list[Token
     opened, begin, end = given
     house = replace(tokens[noun], text="house", plural=False, start=tokens[first].start)
     between = _with_all_areas(_without_sides(tokens[noun + 1 : opened]), many)
-    link = [] if opened < begin and texts[opened - 1] in _ENDS | {";"} else [replace(tokens[begin - 1], text=":", kind="mark")]
+    link = (
+        []
+        if opened < begin and texts[opened - 1] in _ENDS | {";"}
+        else [replace(tokens[begin - 1], text=":", kind="mark")]
+    )
     listed = _counted_for_all(tokens[begin:end], many)
     return [*tokens[:first], house, *between, *link, *listed, *_with_all_areas(tokens[end:], many)]
 
@@ -136,7 +140,9 @@ def _with_all_areas(tokens: list[Token], many: int) -> list[Token]:
         times = token.kind == "number" and texts[1:2] == ["x"] and len(texts) > 3 and texts[3] in AREA
         apiece = token.kind == "number" and len(texts) > 1 and texts[1] in AREA
         after = texts[2:3] + [t.text for t in tokens[index + 3 : index + 4]]
-        each = after[:1] in (["each"], ["apiece"]) or (after[:1] in (["per"], ["a"]) and after[1:] and after[1] in _HOMES)
+        each = after[:1] in (["each"], ["apiece"]) or (
+            after[:1] in (["per"], ["a"]) and after[1:] and after[1] in _HOMES
+        )
         if times and token.value == many:
             area = tokens[index + 2]
             result += [_total(replace(area, start=token.start), area.value * many), tokens[index + 3]]

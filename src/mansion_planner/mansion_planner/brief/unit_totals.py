@@ -1,5 +1,6 @@
-"""Leave out what only sums up or names flats and groups: "six units: two flats on every floor", "is one living group:"."""
+"""Leave out what only sums up flats or names groups: "six units: two flats a floor", "is one living group:"."""
 
+import itertools
 from collections.abc import Set as AbstractSet
 from dataclasses import replace
 
@@ -31,7 +32,7 @@ def _storeys(tokens: list[Token], floor_words: AbstractSet[str]) -> int:
     """Return how many storeys the brief tells, 0 where it does not."""
     counts = [
         int(token.value)
-        for token, noun in zip(tokens, tokens[1:], strict=False)
+        for token, noun in itertools.pairwise(tokens)
         if token.kind == "number" and noun.text in floor_words and token.value > 1
     ]
     return max(counts, default=0)
@@ -66,7 +67,9 @@ def _named_storeys(tokens: list[Token], floor_words: AbstractSet[str]) -> list[T
         at = index + 1 + (_text(tokens, index + 1) == "each")
         at += _text(tokens, at) in ("one", "a", "an")
         noun = at
-        while noun < at + 3 and _text(tokens, noun) not in _GROUPS and noun < len(tokens) and tokens[noun].kind == "word":
+        while (
+            noun < at + 3 and _text(tokens, noun) not in _GROUPS and noun < len(tokens) and tokens[noun].kind == "word"
+        ):
             noun += 1
         if at == index + 1 or _text(tokens, noun) not in _GROUPS or _text(tokens, noun + 1) not in (":", ",", "with"):
             continue
@@ -89,7 +92,11 @@ def _again(tokens: list[Token], noun: str, storeys: list[Token]) -> list[Token]:
         end = at + (_text(tokens, at) in ("all", "both", "the"))
         end += _text(tokens, end) in ("the", "of")
         end += end < len(tokens) and tokens[end].kind == "number"
-        alike = _text(tokens, end) == noun and tokens[end].plural and _text(tokens, end + 1) in ("are", "is", "should", "must")
+        alike = (
+            _text(tokens, end) == noun
+            and tokens[end].plural
+            and _text(tokens, end + 1) in ("are", "is", "should", "must")
+        )
         if alike and end > at and not _ALIKE.isdisjoint(token.text for token in tokens[end + 1 : end + 4]):
             place = [replace(token, start=tokens[at].start, end=tokens[end].end) for token in storeys]
             return [*tokens[:at], *place, *tokens[end + 1 :]]

@@ -14,13 +14,17 @@ _EARLIER = frozenset(
     "saturday sunday prior preceding of".split()
 )
 _MESSAGES = frozenset(
-    "mail email message note brief version request draft sketch idea plan list letter text attempt description proposal "
-    "programme program order spec specification post scheme enquiry inquiry wish".split()
+    """
+    mail email message note brief version request draft sketch idea plan list letter text attempt description proposal
+    programme program order spec specification post scheme enquiry inquiry wish
+    """.split()
 )
 _ABOVE = frozenset({"above", "before", "far"})
 """Words that speak of what the same text says before."""
 _NEW = frozenset("new latest corrected final updated revised second current actual real".split())
-_ANNOUNCING = _NEW | _MESSAGES | frozenset("here is are come the my our one now instead try so what we want need".split())
+_ANNOUNCING = (
+    _NEW | _MESSAGES | frozenset("here is are come the my our one now instead try so what we want need".split())
+)
 _RESTARTS = frozenset({"now", "we", "i", "here", "instead", "please", "the", "it", "this", "what", "my", "our"})
 _ENDS = frozenset({".", "!", "\n", ";", ":", "?"})
 _FEWEST = 3
