@@ -65,7 +65,10 @@ _SITES = frozenset(
 """Nouns for where a building stands, of which no plan is made."""
 _AT = frozenset({"in", "at", "on", "of", "for", "by", "near", "across", "over", "opposite"})
 _ATTRIBUTES = frozenset(
-    "the a an our my their this small little big large market quiet busy narrow old edge sloping steep sunny wooded rural urban corner".split()
+    """
+    the a an our my their this small little big large market quiet busy narrow old edge sloping steep sunny wooded rural
+    urban corner
+    """.split()
 )
 
 

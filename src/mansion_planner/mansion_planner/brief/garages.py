@@ -7,7 +7,7 @@ from mansion_language import Token
 __all__ = ["garages"]
 
 _REPAIRS = frozenset(
-    "repair repairs repairing repaired mechanic mechanics workshop servicing service tyre tire mot bodywork".split()
+    "repair repairs repairing repaired mechanic mechanics workshop servicing service tyre tire bodywork".split()
 )
 _PARKED = frozenset({"car", "vehicle", "truck", "bus", "van", "motorbike", "motorcycle", "space", "bay", "place"})
 _HOLDING = frozenset({"for", "with", "of"})

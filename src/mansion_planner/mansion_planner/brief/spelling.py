@@ -105,8 +105,7 @@ _SHORT = {
 
 _SLIPS = {
     **dict.fromkeys(("storei", "storeis", "storry", "storrey", "stroey", "stories", "store-y"), "storey"),
-    **dict.fromkeys(("aprox", "appr", "aproximately", "approximatly", "aproximatly", "approximative", "cca"), "approx"),
-    **dict.fromkeys(("seperate", "seperated"), "separate"),
+    **dict.fromkeys(("aprox", "appr", "cca"), "approx"),
 }  # fmt: skip
 """Slips in the words that storeys and numbers are read by, before the vocabulary is known."""
 

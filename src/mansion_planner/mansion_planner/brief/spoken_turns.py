@@ -53,7 +53,8 @@ def spoken_turns(tokens: list[Token]) -> list[Token]:
 
 _AGAIN = (
     ("also", "no"), ("again", "no"), ("likewise", "no"), ("equally", "no"), ("no", "either"), ("also", "not"),
-    ("neither",), ("nor",), ("ditto",), ("same",), ("likewise",), ("also", "none"), ("not", "either"), ("no", "as", "well"),
+    ("neither",), ("nor",), ("ditto",), ("same",), ("likewise",), ("also", "none"), ("not", "either"),
+    ("no", "as", "well"),
 )  # fmt: skip
 """Answers that deny one thing more after another one was denied."""
 
