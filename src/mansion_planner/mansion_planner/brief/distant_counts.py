@@ -55,11 +55,20 @@ def read_counts_by_room(reading: Reading, phrases: list[Phrase]) -> None:
     for number, (phrase, of_each) in enumerate(itertools.pairwise(list(phrases))):
         lead = reading.words(phrase.last, of_each.begin)
         single = phrase.head == "room" and phrase.count == 1 and not phrase.plural and phrase.determiner != "the"
+        counted = [p for p in phrases[:number] if p.name == of_each.name and p.counted and (p.count or 0) > 1]
+        beside = not _BESIDE.isdisjoint(lead) and of_each.determiner in ("each", "every") and len(lead) < 5
+        earlier = [n for n, p in enumerate(phrases[:number]) if p.name == phrase.name and p.plural and not p.counted]
+        if single and beside and len(counted) == 1 and earlier:
+            phrases[earlier[-1]] = replace(phrases[earlier[-1]], count=counted[0].count, counted=True)
+            phrases[number] = replace(phrase, counted=False, determiner="each")
+            continue
         if not single or of_each.head != "room" or lead not in (("for", "each"), ("for", "every"), ("per",)):
             continue
-        counted = [p for p in phrases[:number] if p.name == of_each.name and p.counted and (p.count or 0) > 1]
         if len(counted) == 1:
             phrases[number] = replace(phrase, count=counted[0].count, counted=True)
+
+
+_BESIDE = frozenset({"touching", "next", "beside", "adjoining", "adjacent", "attached", "behind", "by", "bordering"})
 
 
 def _count_apiece(reading: Reading, phrases: list[Phrase], index: int) -> bool:

@@ -122,7 +122,7 @@ class NumberedStoreys:
         if counts and not self._is_titled(index, last):
             return None  # "level 2 bedrooms" has no plural room of one level: the number counts the rooms
         numbers, ended = [first], False
-        while reading.word(last) in (",", "and", "&") and not ended:
+        while reading.word(last) in (",", "and", "&", "+") and not ended:
             step = 2 if reading.word(last) == "," and reading.word(last + 1) == "and" else 1
             more = self._number(last + step, "number")
             if more is None or not reading.plural(index) or more <= numbers[-1]:

@@ -12,6 +12,7 @@ from mansion_knowledge import KnowledgeBase
 from mansion_planner.brief.absences import read_absent_parts
 from mansion_planner.brief.accessible_parts import with_accessible_ones
 from mansion_planner.brief.adverts import among_adverts, read_adverts, read_bedrooms_of_building
+from mansion_planner.brief.all_but_some import place_all_others, place_some, read_all_but_some
 from mansion_planner.brief.area_words import Measure
 from mansion_planner.brief.background_phrases import without_bystanders
 from mansion_planner.brief.bare_areas import with_bare_areas
@@ -25,6 +26,7 @@ from mansion_planner.brief.building import (
 )
 from mansion_planner.brief.building_again import leave_out_other_names
 from mansion_planner.brief.building_shape import give_rooms_to_copies, read_copies, read_massing, read_shape, read_sizes
+from mansion_planner.brief.changed_copies import find_changed_copies, read_changed_copies
 from mansion_planner.brief.clutter import read_clutter_words, read_things_about
 from mansion_planner.brief.coreference import coreferences
 from mansion_planner.brief.desk_areas import read_desk_areas
@@ -116,10 +118,13 @@ def read_brief(text: str, knowledge: KnowledgeBase, *, cancelled: Callable[[], b
     read_style(reading, named=True)
     read_shape(reading)
     measures = find_measures(reading)
+    exception = read_all_but_some(reading)
     places = read_storeys(reading)
+    place_some(reading, places, exception)
     read_massing(reading)
     reading.go_on()
     phrases = _Reader(reading, places).read(measures)
+    place_all_others(reading, exception)
     reading.go_on()
     read_copies(reading, places)
     give_rooms_to_copies(reading.facts)
@@ -135,6 +140,7 @@ class _Reader:
 
     def __init__(self, reading: Reading, places: list[Place]) -> None:
         self.reading, self.facts, self.places = reading, reading.facts, places
+        self.changed = find_changed_copies(reading, places)
 
     def read(self, measures: list[Measure]) -> list[Phrase]:
         """Read everything that noun phrases are part of; return them."""
@@ -243,6 +249,7 @@ class _Reader:
             suites,
         ).record()
         among_adverts(facts, adverts)
+        read_changed_copies(reading, self.changed)
         read_desk_areas(facts)
         state_relations(reading, self.phrases, self.relations, self.same, self.groups)
         read_completeness(reading, self.places, self.phrases)

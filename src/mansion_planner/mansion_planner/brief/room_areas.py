@@ -49,6 +49,7 @@ def room_of(reading: Reading, measure: Measure, phrases: list[Phrase]) -> int | 
     candidates = (
         _ending_at(phrases, end)
         or _described(reading, measure, phrases)
+        or _placed(reading, measure, phrases)
         or _bracketed(reading, measure, phrases)
         or _with_complement(reading, measure, phrases)
         or _shared_out(reading, measure, phrases)
@@ -231,6 +232,22 @@ def _described(reading: Reading, measure: Measure, phrases: list[Phrase]) -> lis
     above = gap[:1] in (("above",), ("below",), ("upstairs",), ("downstairs",)) and set(gap[1:]) <= FILLERS
     relative = gap[:2] == (",", "which") and gap[-1] == "," and "room" in gap and ";" not in gap
     return rooms[-1:] if people or above or relative or _is_clause_of_room(gap) else []
+
+
+def _placed(reading: Reading, measure: Measure, phrases: list[Phrase]) -> list[int]:
+    """Return the room whose storey stands between it and its area: "a gallery on the upper floor 80 m2"."""
+    at = measure.first - 1
+    while reading.word(at) in ABOUT | {"("}:
+        at -= 1
+    if reading.word(at) not in FLOOR_WORDS or at not in reading.taken or reading.plural(at):
+        return []
+    at -= 1 + (reading.word(at - 2) == "the")
+    if reading.word(at - 1) not in ("on", "in", "at"):
+        return []
+    return [
+        n for n, p in enumerate(phrases)
+        if p.last == at - 1 and p.head == "room" and p.count == 1 and not p.plural and not p.areas
+    ]  # fmt: skip
 
 
 def _is_clause_of_room(gap: Sequence[str]) -> bool:

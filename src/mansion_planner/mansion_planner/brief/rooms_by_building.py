@@ -1,5 +1,6 @@
 """Read what a room is by the building that it stands in: "40 rooms" of a hotel, the cabin of a director."""
 
+import re
 from dataclasses import replace
 
 from mansion_planner.brief.building import is_compound
@@ -24,7 +25,8 @@ def room_for_building(reading: Reading, phrase: Phrase) -> Phrase:
     record = reading.knowledge.buildings.get(kind)
     family, like = (record.family, record.like) if record is not None else ("", "")
     itself = reading.tokens[phrase.begin].start in {span.start for _, span in facts.building if span.words}
-    named = _NAMED.get((phrase.name, kind)) or _NAMED.get((phrase.name, like))
+    base = re.sub(r"_\d+$", "", phrase.name)
+    named = _NAMED.get((base, kind)) or _NAMED.get((base, like))
     if named is not None and not itself:
         return replace(phrase, head="room", building="", room_type=named, known=True)
     lodging = _PLAIN.get(kind) or _PLAIN.get(like)
@@ -70,7 +72,8 @@ def _by_family(reading: Reading, phrase: Phrase, family: str) -> Phrase | None:
             return replace(phrase, head="room", building="", room_type=kind, known=True)
         if words[-1] == "station" and phrase.building == "train_station" and not phrase.plural:
             return replace(phrase, head="room", building="", room_type=HEAD_TYPES["station"], known=False)
-    taught = next((kind for word, kind in _STUDIOS.items() if word in reading.facts.building_name), "")
+    kinds = [reading.facts.building_name, *(kind for kind, _ in reading.facts.building[:1])]
+    taught = next((kind for word, kind in _STUDIOS.items() if any(word in name for name in kinds)), "")
     if taught and words == ["studio"]:
         return replace(phrase, head="room", building="", room_type=taught, known=True)
     if phrase.room_type == "studio_apartment" and words[-1] == "studio" and family in _WORKING:
@@ -117,6 +120,10 @@ _NAMED = {
     ("hall", "cinema"): "cinema_hall",
     ("screen", "cinema"): "cinema_hall",
     ("sleeping_room", "kindergarten"): "nap_room",
+    ("group_room", "kindergarten"): "kindergarten_classroom",
+    ("bay", "fire_station"): "apparatus_bay",
+    ("engine_bay", "fire_station"): "apparatus_bay",
+    ("vehicle_bay", "fire_station"): "apparatus_bay",
     ("studio", "radio_station"): "recording_studio",
     ("studio", "media_house"): "recording_studio",
 }

@@ -75,7 +75,9 @@ def read_suites(
         if pair.counted_with_furniture() and phrases[number - 1].head == "object":
             continue
         if pair.again and pair.is_generic():
-            twins_of[number] = [n for n in before if phrases[n].name == pair.named.name and n not in same]
+            kind = pair.named.name
+            alike = [n for n in before if phrases[n].name == kind or phrases[n].name.endswith(f"_{kind}")]
+            twins_of[number] = [n for n in alike if n not in same]
         if owner in suites:
             if pair.adds_to(phrases[suites[owner]]):
                 suites[number] = suites[owner]
@@ -244,7 +246,8 @@ class _Pair:
         if self.reading.word(self.owner.last) == "each":
             return True  # "floors with 30 desks each and 4 offices each"
         # "levels 3 and 4: ten patient rooms and a nurses' station each"
-        return not self.has() and "and" in self.gap and _of_storeys(self.reading, self.owner.begin)
+        listed = not {"and", ","}.isdisjoint(self.gap)
+        return not self.has() and listed and _of_storeys(self.reading, self.owner.begin)
 
     def _is_shared_out(self) -> bool:
         """Whether each of several owners has one: "bedrooms, each with a bathroom"."""
