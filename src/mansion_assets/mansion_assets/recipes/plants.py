@@ -1,4 +1,4 @@
-"""Plants, parasols, globes."""
+"""Plants in pots and vases."""
 
 import math
 
@@ -146,49 +146,3 @@ def _flowers(b: Builder, low: float) -> None:
             solid=False,
         )
     _crown(b, low, (w * 0.5, d * 0.5), 8, low, w * 0.07)
-
-
-@recipe("parasol")
-def parasol(b: Builder) -> None:
-    """Sunshade on a pole."""
-    w, d, h = b.w, b.d, b.h
-    b.cyl(0, 0, (0, 0.08), 0.28, "stone_grey", "foot", n=24)
-    b.cyl(0, 0, (0.05, h - 0.02), 0.022, "wood_oak", "pole")
-    b.lathe(
-        [(0.5, h * 0.78), (0.02, h), (0.01, h), (0.48, h * 0.78)],
-        b.mat(),
-        stretch=(w, d),
-        part="cover",
-        n=8,
-        solid=False,
-    )
-
-
-@recipe("globe")
-def globe(b: Builder) -> None:
-    """Globe on a stand."""
-    w, d, h = b.w, b.d, b.h
-    r = min(w, d) * 0.46
-    b.cyl(0, 0, (0, h * 0.04), w * 0.36, "wood_walnut", "foot", n=24)
-    b.cyl(0, 0, (h * 0.03, h - 2 * r), 0.02 if h < 0.7 else 0.035, "wood_walnut", "stem")
-    z = h - r * 1.02
-    b.ball((0, 0, z), (r, r, r), b.mat(), "globe", 20)
-    for k in range(6):
-        a, t = k * 1.1, 0.5 * math.sin(k * 2.1)
-        b.ball(
-            (0.75 * r * math.cos(a), 0.75 * r * math.sin(a), z + t * r * 0.8),
-            (r * 0.3, r * 0.3, r * 0.28),
-            "leaf_green",
-            "land",
-            8,
-            solid=False,
-        )
-    b.lathe(
-        [(0.5, z - 0.01), (0.5, z + 0.01), (0.47, z + 0.01)],
-        "metal_brass",
-        stretch=(w, d),
-        part="ring",
-        n=28,
-        solid=False,
-    )
-    b.cyl(0, 0, (h - 0.02, h), 0.012, "metal_brass", "pin", solid=False)

@@ -1,6 +1,7 @@
-"""Toys and playground equipment."""
+"""Toys."""
 
 from mansion_assets.builder import Builder
+from mansion_assets.drawn_faces import DrawnFace
 from mansion_assets.registry import recipe
 
 __all__: list[str] = []
@@ -31,6 +32,56 @@ def teddy(b: Builder) -> None:
             solid=False,
         )
     b.ball((0, d * 0.22, h * 0.7), (w * 0.07, d * 0.08, h * 0.05), "fabric_beige", "snout", 8, solid=False)
+
+
+@recipe("doll")
+def doll(b: Builder) -> None:
+    """A girl of cloth: a round face with eyes, a smile and pink cheeks, yellow plaits, a flared dress, and shoes."""
+    w, d, h = b.w, b.d, b.h
+    r = w * 0.3
+    z = h * 0.78
+    b.ball((0, 0, z), (r, d * 0.36, h * 0.15), "fabric_f0cfae", "head", 16)
+    b.ball((0, -d * 0.08, z + h * 0.035), (r * 1.12, d * 0.36, h * 0.16), "fabric_f2c94c", "hair", 14)
+    b.box((-r * 0.86, r * 0.86), (d * 0.16, d * 0.34), (z + h * 0.07, z + h * 0.12), "fabric_f2c94c", "hair")
+    for side in (-1, 1):
+        for k in range(4):
+            b.ball(
+                (side * r * (1.08 + 0.08 * k), d * 0.02, z - h * (0.03 + 0.06 * k)),
+                (w * 0.075, d * 0.11, h * 0.036),
+                "fabric_f2c94c",
+                "plaits",
+                8,
+            )
+        b.ball((side * r * 1.32, d * 0.03, z - h * 0.24), (w * 0.08, d * 0.12, h * 0.03), b.mat(), "bows", 8)
+        b.ball((side * r * 0.4, d * 0.33, z + h * 0.005), (w * 0.04, d * 0.04, h * 0.022), "plastic_black", "eyes", 8)
+        b.ball(
+            (side * r * 0.62, d * 0.28, z - h * 0.045), (w * 0.05, d * 0.04, h * 0.018), "fabric_e88f8f", "cheeks", 8
+        )
+        b.rod((side * w * 0.1, 0, h * 0.54), (side * w * 0.42, d * 0.1, h * 0.42), w * 0.06, "fabric_f0cfae", "arms", 8)
+        b.rod((side * w * 0.13, 0, h * 0.04), (side * w * 0.13, 0, h * 0.3), w * 0.075, "fabric_white", "legs", 10)
+        b.cushion(
+            (side * w * 0.13 - w * 0.1, side * w * 0.13 + w * 0.1),
+            (-d * 0.2, d * 0.36),
+            (0, h * 0.08),
+            "leather_black",
+            "shoes",
+            0.8,
+        )
+    b.path(
+        [(-r * 0.3, d * 0.345, z - h * 0.05), (0, d * 0.36, z - h * 0.07), (r * 0.3, d * 0.345, z - h * 0.05)],
+        w * 0.014,
+        "fabric_red",
+        "smile",
+    )
+    b.lathe(
+        [(0.48, h * 0.22), (0.46, h * 0.25), (0.22, h * 0.5), (0.2, h * 0.6), (0.1, h * 0.64)],
+        b.mat(),
+        stretch=(w, d),
+        part="dress",
+        n=18,
+    )
+    b.lathe([(0.49, h * 0.215), (0.49, h * 0.25)], "fabric_white", stretch=(w, d), part="hem", n=18)
+    b.box((-w * 0.14, w * 0.14), (d * 0.2, d * 0.4), (h * 0.28, h * 0.46), "fabric_white", "apron", solid=False)
 
 
 @recipe("toy_blocks")
@@ -77,82 +128,89 @@ def rocking_horse(b: Builder) -> None:
     b.box((-w * 0.24, w * 0.24), (-d * 0.12, d * 0.1), (h * 0.64, h * 0.68), "fabric_red", "saddle", solid=False)
 
 
-@recipe("slide")
-def slide(b: Builder) -> None:
-    """Ladder behind, chute to the front."""
+@recipe("toy_car")
+def toy_car(b: Builder) -> None:
+    """Toy car."""
     w, d, h = b.w, b.d, b.h
-    top = h * 0.72
-    y = -d * 0.22
-    b.prism(
-        [
-            (d / 2, 0.05),
-            (d / 2, 0.09),
-            (d * 0.3, 0.1),
-            (y, top + 0.02),
-            (-d * 0.36, top + 0.02),
-            (-d * 0.36, top - 0.03),
-            (y, top - 0.03),
-        ],
-        (-w * 0.42, w * 0.42),
-        "plastic_yellow",
-        part="chute",
-    )
+    r = h * 0.22
+    b.cushion((-w * 0.42, w * 0.42), (-d / 2, d / 2), (r * 0.7, h * 0.62), b.mat(), "body", 0.4)
+    b.cushion((-w * 0.36, w * 0.36), (-d * 0.25, d * 0.15), (h * 0.55, h), "glass_black", "cabin", 0.4)
     for sx in (-1, 1):
-        lo, hi = sorted((sx * w / 2, sx * w * 0.42))
-        b.prism([(d / 2, 0.0), (d / 2, 0.14), (y, top + 0.14), (y, top - 0.06)], (lo, hi), b.mat(), part="sides")
-        b.rod(
-            (sx * (w / 2 - 0.02), -d / 2 + 0.02, 0),
-            (sx * (w / 2 - 0.02), -d * 0.34, h - 0.02),
-            0.02,
-            b.mat(),
-            "posts",
-            solid=True,
-        )
-        b.rod((sx * (w / 2 - 0.02), -d * 0.34, h - 0.02), (sx * (w / 2 - 0.02), y, top + 0.1), 0.02, b.mat(), "rails")
-    for k in range(4):
-        z = 0.15 + k * top / 4.4
-        b.box(
-            (-w / 2, w / 2),
-            (-d / 2 + 0.01 + k * 0.03, -d / 2 + 0.07 + k * 0.03),
-            (z, z + 0.03),
-            "plastic_blue",
-            "steps",
-        )
-    b.box((-w / 2, w / 2), (-d * 0.36, -d * 0.34), (h - 0.03, h), b.mat(), "rails", solid=False)
+        for sy in (-1, 1):
+            b.rod((sx * w * 0.34, sy * d * 0.3, r), (sx * w / 2, sy * d * 0.3, r), r, "rubber_black", "wheels", 12)
 
 
-@recipe("cat_tree")
-def cat_tree(b: Builder) -> None:
-    """Post with platforms and a box."""
+@recipe("toy_kitchen")
+def toy_kitchen(b: Builder) -> None:
+    """A small stove with red rings and knobs, an oven with a window, a sink with its tap."""
     w, d, h = b.w, b.d, b.h
-    b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, 0.04), b.mat(), "base")
-    b.cyl(-w * 0.2, -d * 0.2, (0.04, h - 0.04), 0.05, "fabric_beige", "post")
-    b.cyl(w * 0.25, d * 0.2, (0.04, h * 0.5), 0.05, "fabric_beige", "post")
-    b.box((0.0, w / 2), (0.0, d / 2), (h * 0.5, h * 0.53), b.mat(), "boards")
-    b.box((-w / 2, w * 0.1), (-d / 2, d * 0.1), (h - 0.04, h), b.mat(), "boards")
-    b.box((-w / 2, w * 0.08), (-d / 2, d * 0.3), (0.04, h * 0.3), b.mat(), "box")
-
-
-@recipe("chess")
-def chess(b: Builder) -> None:
-    """Board with men."""
-    w, d, h = b.w, b.d, b.h
-    low = h * 0.2
-    b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, low), "wood_walnut", "board")
-    s = w * 0.9 / 8
-    for i in range(8):
-        for j in range(8):
-            x, y = -w * 0.45 + i * s, -d * 0.45 + j * s
-            if (i + j) % 2:
-                b.box((x, x + s), (y, y + s), (low, low + 0.001), "wood_birch", "squares", solid=False)
-            if j in (0, 1, 6, 7):
-                high = h - low if (i, j) in ((4, 0), (4, 7)) else (h - low) * (0.75 if j in (0, 7) else 0.5)
-                b.lathe(
-                    [(0.36, low), (0.16, low + high * 0.4), (0.26, low + high * 0.8), (0.05, low + high)],
-                    "wood_birch" if j < 4 else "wood_black",
-                    (x + s / 2, y + s / 2),
-                    "men",
-                    8,
-                    (s, s),
-                    solid=False,
-                )
+    top, face = h * 0.54, d / 2 - 0.03
+    b.hollow((-w / 2, w / 2), (-d / 2, face), (0.04, top - 0.03), 0.02, b.mat())
+    b.box((-w * 0.01, w * 0.01), (-d / 2, face), (0.04, top - 0.03), b.mat(), "case")
+    b.box((-w / 2, w / 2), (face - 0.02, face), (top - 0.13, top - 0.03), b.mat(), "case")
+    b.box((-w * 0.47, w * 0.47), (-d * 0.47, face - 0.03), (0, 0.04), "plastic_dark", "plinth")
+    b.box((-w / 2, w / 2), (-d / 2, d / 2), (top - 0.03, top), "wood_birch", "top")
+    b.box((-w / 2, w / 2), (-d / 2, -d / 2 + 0.03), (top, h), b.mat(), "back")
+    b.box((-w / 2, w / 2), (-d / 2, -d * 0.2), (h - 0.03, h), "wood_birch", "shelf")
+    plate = DrawnFace.top(b, top)
+    plate.field((-w * 0.45, -w * 0.05), (-d * 0.36, d * 0.3), "plastic_black", "hob", 0.006)
+    for k in range(2):
+        u = -w * (0.34 - 0.19 * k)
+        plate.disc(u, -d * 0.04, w * 0.075, "paint_red", "rings", 0.012)
+        plate.disc(u, -d * 0.04, w * 0.05, "plastic_black", "rings", 0.014)
+    b.lathe(
+        [(0.07, top + 0.014), (0.08, top + 0.07), (0.07, top + 0.07), (0.06, top + 0.02)],
+        "plastic_4f9bd9",
+        (w * 0.15, d * 0.04),
+        "pot",
+        16,
+    )
+    b.rod(
+        (w * 0.15 + 0.07, d * 0.04, top + 0.05),
+        (w * 0.15 + 0.16, d * 0.04, top + 0.06),
+        0.012,
+        "plastic_black",
+        "pot",
+        8,
+    )
+    plate.field((w * 0.1, w * 0.42), (-d * 0.3, d * 0.24), "metal_steel", "sink", 0.004)
+    plate.field((w * 0.14, w * 0.38), (-d * 0.24, d * 0.18), "metal_dark", "sink", 0.006)
+    b.path(
+        [
+            (-w * 0.26, -d * 0.32, top),
+            (-w * 0.26, -d * 0.32, top + 0.14),
+            (-w * 0.26, -d * 0.08, top + 0.14),
+            (-w * 0.26, -d * 0.08, top + 0.1),
+        ],
+        0.014,
+        "metal_chrome",
+        "tap",
+    )
+    front = DrawnFace.front(b, face)
+    panel = (face + 0.001, face + 0.014)
+    door = DrawnFace.front(b, panel[1])
+    with b.door((w * 0.02, w * 0.47), panel, (0.06, top - 0.14), "bottom"):
+        b.box((w * 0.02, w * 0.47), panel, (0.06, top - 0.14), "plastic_4f9bd9", "oven")
+        door.field((-w * 0.41, -w * 0.08), (0.11, top - 0.22), "plastic_dark", "oven", 0.004)
+        door.field((-w * 0.38, -w * 0.11), (top - 0.19, top - 0.17), "metal_chrome", "oven", 0.014)
+    with b.door((-w * 0.47, -w * 0.02), panel, (0.06, top - 0.14), "left"):
+        b.box((-w * 0.47, -w * 0.02), panel, (0.06, top - 0.14), "plastic_pink", "cupboard")
+        door.disc(w * 0.08, top * 0.45, 0.018, "metal_chrome", "cupboard", 0.014)
+    for k, color in enumerate(("red", "yellow", "green", "blue")):
+        front.disc(w * (-0.4 + 0.105 * k), top - 0.08, 0.028, f"plastic_{color}", "knobs", 0.026)
+    wall = DrawnFace.front(b, -d / 2 + 0.03)
+    wall.disc(w * 0.3, top + (h - top) * 0.55, 0.07, "plastic_yellow", "clock", 0.01)
+    wall.disc(w * 0.3, top + (h - top) * 0.55, 0.055, "plastic_white", "clock", 0.014)
+    wall.line(
+        [(w * 0.3, top + (h - top) * 0.75), (w * 0.3, top + (h - top) * 0.55), (w * 0.34, top + (h - top) * 0.55)],
+        0.006,
+        "plastic_black",
+        "clock",
+        0.016,
+    )
+    for k in range(3):
+        u = -w * (0.4 - 0.14 * k)
+        wall.line(
+            [(u, h - 0.06), (u, top + 0.12)], 0.01, ("wood_birch", "plastic_red", "plastic_green")[k], "tools", 0.03
+        )
+        wall.disc(u, top + 0.13, 0.035, ("wood_birch", "plastic_red", "plastic_green")[k], "tools", 0.04)
