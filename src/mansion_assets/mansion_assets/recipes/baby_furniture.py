@@ -100,6 +100,16 @@ def high_chair(b: Builder) -> None:
     """A child's chair on four tall legs that splay, with a tray before it, a step for feet, arms and red straps."""
     w, d, h = b.w, b.d, b.h
     seat = float(b.p.get("seat", h * 0.58))
+    _high_chair_frame(b, seat)
+    b.box((-w * 0.38, w * 0.38), (-d * 0.32, d * 0.28), (seat - 0.03, seat), b.mat(), "seat")
+    _high_chair_back(b, seat)
+    _high_chair_tray(b, seat)
+    b.box((-w * 0.34, w * 0.34), (d * 0.3, d * 0.46), (seat * 0.42, seat * 0.46), b.mat(), "step")
+
+
+def _high_chair_frame(b: Builder, seat: float) -> None:
+    """Four legs that splay, rails between them, and arms."""
+    w, d = b.w, b.d
     for sx in (-1, 1):
         for sy in (-1, 1):
             b.rod(
@@ -122,7 +132,11 @@ def high_chair(b: Builder) -> None:
             "arms",
         )
         b.box((sx * w * 0.38 - 0.012, sx * w * 0.38 + 0.012), (d * 0.16, d * 0.2), (seat, seat + 0.17), b.mat(), "arms")
-    b.box((-w * 0.38, w * 0.38), (-d * 0.32, d * 0.28), (seat - 0.03, seat), b.mat(), "seat")
+
+
+def _high_chair_back(b: Builder, seat: float) -> None:
+    """A padded back with two red straps."""
+    w, d, h = b.w, b.d, b.h
     b.prism(
         [(-d * 0.34, seat), (-d * 0.28, seat), (-d * 0.34, h), (-d * 0.4, h)],
         (-w * 0.36, w * 0.36),
@@ -139,6 +153,11 @@ def high_chair(b: Builder) -> None:
             "straps",
             6,
         )
+
+
+def _high_chair_tray(b: Builder, seat: float) -> None:
+    """A tray with a rim, and a bowl on it."""
+    w, d = b.w, b.d
     tray = (seat + 0.2, seat + 0.225)
     b.cushion((-w / 2, w / 2), (d * 0.02, d / 2), tray, "plastic_white", "tray", 0.5)
     for x, y in (
@@ -154,7 +173,6 @@ def high_chair(b: Builder) -> None:
         "bowl",
         16,
     )
-    b.box((-w * 0.34, w * 0.34), (d * 0.3, d * 0.46), (seat * 0.42, seat * 0.46), b.mat(), "step")
 
 
 @recipe("stroller")

@@ -82,42 +82,13 @@ def charging_tower(b: Builder) -> None:
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, 0.05), "metal_dark", "foot")
     b.box((-w * 0.2, w * 0.2), (-d * 0.2, d * 0.2), (0.05, h * 0.66), b.mat(), "column")
     b.box((-w * 0.36, w * 0.36), (-d * 0.1, d * 0.1), (h * 0.66, h), b.mat(), "head")
-    bolt = ((0.1, 1.0), (-0.55, -0.15), (0.0, -0.1), (-0.15, -1.0), (0.55, 0.2), (0.0, 0.15))
-    face = DrawnFace.front(b, d * 0.1)
-    face.field((-w * 0.33, w * 0.33), (h * 0.68, h * 0.98), "light_4f9bf0", "sign", 0.006)
-    middle, r = h * 0.83, h * 0.13
-    for part in ((0, 1, 2, 5), (2, 3, 4, 5)):
-        outline = [(bolt[k][0] * r, middle + bolt[k][1] * r) for k in part]
-        b.prism(outline, (d * 0.1 + 0.006, d * 0.1 + 0.012), "light_yellow", "y", "sign")
+    _lightning_sign(b)
     for level in range(2):
         z = h * (0.34 + 0.24 * level)
         b.box((-w * 0.44, w * 0.44), (-d * 0.44, d * 0.44), (z - 0.02, z), "plastic_white", "shelves")
         for k in range(3):
-            x = w * (-0.28 + 0.28 * k)
-            b.prism(
-                [(d * 0.22, z), (d * 0.26, z), (d * 0.2, z + 0.13), (d * 0.18, z + 0.13)],
-                (x - 0.035, x + 0.035),
-                "plastic_black",
-                part="telephones",
-            )
-            screen = DrawnFace.sloped(b, (d * 0.26, z), (d * 0.2, z + 0.13))
-            screen.field(
-                (-x - 0.03, -x + 0.03),
-                (0.01, 0.12),
-                ("light_green", "screen_3f8fd0", "light_orange")[(k + level) % 3],
-                "telephones",
-                0.002,
-            )
-            b.path(
-                [
-                    (x, d * 0.24, z + 0.004),
-                    (x + 0.03, d * 0.38, z + 0.006),
-                    (x, d * 0.43, z - 0.05),
-                    (x * 0.4, d * 0.2, z - 0.1),
-                ],
-                0.006,
-                "plastic_white",
-                "cables",
+            _charging_telephone(
+                b, w * (-0.28 + 0.28 * k), z, ("light_green", "screen_3f8fd0", "light_orange")[(k + level) % 3]
             )
             side = d * (-0.24 + 0.24 * k)
             b.prism(
@@ -127,3 +98,35 @@ def charging_tower(b: Builder) -> None:
                 "y",
                 "telephones",
             )
+
+
+def _charging_telephone(b: Builder, x: float, z: float, screen: str) -> None:
+    """A telephone that leans on the shelf at height `z`, with its cable."""
+    d = b.d
+    b.prism(
+        [(d * 0.22, z), (d * 0.26, z), (d * 0.2, z + 0.13), (d * 0.18, z + 0.13)],
+        (x - 0.035, x + 0.035),
+        "plastic_black",
+        part="telephones",
+    )
+    face = DrawnFace.sloped(b, (d * 0.26, z), (d * 0.2, z + 0.13))
+    face.field((-x - 0.03, -x + 0.03), (0.01, 0.12), screen, "telephones", 0.002)
+    cable = [
+        (x, d * 0.24, z + 0.004),
+        (x + 0.03, d * 0.38, z + 0.006),
+        (x, d * 0.43, z - 0.05),
+        (x * 0.4, d * 0.2, z - 0.1),
+    ]
+    b.path(cable, 0.006, "plastic_white", "cables")
+
+
+def _lightning_sign(b: Builder) -> None:
+    """A lit sign with a bolt of lightning."""
+    w, d, h = b.w, b.d, b.h
+    bolt = ((0.1, 1.0), (-0.55, -0.15), (0.0, -0.1), (-0.15, -1.0), (0.55, 0.2), (0.0, 0.15))
+    face = DrawnFace.front(b, d * 0.1)
+    face.field((-w * 0.33, w * 0.33), (h * 0.68, h * 0.98), "light_4f9bf0", "sign", 0.006)
+    middle, r = h * 0.83, h * 0.13
+    for part in ((0, 1, 2, 5), (2, 3, 4, 5)):
+        outline = [(bolt[k][0] * r, middle + bolt[k][1] * r) for k in part]
+        b.prism(outline, (d * 0.1 + 0.006, d * 0.1 + 0.012), "light_yellow", "y", "sign")

@@ -178,6 +178,13 @@ def tablet_chair(b: Builder) -> None:
         b.mat(),
         part="back",
     )
+    _steel_legs(b, x1, seat)
+    _writing_tablet(b, seat, x1, middle)
+
+
+def _steel_legs(b: Builder, x1: float, seat: float) -> None:
+    """Two frames of bent tube, and a rack below the seat."""
+    w, d, h = b.w, b.d, b.h
     for x in (-w / 2 + 0.04, x1 - 0.02):
         b.path(
             [(x, d * 0.28, 0.012), (x, d * 0.24, seat - 0.03), (x, -d * 0.34, seat - 0.03), (x, -d * 0.44, 0.012)],
@@ -192,6 +199,11 @@ def tablet_chair(b: Builder) -> None:
             "legs",
         )
     b.rod((-w / 2 + 0.04, d * 0.1, 0.12), (x1 - 0.02, d * 0.1, 0.12), 0.008, "metal_chrome", "rack", 8)
+
+
+def _writing_tablet(b: Builder, seat: float, x1: float, middle: float) -> None:
+    """An arm with a small top, a sheet of paper and a pencil."""
+    w, d = b.w, b.d
     z = seat + 0.24
     b.path(
         [(x1, -d * 0.2, seat - 0.03), (w / 2 - 0.05, -d * 0.2, z - 0.02), (w / 2 - 0.05, d * 0.3, z - 0.02)],

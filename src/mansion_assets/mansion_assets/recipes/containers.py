@@ -150,24 +150,7 @@ def labelled_jar(b: Builder) -> None:
         n=22,
     )
     if jam:
-        b.lathe(
-            [(0.54, body * 0.94), (0.46, h * 0.86), (0.44, h * 0.97), (0.3, h)],
-            "fabric_red",
-            stretch=(w, d),
-            part="cloth",
-            n=18,
-        )
-        for k in range(9):
-            a = k * math.tau / 9
-            b.rod(
-                (math.cos(a) * w * 0.5, math.sin(a) * d * 0.5, body * 0.97),
-                (math.cos(a) * w * 0.36, math.sin(a) * d * 0.36, h * 0.985),
-                w * 0.025,
-                "fabric_white",
-                "checks",
-                5,
-            )
-        b.lathe([(0.475, h * 0.84), (0.475, h * 0.87)], "fabric_beige", stretch=(w, d), part="string", n=18)
+        _jar_cloth(b, body)
     else:
         b.lathe(
             [(0.44, body), (0.46, h * 0.82), (0.46, h * 0.9), (0.12, h * 0.92), (0.14, h), (0.1, h)],
@@ -176,6 +159,47 @@ def labelled_jar(b: Builder) -> None:
             part="lid",
             n=20,
         )
+    _jar_label(b, body, jam=jam)
+    if not jam:
+        _sugar_cubes(b, body)
+
+
+def _jar_cloth(b: Builder, body: float) -> None:
+    """A checked cloth over the lid, tied with a string."""
+    w, d, h = b.w, b.d, b.h
+    b.lathe(
+        [(0.54, body * 0.94), (0.46, h * 0.86), (0.44, h * 0.97), (0.3, h)],
+        "fabric_red",
+        stretch=(w, d),
+        part="cloth",
+        n=18,
+    )
+    for k in range(9):
+        a = k * math.tau / 9
+        b.rod(
+            (math.cos(a) * w * 0.5, math.sin(a) * d * 0.5, body * 0.97),
+            (math.cos(a) * w * 0.36, math.sin(a) * d * 0.36, h * 0.985),
+            w * 0.025,
+            "fabric_white",
+            "checks",
+            5,
+        )
+    b.lathe([(0.475, h * 0.84), (0.475, h * 0.87)], "fabric_beige", stretch=(w, d), part="string", n=18)
+
+
+def _sugar_cubes(b: Builder, body: float) -> None:
+    """Seven cubes of sugar on top of the others."""
+    w, d = b.w, b.d
+    for k in range(7):
+        a, z = k * 0.9, body * (0.84 + 0.03 * (k % 2))
+        s = w * 0.07
+        x, y = math.cos(a) * w * 0.26, math.sin(a) * d * 0.26
+        b.box((x - s, x + s), (y - s, y + s), (z - s, z + s), "plastic_white", "cubes", solid=False)
+
+
+def _jar_label(b: Builder, body: float, *, jam: bool) -> None:
+    """A label on the front and on a side: SUGAR, or JAM with a strawberry."""
+    w, d = b.w, b.d
     word = "JAM" if jam else "SUGAR"
     for face, half in ((DrawnFace.front(b, d * 0.49), w * 0.34), (DrawnFace.side(b, w * 0.49), d * 0.34)):
         face.field((-half, half), (body * 0.2, body * 0.78), "paper_f7f0dc", "label", w * 0.02)
@@ -190,9 +214,3 @@ def labelled_jar(b: Builder) -> None:
         if jam:
             face.disc(0, body * 0.35, half * 0.26, "paper_d8281e", "fruit", w * 0.03, 12)
             face.field((-half * 0.2, half * 0.2), (body * 0.42, body * 0.46), "paper_green", "fruit", w * 0.034)
-    if not jam:
-        for k in range(7):
-            a, z = k * 0.9, body * (0.84 + 0.03 * (k % 2))
-            s = w * 0.07
-            x, y = math.cos(a) * w * 0.26, math.sin(a) * d * 0.26
-            b.box((x - s, x + s), (y - s, y + s), (z - s, z + s), "plastic_white", "cubes", solid=False)

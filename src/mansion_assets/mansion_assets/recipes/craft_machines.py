@@ -242,6 +242,14 @@ def ironing_press(b: Builder) -> None:
     for k in range(2):
         x = -w * 0.14 + k * w * 0.16
         b.box((x, x + w * 0.1), (d * 0.24, d * 0.46), (0.04, 0.08), "rubber_black", "pedals")
+    _press_buck(b)
+    _press_head(b)
+    _press_gauge(b)
+
+
+def _press_buck(b: Builder) -> None:
+    """A padded board with a rounded end, and a blue shirt on it."""
+    w, d, h = b.w, b.d, b.h
     buck = [
         (w / 2, 0.0),
         (w * 0.42, d * 0.16),
@@ -263,6 +271,11 @@ def ironing_press(b: Builder) -> None:
         "shirt",
     )
     b.box((-w * 0.28, -w * 0.1), (d * 0.05, d * 0.2), (h * 0.61, h * 0.625), "fabric_white", "shirt", solid=False)
+
+
+def _press_head(b: Builder) -> None:
+    """A heated head lifted on two arms, with a handle and steam below it."""
+    w, d, h = b.w, b.d, b.h
     for x in (-w * 0.18, w * 0.12):
         b.path([(x, -d * 0.3, h * 0.5), (x, -d * 0.44, h * 0.7), (x, -d * 0.3, h * 0.92)], 0.03, "metal_dark", "arms")
     rise = 0.34
@@ -287,6 +300,11 @@ def ironing_press(b: Builder) -> None:
     for k in range(5):
         x = w * (-0.3 + 0.13 * k)
         b.ball((x, d * 0.02, h * (0.7 + 0.02 * (k % 2))), (w * 0.04, d * 0.08, h * 0.028), "glass_white", "steam", 8)
+
+
+def _press_gauge(b: Builder) -> None:
+    """A gauge, and the word STEAM."""
+    w, d, h = b.w, b.d, b.h
     face = DrawnFace.front(b, d * 0.2)
     face.disc(w * 0.14, h * 0.38, w * 0.05, "plastic_white", "gauge", 0.02)
     face.line([(w * 0.14, h * 0.38), (w * 0.16, h * 0.41)], 0.005, "paint_red", "gauge", 0.022)

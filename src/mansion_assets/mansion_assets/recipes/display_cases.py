@@ -89,8 +89,17 @@ def _exhibits(b: Builder, fill: str, z: float, room: float) -> None:
 @recipe("jewel_case")
 def jewel_case(b: Builder) -> None:
     """A case of glass on a dark base, lit from above: necklaces on busts, rings on a cushion."""
-    w, d, h = b.w, b.d, b.h
+    h = b.h
     base = float(b.p.get("base", h * 0.55))
+    _brass_and_glass(b, base)
+    tall = h - base
+    _necklaces(b, base, tall)
+    _rings(b, base, tall)
+
+
+def _brass_and_glass(b: Builder, base: float) -> None:
+    """A base under velvet, and glass in a frame of brass."""
+    w, d, h = b.w, b.d, b.h
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, base - 0.02), b.mat(), "base")
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (base - 0.02, base), "fabric_1f2a5f", "velvet")
     for x in (-w / 2 + 0.006, w / 2 - 0.006):
@@ -103,7 +112,11 @@ def jewel_case(b: Builder) -> None:
         b.box((-w / 2, w / 2), (along[0], along[1]), (h - 0.012, h), "metal_brass", "frame", solid=False)
         b.box((across[0], across[1]), (-d / 2, d / 2), (h - 0.012, h), "metal_brass", "frame", solid=False)
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (h - 0.008, h - 0.002), "glass_clear", "glass", solid=False)
-    tall = h - base
+
+
+def _necklaces(b: Builder, base: float, tall: float) -> None:
+    """Three busts, each with a necklace and its stone."""
+    w, d = b.w, b.d
     for k in range(3):
         x = w * (-0.3 + 0.3 * k)
         b.prism(
@@ -135,6 +148,11 @@ def jewel_case(b: Builder) -> None:
             0.004,
         )
         face.disc(-x, base + tall * 0.26, 0.02, ("light_red", "light_4f9bf0", "light_green")[k], "stones", 0.014, 8)
+
+
+def _rings(b: Builder, base: float, tall: float) -> None:
+    """Seven cushions, each with a ring and its stone."""
+    w, d = b.w, b.d
     for k in range(7):
         x = w * (-0.39 + 0.13 * k)
         b.cushion(
@@ -160,6 +178,51 @@ def bread_case(b: Builder) -> None:
     w, d, h = b.w, b.d, b.h
     base, levels = float(b.p.get("base", h * 0.55)), 2
     step = (h - 0.03 - base) / levels
+    _slanted_glass(b, base, levels, step)
+    count = max(4, round(w / 0.2))
+    for k in range(count):
+        x = -w / 2 + w * (k + 0.5) / count
+        _loaf(b, x, base + step, ("food_b9742c", "food_8a5a2a")[k % 2])
+        for j, y in enumerate((d * 0.34, d * 0.12)):
+            (_croissant, _bun, _small_cake)[(k + j) % 3](b, x, y, base)
+    face = DrawnFace.front(b, d / 2)
+    face.write("BAKERY", (-w * 0.4, w * 0.4), (base * 0.42, base * 0.76), "plastic_white", "letters", 0.006)
+
+
+def _loaf(b: Builder, x: float, z: float, crust: str) -> None:
+    """A loaf with three cuts across its top."""
+    d = b.d
+    b.ball((x, 0.0, z + 0.06), (0.085, d * 0.24, 0.075), crust, "loaves", 10)
+    for j in range(3):
+        y = -d * 0.12 + j * d * 0.12
+        b.rod((x - 0.04, y, z + 0.125), (x + 0.04, y + 0.02, z + 0.125), 0.01, "food_f3dfb4", "loaves", 5)
+
+
+def _croissant(b: Builder, x: float, y: float, z: float) -> None:
+    for part in range(5):
+        a = math.radians(200 + 35 * part)
+        b.ball(
+            (x + math.cos(a) * 0.05, y + math.sin(a) * 0.04 + 0.03, z + 0.03),
+            (0.032, 0.03, 0.022 + 0.01 * (2 - abs(part - 2))),
+            "food_d9923a",
+            "croissants",
+            6,
+        )
+
+
+def _bun(b: Builder, x: float, y: float, z: float) -> None:
+    b.ball((x, y, z + 0.04), (0.055, 0.05, 0.04), "food_c8842f", "buns", 10)
+
+
+def _small_cake(b: Builder, x: float, y: float, z: float) -> None:
+    """A round cake with a cherry."""
+    b.cyl(x, y, (z, z + 0.06), 0.05, "food_f0a0b8", "cakes", n=14)
+    b.ball((x, y, z + 0.07), (0.018, 0.018, 0.018), "food_d8281e", "cakes", 6)
+
+
+def _slanted_glass(b: Builder, base: float, levels: int, step: float) -> None:
+    """A base, a roof and boards within glass that slants back."""
+    w, d, h = b.w, b.d, b.h
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, base - 0.02), b.mat(), "base")
     b.box((-w / 2, w / 2), (-d / 2, d * 0.3), (h - 0.03, h), b.mat(), "roof")
     for side in (-1, 1):
@@ -192,41 +255,6 @@ def bread_case(b: Builder) -> None:
             "boards",
             solid=False,
         )
-    count = max(4, round(w / 0.2))
-    for k in range(count):
-        x = -w / 2 + w * (k + 0.5) / count
-        b.ball(
-            (x, 0.0, base + step + 0.06), (0.085, d * 0.24, 0.075), ("food_b9742c", "food_8a5a2a")[k % 2], "loaves", 10
-        )
-        for j in range(3):
-            y = -d * 0.12 + j * d * 0.12
-            b.rod(
-                (x - 0.04, y, base + step + 0.125),
-                (x + 0.04, y + 0.02, base + step + 0.125),
-                0.01,
-                "food_f3dfb4",
-                "loaves",
-                5,
-            )
-        for j, y in enumerate((d * 0.34, d * 0.12)):
-            kind = (k + j) % 3
-            if kind == 0:
-                for part in range(5):
-                    a = math.radians(200 + 35 * part)
-                    b.ball(
-                        (x + math.cos(a) * 0.05, y + math.sin(a) * 0.04 + 0.03, base + 0.03),
-                        (0.032, 0.03, 0.022 + 0.01 * (2 - abs(part - 2))),
-                        "food_d9923a",
-                        "croissants",
-                        6,
-                    )
-            elif kind == 1:
-                b.ball((x, y, base + 0.04), (0.055, 0.05, 0.04), "food_c8842f", "buns", 10)
-            else:
-                b.cyl(x, y, (base, base + 0.06), 0.05, "food_f0a0b8", "cakes", n=14)
-                b.ball((x, y, base + 0.07), (0.018, 0.018, 0.018), "food_d8281e", "cakes", 6)
-    face = DrawnFace.front(b, d / 2)
-    face.write("BAKERY", (-w * 0.4, w * 0.4), (base * 0.42, base * 0.76), "plastic_white", "letters", 0.006)
 
 
 @recipe("salad_bar")

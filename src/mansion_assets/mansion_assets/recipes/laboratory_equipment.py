@@ -130,6 +130,14 @@ def warm_incubator(b: Builder) -> None:
     b.box((-w / 2, w / 2), (-d / 2, face), (high + t, h), b.mat(), "case")
     b.box((-w * 0.44, w * 0.44), (-d * 0.44, face - 0.04), (0, 0.04), "plastic_dark", "feet")
     b.box((-w / 2 + t, w / 2 - t), (-d / 2 + t, -d / 2 + t + 0.006), (low, high), "light_f2b880", "glow", solid=False)
+    _culture_racks(b, low, high, t, face)
+    _incubator_door(b, face, low, t, high)
+    _incubator_panel(b, face, high, t)
+
+
+def _culture_racks(b: Builder, low: float, high: float, t: float, face: float) -> None:
+    """Three racks with stacks of petri dishes."""
+    w = b.w
     rows = 3
     for k in range(rows):
         z = low + (high - low) * (0.04 + 0.32 * k)
@@ -157,6 +165,11 @@ def warm_incubator(b: Builder) -> None:
                     n=14,
                     solid=False,
                 )
+
+
+def _incubator_door(b: Builder, face: float, low: float, t: float, high: float) -> None:
+    """A door of glass in a frame, with a handle."""
+    w, d = b.w, b.d
     door = (face + 0.002, face + 0.026)
     panel = ((-w / 2 + 0.005, w / 2 - 0.005), door, (low - t, high + t * 0.8))
     with b.door(*panel, "left"):
@@ -166,6 +179,11 @@ def warm_incubator(b: Builder) -> None:
             b.box(panel[0], door, up, b.mat(), "door")
         b.box(panel[0], (door[0] + 0.008, door[0] + 0.012), panel[2], "glass_clear", "window", solid=False)
         b.box((w * 0.42, w * 0.45), (door[1], d / 2), (low + 0.1, high - 0.1), "metal_dark", "handle", solid=False)
+
+
+def _incubator_panel(b: Builder, face: float, high: float, t: float) -> None:
+    """A black panel with the temperature in lit figures, and a green lamp."""
+    w, h = b.w, b.h
     front = DrawnFace.front(b, face)
     front.field((-w * 0.36, w * 0.36), (high + t + 0.02, h - 0.02), "plastic_black", "panel", 0.006)
     front.write("37 C", (-w * 0.3, w * 0.14), (high + t + 0.035, h - 0.035), "light_red", "figures", 0.009)
@@ -340,8 +358,7 @@ def lens_goggles(b: Builder) -> None:
             (side * w * 0.05, h * 0.9),
         ]
         b.prism(lens, (y - d * 0.06, y - d * 0.03), "plastic_bfe3f0", "y", "lenses")
-        face = DrawnFace.front(b, y)
-        rim = [(-u, v) for u, v in [*lens, lens[0]]]
+        face, rim = DrawnFace.front(b, y), [(-u, v) for u, v in [*lens, lens[0]]]
         face.line(rim, h * 0.05, b.mat(), "frame", -d * 0.04)
         face.line(
             [(-side * w * 0.18 - w * 0.06, h * 0.3), (-side * w * 0.18 + w * 0.1, h * 0.74)],
@@ -357,16 +374,12 @@ def lens_goggles(b: Builder) -> None:
             "plastic_bfe3f0",
             part="shields",
         )
-        b.path(
-            [
-                (side * w * 0.49, y, h * 0.92),
-                (side * w * 0.49, -d * 0.3, h * 0.86),
-                (side * w * 0.46, -d / 2, h * 0.07),
-            ],
-            h * 0.07,
-            b.mat(),
-            "arms",
-        )
+        arm = [
+            (side * w * 0.49, y, h * 0.92),
+            (side * w * 0.49, -d * 0.3, h * 0.86),
+            (side * w * 0.46, -d / 2, h * 0.07),
+        ]
+        b.path(arm, h * 0.07, b.mat(), "arms")
     b.path(
         [(-w * 0.06, y - d * 0.03, h * 0.5), (0, y, h * 0.6), (w * 0.06, y - d * 0.03, h * 0.5)],
         h * 0.06,

@@ -4,7 +4,7 @@ import itertools
 import math
 from typing import Any
 
-from mansion_assets.builder import Builder
+from mansion_assets.builder import Builder, Rect
 from mansion_assets.catalogue.receptacles import Receptacle, inset, surface, volume
 from mansion_assets.drawn_faces import DrawnFace
 from mansion_assets.registry import receptacles, recipe
@@ -323,6 +323,12 @@ def dishwasher(b: Builder) -> None:
         for k in range(9):
             u = w * (-0.32 + 0.08 * k)
             sign.line([(u, h * 0.29), (u, h * 0.38)], h * 0.007, "metal_dark", "rack", 0.014)
+    _button_strip(b, face, front, cell)
+
+
+def _button_strip(b: Builder, face: float, front: tuple[float, float], cell: Rect) -> None:
+    """A black strip with a lit display and four buttons."""
+    w, h = b.w, b.h
     strip = DrawnFace.front(b, face)
     strip.field((-w * 0.48, w * 0.48), (cell.top + 0.005, h * 0.98), "plastic_black", "strip", front[1] - face)
     strip.field((w * 0.1, w * 0.4), (h * 0.885, h * 0.955), "light_4fd0f0", "strip", front[1] - face + 0.004)

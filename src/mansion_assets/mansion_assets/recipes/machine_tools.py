@@ -102,11 +102,26 @@ def laser_cutter(b: Builder) -> None:
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (h * 0.08, bed), b.mat(), "case")
     b.wheels(h * 0.04, 0.1)
     glass = w * 0.24
+    _cutter_walls(b, glass, bed, rim)
+    _cutter_bed(b, glass, bed, rim)
+    _cutter_lid(b, glass, rim)
+    _cutter_panel(b, glass)
+    _cutter_front(b)
+
+
+def _cutter_walls(b: Builder, glass: float, bed: float, rim: float) -> None:
+    """Low walls round the bed, and the head beside it."""
+    w, d, h = b.w, b.d, b.h
     b.box((glass, w / 2), (-d / 2, d / 2), (bed, h * 0.86), b.mat(), "head")
     for across in ((-w / 2, -w / 2 + rim), (glass - rim, glass)):
         b.box(across, (-d / 2, d / 2), (bed, h * 0.8), b.mat(), "walls")
     for along in ((-d / 2, -d / 2 + rim), (d / 2 - rim, d / 2)):
         b.box((-w / 2, glass), along, (bed, h * 0.8), b.mat(), "walls")
+
+
+def _cutter_bed(b: Builder, glass: float, bed: float, rim: float) -> None:
+    """A bed of honeycomb, a board with a cut triangle, and the gantry with its head and beam."""
+    w, d, h = b.w, b.d, b.h
     middle = (glass - w / 2) / 2
     b.box((-w / 2 + rim, glass - rim), (-d / 2 + rim, d / 2 - rim), (bed, bed + 0.01), "plastic_black", "bed")
     for k in range(14):
@@ -136,12 +151,22 @@ def laser_cutter(b: Builder) -> None:
     b.box((-w / 2 + rim, glass - rim), (-0.04, 0.04), (bed + 0.1, h * 0.78), "metal_chrome", "gantry")
     b.box((middle - 0.06, middle + 0.06), (-0.05, 0.1), (bed + 0.06, h * 0.82), "plastic_red", "laser")
     b.rod((middle, 0.08, bed + 0.03), (middle, 0.08, bed + 0.1), 0.008, "light_red", "beam", 6)
+
+
+def _cutter_lid(b: Builder, glass: float, rim: float) -> None:
+    """A lid of glass in a dark frame."""
+    w, d, h = b.w, b.d, b.h
     with b.door((-w / 2, glass), (-d / 2, d / 2), (h * 0.8, h * 0.86), "back"):
         b.box((-w / 2 + rim, glass - rim), (-d / 2 + rim, d / 2 - rim), (h * 0.82, h * 0.83), "glass_clear", "lid")
         for across in ((-w / 2, -w / 2 + rim), (glass - rim, glass)):
             b.box(across, (-d / 2, d / 2), (h * 0.8, h * 0.86), "metal_dark", "lid")
         for along in ((-d / 2, -d / 2 + rim), (d / 2 - rim, d / 2)):
             b.box((-w / 2, glass), along, (h * 0.8, h * 0.86), "metal_dark", "lid")
+
+
+def _cutter_panel(b: Builder, glass: float) -> None:
+    """A sloped panel with a screen."""
+    w, d, h = b.w, b.d, b.h
     b.prism(
         [(-d * 0.2, h * 0.86), (d * 0.3, h * 0.86), (-d * 0.2, h)],
         (glass + 0.03, w / 2 - 0.03),
@@ -150,6 +175,11 @@ def laser_cutter(b: Builder) -> None:
     )
     slope = DrawnFace.sloped(b, (d * 0.3, h * 0.86), (-d * 0.2, h))
     slope.field((-w * 0.46, -glass - w * 0.04), (d * 0.12, d * 0.44), "screen_blue", "controls", 0.004)
+
+
+def _cutter_front(b: Builder) -> None:
+    """The word LASER, a stop button and a warning sign."""
+    w, d, h = b.w, b.d, b.h
     face = DrawnFace.front(b, d / 2)
     face.write("LASER", (-w * 0.2, w * 0.4), (h * 0.28, h * 0.52), "plastic_white", "letters", 0.004)
     face.disc(-w * 0.37, h * 0.74, 0.05, "plastic_yellow", "stop", 0.01)

@@ -75,6 +75,14 @@ def ultrasound(b: Builder) -> None:
         b.mat(),
         part="body",
     )
+    _ultrasound_desk(b)
+    _echo_monitor(b)
+    _probes(b)
+
+
+def _ultrasound_desk(b: Builder) -> None:
+    """A sloping desk with keys, a track ball and two dials."""
+    w, d, h = b.w, b.d, b.h
     desk = [(-d * 0.44, h * 0.48), (d / 2, h * 0.46), (d / 2, h * 0.5), (-d * 0.1, h * 0.56), (-d * 0.44, h * 0.56)]
     b.prism(desk, (-w * 0.46, w * 0.46), b.mat(), part="desk")
     keys = DrawnFace.sloped(b, (d / 2, h * 0.5), (-d * 0.1, h * 0.56))
@@ -87,6 +95,11 @@ def ultrasound(b: Builder) -> None:
     keys.disc(0, d * 0.14, d * 0.06, "plastic_4f86c6", "ball", 0.03)
     for u in (-0.3, 0.3):
         keys.disc(w * u, d * 0.14, d * 0.045, "plastic_grey", "dials", 0.02)
+
+
+def _echo_monitor(b: Builder) -> None:
+    """A monitor on an arm, with a fan of echoes on its screen."""
+    w, d, h = b.w, b.d, b.h
     b.rod((0, -d * 0.3, h * 0.54), (0, -d * 0.3, h * 0.72), 0.03, "metal_grey", "arm")
     b.box((-w * 0.48, w * 0.48), (-d * 0.32, -d * 0.24), (h * 0.64, h), "plastic_dark", "monitor")
     face = DrawnFace.front(b, -d * 0.24)
@@ -103,6 +116,11 @@ def ultrasound(b: Builder) -> None:
         (-0.09, 0.86, 0.03, "screen_e3e6e8"),
     ):
         face.disc(w * u, h * v, w * ru, color, "image", 0.008)
+
+
+def _probes(b: Builder) -> None:
+    """Three probes in their rests at the side, with cables."""
+    w, d, h = b.w, b.d, b.h
     for k in range(3):
         y = d * (0.02 + 0.13 * k)
         x = w * 0.48
@@ -129,17 +147,38 @@ def anesthesia_machine(b: Builder) -> None:
     b.wheels(0.06, 0.08)
     b.box((-w / 2, w / 2), (-d / 2, d * 0.42), (0.1, 0.16), "plastic_grey", "base")
     b.box((-w * 0.4, w * 0.4), (-d * 0.4, d * 0.2), (0.16, h * 0.5), b.mat(), "body")
+    _drawer_fronts(b)
+    b.box((-w * 0.48, w * 0.48), (-d * 0.42, d * 0.4), (h * 0.5, h * 0.53), b.mat(), "desk")
+    b.box((-w * 0.4, w * 0.4), (-d * 0.42, -d * 0.2), (h * 0.53, h * 0.84), b.mat(), "back")
+    _vaporizers(b)
+    _bellows(b)
+    _flow_tubes(b)
+    _monitors(b)
+    _breathing_hoses(b)
+
+
+def _drawer_fronts(b: Builder) -> None:
+    """Three fronts of drawers with their grips."""
+    w, d, h = b.w, b.d, b.h
     face = DrawnFace.front(b, d * 0.2)
     for k in range(3):
         v = 0.2 + k * h * 0.115
         face.field((-w * 0.36, w * 0.36), (v, v + h * 0.1), "plastic_light", "drawers", 0.012)
         face.field((-w * 0.1, w * 0.1), (v + h * 0.06, v + h * 0.075), "metal_grey", "drawers", 0.024)
-    b.box((-w * 0.48, w * 0.48), (-d * 0.42, d * 0.4), (h * 0.5, h * 0.53), b.mat(), "desk")
-    b.box((-w * 0.4, w * 0.4), (-d * 0.42, -d * 0.2), (h * 0.53, h * 0.84), b.mat(), "back")
+
+
+def _vaporizers(b: Builder) -> None:
+    """Two vaporizers in the colours of what they hold, with dials on them."""
+    w, d, h = b.w, b.d, b.h
     for u, color in ((0.06, "plastic_yellow"), (0.24, "plastic_purple")):
         x = -w * u
         b.box((x - w * 0.07, x + w * 0.07), (-d * 0.2, -d * 0.02), (h * 0.56, h * 0.7), color, "vaporizers")
         b.cyl(x, -d * 0.11, (h * 0.7, h * 0.745), w * 0.06, "plastic_black", "dials", n=14)
+
+
+def _bellows(b: Builder) -> None:
+    """Folded bellows in a cylinder of glass."""
+    w, d, h = b.w, b.d, b.h
     x = w * 0.24
     b.cyl(x, d * 0.04, (h * 0.53, h * 0.56), w * 0.13, "plastic_dark", "bellows", n=20)
     for k in range(6):
@@ -152,6 +191,11 @@ def anesthesia_machine(b: Builder) -> None:
             16,
         )
     b.cyl(x, d * 0.04, (h * 0.56, h * 0.76), w * 0.12, "glass_clear", "glass", n=20)
+
+
+def _flow_tubes(b: Builder) -> None:
+    """Three lit tubes that show the flow of gases."""
+    w, d, h = b.w, b.d, b.h
     for k in range(3):
         u = w * (-0.12 + 0.05 * k)
         b.rod(
@@ -162,6 +206,11 @@ def anesthesia_machine(b: Builder) -> None:
             "flow",
             8,
         )
+
+
+def _monitors(b: Builder) -> None:
+    """Two monitors, each with three waves."""
+    w, d, h = b.w, b.d, b.h
     for u, v0 in ((-0.24, 0.76), (0.2, 0.84)):
         b.box(
             (w * (u - 0.22), w * (u + 0.22)),
@@ -178,6 +227,11 @@ def anesthesia_machine(b: Builder) -> None:
             v = h * (v0 + 0.04 + 0.035 * k)
             wave = [(-w * (u + 0.19 - 0.038 * j), v + h * 0.014 * (j % 2) * (1 + j % 3)) for j in range(10)]
             screen.line(wave, 0.006, color, "screens", 0.008)
+
+
+def _breathing_hoses(b: Builder) -> None:
+    """Two blue hoses before the cart, and the black bag."""
+    w, d, h = b.w, b.d, b.h
     for k in range(2):
         hose = [
             (w * 0.4, d * 0.3, h * 0.48),
@@ -200,11 +254,26 @@ def dialysis_machine(b: Builder) -> None:
     front = d * 0.24
     b.box((-w * 0.34, w * 0.34), (-d * 0.4, front), (0.16, h * 0.66), b.mat(), "body")
     b.box((-w * 0.38, w * 0.38), (-d * 0.3, d * 0.1), (h * 0.66, h * 0.86), "plastic_light", "head")
+    _dialysis_screen(b)
+    _blood_pumps(b, front)
+    _blood_tubes(b, front)
+    _canisters(b, front)
+    _hung_bag(b)
+
+
+def _dialysis_screen(b: Builder) -> None:
+    """A black screen with a blue field and three coloured bars."""
+    w, d, h = b.w, b.d, b.h
     face = DrawnFace.front(b, d * 0.1)
     face.field((-w * 0.35, w * 0.35), (h * 0.675, h * 0.85), "plastic_black", "screen", 0.004)
     face.field((-w * 0.31, 0.0), (h * 0.69, h * 0.84), "light_4f9bf0", "screen", 0.007)
     for k, color in enumerate(("light_red", "light_green", "light_yellow")):
         face.field((w * 0.05, w * 0.31), (h * (0.7 + 0.05 * k), h * (0.73 + 0.05 * k)), color, "screen", 0.007)
+
+
+def _blood_pumps(b: Builder, front: float) -> None:
+    """Two round pumps, one above the other, each with a tube in its track."""
+    w, h = b.w, b.h
     face = DrawnFace.front(b, front)
     for k, v in enumerate((0.55, 0.39)):
         face.disc(-w * 0.12, h * v, w * 0.17, "plastic_grey", "pumps", 0.03, 24)
@@ -215,17 +284,13 @@ def dialysis_machine(b: Builder) -> None:
             for a in (0.4 + j * 0.5 for j in range(11))
         ]
         face.line(ring, 0.011, ("paint_red", "plastic_3d6a9e")[k], "tubes", 0.05)
+
+
+def _blood_tubes(b: Builder, front: float) -> None:
+    """The filter at the side, and red and blue tubes from it through the pumps."""
+    w, d, h = b.w, b.d, b.h
     x = -w * 0.44
-    b.rod((x, front, h * 0.32), (x, front, h * 0.6), w * 0.07, "plastic_white", "filter", 16)
-    for z in (h * 0.3, h * 0.59):
-        b.rod(
-            (x, front, z),
-            (x, front, z + h * 0.03),
-            w * 0.09,
-            ("plastic_3d6a9e", "paint_red")[z > h * 0.5],
-            "filter",
-            16,
-        )
+    _blood_filter(b, x, front)
     b.path(
         [
             (x, front, h * 0.62),
@@ -260,9 +325,34 @@ def dialysis_machine(b: Builder) -> None:
         "plastic_3d6a9e",
         "tubes",
     )
+
+
+def _blood_filter(b: Builder, x: float, front: float) -> None:
+    """A white tube at the side, with a blue and a red end."""
+    w, h = b.w, b.h
+    b.rod((x, front, h * 0.32), (x, front, h * 0.6), w * 0.07, "plastic_white", "filter", 16)
+    for z in (h * 0.3, h * 0.59):
+        b.rod(
+            (x, front, z),
+            (x, front, z + h * 0.03),
+            w * 0.09,
+            ("plastic_3d6a9e", "paint_red")[z > h * 0.5],
+            "filter",
+            16,
+        )
+
+
+def _canisters(b: Builder, front: float) -> None:
+    """Two canisters before the body, with a red and a blue cap."""
+    w, d = b.w, b.d
     for x, color in ((-w * 0.2, "paint_red"), (w * 0.12, "plastic_3d6a9e")):
         b.box((x - w * 0.13, x + w * 0.13), (front, d * 0.44), (0.16, 0.34), "plastic_white", "canisters")
         b.cyl(x, (front + d * 0.44) / 2, (0.34, 0.38), w * 0.06, color, "canisters", n=12)
+
+
+def _hung_bag(b: Builder) -> None:
+    """A bag of fluid on a bent pole."""
+    w, d, h = b.w, b.d, b.h
     b.path(
         [(w * 0.4, -d * 0.2, h * 0.5), (w * 0.4, -d * 0.2, h - 0.02), (w * 0.24, -d * 0.2, h - 0.02)],
         0.012,

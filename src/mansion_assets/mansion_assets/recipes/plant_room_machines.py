@@ -85,6 +85,19 @@ def air_handler(b: Builder) -> None:
     b.box((-w / 2, w / 2), (-d / 2, front), (h * 0.07, high), b.mat(), "case")
     for x in (-w * 0.46, 0.0, w * 0.46):
         b.box((x - w * 0.03, x + w * 0.03), (-d / 2, front), (0, h * 0.07), "metal_dark", "feet")
+    _ducts(b, high)
+    face = DrawnFace.front(b, front)
+    middle, r = high * 0.56, min(w * 0.2, high * 0.34)
+    face.field((-w * 0.48, -w * 0.01), (h * 0.1, high - 0.03), "metal_light", "panels", 0.008)
+    face.field((w * 0.01, w * 0.48), (h * 0.1, high - 0.03), "metal_light", "panels", 0.008)
+    _fan_grille(b, middle, r, face)
+    _filters(b, face, high)
+    _flow_arrow(b)
+
+
+def _ducts(b: Builder, high: float) -> None:
+    """A square duct with flanges, and a round one."""
+    w, d, h = b.w, b.d, b.h
     b.box((w * 0.06, w * 0.42), (-d * 0.36, d * 0.3), (high, h * 0.96), "metal_light", "duct")
     for z in (high, h * 0.95):
         b.box((w * 0.03, w * 0.45), (-d * 0.4, d * 0.34), (z, z + h * 0.03), "metal_steel", "flanges")
@@ -104,10 +117,11 @@ def air_handler(b: Builder) -> None:
         "flanges",
         24,
     )
-    face = DrawnFace.front(b, front)
-    middle, r = high * 0.56, min(w * 0.2, high * 0.34)
-    face.field((-w * 0.48, -w * 0.01), (h * 0.1, high - 0.03), "metal_light", "panels", 0.008)
-    face.field((w * 0.01, w * 0.48), (h * 0.1, high - 0.03), "metal_light", "panels", 0.008)
+
+
+def _fan_grille(b: Builder, middle: float, r: float, face: DrawnFace) -> None:
+    """A fan with five blades behind a round grille."""
+    w = b.w
     face.disc(-w * 0.245, middle, r, "metal_dark", "fan", 0.018, 28)
     for k in range(5):
         a = 0.4 + k * math.tau / 5
@@ -119,12 +133,22 @@ def air_handler(b: Builder) -> None:
             for k in range(21)
         ]
         face.line(ring, 0.01, "metal_steel", "grille", 0.024)
+
+
+def _filters(b: Builder, face: DrawnFace, high: float) -> None:
+    """Four pleated filters."""
+    w = b.w
     for k in range(4):
         u = w * (0.04 + 0.105 * k)
         face.field((u, u + w * 0.09), (high * 0.2, high * 0.88), "paper_beige", "filters", 0.014)
         for j in range(5):
             s = u + w * (0.01 + 0.016 * j)
             face.field((s, s + w * 0.006), (high * 0.22, high * 0.86), "paper_brown", "filters", 0.018)
+
+
+def _flow_arrow(b: Builder) -> None:
+    """A blue arrow along the ducts."""
+    w, d, h = b.w, b.d, b.h
     arrow = DrawnFace.front(b, d * 0.3)
     arrow.field((-w * 0.36, -w * 0.22), (h * 0.82, h * 0.86), "paint_blue", "arrow", 0.006)
     b.prism(

@@ -54,6 +54,14 @@ def lane_pool(b: Builder) -> None:
     lengthwise = w >= d
     long, short = (w, d) if lengthwise else (d, w)
     lanes = 4
+    _lane_floats(b, lanes, t, short, long, lengthwise=lengthwise)
+    _starting_blocks(b, lanes, t, short, long, lengthwise=lengthwise)
+    _pool_ladder(b, t, short)
+
+
+def _lane_floats(b: Builder, lanes: int, t: float, short: float, long: float, *, lengthwise: bool) -> None:
+    """Lines of red and white floats between the lanes."""
+    h = b.h
     for k in range(1, lanes):
         c = -short / 2 + t + (short - 2 * t) * k / lanes
         floats = 14
@@ -62,6 +70,11 @@ def lane_pool(b: Builder) -> None:
             e = a + (long - 2 * t) / floats * 0.86
             start, end = ((a, c, h * 0.68), (e, c, h * 0.68)) if lengthwise else ((c, a, h * 0.68), (c, e, h * 0.68))
             b.rod(start, end, h * 0.07, ("plastic_red", "plastic_white")[j % 2], "floats", 6)
+
+
+def _starting_blocks(b: Builder, lanes: int, t: float, short: float, long: float, *, lengthwise: bool) -> None:
+    """A starting block at the end of each lane, and the line on its floor."""
+    h = b.h
     for k in range(lanes):
         c = -short / 2 + t + (short - 2 * t) * (k + 0.5) / lanes
         half = short / lanes * 0.22
@@ -81,6 +94,11 @@ def lane_pool(b: Builder) -> None:
             "lines",
             solid=False,
         )
+
+
+def _pool_ladder(b: Builder, t: float, short: float) -> None:
+    """A ladder of steel tubes at the front edge."""
+    w, d, h = b.w, b.d, b.h
     for u in (-0.06, 0.06):
         x, y = w * 0.3 + short * u, d / 2 - t
         b.path(

@@ -82,6 +82,12 @@ def hair_wash_chair(b: Builder) -> None:
             "metal_chrome",
             "arms",
         )
+    _neck_basin(b)
+
+
+def _neck_basin(b: Builder) -> None:
+    """A basin with a neck rest on a pillar, a tap and a hand shower."""
+    w, d, h = b.w, b.d, b.h
     y = -d * 0.32
     b.box((-w * 0.2, w * 0.2), (-d * 0.44, y + 0.06), (0, h * 0.62), "ceramic_white", "pillar")
     rim = h * 0.92

@@ -45,9 +45,18 @@ def toilet(b: Builder) -> None:
 @recipe("urinal")
 def urinal(b: Builder) -> None:
     """A porcelain shield with raised sides round a hollow, its lip below in front, a drain."""
-    w, d, h = b.w, b.d, b.h
+    d, h = b.d, b.h
     low, high = h * 0.3, h * 0.86
     back, front = -d / 2, d / 2
+    _urinal_shield(b, back, high, low, front)
+    b.cyl(0, d * 0.1, (low + 0.06, low + 0.075), 0.045, "metal_chrome", "drain", n=16)
+    b.cyl(0, d * 0.1, (low + 0.075, low + 0.1), 0.03, "plastic_4f9bd9", "tablet", n=14)
+    _urinal_pipes(b, back, high, low)
+
+
+def _urinal_shield(b: Builder, back: float, high: float, low: float, front: float) -> None:
+    """A back with raised sides, a lip in front and a head."""
+    w, d = b.w, b.d
     b.box((-w * 0.46, w * 0.46), (back, back + d * 0.2), (low + 0.06, high), b.mat(), "back")
     for side in (-1, 1):
         across = sorted((side * w / 2, side * w * 0.34))
@@ -88,8 +97,11 @@ def urinal(b: Builder) -> None:
         "hollow",
         solid=False,
     )
-    b.cyl(0, d * 0.1, (low + 0.06, low + 0.075), 0.045, "metal_chrome", "drain", n=16)
-    b.cyl(0, d * 0.1, (low + 0.075, low + 0.1), 0.03, "plastic_4f9bd9", "tablet", n=14)
+
+
+def _urinal_pipes(b: Builder, back: float, high: float, low: float) -> None:
+    """The valve above and the trap below."""
+    h = b.h
     b.path(
         [(0, back + 0.07, high + 0.04), (0, back + 0.07, h - 0.03), (0, back + 0.02, h - 0.03)],
         0.016,

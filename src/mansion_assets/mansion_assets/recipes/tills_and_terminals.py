@@ -170,12 +170,26 @@ def cash_machine(b: Builder) -> None:
     )
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (h * 0.84, h), b.mat(), "head")
     b.box((-w * 0.46, w * 0.46), (-d * 0.46, d * 0.44), (0, 0.04), "metal_dark", "foot")
+    _cash_machine_sign(b)
+    _cash_machine_panel(b, face, ledge)
+    _figure_pad(b, face, ledge)
+    _banknotes(b, ledge)
+
+
+def _cash_machine_sign(b: Builder) -> None:
+    """The word ATM on a lit sign in front, and on a side."""
+    w, d, h = b.w, b.d, b.h
     sign = DrawnFace.front(b, d / 2)
     sign.field((-w * 0.48, w * 0.48), (h * 0.85, h * 0.99), "light_white", "sign", 0.004)
     sign.write("ATM", (-w * 0.4, w * 0.4), (h * 0.865, h * 0.975), "paint_2f3f8f", "letters", 0.008)
     DrawnFace.side(b, w / 2).write(
         "ATM", (-d * 0.36, d * 0.36), (h * 0.865, h * 0.975), "plastic_white", "letters", 0.004
     )
+
+
+def _cash_machine_panel(b: Builder, face: float, ledge: float) -> None:
+    """A screen between keys, and a card in its slot."""
+    w, h = b.w, b.h
     panel = DrawnFace.front(b, face)
     panel.field((-w * 0.3, w * 0.22), (ledge + 0.08, h * 0.81), "screen_2f6fd0", "screen", 0.006)
     for k in range(4):
@@ -185,11 +199,21 @@ def cash_machine(b: Builder) -> None:
             panel.field((w * u, w * (u + 0.06)), (v - 0.005, v + 0.03), "metal_chrome", "keys", 0.014)
     panel.field((w * 0.34, w * 0.47), (h * 0.7, h * 0.73), "plastic_black", "card", 0.012)
     b.box((-w * 0.45, -w * 0.36), (face, face + 0.08), (h * 0.711, h * 0.719), "plastic_green", "card")
+
+
+def _figure_pad(b: Builder, face: float, ledge: float) -> None:
+    """A pad of twelve keys on the ledge."""
+    w, d = b.w, b.d
     slope = DrawnFace.sloped(b, (d / 2, ledge - 0.06), (face, ledge + 0.02))
     for k in range(12):
         u, v = w * (-0.3 + 0.085 * (k % 3)), 0.02 + 0.035 * (k // 3)
         color = "plastic_light" if k % 3 < 2 or k > 8 else ("plastic_red", "plastic_yellow", "plastic_green")[k // 3]
         slope.field((u, u + w * 0.07), (v, v + 0.027), color, "pad", 0.008)
+
+
+def _banknotes(b: Builder, ledge: float) -> None:
+    """Notes in a slot below the ledge."""
+    w, d = b.w, b.d
     front = DrawnFace.front(b, d / 2)
     front.field((-w * 0.36, w * 0.36), (ledge - 0.2, ledge - 0.13), "plastic_black", "notes", 0.006)
     b.prism(

@@ -44,14 +44,7 @@ def doll(b: Builder) -> None:
     b.ball((0, -d * 0.08, z + h * 0.035), (r * 1.12, d * 0.36, h * 0.16), "fabric_f2c94c", "hair", 14)
     b.box((-r * 0.86, r * 0.86), (d * 0.16, d * 0.34), (z + h * 0.07, z + h * 0.12), "fabric_f2c94c", "hair")
     for side in (-1, 1):
-        for k in range(4):
-            b.ball(
-                (side * r * (1.08 + 0.08 * k), d * 0.02, z - h * (0.03 + 0.06 * k)),
-                (w * 0.075, d * 0.11, h * 0.036),
-                "fabric_f2c94c",
-                "plaits",
-                8,
-            )
+        _plait(b, side, r, z)
         b.ball((side * r * 1.32, d * 0.03, z - h * 0.24), (w * 0.08, d * 0.12, h * 0.03), b.mat(), "bows", 8)
         b.ball((side * r * 0.4, d * 0.33, z + h * 0.005), (w * 0.04, d * 0.04, h * 0.022), "plastic_black", "eyes", 8)
         b.ball(
@@ -82,6 +75,19 @@ def doll(b: Builder) -> None:
     )
     b.lathe([(0.49, h * 0.215), (0.49, h * 0.25)], "fabric_white", stretch=(w, d), part="hem", n=18)
     b.box((-w * 0.14, w * 0.14), (d * 0.2, d * 0.4), (h * 0.28, h * 0.46), "fabric_white", "apron", solid=False)
+
+
+def _plait(b: Builder, side: int, r: float, z: float) -> None:
+    """A plait of four knots at one side of a head of radius `r` at height `z`."""
+    w, d, h = b.w, b.d, b.h
+    for k in range(4):
+        b.ball(
+            (side * r * (1.08 + 0.08 * k), d * 0.02, z - h * (0.03 + 0.06 * k)),
+            (w * 0.075, d * 0.11, h * 0.036),
+            "fabric_f2c94c",
+            "plaits",
+            8,
+        )
 
 
 @recipe("toy_blocks")
@@ -143,8 +149,17 @@ def toy_car(b: Builder) -> None:
 @recipe("toy_kitchen")
 def toy_kitchen(b: Builder) -> None:
     """A small stove with red rings and knobs, an oven with a window, a sink with its tap."""
-    w, d, h = b.w, b.d, b.h
+    d, h = b.d, b.h
     top, face = h * 0.54, d / 2 - 0.03
+    _toy_stove(b, face, top)
+    _toy_hob_and_sink(b, top)
+    _toy_doors(b, face, top)
+    _toy_wall(b, top)
+
+
+def _toy_stove(b: Builder, face: float, top: float) -> None:
+    """The case with its top, its back and a shelf."""
+    w, d, h = b.w, b.d, b.h
     b.hollow((-w / 2, w / 2), (-d / 2, face), (0.04, top - 0.03), 0.02, b.mat())
     b.box((-w * 0.01, w * 0.01), (-d / 2, face), (0.04, top - 0.03), b.mat(), "case")
     b.box((-w / 2, w / 2), (face - 0.02, face), (top - 0.13, top - 0.03), b.mat(), "case")
@@ -152,6 +167,11 @@ def toy_kitchen(b: Builder) -> None:
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (top - 0.03, top), "wood_birch", "top")
     b.box((-w / 2, w / 2), (-d / 2, -d / 2 + 0.03), (top, h), b.mat(), "back")
     b.box((-w / 2, w / 2), (-d / 2, -d * 0.2), (h - 0.03, h), "wood_birch", "shelf")
+
+
+def _toy_hob_and_sink(b: Builder, top: float) -> None:
+    """Two red rings with a pot beside them, and a sink with its tap."""
+    w, d = b.w, b.d
     plate = DrawnFace.top(b, top)
     plate.field((-w * 0.45, -w * 0.05), (-d * 0.36, d * 0.3), "plastic_black", "hob", 0.006)
     for k in range(2):
@@ -186,6 +206,11 @@ def toy_kitchen(b: Builder) -> None:
         "metal_chrome",
         "tap",
     )
+
+
+def _toy_doors(b: Builder, face: float, top: float) -> None:
+    """The doors of the oven and the cupboard, and the knobs above them."""
+    w = b.w
     front = DrawnFace.front(b, face)
     panel = (face + 0.001, face + 0.014)
     door = DrawnFace.front(b, panel[1])
@@ -198,6 +223,11 @@ def toy_kitchen(b: Builder) -> None:
         door.disc(w * 0.08, top * 0.45, 0.018, "metal_chrome", "cupboard", 0.014)
     for k, color in enumerate(("red", "yellow", "green", "blue")):
         front.disc(w * (-0.4 + 0.105 * k), top - 0.08, 0.028, f"plastic_{color}", "knobs", 0.026)
+
+
+def _toy_wall(b: Builder, top: float) -> None:
+    """A clock and three ladles on the back."""
+    w, d, h = b.w, b.d, b.h
     wall = DrawnFace.front(b, -d / 2 + 0.03)
     wall.disc(w * 0.3, top + (h - top) * 0.55, 0.07, "plastic_yellow", "clock", 0.01)
     wall.disc(w * 0.3, top + (h - top) * 0.55, 0.055, "plastic_white", "clock", 0.014)

@@ -211,6 +211,14 @@ def van(b: Builder) -> None:
         (-d / 2, h * 0.94),
     ]
     b.prism(outline, (-w * 0.48, w * 0.48), b.mat(), part="body")
+    _van_nose(b, low)
+    _van_sides(b, low)
+    _van_letters(b)
+
+
+def _van_nose(b: Builder, low: float) -> None:
+    """The windscreen, lamps, the grille and a bumper."""
+    w, d, h = b.w, b.d, b.h
     glass = DrawnFace.sloped(b, (d * 0.36, h * 0.54), (d * 0.22, h * 0.95))
     length = ((d * 0.14) ** 2 + (h * 0.41) ** 2) ** 0.5
     glass.field((-w * 0.42, w * 0.42), (length * 0.06, length * 0.94), "glass_black", "windscreen", 0.012)
@@ -221,6 +229,11 @@ def van(b: Builder) -> None:
             (-w * 0.22, w * 0.22), (h * (0.35 + 0.034 * k), h * (0.368 + 0.034 * k)), "plastic_black", "grille", 0.014
         )
     b.box((-w * 0.49, w * 0.49), (d * 0.42, d / 2), (low * 0.9, h * 0.22), "plastic_dark", "bumper")
+
+
+def _van_sides(b: Builder, low: float) -> None:
+    """A window, doors with the rail that one of them slides on, a mirror and a strip on each side."""
+    w, d, h = b.w, b.d, b.h
     for side in (-1, 1):
         across = sorted((side * w * 0.48, side * (w * 0.48 + 0.012)))
         window = [(d * 0.1, h * 0.58), (d * 0.32, h * 0.58), (d * 0.21, h * 0.88), (d * 0.1, h * 0.88)]
@@ -248,6 +261,11 @@ def van(b: Builder) -> None:
         b.box(
             (across[0], across[1]), (-d * 0.47, d * 0.44), (h * 0.24, h * 0.275), "plastic_dark", "strip", solid=False
         )
+
+
+def _van_letters(b: Builder) -> None:
+    """The word EXPRESS on the right side."""
+    w, d, h = b.w, b.d, b.h
     side_wall = DrawnFace.side(b, w * 0.48)
     ink = "paint_2f5fc8" if "white" in b.mat() else "plastic_white"
     side_wall.write("EXPRESS", (-d * 0.45, d * 0.04), (h * 0.64, h * 0.82), ink, "letters", 0.008)
