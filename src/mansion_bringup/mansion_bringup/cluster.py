@@ -98,7 +98,7 @@ def _connected(address: str) -> Any:
 
 
 def _scheduler_gone(address: str) -> WorkersGone:
-    return WorkersGone(f"the dask scheduler at {address} does not answer any more")
+    return WorkersGone(f"the dask scheduler at {address} no longer answers")
 
 
 class _ClusterExecutor(Executor):

@@ -43,7 +43,7 @@ def unsound_shapes(scene: FloorScene) -> Iterator[UnsoundShape]:
 
 def _region(owner: str, part: str, ring: Ring, holes: Sequence[Ring]) -> Iterator[UnsoundShape]:
     if len(ring) < 3 or any(len(hole) < 3 for hole in holes):
-        yield UnsoundShape(owner, part, f"its {part} has less than three corners")
+        yield UnsoundShape(owner, part, f"its {part} has fewer than three corners")
         return
     shape = Polygon(ring, holes)
     if not shape.is_valid:

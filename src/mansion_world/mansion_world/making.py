@@ -284,7 +284,7 @@ def _after_crash(run: _Run, ended: Sequence[Future[Outcome]]) -> None:
         if run.crashes[key] < _MOST_CRASHES:
             run.again.append(request)
         else:
-            details = [f"a worker ended {_MOST_CRASHES} times while it was in work"]
+            details = [f"a worker ended {_MOST_CRASHES} times while working on it"]
             _set_aside(run, SetAside(request=request, reason="worker ended", details=details))
 
 

@@ -165,7 +165,7 @@ def picture_vectors(file: Path) -> dict[str, Vectors]:
         ``NOT_FOUND`` for no such file, ``INVALID_PAYLOAD`` for one of another form.
     """
     if not file.is_file():
-        raise MansionError(ErrorCode.NOT_FOUND, f"no file of asset embeddings {file}")
+        raise MansionError(ErrorCode.NOT_FOUND, f"there is no file of asset embeddings {file}")
     try:
         if file.suffix == ".json":
             raw = dict(json.loads(file.read_text(encoding="utf-8")))

@@ -189,7 +189,7 @@ def _asked(connection: socket.socket, asked: Call, progress: CallProgress) -> An
         text = f"{asked.service}: no answer in {asked.timeout:g} s"
         raise MansionError(ErrorCode.TIMEOUT, text, details=details) from None
     except (OSError, EOFError, msgspec.DecodeError):
-        text = f"the graph ended during the call of {asked.service}; it may or may not have been done"
+        text = f"the graph ended during the call of {asked.service}, which may or may not have been carried out"
         raise MansionError(ErrorCode.UNAVAILABLE, text, details=details) from None
 
 

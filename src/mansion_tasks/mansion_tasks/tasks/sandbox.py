@@ -127,7 +127,7 @@ class Sandbox:
         self.steps += 1
         skill = skill_named(call.skill)
         if skill is None or skill.query:
-            text = f"there is no skill {call.skill!r} that does something"
+            text = f"{call.skill!r} is not a skill that acts"
             return invalid(self.world, self.robot, call.skill, text, "a skill of docs/skills.md")
         try:
             arguments = convert(skill.arguments, {**call.arguments, "session": SESSION})
