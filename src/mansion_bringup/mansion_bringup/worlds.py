@@ -1,4 +1,4 @@
-"""What a world needs of other packages: buildings built and checked, tasks made and tried, and worker processes."""
+"""The steps of making a world that other packages do: building, checking, making and trying tasks, starting workers."""
 
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Executor

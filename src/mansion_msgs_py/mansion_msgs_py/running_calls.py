@@ -1,4 +1,4 @@
-"""The calls that a node works on, which others can cancel."""
+"""The calls that a node is serving, which others can cancel."""
 
 import sys
 import threading

@@ -1,4 +1,4 @@
-"""A world made: requests built by workers in any order, and given their places in the order of their indices.
+"""The making of a world: workers build requests in any order, and buildings get their places in the order of indices.
 
 An attempt depends on its request alone. Whether it is a near-duplicate depends on the buildings before it, so attempts
 that finish early wait until all before them have their places: the world does not depend on the number of workers.

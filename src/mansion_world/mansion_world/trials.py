@@ -1,4 +1,4 @@
-"""How agents did at the tasks of a world: a row for each task that an agent tried."""
+"""Results of agents at the tasks of a world: a row for each task that an agent tried."""
 
 from collections.abc import Iterable, Iterator, Mapping
 from itertools import islice

@@ -165,7 +165,7 @@ def furnish_request(
     compact : bool
         Whether the smallest assets are taken for it.
     beside : collection of str
-        Types of the other rooms of the floor, which have some things in this one's stead.
+        Types of the other rooms of the floor, which hold some things instead of this one.
 
     Notes
     -----
@@ -201,7 +201,7 @@ def furnish_request(
 def _usual_program(
     catalogue: Catalogue, room_type: str, items: Sequence[Item] | None, beside: Collection[str]
 ) -> RoomProgramCard:
-    """Return what a room of a type gets unasked, without what rooms beside it have in its stead."""
+    """Return what a room of a type gets unasked, without what rooms beside it hold instead."""
     card = catalogue.room_program(room_type)
     if items is not None:
         card = msgspec.structs.replace(card, floor=tuple(items))

@@ -1,4 +1,4 @@
-"""Add models to a library, one after another; a broken one does not stop the rest."""
+"""Add models to a library one by one; a broken one does not stop the rest."""
 
 import re
 from collections.abc import Iterator, Sequence

@@ -1,4 +1,4 @@
-"""A finished building as its wishes are checked on it: its rooms by what people call them, and what its ledger asks."""
+"""A finished building as its wishes are checked: its rooms by name, and the wishes of its ledger."""
 
 import re
 from collections import defaultdict

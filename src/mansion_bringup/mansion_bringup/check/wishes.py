@@ -1,4 +1,4 @@
-"""Did the building become what its description asks for: the status of every wish, from geometry and furniture.
+"""Checks that the building is what its description asks for: the status of every wish, from geometry and furniture.
 
 The words of a wish are not read: its kind, value and scope are, and the finished floors. The code is apart from that
 which gives a wish its status when a building is built.
@@ -39,7 +39,7 @@ NEIGHBOURS = 1.1
 """Metres of straight wall that rooms side by side share: a door and a little on either side."""
 
 PERSON = 2.0
-"""Square metres of rooms that one person needs at the least."""
+"""Least area of rooms that one person needs, square metres."""
 
 TOILETS = frozenset({"toilet", "restroom", "accessible_toilet"})
 """Types of rooms that are all toilets."""

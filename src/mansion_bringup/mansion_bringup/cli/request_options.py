@@ -78,12 +78,12 @@ def request_from_options(
 
 
 def library_names(listed: str) -> list[str]:
-    """Return the libraries in a list with commas between them, all there; paths lead from the root.
+    """Return the libraries of a comma-separated list, paths as absolute ones.
 
     Raises
     ------
     MansionError
-        ``NOT_FOUND`` with those that there are.
+        ``NOT_FOUND`` with the libraries that exist.
     """
     named = [name.strip() for name in listed.split(",") if name.strip()]
     if not named:

@@ -34,7 +34,7 @@ def place_further_exits(
     nets: Mapping[str, Polygon],
     building_type: str,
 ) -> list[Opening]:
-    """Place exits until there are as many as the occupants ask for, each farthest from those that there are.
+    """Place exits until there are as many as the occupants require, each as far as possible from the others.
 
     They lead out of passages and the hub, else of rooms open to the public or of crowded ones. None where the occupants
     are few and everything lies near the entrance, or no facade is far enough from it.
@@ -121,7 +121,7 @@ def exit_doors(
     frontages: Mapping[str, Frontage],
     nets: Mapping[str, Polygon],
 ) -> Iterator[Opening]:
-    """Yield a door into the open in the middle of each facade of a region that has place for one."""
+    """Yield a door into the open in the middle of each facade of a region that has space for one."""
     for facade in facades_of(floor, boundaries, region.id):
         for width in _WIDTHS:
             kind = OpeningKind("entrance", width, "glass")

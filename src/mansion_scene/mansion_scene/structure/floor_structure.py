@@ -41,8 +41,8 @@ from mansion_scene.structure.openings import (
     with_doors,
 )
 from mansion_scene.structure.outer_doors import entrance_room, place_entrance, place_garage_doors
-from mansion_scene.structure.payloads import number_doors, number_walls, number_windows, scene_rooms
 from mansion_scene.structure.regions import FloorRegions, Region, floor_regions
+from mansion_scene.structure.scene_parts import number_doors, number_walls, number_windows, scene_rooms
 from mansion_scene.structure.second_doors import place_second_doors
 from mansion_scene.structure.street_doors import place_street_doors
 from mansion_scene.structure.windows import place_windows

@@ -1,4 +1,4 @@
-"""Doors of shops, showrooms and restaurants to the street, through which customers come in to them."""
+"""Doors to the street through which customers enter shops, showrooms and restaurants."""
 
 from collections.abc import Mapping, Sequence
 from typing import Final
@@ -34,7 +34,7 @@ def place_street_doors(
 ) -> list[Opening]:
     """Place a glazed door in the longest facade of each room of customers that has no door to the open.
 
-    None in homes, and none where its facade has no place for one.
+    None in homes, and none where the facade has no space for one.
     """
     if not is_public_building(building_type):
         return []

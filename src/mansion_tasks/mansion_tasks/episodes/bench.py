@@ -1,4 +1,4 @@
-"""Many episodes: every agent at every task, over processes, going on where an interrupted run ended."""
+"""Many episodes: every agent at every task, over processes, resuming where an interrupted run ended."""
 
 from collections.abc import Callable, Generator, Iterator, Sequence
 from contextlib import AbstractContextManager, ExitStack, closing, contextmanager

@@ -1,4 +1,4 @@
-"""An episode as an MCAP file: its skills are run again, and what the world is after each is written down."""
+"""An episode as an MCAP file: its skills are run again, and the state of the world after each is recorded."""
 
 from dataclasses import dataclass
 from io import BytesIO

@@ -123,7 +123,7 @@ class Sandbox:
         self.robot.pose = Pose2D(x=x, y=y, yaw=start.pose.yaw)
 
     def run(self, call: SkillCall) -> SkillResult:
-        """Run a skill to its end; an unknown skill, or arguments that it does not take, are an ``INVALID_ACTION``."""
+        """Run a skill to its end; an unknown skill or argument is an ``INVALID_ACTION``."""
         self.steps += 1
         skill = skill_named(call.skill)
         if skill is None or skill.query:

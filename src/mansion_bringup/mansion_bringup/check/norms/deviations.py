@@ -1,4 +1,4 @@
-"""All rules of building, on a finished building."""
+"""All deviations of a finished building from the rules of building, and those that its brief asks for."""
 
 from collections.abc import Sequence
 from pathlib import Path

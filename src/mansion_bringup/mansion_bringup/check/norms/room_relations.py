@@ -1,4 +1,4 @@
-"""Which rooms belong together, and between which no door may be."""
+"""Rules on rooms that must be near each other, and on rooms that no door may join."""
 
 from collections.abc import Iterator
 

@@ -1,4 +1,4 @@
-"""Kitchens in one run: fridge, worktop, sink, worktop and hob side by side along a wall, or round a corner."""
+"""Kitchen runs: fridge, worktop, sink, worktop and hob side by side along a wall, or round a corner."""
 
 from collections.abc import Iterator, Sequence
 from itertools import product

@@ -1,4 +1,4 @@
-"""Rooms, numbered walls, doors and windows of a floor in the types of the scene."""
+"""Rooms, walls, doors and windows of a floor as parts of its scene, with their ids."""
 
 import math
 from collections.abc import Mapping, Sequence
