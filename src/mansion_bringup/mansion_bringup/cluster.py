@@ -42,7 +42,7 @@ class Cluster:
     address : str
         Address of the scheduler, such as ``tcp://127.0.0.1:8786``.
     most : int
-        Attempts in work at once; 0: as many as the workers have threads.
+        Attempts that run at once; 0: as many as the workers have threads.
     say : callable
         Gets what the user may want to know.
     """

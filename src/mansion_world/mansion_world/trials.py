@@ -21,7 +21,7 @@ def task_sets(world: WorldFolder, most: int = 0) -> list[Path]:
     ----------
     world : WorldFolder
     most : int
-        Return those of the first so many buildings; 0 for all.
+        Number of buildings, from the first on, whose tasks are returned; 0 for all.
 
     Raises
     ------

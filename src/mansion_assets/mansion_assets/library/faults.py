@@ -142,7 +142,7 @@ def _piece_faults(asset: Asset, rigid: Sequence[Link]) -> Iterator[str]:
 
 
 def _joint_faults(asset: Asset, rigid: Sequence[Link]) -> Iterator[str]:
-    """Yield joints that are none, and parts that pass through others on their way from closed to open."""
+    """Yield invalid joints, and parts that pass through others on their way from closed to open."""
     for link in rigid:
         if link.joint is None:
             continue

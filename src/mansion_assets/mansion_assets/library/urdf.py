@@ -72,7 +72,7 @@ def read_urdf(path: Path, root: Path | None = None) -> SourceModel:
     ------
     MansionError
         ``NOT_FOUND`` and ``INVALID_PAYLOAD`` as `read_model`; and for what is no URDF, for links that hang on each
-        other, for numbers that are none.
+        other, for invalid numbers.
     """
     try:
         tree = ElementTree.fromstring(path.read_bytes())

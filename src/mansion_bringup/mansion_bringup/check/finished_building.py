@@ -61,7 +61,7 @@ class FinishedBuilding:
 
     @cached_property
     def owned(self) -> set[str]:
-        """The rooms inside the units that the ledger speaks of."""
+        """The rooms inside the units that the ledger names."""
         units = {(wish.scope.unit, wish.scope.unit_type, tuple(wish.scope.floors)) for wish in self.ledger}
         return {
             room.id

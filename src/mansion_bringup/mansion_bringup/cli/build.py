@@ -50,7 +50,7 @@ if TYPE_CHECKING:
 
 __all__ = ["register"]
 
-FORMATS_HELP: Final = f"What to write beside plans and a picture: {ALL}, or some of {', '.join(export_formats())}."
+FORMATS_HELP: Final = f"What to write besides plans and a picture: {ALL}, or some of {', '.join(export_formats())}."
 
 
 def register(app: typer.Typer) -> None:

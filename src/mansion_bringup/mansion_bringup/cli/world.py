@@ -58,7 +58,7 @@ def make(
     ] = "",
     as_json: AsJson = False,
 ) -> None:
-    """Make a world of buildings, or go on with one.
+    """Make a world of buildings, or continue one.
 
     Run again, the command continues where it stopped; with a larger number it adds buildings to the existing ones.
 
@@ -216,7 +216,9 @@ def agents(
     names: Annotated[
         str, typer.Option("--agents", "-a", help="Names with commas between them.")
     ] = "random,explorer,oracle",
-    buildings: Annotated[int, typer.Option("--count", "-n", min=0, help="Only the first so many buildings.")] = 0,
+    buildings: Annotated[
+        int, typer.Option("--count", "-n", min=0, help="Only this many buildings, from the first on.")
+    ] = 0,
     seed: Annotated[int, typer.Option(min=0)] = 0,
     jobs: Annotated[int, typer.Option(min=0, help="Processes, 0: all cores; the result is the same.")] = 0,
     as_json: AsJson = False,

@@ -92,7 +92,7 @@ _REPLIES: Any = Told | Answer
 
 
 def private_folder() -> Path | None:
-    """Return the folder for sockets that none but this user can enter, made if need be; None where none is to be had.
+    """Return the folder for sockets that none but this user can enter, made if necessary; None where there is none.
 
     It lies in ``XDG_RUNTIME_DIR``, or in the temporary folder, where a folder of that name may be somebody else's.
     """

@@ -27,7 +27,7 @@ _ARRAY: Final = re.compile(r"(?P<inner>[^\[]+)(?P<length>\[\d+\])")
 
 _LEFT_OUT: Final = ("/parameter_events", "/rosout")
 _ON_DEMAND: Final = "/camera/"
-"""Part of the names of topics that are only made while somebody listens."""
+"""Part of the names of topics that are only published while they have subscribers."""
 
 QUEUE: Final = 1000
 """Messages of a topic that may wait to be written."""

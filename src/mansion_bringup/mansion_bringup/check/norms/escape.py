@@ -107,7 +107,7 @@ def _distances(premises: Premises, scene: FloorScene, exits: list[str], rule: st
 def _dead_ends(premises: Premises, scene: FloorScene, exits: list[str]) -> Iterator[Deviation]:
     """Yield corridors with a place from which the ways to all exits begin with the same long stretch.
 
-    The ways from a place to two exits share half of what its distances to them exceed the exits' distance by; in a
+    The ways from a place to two exits share half of the sum of their lengths less the distance between the exits; in a
     corridor, which branches like a tree, that is exact.
     """
     norm = premises.norm("dead_end")
