@@ -291,40 +291,31 @@ def _blood_tubes(b: Builder, front: float) -> None:
     w, d, h = b.w, b.d, b.h
     x = -w * 0.44
     _blood_filter(b, x, front)
-    b.path(
-        [
-            (x, front, h * 0.62),
-            (x + 0.02, front + 0.06, h * 0.66),
-            (w * 0.0, front + 0.05, h * 0.62),
-            (w * 0.04, front + 0.05, h * 0.58),
-        ],
-        0.011,
-        "paint_red",
-        "tubes",
+    red, blue, before = "paint_red", "plastic_3d6a9e", front + 0.05
+    tubes = (
+        (
+            red,
+            [
+                (x, front, h * 0.62),
+                (x + 0.02, front + 0.06, h * 0.66),
+                (0.0, before, h * 0.62),
+                (w * 0.04, before, h * 0.58),
+            ],
+        ),
+        (
+            blue,
+            [
+                (x, front, h * 0.3),
+                (x + 0.02, front + 0.06, h * 0.25),
+                (0.0, before, h * 0.3),
+                (w * 0.04, before, h * 0.36),
+            ],
+        ),
+        (red, [(w * 0.2, before, h * 0.55), (w * 0.26, front + 0.08, h * 0.3), (w * 0.3, d / 2 - 0.02, h * 0.2)]),
+        (blue, [(w * 0.2, before, h * 0.39), (w * 0.22, front + 0.08, h * 0.26), (w * 0.24, d / 2 - 0.02, h * 0.17)]),
     )
-    b.path(
-        [
-            (x, front, h * 0.3),
-            (x + 0.02, front + 0.06, h * 0.25),
-            (w * 0.0, front + 0.05, h * 0.3),
-            (w * 0.04, front + 0.05, h * 0.36),
-        ],
-        0.011,
-        "plastic_3d6a9e",
-        "tubes",
-    )
-    b.path(
-        [(w * 0.2, front + 0.05, h * 0.55), (w * 0.26, front + 0.08, h * 0.3), (w * 0.3, d / 2 - 0.02, h * 0.2)],
-        0.011,
-        "paint_red",
-        "tubes",
-    )
-    b.path(
-        [(w * 0.2, front + 0.05, h * 0.39), (w * 0.22, front + 0.08, h * 0.26), (w * 0.24, d / 2 - 0.02, h * 0.17)],
-        0.011,
-        "plastic_3d6a9e",
-        "tubes",
-    )
+    for color, points in tubes:
+        b.path(points, 0.011, color, "tubes")
 
 
 def _blood_filter(b: Builder, x: float, front: float) -> None:
