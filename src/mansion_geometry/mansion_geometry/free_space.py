@@ -44,7 +44,7 @@ def _window(
 
 @kernel
 def _shrink(counts: Counts, reached: Bools, r0: int, r1: int, c0: int, c1: int) -> tuple[bool, int]:
-    """Drop blocked cells of a window from `reached` if the others hang together inside it; tell so, and how many.
+    """Drop blocked cells of a window from `reached` if the others are connected inside it; return whether they are, and how many.
 
     Where they do, blocking cells inside the window cut nothing off: a path through them can go round inside the window.
     """

@@ -96,7 +96,7 @@ class CatalogueVectors:
         self._texts: dict[int, tuple[Catalogue, _Texts]] = {}
 
     def likeness(self, catalogue: Catalogue, asked: Vectors) -> Scores:
-        """Return how like a query each asset is, shape (assets,), in the catalogue's order.
+        """Return how similar each asset is to a query, shape (assets,), in the catalogue's order.
 
         It is the mean of two cosines: with the asset's text, and with that of its names which is most like it.
 

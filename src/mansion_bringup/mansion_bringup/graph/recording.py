@@ -82,7 +82,7 @@ class GraphRecording(Closing):
     ----------
     client : MansionClient
     output : Path
-        The file; it appears when the recording ends, and is a whole one then.
+        The file, which appears complete when the recording ends.
     topics : sequence of str
         What to record; all that is published when empty, but pictures, which are only made for those who ask.
     clock : callable
