@@ -1,4 +1,4 @@
-"""Stands for clothes and umbrellas: clothes rails, drying racks, coat stands, hooks."""
+"""Stands for clothes, umbrellas and luggage: clothes rails, drying racks, coat stands, hooks."""
 
 import math
 
@@ -141,3 +141,17 @@ def umbrella_stand(b: Builder) -> None:
             for t in (j * math.pi / 5 for j in range(1, 6))
         ]
         b.path([neck, top, *hook], w * 0.022, "wood_walnut", "crooks")
+
+
+@recipe("luggage_rack")
+def luggage_rack(b: Builder) -> None:
+    """Folding stand with straps."""
+    w, d, h = b.w, b.d, b.h
+    for sx in (-1, 1):
+        x = sx * (w / 2 - 0.02)
+        b.rod((x, -d / 2 + 0.02, 0.0), (x, d / 2 - 0.02, h - 0.02), 0.018, b.mat(), "legs", solid=True)
+        b.rod((x, d / 2 - 0.02, 0.0), (x, -d / 2 + 0.02, h - 0.02), 0.018, b.mat(), "legs")
+    b.box((-w / 2, w / 2), (-d / 2, d / 2), (h - 0.012, h), "fabric_dark", "straps")
+    for sy in (-1, 1):
+        y = sy * (d / 2 - 0.018)
+        b.rod((-w / 2, y, h - 0.02), (w / 2, y, h - 0.02), 0.018, b.mat(), "rails")
