@@ -1,4 +1,4 @@
-"""Where animals live, sleep and eat: stalls, hives, cages, troughs, baskets."""
+"""Housing of animals: stalls, hives, cages, troughs, baskets."""
 
 import math
 from typing import Any

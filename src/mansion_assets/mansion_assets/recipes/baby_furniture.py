@@ -1,4 +1,4 @@
-"""What small children are changed, fed and pushed in."""
+"""Furniture for babies and small children: changing tables, high chairs, prams."""
 
 from mansion_assets.builder import Builder
 from mansion_assets.drawn_faces import DrawnFace

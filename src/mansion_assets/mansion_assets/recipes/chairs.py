@@ -1,4 +1,4 @@
-"""Chairs and stools: for tables and desks, with a writing arm, dental and barber's."""
+"""Chairs and stools: dining, office and lecture chairs, dentists' and barbers' recliners."""
 
 import math
 from typing import Any

@@ -1,4 +1,4 @@
-"""What one cleans and irons with."""
+"""Cleaning and ironing equipment: vacuum cleaners, mops, brushes, sponges, sprays, ironing boards."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""Turned bodies by the name of their profile: bottles, cups, jars; bowls of fruit."""
+"""Round containers by the name of their profile: bottles, cups, jars; bowls of fruit."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""What one prepares food with: pots, pans, boards, ladles, foil; and the rack in which it dries."""
+"""Cookware: pots, pans, boards, ladles, foil, and racks for drying dishes."""
 
 from mansion_assets.builder import Builder
 from mansion_assets.drawn_faces import DrawnFace

@@ -1,4 +1,4 @@
-"""Curtains, of rooms, baths and hospital beds, and blinds."""
+"""Curtains of rooms, baths and hospital beds, and blinds."""
 
 from mansion_assets.builder import Builder
 from mansion_assets.registry import recipe

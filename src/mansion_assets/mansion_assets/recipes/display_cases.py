@@ -1,4 +1,4 @@
-"""Cases and stands that show goods: glass cases, bakery and jewellery counters, salad bars, frozen food, flowers."""
+"""Cases and stands that display goods: glass cases, bakery and jewellery counters, salad bars, freezers, flower stands."""
 
 import math
 from typing import Any

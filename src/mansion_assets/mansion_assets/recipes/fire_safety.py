@@ -1,4 +1,4 @@
-"""What warns of fire and puts it out."""
+"""Fire safety: smoke detectors, sprinklers, alarms, extinguishers, hose cabinets."""
 
 import math
 

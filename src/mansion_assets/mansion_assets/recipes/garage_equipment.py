@@ -1,4 +1,4 @@
-"""What lifts vehicles and loads, and changes tyres."""
+"""Garage equipment: vehicle lifts, gantry cranes, tyre changers."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""What parts a room or controls who passes: turnstiles, barriers, detector gates, screens, booths."""
+"""Gates and partitions: turnstiles, barriers, detector gates, screens, booths."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""Machines of offices: printers, plotters, shredders."""
+"""Office machines: printers, plotters, shredders."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""What people carry and wear: bags, keys, wallets, cards, shoes."""
+"""Personal effects that people carry and wear: bags, keys, wallets, cards, shoes."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""Plants in pots and vases, and what is used in gardens."""
+"""Plants in pots and vases, and garden equipment: mowers, barbecues, watering cans, parasols."""
 
 import math
 

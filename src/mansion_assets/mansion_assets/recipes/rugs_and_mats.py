@@ -1,4 +1,4 @@
-"""Rugs, and mats to pray, lie, train or wipe one's feet on."""
+"""Rugs, and mats for prayer, naps, exercise and entrances."""
 
 from mansion_assets.builder import Box, Builder
 from mansion_assets.drawn_faces import DrawnFace

@@ -1,4 +1,4 @@
-"""Furniture of hair and nail salons."""
+"""Furniture of hair and nail salons: basins, dryer hoods, dressing and nail tables."""
 
 import math
 from typing import Any

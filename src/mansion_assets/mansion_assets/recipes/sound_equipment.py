@@ -1,4 +1,4 @@
-"""What sound comes from: headphones, radios, ceiling loudspeakers."""
+"""Sound equipment: headphones, radios, ceiling loudspeakers."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""What one drinks and eats from."""
+"""Tableware: mugs, plates, glasses, teapots, flasks, napkins."""
 
 import itertools
 import math

@@ -1,4 +1,4 @@
-"""Toys, and equipment of playgrounds."""
+"""Toys, and playground equipment: slides, sandboxes, trampolines."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""What stands or hangs at the beds of a ward and in examination rooms."""
+"""Equipment of wards and examination rooms: drips, monitors, gas rails, crash carts, scales."""
 
 import math
 

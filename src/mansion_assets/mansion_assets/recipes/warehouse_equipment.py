@@ -1,4 +1,4 @@
-"""Racks, pallets and crates, and what moves them."""
+"""Warehouse equipment: racks, pallets and crates; forklifts, pallet jacks, hand trucks, ladders."""
 
 from itertools import product
 
