@@ -1,4 +1,4 @@
-"""Cases and stands that display goods: glass cases, bakery and jewellery counters, salad bars, freezers, flower stands."""
+"""Cases and stands that display goods: glass cases, bakery and jewellery counters, salad bars, freezers, flowers."""
 
 import math
 from typing import Any
