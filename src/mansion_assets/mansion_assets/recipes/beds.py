@@ -153,32 +153,3 @@ def _crib_sides(b: Builder, low: float, frame: str) -> None:
         for sy in (-1, 1):
             y = sy * (d / 2 - 0.015)
             b.rod((x, y, low), (x, y, h - 0.02), 0.007, frame, "bars", 6)
-
-
-@receptacles("pet_bed")
-def _pet_cushion(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
-    """Return the cushion within the ring."""
-    w, d, h = size
-    return [surface("mattress", (-w * 0.36, w * 0.36, -d * 0.36, d * 0.36), h * 0.5)]
-
-
-@recipe("pillow")
-def pillow(b: Builder) -> None:
-    """A cushion, thick in the middle."""
-    b.cushion((-b.w / 2, b.w / 2), (-b.d / 2, b.d / 2), (0, b.h), b.mat(), "pillow", 0.95, 16)
-
-
-@recipe("textile")
-def textile(b: Builder) -> None:
-    """Cloth that hangs in folds, or lies folded in a stack."""
-    w, d, h = b.w, b.d, b.h
-    main = b.mat()
-    if b.p.get("style") == "stack":
-        count = max(2, round(h / 0.05))
-        for k in range(count):
-            color = main if k % 2 == 0 else "fabric_light"
-            b.cushion((-w / 2, w / 2), (-d / 2, d / 2), (h * k / count, h * (k + 1) / count), color, "folds", 0.8, 8)
-        return
-    for k in range(5):
-        x0 = -w / 2 + k * w / 5
-        b.cushion((x0, x0 + w / 5), (-d / 2, d / 2), (0, h), main, "cloth", 0.9, 8)

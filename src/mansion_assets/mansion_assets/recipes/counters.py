@@ -1,4 +1,4 @@
-"""Counters of shops, receptions and canteens, and checkouts."""
+"""Counters of shops, receptions and canteens."""
 
 from typing import Any
 

@@ -125,7 +125,7 @@ class BuildingDirector(MansionNode):
         )
 
     def cancel(self, arguments: CancelBuild) -> CanceledBuilds:
-        """Ask the builds of a building id, into a folder, or all that are in work, to end."""
+        """Ask the builds of a building id, into a folder, or all running ones, to end."""
         path = None if arguments.output is None else os.path.abspath(_expanded(arguments.output))
 
         def chosen(build: BuildInWork) -> bool:
