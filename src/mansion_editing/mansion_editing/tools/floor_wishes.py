@@ -14,7 +14,15 @@ from mansion_editing.state import SceneState
 from mansion_editing.tools.destinations import Accept, InRoom
 from mansion_editing.tools.floor_places import FloorSpace, Pose, floor_poses
 from mansion_editing.tools.placing_wishes import hindered, refusal
-from mansion_editing.tools.relations import PlacingWish, convex_corners, extents, fulfils, greatest_gap, middle_of
+from mansion_editing.tools.relations import (
+    PlacingWish,
+    convex_corners,
+    doors_of,
+    extents,
+    fulfils,
+    greatest_gap,
+    middle_of,
+)
 from mansion_geometry.object_footprints import WALKABLE_HEIGHT, footprint
 from mansion_msgs_py.scene import FloorScene, SceneObject, SceneRoom
 from mansion_msgs_py.wording import with_article
@@ -253,7 +261,7 @@ def _attraction(scene: FloorScene, room: SceneRoom, wish: PlacingWish) -> Callab
     elif wish.spot == "window":
         shapes = [LineString(window.segment) for window in scene.windows if window.room == room.id]
     elif wish.spot == "door":
-        shapes = [LineString(door.segment) for door in scene.doors if room.id in door.rooms]
+        shapes = [*doors_of(scene, room, wish.door)]
     elif wish.spot == "middle":
         shapes = [Point(middle_of(room)[0])]
     goal = MultiPoint() if not shapes else GeometryCollection(shapes)

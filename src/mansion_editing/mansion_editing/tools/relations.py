@@ -23,6 +23,7 @@ __all__ = [
     "NO_WISH",
     "PlacingWish",
     "convex_corners",
+    "doors_of",
     "extents",
     "footprint_gap",
     "fulfils",
@@ -75,6 +76,7 @@ class PlacingWish:
     other: SceneObject | None = None
     within: float | None = None
     spot: Spot = ""
+    door: str = ""
     facing: SceneObject | None = None
 
     @property
@@ -95,6 +97,7 @@ def relation_holds(
     within: float | None = None,
     spot: Spot = "",
     facing: str = "",
+    door: str = "",
 ) -> bool:
     """Whether an object is where a wish has it.
 
@@ -102,7 +105,7 @@ def relation_holds(
     ----------
     item : SceneObject
         In the scene or not; its room says on which floor it is.
-    side, near, other, within, spot, facing
+    side, near, other, within, spot, facing, door
         As in `PlacingWishes`, the objects by their ids. `near` without a side or a gap means nearby.
 
     Raises
@@ -120,6 +123,7 @@ def relation_holds(
         side=side,
         within=within,
         spot=spot,
+        door=door,
         near=state.get(near, "$.near")[1] if near else None,
         other=state.get(other, "$.other")[1] if other else None,
         facing=state.get(facing, "$.facing")[1] if facing else None,
@@ -137,7 +141,7 @@ def fulfils(scene: FloorScene, room: SceneRoom, item: SceneObject, wish: Placing
         return False
     if wish.facing is not None and not looks_at(item, wish.facing):
         return False
-    return not wish.spot or _in_spot(scene, room, item, wish.spot)
+    return not wish.spot or _in_spot(scene, room, item, wish)
 
 
 def _beside_landmark(item: SceneObject, wish: PlacingWish, near: SceneObject) -> bool:
@@ -296,8 +300,14 @@ def looks_at(item: SceneObject, target: SceneObject) -> bool:
     return bool(LineString([(x, y), (x + far * ahead[0], y + far * ahead[1])]).intersects(footprint(target)))
 
 
-def _in_spot(scene: FloorScene, room: SceneRoom, item: SceneObject, spot: Spot) -> bool:
-    shape = footprint(item)
+def doors_of(scene: FloorScene, room: SceneRoom, door: str) -> list[LineString]:
+    """Return the openings of a room's doors, of one of them only where its id is given."""
+    own = (one for one in scene.doors if room.id in one.rooms and door in ("", one.id))
+    return [LineString(one.segment) for one in own]
+
+
+def _in_spot(scene: FloorScene, room: SceneRoom, item: SceneObject, wish: PlacingWish) -> bool:
+    shape, spot = footprint(item), wish.spot
     if spot == "wall":
         lines = [LineString([edge.start, edge.end]) for edge in wall_edges(room.net_polygon, room.net_holes)]
         return any(line.distance(shape) <= AT_WALL for line in lines)
@@ -306,7 +316,7 @@ def _in_spot(scene: FloorScene, room: SceneRoom, item: SceneObject, spot: Spot) 
     if spot == "window":
         return any(LineString(w.segment).distance(shape) <= AT_WINDOW for w in scene.windows if w.room == room.id)
     if spot == "door":
-        return any(LineString(d.segment).distance(shape) <= AT_DOOR for d in scene.doors if room.id in d.rooms)
+        return any(opening.distance(shape) <= AT_DOOR for opening in doors_of(scene, room, wish.door))
     middle, reach = middle_of(room)
     return math.dist(middle, item.position[:2]) <= reach
 

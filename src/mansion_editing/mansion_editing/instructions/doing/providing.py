@@ -301,8 +301,10 @@ def wishes_of(place: Place, target: Target) -> dict[str, Any]:
         out["other"] = target.other.id
     if place.within:
         out["within"] = place.within
-    if place.spot:
-        out["spot"] = place.spot
+    if place.spot or target.door:
+        out["spot"] = place.spot or "door"
+    if target.door:
+        out["door"] = target.door
     if target.facing is not None:
         out["facing"] = target.facing.id
     return out

@@ -8,6 +8,7 @@ import msgspec
 from mansion_assets.catalogue.vocabulary import stems
 from mansion_editing.instructions.meaning.context import Context, ambiguous
 from mansion_editing.instructions.meaning.descriptions import all_at, anchors_of, rooms_of, things_of
+from mansion_editing.instructions.meaning.doors import doors_at, means_doors
 from mansion_editing.instructions.meaning.numbers import (
     by_holder,
     counts_each,
@@ -104,6 +105,11 @@ def from_there(state: SceneState, things: Things, place: Place, context: Context
 def at_home(state: SceneState, things: Things, place: Place, context: Context) -> Place:
     """Return the place in the one room that things are in, where words name no room and that has such a place."""
     anchor = place.anchor
+    if anchor is not None and place.rooms is None and means_doors(anchor):
+        rooms = {item.room for item in things_of(state, things, context)}
+        ends = {name for door in doors_at(state, place, context) for name in door.rooms}
+        here = msgspec.structs.replace(place, rooms=Rooms(words=min(rooms, default="")))
+        return here if len(rooms) == 1 and rooms <= ends else place
     if anchor is None or place.rooms is not None or anchor.refers or anchor.owned or anchor.place is not None:
         return place
     if not (means_one(anchor) and anchor.definite) and not anchor.amount.of:

@@ -240,7 +240,8 @@ class _Placed:
     def __init__(self, state: SceneState, place: Place, context: Context) -> None:
         self.state, self.place = state, place
         self.rooms = None if place.rooms is None else set(rooms_of(state, place.rooms, context))
-        self.anchors = [] if place.anchor is None else anchors_of(state, place, context)
+        self.doors = _doors_at(state, place, context)
+        self.anchors = [] if place.anchor is None or self.doors is not None else anchors_of(state, place, context)
         self.others = [] if place.other is None else things_of(state, place.other, context)
         self.facing = None if place.facing is None else things_of(state, place.facing, context)
         self.carried = (
@@ -266,6 +267,8 @@ class _Placed:
 
     def _is_related(self, item: SceneObject) -> bool:
         relation, within = self.place.relation, self.place.within or None
+        if self.doors is not None:
+            return any(relation_holds(self.state, item, spot="door", door=door) for door in self.doors)
         if relation in ("on", "in", ""):
             return item.id in self.carried
         near = [anchor for anchor in self.anchors if anchor.id != item.id and anchor.room == item.room]
@@ -279,6 +282,15 @@ class _Placed:
             )
         side: Side = "" if relation == "near" else relation  # type: ignore[assignment]
         return any(relation_holds(self.state, item, side, anchor.id, within=within) for anchor in near)
+
+
+def _doors_at(state: SceneState, place: Place, context: Context) -> list[str] | None:
+    """Return the ids of the doors that a place is at, None where it is at something else."""
+    from mansion_editing.instructions.meaning.doors import doors_at, means_doors  # which asks for rooms here
+
+    if place.anchor is None or not means_doors(place.anchor):
+        return None
+    return [door.id for door in doors_at(state, place, context)]
 
 
 def is_at(state: SceneState, item: SceneObject, place: Place, context: Context) -> bool:

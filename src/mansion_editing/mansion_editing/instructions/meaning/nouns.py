@@ -155,6 +155,8 @@ def called(
     ended = [item for item in pool if re.search(r"_\d+$", tail) and item.id.lower().endswith(f"/{tail}")]
     if ended or "/" in noun:
         return ended
+    if words == "door":
+        return []  # part of the structure, no door mat
     general = _MANY.get(words) if words else _MANY["thing"]
     if not words or words in _ANYTHING:
         return [item for item in pool if general is not None and general(item)]

@@ -6,6 +6,7 @@ from functools import cached_property, lru_cache
 from mansion_assets.catalogue import Catalogue
 from mansion_assets.catalogue.vocabulary import stems, vocabulary_of
 from mansion_editing.instructions.phrases.verb_words import VERB_WORDS
+from mansion_editing.instructions.phrases.word_sets import DOOR_KINDS, OUTER_DOORS
 from mansion_editing.instructions.phrases.words import FUNCTION_WORDS, VAGUE
 from mansion_editing.state import SceneState
 from mansion_knowledge import default_knowledge, interchangeable_names
@@ -28,6 +29,9 @@ WAYS = frozenset(["way", "path", "route", "access", "passage", "walkway"])
 
 LIGHTS = ("lamp", "light", "chandelier", "ceiling_panel", "spot_track")
 """Ends of the categories that give light."""
+
+_DOORS = frozenset({("door",), *((word, "door") for word in (*OUTER_DOORS, *DOOR_KINDS))})
+"""Nouns for what opens and closes in the structure."""
 
 _LIKE = {"kid": "child"}
 """Words that instructions are read with in place of others."""
@@ -118,7 +122,7 @@ class Lexicon:
             text = " ".join(words)
             if len(words) == 1 and words[0] in _NO_OBJECTS:
                 return False
-            known = bool(vocabulary_of(self._state.catalogue).nouns(text)) or words in self._object_names
+            known = bool(vocabulary_of(self._state.catalogue).nouns(text)) or words in self._object_names | _DOORS
             self._objects[words] = known or (len(words) == 1 and words[0] in HYPERNYMS | WAYS)
         return self._objects[words]
 

@@ -76,7 +76,7 @@ def read_noun(words: Sequence[Word], start: int, end: int, lexicon: Lexicon) -> 
         whole = _of_phrase(words, run, end, lexicon)
         if whole is not None:
             return whole
-    if len(run) > 1 and run[-1].text in _OPENING and lexicon.is_object(tuple(w.text for w in run[-2:-1])):
+    if len(run) > 1 and run[-1].text in _OPENING and _opens(run[:-1], lexicon):
         run = run[:-1]
     found = _split(run, lexicon, number)
     if found is not None and found.kind == "object" and number.isdecimal():
@@ -84,6 +84,13 @@ def read_noun(words: Sequence[Word], start: int, end: int, lexicon: Lexicon) -> 
     if found is None and number:
         found = _split([*run, words[end - 1]], lexicon, "")
     return found, end
+
+
+def _opens(before: list[Word], lexicon: Lexicon) -> bool:
+    """Whether the words before ``door`` name furniture, and no room that has a door: the fridge door."""
+    texts = tuple(word.text for word in before)
+    rooms = any(lexicon.is_own_room(texts[first:]) for first in range(len(texts)))
+    return lexicon.is_object(texts[-1:]) and not (rooms and not lexicon.is_called(texts[-1:]))
 
 
 def _of_phrase(words: Sequence[Word], run: list[Word], of: int, lexicon: Lexicon) -> tuple[Noun | None, int] | None:

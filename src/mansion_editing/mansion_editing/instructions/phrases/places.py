@@ -10,7 +10,13 @@ from mansion_editing.instructions.phrases.lexicon import Lexicon
 from mansion_editing.instructions.phrases.noun_phrases import NounPhrase, noun_phrase
 from mansion_editing.instructions.phrases.relative_storeys import read_relative_storey
 from mansion_editing.instructions.phrases.storeys import read_storeys
-from mansion_editing.instructions.phrases.word_sets import BEFORE_PLACES, BEFORE_SPOTS, BESIDE_RELATIONS, NEAR_SPOTS
+from mansion_editing.instructions.phrases.word_sets import (
+    BEFORE_PLACES,
+    BEFORE_SPOTS,
+    BESIDE_RELATIONS,
+    NEAR_SPOTS,
+    OUTER_DOORS,
+)
 from mansion_editing.instructions.phrases.words import BE, MODALS, Word, text_at
 from mansion_editing.instructions.statements import JOINED, Amount, Place, Relation, Rooms, Spot, Things
 
@@ -251,7 +257,21 @@ def _after_preposition(
         return None  # nobody knows which room is his
     if relation == "between":
         return _between(words, start, target, lexicon, floors)
-    return _at_noun(words, start, phrase, relation, target, lexicon, floors, goal=goal, source=source)
+    read = _at_noun(words, start, phrase, relation, target, lexicon, floors, goal=goal, source=source)
+    return _at_door(words, read, lexicon, floors) if target.noun.words[-1:] == ("door",) else read
+
+
+def _at_door(words: Sequence[Word], read: ReadPlace, lexicon: Lexicon, floors: Sequence[int]) -> ReadPlace:
+    """Return a place at a door with the rooms that tell which: ``next to the door to the kitchen``."""
+    anchor, at = read.place.anchor, read.end
+    if anchor is None or text_at(words, at) not in ("to", "of", "into", "between"):
+        return read
+    joint, relation = (text_at(words, at),), "between" if text_at(words, at) == "between" else "in"
+    inner = _after_preposition(words, at, at + 1, joint, relation, lexicon, floors)  # type: ignore[arg-type]
+    if inner is None or (inner.place.anchor is not None and relation == "in"):
+        return read
+    place = msgspec.structs.replace(read.place, anchor=with_place(anchor, inner.place))
+    return ReadPlace(place, read.start, inner.end, read.goal, read.source, read.each)
 
 
 def _direction(phrase: tuple[str, ...]) -> tuple[bool, bool]:
@@ -366,12 +386,14 @@ def _spot(
     if lexicon.is_room(named) or lexicon.is_object(named):
         return None
     spot = _SPOTS[word]
+    if spot == "door" and word == "door" and text_at(words, place - 1) in OUTER_DOORS:
+        return None  # one door of the building, not any of the room
     ceiling_or_wall = phrase[0] in _ON and spot == "wall"
     if relation in ("", "above", "under", "behind") and not goal:
         return None
     if spot in ("window", "door") and phrase[0] not in NEAR_SPOTS:
         return None
-    if spot == "door" and text_at(words, place + 1) == "to":
+    if spot == "door" and text_at(words, place + 1) in ("to", "between", "of"):
         return None
     if spot == "wall" and not ceiling_or_wall and phrase[0] not in ("against", "along", "at", "by", "to", "next"):
         return None
