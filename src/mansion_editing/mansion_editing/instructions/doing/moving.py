@@ -10,11 +10,12 @@ from mansion_editing.instructions.doing.providing import add, wishes_of
 from mansion_editing.instructions.doing.rooms import swap_rooms
 from mansion_editing.instructions.doing.work import Done, Work, listed, live, whereabouts
 from mansion_editing.instructions.meaning.choices import at_home, from_there, one_room_each, things_meant
-from mansion_editing.instructions.meaning.context import Context
+from mansion_editing.instructions.meaning.context import Context, ambiguous
 from mansion_editing.instructions.meaning.descriptions import all_at, rooms_of, things_of
 from mansion_editing.instructions.meaning.directions import faced_point, rotation_towards
 from mansion_editing.instructions.meaning.nouns import is_loose
 from mansion_editing.instructions.meaning.numbers import means_one
+from mansion_editing.instructions.meaning.room_words import room_title
 from mansion_editing.instructions.meaning.targets import Target, names_any, places_of
 from mansion_editing.instructions.meaning.wording import place_words, thing_words
 from mansion_editing.instructions.statements import Add, Amount, Move, Place, Rooms, Swap, Things, Turn
@@ -186,6 +187,7 @@ def _to_move(
         narrowed = away if len(away) == 1 else near if len(near) == 1 else []
         if narrowed:
             return narrowed
+    _refuse_scattered(state, things, away, here, context)
     prefer = here if here else near
     alike = {item.id for item in prefer}
     chosen = things_meant(state, things, context, lambda item: item.id in alike)
@@ -194,6 +196,22 @@ def _to_move(
     going = [item for item in chosen if item.id in ids]
     spare = [item for item in (*prefer, *away) if item not in chosen]
     return [*going, *{item.id: item for item in spare}.values()][: len(chosen)]
+
+
+def _refuse_scattered(
+    state: SceneState, things: Things, away: list[SceneObject], here: list[SceneObject], context: Context
+) -> None:
+    """Refuse to gather ``the boots`` from several rooms, none of which was mentioned or is the one they go to.
+
+    Raises
+    ------
+    Ambiguous
+    """
+    bare = things.definite and things.plural and things.amount.kind == "some" and not things.amount.number
+    told = things.place is not None or things.owned or things.refers or things.colour or things.material
+    rooms = list(dict.fromkeys(item.room for item in away))
+    if bare and not told and len(rooms) > 1 and not here and not set(rooms) & set(context.rooms):
+        raise ambiguous(thing_words(things), [f"those in {room_title(state, room)}" for room in rooms], rooms)
 
 
 def _moved_to_any(

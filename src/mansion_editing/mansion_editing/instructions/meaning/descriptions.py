@@ -133,7 +133,9 @@ def things_of(state: SceneState, things: Things, context: Context) -> list[Scene
         raise MansionError(ErrorCode.NOT_FOUND, "nothing was mentioned before that the words could refer to")
     if things.refers == "last":
         pool = _existing(state, context.things)
-    elif things.refers == "others":
+    elif not things.refers:
+        pool = _in_rooms(state, pool, things.place, context)
+    else:
         rooms = {item.room for item in _existing(state, context.things)} or set(context.rooms)
         pool = [item for item in pool if item.id not in context.things and item.room in rooms]
     noun = things.noun or (context.noun if things.refers == "others" else "")
@@ -156,6 +158,16 @@ def things_of(state: SceneState, things: Things, context: Context) -> list[Scene
         out = {item.id for item in things_of(state, spared, context)}
         pool = [item for item in pool if item.id not in out]
     return _picked(sorted(pool, key=id_order), things)
+
+
+def _in_rooms(
+    state: SceneState, pool: list[SceneObject], place: Place | None, context: Context
+) -> list[SceneObject]:
+    """Return those in the rooms that a place names; all where it names none."""
+    if place is None or place.rooms is None or place.outside:
+        return pool
+    rooms = set(rooms_of(state, place.rooms, context))
+    return [item for item in pool if item.room in rooms]
 
 
 def _are_several(rooms: Rooms | None) -> bool:
@@ -183,8 +195,9 @@ def _with_owner(
     """
     words = noun.split()
     known = called(state, pool, noun, many=True) if len(words) > 1 else []
-    if any(stems(noun) in (stems(item.category.replace("_", " ")), stems(item.name)) for item in known):
-        return things, noun
+    named = [item for item in known if stems(noun) in (stems(item.category.replace("_", " ")), stems(item.name))]
+    if named:
+        return _of_room_named_so(state, named, things, noun, context), noun
     for at in range(len(words) - 1, 0, -1):
         owner, rest = " ".join(words[:at]), " ".join(words[at:])
         rooms = set(rooms_of(state, Rooms(words=owner), context))
@@ -192,7 +205,26 @@ def _with_owner(
             return msgspec.structs.replace(things, owned=owner), noun
         if not known and called(state, [item for item in pool if item.room in rooms], rest, many=True):
             return msgspec.structs.replace(things, owned=owner, noun=rest), rest
+        if not known and not rooms and _around(state, called(state, pool, rest, many=True), called(state, pool, owner)):
+            return msgspec.structs.replace(things, owned=owner, noun=rest), rest
     return things, noun
+
+
+def _of_room_named_so(
+    state: SceneState, named: list[SceneObject], things: Things, noun: str, context: Context
+) -> Things:
+    """Return ``the cafe tables`` as those of the cafe, where there are such tables and others elsewhere too."""
+    owner = noun.rpartition(" ")[0]
+    if not (things.definite and means_several(things)) or things.place is not None or owner in _OF_KINDS:
+        return things
+    rooms = set(rooms_of(state, Rooms(words=owner), context))
+    inside = [item for item in named if item.room in rooms]
+    told = bool(inside) and len(inside) < len(named) and owner.lower() in _plain_names(state, rooms)
+    return msgspec.structs.replace(things, owned=owner) if told else things
+
+
+_OF_KINDS: Final = frozenset(["office", "kitchen", "garden"])
+"""Rooms whose name begins names of furniture that stands in many others: office chairs, office desks."""
 
 
 def _plain_names(state: SceneState, rooms: set[str]) -> set[str]:
@@ -228,10 +260,27 @@ def _owned(state: SceneState, pool: list[SceneObject], owner: str, context: Cont
     inside = [item for item in pool if item.room in rooms]
     if inside:
         return inside
-    holders = {item.id for item in called(state, (item for _, item in state.objects()), words)}
+    holders = called(state, (item for _, item in state.objects()), words)
     if not rooms and not holders:
         return pool  # the baby's high chair: an owner who is no part of the building
-    return [item for item in pool if item.parent in holders]
+    return [item for item in pool if item.parent in {one.id for one in holders}] or _around(state, pool, holders)
+
+
+def _around(state: SceneState, pool: list[SceneObject], marks: Sequence[SceneObject]) -> list[SceneObject]:
+    """Return what stands beside one of some things, or on what does; else the only one of the room that has them."""
+    by_room: dict[str, list[SceneObject]] = {}
+    for mark in marks:
+        by_room.setdefault(mark.room, []).append(mark)
+    here = [item for item in pool if item.room in by_room]
+    near = [item for item in here if any(_is_beside(state, item, mark) for mark in by_room[item.room])]
+    return near or ([] if len({item.room for item in here}) != len(here) else here)
+
+
+def _is_beside(state: SceneState, item: SceneObject, mark: SceneObject) -> bool:
+    """Whether a thing, or the furniture that carries it, stands beside another."""
+    carrier = None if item.parent is None else state.find(item.parent)
+    standing = item if carrier is None else carrier[1]
+    return standing.id != mark.id and relation_holds(state, standing, "beside", mark.id)
 
 
 class _Placed:

@@ -173,12 +173,20 @@ def called(
         alike = _by_another_name(state, pool, noun)
     if not alike and words in _AT_BEDS:
         alike = [item for item in pool if item.category == "side_table" and _sleeps_in(state, item.room)]
+    alike = _standing_synonyms(state, alike, noun) or alike
     if alike and not many:
         best = max(ranks[item.id] for item in alike)
         return [item for item in alike if best < 3 or ranks[item.id] == 3]
     if alike or vocabulary_of(state.catalogue).nouns(noun):
         return alike
     return [item for item in pool if ranks[item.id] == 1]
+
+
+def _standing_synonyms(state: SceneState, alike: list[SceneObject], noun: str) -> list[SceneObject]:
+    """Return the furniture that a noun is a name of, where all else that ends so is small or fixed: the bar."""
+    kinds = vocabulary_of(state.catalogue).exact(stems(noun))
+    named = [item for item in alike if item.category in kinds and item.mount == "floor"]
+    return named if all(item in named or item.mount != "floor" for item in alike) else []
 
 
 def _hangs_as_lamp(item: SceneObject) -> bool:

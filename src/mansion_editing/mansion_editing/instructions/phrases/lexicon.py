@@ -42,6 +42,9 @@ _PERSONS_OF_ROOMS = frozenset("child guest staff patient nurse teacher family ma
 _NO_OBJECTS = frozenset(["room", "floor", "area", "hall", "office", "space", "place", "side"])
 """Nouns that end names of objects but do not name any by themselves."""
 
+_KINDS_OF_SPACES = frozenset("room bedroom bathroom office hall area studio station kitchen suite lounge shop".split())
+"""Last words of names of rooms that are left out in front of what stands in them."""
+
 _STOREY_WORDS = frozenset("upper lower ground floor first second third fourth fifth sixth top".split())
 
 _DWELLINGS = frozenset(["flat", "apartment"])
@@ -85,6 +88,10 @@ class Lexicon:
     def is_own_room(self, words: tuple[str, ...]) -> bool:
         """Whether words name a room that this building has."""
         return words in self._room_names
+
+    def begins_room(self, words: tuple[str, ...]) -> bool:
+        """Whether words are the name of a room that this building has, without its last word: the master (bedroom)."""
+        return any(name[:-1] == words and name[-1] in _KINDS_OF_SPACES for name in self._whole_room_names)
 
     def means_own_room(self, words: tuple[str, ...]) -> bool:
         """Whether words name a room that this building has, or are what people say for the name of one: the loo."""

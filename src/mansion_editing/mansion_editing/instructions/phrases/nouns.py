@@ -96,13 +96,15 @@ def _opens(before: list[Word], lexicon: Lexicon) -> bool:
 def _of_phrase(words: Sequence[Word], run: list[Word], of: int, lexicon: Lexicon) -> tuple[Noun | None, int] | None:
     """Read ``cup of coffee``, ``vase of flowers``, ``bottle of wine``, ``pile of books``."""
     head = run[-1]
-    if head.text not in HOLDERS:
-        return None
     stop = end_of_run(words, of + 1, lexicon)
     tail = [w for w in words[of + 1 : stop] if w.text not in VAGUE]
     if not tail or len(tail) > 2:
         return None
     inner = tuple(w.text for w in tail)
+    if head.text not in HOLDERS:
+        whole = words[of].text == "of" and lexicon.is_called((head.text, *inner))  # "chest of drawers"
+        named = (head.text, *inner)
+        return (_split(run[:-1], lexicon, "", noun=named, plural=head.plural), stop) if whole else None
     for order in ((*inner, head.text), (*inner, *(("bottle",) if head.text == "bottle" else ()))):
         single = head.text not in _COLLECTIONS or lexicon.is_called(order)
         if len(order) > 1 and lexicon.is_object(order) and single:
@@ -219,6 +221,10 @@ def _owner(rest: list[Word], lexicon: Lexicon) -> tuple[str, tuple[str, ...]]:
         return " ".join(texts), ()
     if lexicon.is_object(texts) and lexicon.is_here(" ".join(texts)):
         return " ".join(texts), ()
+    if texts == ("bedside",):
+        return "bed", ()
     if len(texts) == 1 and lexicon.is_own_room((*texts, "room")):
         return f"{texts[0]} room", ()  # "every guest bed"
+    if lexicon.begins_room(texts):
+        return " ".join(texts), ()  # "the master bed"
     return "", tuple(w.raw for w in rest)
