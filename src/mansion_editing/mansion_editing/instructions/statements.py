@@ -51,8 +51,9 @@ AmountKind: TypeAlias = Literal[
     "some", "exactly", "at_least", "at_most", "more", "fewer", "all", "all_but", "half", "none"
 ]
 Relation: TypeAlias = Literal[
-    "", "on", "in", "under", "above", "beside", "left", "right", "behind", "front", "between", "around", "near"
-]
+    "", "on", "in", "under", "above", "beside", "left", "right", "behind", "front", "between", "around", "near",
+    "nearest", "farthest",
+]  # fmt: skip
 Spot: TypeAlias = Literal["", "wall", "corner", "window", "door", "middle"]
 Surface: TypeAlias = Literal["walls", "floor", "ceiling"]
 
@@ -181,7 +182,7 @@ class Place(msgspec.Struct, frozen=True, kw_only=True):
     ----------
     relation : str
         To `anchor`, empty for on or in it ("from the dresser"); ``between`` has `other` too, or an anchor in the
-        plural.
+        plural. ``nearest`` and ``farthest`` tell which of several is meant, by its distance to `anchor` or `spot`.
     within : float
         Greatest distance to the anchor in metres; 0 where none is given.
     spot : {"", "wall", "corner", "window", "door", "middle"}

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from typing import Final
 
 from shapely import LineString, MultiPoint, Point, Polygon
+from shapely.geometry.base import BaseGeometry
 
 from mansion_editing.state import SceneState
 from mansion_geometry.object_footprints import footprint, footprint_corners
@@ -23,7 +24,6 @@ __all__ = [
     "NO_WISH",
     "PlacingWish",
     "convex_corners",
-    "doors_of",
     "extents",
     "footprint_gap",
     "fulfils",
@@ -31,6 +31,7 @@ __all__ = [
     "looks_at",
     "middle_of",
     "relation_holds",
+    "spot_shapes",
 ]
 
 TOUCH = 0.02
@@ -300,25 +301,34 @@ def looks_at(item: SceneObject, target: SceneObject) -> bool:
     return bool(LineString([(x, y), (x + far * ahead[0], y + far * ahead[1])]).intersects(footprint(target)))
 
 
-def doors_of(scene: FloorScene, room: SceneRoom, door: str) -> list[LineString]:
-    """Return the openings of a room's doors, of one of them only where its id is given."""
-    own = (one for one in scene.doors if room.id in one.rooms and door in ("", one.id))
-    return [LineString(one.segment) for one in own]
+def spot_shapes(scene: FloorScene, room: SceneRoom, spot: Spot, door: str = "") -> list[BaseGeometry]:
+    """Return the walls, corners, windows or doors of a room, or its middle, as points and lines in the plan.
+
+    Parameters
+    ----------
+    door : str
+        Id of the only door that counts; all of the room when empty.
+    """
+    if spot == "wall":
+        return [LineString([edge.start, edge.end]) for edge in wall_edges(room.net_polygon, room.net_holes)]
+    if spot == "corner":
+        return [Point(corner) for corner in convex_corners(room)]
+    if spot == "window":
+        return [LineString(window.segment) for window in scene.windows if window.room == room.id]
+    if spot == "door":
+        return [LineString(d.segment) for d in scene.doors if room.id in d.rooms and door in ("", d.id)]
+    return [Point(middle_of(room)[0])] if spot == "middle" else []
+
+
+_REACH: Final = {"wall": AT_WALL, "corner": IN_CORNER, "window": AT_WINDOW, "door": AT_DOOR}
 
 
 def _in_spot(scene: FloorScene, room: SceneRoom, item: SceneObject, wish: PlacingWish) -> bool:
-    shape, spot = footprint(item), wish.spot
-    if spot == "wall":
-        lines = [LineString([edge.start, edge.end]) for edge in wall_edges(room.net_polygon, room.net_holes)]
-        return any(line.distance(shape) <= AT_WALL for line in lines)
-    if spot == "corner":
-        return any(Point(corner).distance(shape) <= IN_CORNER for corner in convex_corners(room))
-    if spot == "window":
-        return any(LineString(w.segment).distance(shape) <= AT_WINDOW for w in scene.windows if w.room == room.id)
-    if spot == "door":
-        return any(opening.distance(shape) <= AT_DOOR for opening in doors_of(scene, room, wish.door))
-    middle, reach = middle_of(room)
-    return math.dist(middle, item.position[:2]) <= reach
+    if wish.spot == "middle":
+        middle, reach = middle_of(room)
+        return math.dist(middle, item.position[:2]) <= reach
+    shape, most = footprint(item), _REACH[wish.spot]
+    return any(one.distance(shape) <= most for one in spot_shapes(scene, room, wish.spot, wish.door))
 
 
 def convex_corners(room: SceneRoom) -> list[PlanPoint]:

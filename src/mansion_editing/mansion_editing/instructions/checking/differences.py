@@ -45,6 +45,7 @@ class Differences:
         free = list(self.added.values())
         for name, old in self.removed.items():
             alike = [new for new in free if (new.asset, new.material, new.size) == (old.asset, old.material, old.size)]
+            alike.sort(key=lambda new: new.room == old.room)  # it left: two alike that changed places are not the same
             if alike:
                 out[name] = alike[0]
                 free.remove(alike[0])

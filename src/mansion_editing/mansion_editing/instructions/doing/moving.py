@@ -1,8 +1,10 @@
 """Move, Swap and Turn: things that are there go to another place, or turn where they stand."""
 
+import math
+import re
 from collections.abc import Generator, Sequence, Set
 from dataclasses import replace
-from typing import Any
+from typing import Any, Final
 
 import msgspec
 
@@ -30,6 +32,14 @@ from mansion_editing.tools.tops import carries_on_top
 from mansion_msgs_py.scene import SceneObject
 
 __all__ = ["facing_rotation", "move", "swap", "turn"]
+
+
+_QUARTER: Final = 90.0
+_WAY_ROUND: Final = re.compile(r"clockwise|\b(left|right|counter|anti)", re.IGNORECASE)
+"""Words that tell which way something turns; a quarter turn without them may be either way."""
+
+_STEPS_ASIDE: Final = 5
+"""Decimetres by which a thing moves aside for a turn at most, in either direction of the plan."""
 
 
 def move(statement: Move, state: SceneState, context: Context) -> Work:
@@ -313,12 +323,13 @@ def turn(statement: Turn, state: SceneState, context: Context) -> Work:
         turns = _rotations(statement, item, state, context)
         before = item.rotation
         reason = ""
-        for rotation in turns:
-            x, y, _ = item.position
+        for (dx, dy), rotation in ((aside, turn) for aside in _asides(item) for turn in turns):
+            x, y = (round(at + by, 4) for at, by in zip(item.position[:2], (dx, dy), strict=True))
             arguments = {"object_id": item.id, "x": x, "y": y, "rotation": rotation}
             answer = yield Action(f"{item.id} should turn.", "MoveObject", arguments)
             if answer.error is None:
-                replies.append(f"{item.id} turned from {before:g} to {rotation:g} degrees")
+                moved = f" and moved by {math.hypot(dx, dy):.1f} m, as it had no room to turn" if dx or dy else ""
+                replies.append(f"{item.id} turned from {before:g} to {rotation:g} degrees{moved}")
                 break
             reason = reason or answer.error.info.message
         else:
@@ -332,12 +343,23 @@ def _rotations(statement: Turn, item: SceneObject, state: SceneState, context: C
         straight = rotation_towards(item, faced_point(statement.spot, item, state))
         return _square_first(item, straight)
     if statement.facing is None:
-        return [round((item.rotation + statement.degrees) % 360.0, 4)]
+        either = abs(statement.degrees) == _QUARTER and not _WAY_ROUND.search(statement.quote)
+        ways = (statement.degrees, -statement.degrees) if either else (statement.degrees,)
+        return [round((item.rotation + degrees) % 360.0, 4) for degrees in ways]
     facing = msgspec.structs.replace(
         statement.facing, place=statement.facing.place or Place(rooms=Rooms(words=item.room))
     )
     (target,) = things_meant(state, facing, context)[:1]
     return _square_first(item, facing_rotation(item, target))
+
+
+def _asides(item: SceneObject) -> list[tuple[float, float]]:
+    """Return by how much a thing may move so that it has room to turn, the least first; what lies on a top stays."""
+    if item.mount != "floor":
+        return [(0.0, 0.0)]
+    steps = [round(0.1 * k, 1) for k in range(-_STEPS_ASIDE, _STEPS_ASIDE + 1)]
+    found = [(x, y) for x in steps for y in steps if x == 0.0 or y == 0.0 or abs(x) == abs(y)]
+    return sorted(found, key=lambda by: (round(math.hypot(*by), 4), by))
 
 
 def _square_first(item: SceneObject, straight: float) -> list[float]:

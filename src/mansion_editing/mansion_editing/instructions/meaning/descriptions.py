@@ -9,9 +9,11 @@ from shapely import Polygon
 
 from mansion_assets.catalogue.vocabulary import stems
 from mansion_editing.instructions.meaning.context import Context
+from mansion_editing.instructions.meaning.distances import by_distance
 from mansion_editing.instructions.meaning.nouns import called, has_colour, has_material, id_order
 from mansion_editing.instructions.meaning.numbers import means_several, of_one_kind
 from mansion_editing.instructions.meaning.room_words import adjoining, best_named, room_order
+from mansion_editing.instructions.phrases.places import SUPERLATIVES
 from mansion_editing.instructions.statements import JOINED, Place, Rooms, Things
 from mansion_editing.state import SceneState
 from mansion_editing.tools.perception import contents, on_top
@@ -146,7 +148,8 @@ def things_of(state: SceneState, things: Things, context: Context) -> list[Scene
     apart = not many and things.place is not None and _are_several(things.place.rooms)
     if noun or not things.refers:
         pool = _called(state, pool, noun, apart=apart, many=True, every=things.amount.kind == "all")
-    if things.place is not None:
+    superlative = things.place is not None and things.place.relation in SUPERLATIVES
+    if things.place is not None and not superlative:
         at = _Placed(state, things.place, context)
         pool = [item for item in pool if at.holds(item)]
     if things.owned:
@@ -157,12 +160,12 @@ def things_of(state: SceneState, things: Things, context: Context) -> list[Scene
     for spared in things.beside:
         out = {item.id for item in things_of(state, spared, context)}
         pool = [item for item in pool if item.id not in out]
+    if things.place is not None and superlative:
+        pool = by_distance(state, pool, things, anchors_of(state, things.place, context))
     return _picked(sorted(pool, key=id_order), things)
 
 
-def _in_rooms(
-    state: SceneState, pool: list[SceneObject], place: Place | None, context: Context
-) -> list[SceneObject]:
+def _in_rooms(state: SceneState, pool: list[SceneObject], place: Place | None, context: Context) -> list[SceneObject]:
     """Return those in the rooms that a place names; all where it names none."""
     if place is None or place.rooms is None or place.outside:
         return pool

@@ -42,6 +42,7 @@ from mansion_editing.instructions.sentences.refinement import (
     in_place_of,
     must_contain,
     of_none,
+    on_each_side,
     one_more_there,
     sets_as_one,
     sparing_what_goes,
@@ -147,6 +148,7 @@ class _Reader(
         ordered = with_takings_first(ordered, self.lexicon)
         statements = turned_by_list(with_storeys(ordered), self.text)
         statements = sets_as_one(sparing_what_goes(statements), self.lexicon)
+        statements = [side for statement in statements for side in on_each_side(statement)]
         return Instruction(
             statements=statements, not_understood=self.unknown, ignored=ignored, undecided=self.undecided
         )
