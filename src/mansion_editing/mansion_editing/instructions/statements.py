@@ -146,6 +146,9 @@ class Things(msgspec.Struct, frozen=True, kw_only=True, tag=True):
     ordinal : int
         Which of several ("the second desk"); -1 is the last.
     size : {"", "largest", "smallest", "tallest", "shortest"}
+    hints : tuple of str
+        Adjectives of size ("the tall lamp"), which tell one of several by what it measures; comparatives ("a bigger
+        one") also what new things measure, compared with those in whose place they come.
     refers : str
         ``last``: what was mentioned last ("it", "them"); ``others``: those of the kind that were not meant
         ("the others").
@@ -168,6 +171,7 @@ class Things(msgspec.Struct, frozen=True, kw_only=True, tag=True):
     states: dict[str, bool] = {}
     ordinal: int = 0
     size: Literal["", "largest", "smallest", "tallest", "shortest"] = ""
+    hints: tuple[str, ...] = ()
     refers: Literal["", "last", "others"] = ""
     place: "Place | None" = None
     beside: "tuple[Things, ...]" = ()

@@ -21,6 +21,7 @@ from mansion_msgs_py.shapes import Point as PlanPoint
 from mansion_scene.decor.frames import room_polygon, to_local, wall_edges
 
 __all__ = [
+    "FLOOR_GAP",
     "NO_WISH",
     "PlacingWish",
     "convex_corners",
@@ -170,7 +171,7 @@ def greatest_gap(item: SceneObject, wish: PlacingWish) -> float:
     if wish.side == "between" or (wish.side == "front" and item.mount == "wall"):
         return math.inf
     if item.mount in ("surface", "inside"):
-        return SURFACE_GAP
+        return FLOOR_GAP if wish.near is not None and _stands_apart(item, wish.near) else SURFACE_GAP
     if not wish.side:
         return NEARBY
     if item.mount in ("wall", "ceiling"):
@@ -179,11 +180,19 @@ def greatest_gap(item: SceneObject, wish: PlacingWish) -> float:
 
 
 def _same_level(item: SceneObject, near: SceneObject) -> bool:
-    """Whether a small thing is on the surface of its landmark; what stands or hangs is judged from above."""
-    if item.mount not in ("surface", "inside"):
+    """Whether a small thing is on the surface of its landmark; what stands or hangs is judged from above.
+
+    So is what lies on furniture beside a landmark that stands on the floor: a kettle on the counter beside the stove.
+    """
+    if item.mount not in ("surface", "inside") or _stands_apart(item, near):
         return True
     feet = [thing.bottom for thing in (item, near)]
     return item.parent == near.parent and abs(feet[0] - feet[1]) < LEVEL
+
+
+def _stands_apart(item: SceneObject, near: SceneObject) -> bool:
+    """Whether a landmark stands on the floor and is not what carries a thing."""
+    return near.mount == "floor" and near.parent is None and item.parent not in (None, near.id)
 
 
 def footprint_gap(item: SceneObject, other: SceneObject) -> float:

@@ -42,8 +42,10 @@ class Differences:
     def relocated(self) -> dict[str, SceneObject]:
         """Return where each object went that moved, or that left one storey and came to another, by its id before."""
         out = {name: after for name, (_, after) in self.moved.items()}
-        free = list(self.added.values())
-        for name, old in self.removed.items():
+        # What came from another storey may have the id that another thing left.
+        anew = {name: pair for name, pair in self.changed.items() if pair[0].asset != pair[1].asset}
+        free = [*self.added.values(), *(new for _, new in anew.values())]
+        for name, old in {**self.removed, **{name: old for name, (old, _) in anew.items()}}.items():
             alike = [new for new in free if (new.asset, new.material, new.size) == (old.asset, old.material, old.size)]
             alike.sort(key=lambda new: new.room == old.room)  # it left: two alike that changed places are not the same
             if alike:

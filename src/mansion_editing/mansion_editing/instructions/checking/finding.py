@@ -86,6 +86,7 @@ def any_number(things: Things) -> Things:
         refers="",
         ordinal=0,
         size="",
+        hints=(),
         owned="",
         beside=(),
     )

@@ -8,7 +8,7 @@ from typing import Any, Final
 
 import msgspec
 
-from mansion_editing.instructions.doing.providing import add, wishes_of
+from mansion_editing.instructions.doing.providing import add, counters_by, wishes_of
 from mansion_editing.instructions.doing.rooms import swap_rooms
 from mansion_editing.instructions.doing.work import Done, Work, listed, live, whereabouts
 from mansion_editing.instructions.meaning.choices import at_home, from_there, one_room_each, things_meant
@@ -279,7 +279,8 @@ def _ways(
         return [{"receptacle_id": target.anchor.id, **wishes, **({"inside": True} if inward else {})}]
     if target.anchor is not None:
         holder = target.anchor.parent if is_loose(item) else None
-        return [{"receptacle_id": holder or target.room, **wishes}]
+        tops = counters_by(target.anchor, place, state) if item.mount != "floor" and is_loose(item) else []
+        return [{"receptacle_id": name, **wishes} for name in (*tops, holder or target.room)]
     if own:
         return [wishes]
     if not is_loose(item) or place.spot:

@@ -9,6 +9,7 @@ from mansion_assets.catalogue.vocabulary import stems
 from mansion_editing.instructions.meaning.context import Context, ambiguous
 from mansion_editing.instructions.meaning.descriptions import all_at, anchors_of, rooms_of, things_of
 from mansion_editing.instructions.meaning.doors import doors_at, means_doors
+from mansion_editing.instructions.meaning.measured import told_by_size
 from mansion_editing.instructions.meaning.numbers import (
     by_holder,
     counts_each,
@@ -296,7 +297,8 @@ def _the_one(
     here = [item for item in found if item.room in near]
     own = [item for item in here if is_of_its_room(state, item, things.noun)]
     asked = context.brief.things_first(here, things.noun)
-    found = next((few for few in (preferred, here, own, asked) if len(few) == 1), found)
+    sized = told_by_size(here, things.hints)
+    found = next((few for few in (preferred, here, sized, own, asked) if len(few) == 1), found)
     if len(found) > 1 and context.brief.wants_one(asked, things.noun):
         return asked[:1]
     if len(found) > 1:

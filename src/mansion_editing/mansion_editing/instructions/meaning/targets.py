@@ -8,6 +8,7 @@ from mansion_editing.instructions.meaning.choices import Fit, is_of_its_room, on
 from mansion_editing.instructions.meaning.context import Context, ambiguous
 from mansion_editing.instructions.meaning.descriptions import anchors_of, things_of
 from mansion_editing.instructions.meaning.doors import means_doors, sides_of
+from mansion_editing.instructions.meaning.measured import told_by_size
 from mansion_editing.instructions.meaning.numbers import is_one, means_one
 from mansion_editing.instructions.meaning.room_words import room_title
 from mansion_editing.instructions.meaning.wording import bare_words, room_words, thing_words, title_of
@@ -125,6 +126,7 @@ def _alike(
     found = [item for item in found if item.room in near]
     own = {item.id for item in found if is_of_its_room(state, item, anchor.noun)}
     found = [item for item in found if item.id in own] or found
+    found = told_by_size(found, anchor.hints)
     found = context.brief.things_first(found, anchor.noun)
     kinds = {(item.room, item.category) for item in found}
     if len(found) == 1 or (len(kinds) == 1 and place.relation not in ("", "between")):

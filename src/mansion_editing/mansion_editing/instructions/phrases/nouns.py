@@ -10,7 +10,7 @@ from mansion_editing.instructions.phrases.runs import SHADES, end_of_run
 from mansion_editing.instructions.phrases.words import ADVERBS, PERSONS, STATE_WORDS, VAGUE, Word
 from mansion_language.colours import COLOUR_WORDS
 
-__all__ = ["HOLDERS", "MATERIALS", "Noun", "read_noun"]
+__all__ = ["HOLDERS", "MATERIALS", "SIZE_HINTS", "Noun", "read_noun"]
 
 MATERIALS: Final = {
     "wooden": "wood", "wood": "wood", "oak": "wood", "metal": "metal", "steel": "metal", "leather": "leather",
@@ -45,6 +45,15 @@ _SIZES: Final[dict[str, _Size]] = {
 }  # fmt: skip
 
 
+SIZE_HINTS: Final = {
+    "small": "small", "little": "small", "tiny": "small", "large": "large", "big": "large", "huge": "large",
+    "tall": "tall", "high": "tall", "low": "low", "short": "low", "long": "long",
+    "smaller": "smaller", "larger": "larger", "bigger": "larger", "taller": "taller",
+    "shorter": "lower", "longer": "longer",
+}  # fmt: skip
+"""Adjectives of size, by which one of several things is told."""
+
+
 @dataclass(frozen=True)
 class Noun:
     """What the words of a phrase name, without its amount."""
@@ -58,6 +67,7 @@ class Noun:
     material: str = ""
     ordinal: int = 0
     size: _Size = ""
+    hints: tuple[str, ...] = ()
     states: dict[str, bool] = field(default_factory=dict)
     unknown: tuple[str, ...] = ()
     floors: tuple[int, ...] = ()
@@ -179,6 +189,7 @@ def _modified(
     colour = material = ""
     ordinal = 0
     size: _Size = ""
+    hints: list[str] = []
     states: dict[str, bool] = {}
     rest: list[Word] = []
     for at, word in enumerate(before):
@@ -198,16 +209,20 @@ def _modified(
         elif word.text in STATE_WORDS and kind != "room":
             name, value = STATE_WORDS[word.text]
             states[name] = value
+        elif word.text in SIZE_HINTS:
+            hints.append(SIZE_HINTS[word.text])
         elif word.text in VAGUE or word.text in SHADES or word.text in ADVERBS or word.text.endswith("ly"):
             continue
         else:
             rest.append(word)
     if noun == ("one",):
-        return Noun((*(w.text for w in rest), "one"), kind, plural, number, "", colour, material, ordinal, size, states)
+        words = (*(w.text for w in rest), "one")
+        return Noun(words, kind, plural, number, "", colour, material, ordinal, size, tuple(hints), states)
     owned, unknown = _owner(rest, lexicon)
     if kind == "room" and owned and not lexicon.is_own_room((*owned.split(), *noun)) and lexicon.is_own_room(noun):
         owned = ""
-    return Noun(noun, kind, plural, number, owned, colour, material, ordinal, size, states, unknown)
+    marks = tuple(hints)
+    return Noun(noun, kind, plural, number, owned, colour, material, ordinal, size, marks, states, unknown)
 
 
 def _owner(rest: list[Word], lexicon: Lexicon) -> tuple[str, tuple[str, ...]]:
