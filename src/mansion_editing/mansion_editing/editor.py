@@ -15,6 +15,7 @@ from mansion_editing.robot_passages import passages_of
 from mansion_editing.state import Change, SceneState
 from mansion_editing.storage import BuildingStore
 from mansion_editing.tools import (
+    doors,
     finishes,
     furnishing,
     manipulation,
@@ -29,7 +30,8 @@ from mansion_editing.tools import (
 from mansion_editing.tools.diff import in_words
 from mansion_editing.tools.furnishing import Furnisher
 from mansion_editing.unsaved_changes import document, room_records, waiting
-from mansion_msgs_py.codec import decode, encode
+from mansion_msgs_py.building_folder import floor_directory
+from mansion_msgs_py.codec import decode, encode, encode_bytes
 from mansion_msgs_py.editing.changes import DiffReport, EditResult, ObjectChange, RoomChange, Transaction
 from mansion_msgs_py.editing.objects import (
     MoveObjectArgs,
@@ -295,8 +297,17 @@ class SceneEditor:
         if tool == "PaintObject":
             item = painting.paint_object(state, args)
             return f"{item.id} is of {item.material}, {item.color}"
+        door = doors.door_swung(state, args)
+        if door is not None:
+            floor, swung = door
+            self._replace_scene(floor, swung)
+            return f"{args.object_id} is {'open' if args.open else 'closed'}"
         item = manipulation.set_state(state, args)
         return f"{item.id}: {encode(item.states)}"
+
+    def _replace_scene(self, floor: int, scene: FloorScene) -> None:
+        path = f"{floor_directory(floor)}/scene.json"
+        self.state.apply(self.store.documents.replacement(path, encode_bytes(scene, indent=1)))
 
     def _act_on_room(self, tool: str, args: Any) -> str:
         state, records = self.state, self._records

@@ -6,6 +6,7 @@ from typing import Final
 
 from mansion_assets.catalogue.asset import Asset
 from mansion_assets.catalogue.catalogue import Catalogue
+from mansion_assets.catalogue.descriptions import words_alike
 from mansion_language import singular
 from mansion_language.colours import COLOUR_WORDS
 from mansion_msgs_py.scene import SceneObject
@@ -13,6 +14,12 @@ from mansion_msgs_py.scene import SceneObject
 __all__ = ["Vocabulary", "named_variants", "stems", "vocabulary_of"]
 
 _FILLER: Final = frozenset(["a", "an", "the", "some", "any", "of", "one", "piece"])
+_ALIKE: Final = frozenset(
+    "cupboard cabinet closet wardrobe lamp light cart trolley sofa couch settee rug carpet rack stand shelf bookcase "
+    "bookshelf fridge refrigerator pillow cushion statue sculpture tap faucet tv television telly phone telephone bike "
+    "bicycle cooker stove".split()
+)
+"""Last words of compounds that other words, of about the same meaning, may stand for."""
 _GENERIC: Final = {
     "table": ("table",),
     "chair": ("chair",),
@@ -62,6 +69,7 @@ class Vocabulary:
     def __init__(self, catalogue: Catalogue) -> None:
         self._names: dict[tuple[str, ...], dict[str, None]] = {}
         self._synonyms: dict[tuple[str, ...], dict[str, None]] = {}
+        self._joined: dict[str, dict[str, None]] = {}
         self._memory: dict[tuple[str, ...], frozenset[str]] = {}
         self.categories = catalogue.categories
         self._words_of = {name: frozenset(stems(name.replace("_", " "))) for name in catalogue.categories}
@@ -72,10 +80,25 @@ class Vocabulary:
                 self._names.setdefault(stems(asset.name), {})[category] = None
                 for synonym in asset.synonyms:
                     self._synonyms.setdefault(stems(synonym), {})[category] = None
+        for names in (self._names, self._synonyms):
+            for name, own in names.items():
+                self._joined.setdefault("".join(name), own)
 
     def exact(self, words: tuple[str, ...]) -> list[str]:
-        """Return the categories called exactly so; by synonym where none has the name itself."""
-        return list(self._names.get(words) or self._synonyms.get(words, {}))
+        """Return the categories called exactly so; by synonym where none has the name itself.
+
+        Compounds may be written in one word or in several (``houseplant``, ``love seat``), and end with another word
+        for the same (``wall cupboard`` of a wall cabinet) where nothing has their own name.
+        """
+        found = self._names.get(words) or self._synonyms.get(words) or self._joined.get("".join(words))
+        return list(found or {}) or self._alike(words)
+
+    def _alike(self, words: tuple[str, ...]) -> list[str]:
+        """Return the categories that a compound names with another word for its last one."""
+        if len(words) < 2 or words[-1] not in _ALIKE:
+            return []
+        others = [(*words[:-1], other) for other in words_alike().get(words[-1], ())]
+        return list(dict.fromkeys(kind for name in others for kind in self._names.get(name, {})))
 
     def synonymous(self, words: tuple[str, ...]) -> list[str]:
         """Return the categories with these words as a synonym, whether or not others have them as their name."""

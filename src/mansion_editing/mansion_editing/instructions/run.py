@@ -111,8 +111,8 @@ _EXAMPLES: Final = (
 
 _OPENINGS: Final = re.compile(r"\b(door|window)s?\b", re.IGNORECASE)
 _OF_OPENINGS: Final = (
-    "doors and windows are part of the structure: an instruction neither opens nor closes them; a door can be added"
-    ' between two rooms ("add a door between the kitchen and the dining room")'
+    'a door opens and closes by the rooms that it joins ("close the door between the kitchen and the hall"), and can be'
+    ' added ("add a door between the kitchen and the dining room"); windows are part of the structure'
 )
 
 

@@ -51,8 +51,9 @@ AmountKind: TypeAlias = Literal[
     "some", "exactly", "at_least", "at_most", "more", "fewer", "all", "all_but", "half", "none"
 ]
 Relation: TypeAlias = Literal[
-    "", "on", "in", "under", "above", "beside", "left", "right", "behind", "front", "between", "around", "near"
-]
+    "", "on", "in", "under", "above", "beside", "left", "right", "behind", "front", "between", "around", "near",
+    "nearest", "farthest",
+]  # fmt: skip
 Spot: TypeAlias = Literal["", "wall", "corner", "window", "door", "middle"]
 Surface: TypeAlias = Literal["walls", "floor", "ceiling"]
 
@@ -145,6 +146,9 @@ class Things(msgspec.Struct, frozen=True, kw_only=True, tag=True):
     ordinal : int
         Which of several ("the second desk"); -1 is the last.
     size : {"", "largest", "smallest", "tallest", "shortest"}
+    hints : tuple of str
+        Adjectives of size ("the tall lamp"), which tell one of several by what it measures; comparatives ("a bigger
+        one") also what new things measure, compared with those in whose place they come.
     refers : str
         ``last``: what was mentioned last ("it", "them"); ``others``: those of the kind that were not meant
         ("the others").
@@ -167,6 +171,7 @@ class Things(msgspec.Struct, frozen=True, kw_only=True, tag=True):
     states: dict[str, bool] = {}
     ordinal: int = 0
     size: Literal["", "largest", "smallest", "tallest", "shortest"] = ""
+    hints: tuple[str, ...] = ()
     refers: Literal["", "last", "others"] = ""
     place: "Place | None" = None
     beside: "tuple[Things, ...]" = ()
@@ -181,7 +186,7 @@ class Place(msgspec.Struct, frozen=True, kw_only=True):
     ----------
     relation : str
         To `anchor`, empty for on or in it ("from the dresser"); ``between`` has `other` too, or an anchor in the
-        plural.
+        plural. ``nearest`` and ``farthest`` tell which of several is meant, by its distance to `anchor` or `spot`.
     within : float
         Greatest distance to the anchor in metres; 0 where none is given.
     spot : {"", "wall", "corner", "window", "door", "middle"}

@@ -7,14 +7,13 @@ from typing import Final, NamedTuple
 
 import msgspec
 from shapely import GeometryCollection, LineString, MultiPoint, Point
-from shapely.geometry.base import BaseGeometry
 
 from mansion_assets.meshes import collision_boxes
 from mansion_editing.state import SceneState
 from mansion_editing.tools.destinations import Accept, InRoom
 from mansion_editing.tools.floor_places import FloorSpace, Pose, floor_poses
 from mansion_editing.tools.placing_wishes import hindered, refusal
-from mansion_editing.tools.relations import PlacingWish, convex_corners, extents, fulfils, greatest_gap, middle_of
+from mansion_editing.tools.relations import PlacingWish, extents, fulfils, greatest_gap, spot_shapes
 from mansion_geometry.object_footprints import WALKABLE_HEIGHT, footprint
 from mansion_msgs_py.scene import FloorScene, SceneObject, SceneRoom
 from mansion_msgs_py.wording import with_article
@@ -247,15 +246,7 @@ def _reach(thing: SceneObject, wish: PlacingWish) -> float:
 
 def _attraction(scene: FloorScene, room: SceneRoom, wish: PlacingWish) -> Callable[[float, float], float]:
     """Return the distance of a point from what a wish is about, metres."""
-    shapes: list[BaseGeometry] = []
-    if wish.spot == "corner":
-        shapes = [Point(corner) for corner in convex_corners(room)]
-    elif wish.spot == "window":
-        shapes = [LineString(window.segment) for window in scene.windows if window.room == room.id]
-    elif wish.spot == "door":
-        shapes = [LineString(door.segment) for door in scene.doors if room.id in door.rooms]
-    elif wish.spot == "middle":
-        shapes = [Point(middle_of(room)[0])]
+    shapes = [] if wish.spot in ("", "wall") else spot_shapes(scene, room, wish.spot, wish.door)
     goal = MultiPoint() if not shapes else GeometryCollection(shapes)
     mark = None if wish.near is None else Point(wish.near.position[:2])
 

@@ -31,6 +31,8 @@ def wish_of(state: SceneState, args: PlacingWishes) -> PlacingWish:
         raise MansionError(
             ErrorCode.INVALID_PAYLOAD, "between needs other, a second object; nothing else does", path="$.other"
         )
+    if args.door and args.spot != "door":
+        raise MansionError(ErrorCode.INVALID_PAYLOAD, "door tells which door the spot door means", path="$.door")
     near, other = _named(state, args.near, "near"), _named(state, args.other, "other")
     if near is not None and near == other:
         raise MansionError(ErrorCode.INVALID_PAYLOAD, f"near and other are both {near.id}", path="$.other")
@@ -40,6 +42,7 @@ def wish_of(state: SceneState, args: PlacingWishes) -> PlacingWish:
         other=other,
         within=args.within,
         spot=args.spot,
+        door=args.door,
         facing=_named(state, args.facing, "facing"),
     )
 
@@ -84,7 +87,9 @@ def wish_words(wish: PlacingWish) -> str:
     parts = [words.get(wish.side, f"{wish.side or 'near'} {near}")] if near else []
     if wish.within is not None:
         parts.append(f"within {wish.within:g} m of it")
-    if wish.spot:
+    if wish.door:
+        parts.append(f"at {wish.door}")
+    elif wish.spot:
         parts.append({"corner": "in a corner", "middle": "in the middle"}.get(wish.spot, f"at a {wish.spot}"))
     if wish.facing is not None:
         parts.append(f"turned to {wish.facing.id}")

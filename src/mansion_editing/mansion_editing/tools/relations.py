@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from typing import Final
 
 from shapely import LineString, MultiPoint, Point, Polygon
+from shapely.geometry.base import BaseGeometry
 
 from mansion_editing.state import SceneState
 from mansion_geometry.object_footprints import footprint, footprint_corners
@@ -20,6 +21,7 @@ from mansion_msgs_py.shapes import Point as PlanPoint
 from mansion_scene.decor.frames import room_polygon, to_local, wall_edges
 
 __all__ = [
+    "FLOOR_GAP",
     "NO_WISH",
     "PlacingWish",
     "convex_corners",
@@ -30,6 +32,7 @@ __all__ = [
     "looks_at",
     "middle_of",
     "relation_holds",
+    "spot_shapes",
 ]
 
 TOUCH = 0.02
@@ -75,6 +78,7 @@ class PlacingWish:
     other: SceneObject | None = None
     within: float | None = None
     spot: Spot = ""
+    door: str = ""
     facing: SceneObject | None = None
 
     @property
@@ -95,6 +99,7 @@ def relation_holds(
     within: float | None = None,
     spot: Spot = "",
     facing: str = "",
+    door: str = "",
 ) -> bool:
     """Whether an object is where a wish has it.
 
@@ -102,7 +107,7 @@ def relation_holds(
     ----------
     item : SceneObject
         In the scene or not; its room says on which floor it is.
-    side, near, other, within, spot, facing
+    side, near, other, within, spot, facing, door
         As in `PlacingWishes`, the objects by their ids. `near` without a side or a gap means nearby.
 
     Raises
@@ -120,6 +125,7 @@ def relation_holds(
         side=side,
         within=within,
         spot=spot,
+        door=door,
         near=state.get(near, "$.near")[1] if near else None,
         other=state.get(other, "$.other")[1] if other else None,
         facing=state.get(facing, "$.facing")[1] if facing else None,
@@ -137,7 +143,7 @@ def fulfils(scene: FloorScene, room: SceneRoom, item: SceneObject, wish: Placing
         return False
     if wish.facing is not None and not looks_at(item, wish.facing):
         return False
-    return not wish.spot or _in_spot(scene, room, item, wish.spot)
+    return not wish.spot or _in_spot(scene, room, item, wish)
 
 
 def _beside_landmark(item: SceneObject, wish: PlacingWish, near: SceneObject) -> bool:
@@ -165,7 +171,7 @@ def greatest_gap(item: SceneObject, wish: PlacingWish) -> float:
     if wish.side == "between" or (wish.side == "front" and item.mount == "wall"):
         return math.inf
     if item.mount in ("surface", "inside"):
-        return SURFACE_GAP
+        return FLOOR_GAP if wish.near is not None and _stands_apart(item, wish.near) else SURFACE_GAP
     if not wish.side:
         return NEARBY
     if item.mount in ("wall", "ceiling"):
@@ -174,11 +180,19 @@ def greatest_gap(item: SceneObject, wish: PlacingWish) -> float:
 
 
 def _same_level(item: SceneObject, near: SceneObject) -> bool:
-    """Whether a small thing is on the surface of its landmark; what stands or hangs is judged from above."""
-    if item.mount not in ("surface", "inside"):
+    """Whether a small thing is on the surface of its landmark; what stands or hangs is judged from above.
+
+    So is what lies on furniture beside a landmark that stands on the floor: a kettle on the counter beside the stove.
+    """
+    if item.mount not in ("surface", "inside") or _stands_apart(item, near):
         return True
     feet = [thing.bottom for thing in (item, near)]
     return item.parent == near.parent and abs(feet[0] - feet[1]) < LEVEL
+
+
+def _stands_apart(item: SceneObject, near: SceneObject) -> bool:
+    """Whether a landmark stands on the floor and is not what carries a thing."""
+    return near.mount == "floor" and near.parent is None and item.parent not in (None, near.id)
 
 
 def footprint_gap(item: SceneObject, other: SceneObject) -> float:
@@ -296,19 +310,34 @@ def looks_at(item: SceneObject, target: SceneObject) -> bool:
     return bool(LineString([(x, y), (x + far * ahead[0], y + far * ahead[1])]).intersects(footprint(target)))
 
 
-def _in_spot(scene: FloorScene, room: SceneRoom, item: SceneObject, spot: Spot) -> bool:
-    shape = footprint(item)
+def spot_shapes(scene: FloorScene, room: SceneRoom, spot: Spot, door: str = "") -> list[BaseGeometry]:
+    """Return the walls, corners, windows or doors of a room, or its middle, as points and lines in the plan.
+
+    Parameters
+    ----------
+    door : str
+        Id of the only door that counts; all of the room when empty.
+    """
     if spot == "wall":
-        lines = [LineString([edge.start, edge.end]) for edge in wall_edges(room.net_polygon, room.net_holes)]
-        return any(line.distance(shape) <= AT_WALL for line in lines)
+        return [LineString([edge.start, edge.end]) for edge in wall_edges(room.net_polygon, room.net_holes)]
     if spot == "corner":
-        return any(Point(corner).distance(shape) <= IN_CORNER for corner in convex_corners(room))
+        return [Point(corner) for corner in convex_corners(room)]
     if spot == "window":
-        return any(LineString(w.segment).distance(shape) <= AT_WINDOW for w in scene.windows if w.room == room.id)
+        return [LineString(window.segment) for window in scene.windows if window.room == room.id]
     if spot == "door":
-        return any(LineString(d.segment).distance(shape) <= AT_DOOR for d in scene.doors if room.id in d.rooms)
-    middle, reach = middle_of(room)
-    return math.dist(middle, item.position[:2]) <= reach
+        return [LineString(d.segment) for d in scene.doors if room.id in d.rooms and door in ("", d.id)]
+    return [Point(middle_of(room)[0])] if spot == "middle" else []
+
+
+_REACH: Final = {"wall": AT_WALL, "corner": IN_CORNER, "window": AT_WINDOW, "door": AT_DOOR}
+
+
+def _in_spot(scene: FloorScene, room: SceneRoom, item: SceneObject, wish: PlacingWish) -> bool:
+    if wish.spot == "middle":
+        middle, reach = middle_of(room)
+        return math.dist(middle, item.position[:2]) <= reach
+    shape, most = footprint(item), _REACH[wish.spot]
+    return any(one.distance(shape) <= most for one in spot_shapes(scene, room, wish.spot, wish.door))
 
 
 def convex_corners(room: SceneRoom) -> list[PlanPoint]:

@@ -85,7 +85,8 @@ def _admission(state: SceneState, thing: SceneObject, where: AtReceptacle) -> Ad
         part = f"{wish.spot} of a room" if wish.spot else wish.side
         raise refusal(f"{part!r} says nothing of a place on {receptacle.id}; give the id of a room")
     for mark in (wish.near, wish.other):
-        if mark is not None and mark.parent != receptacle.id:
+        beside = mark is not None and mark.mount == "floor" and mark.id != receptacle.id
+        if mark is not None and mark.parent != receptacle.id and not beside:
             raise refusal(f"{mark.id} is not on {receptacle.id}")
     scene = state.scenes[where.floor]
     room = _room_of(state, receptacle)

@@ -60,6 +60,8 @@ class PlacingWishes(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=T
         Greatest gap between the footprints of the object and `near` (and `other`), metres.
     spot : str
         A part of the room: at a wall, in a corner, at a window or a door, in the middle.
+    door : str
+        Which door the spot ``door`` means, by its id; any of the room when empty.
     facing : str
         An object that its front is turned to.
     """
@@ -69,6 +71,7 @@ class PlacingWishes(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=T
     other: Text = ""
     within: Gap | None = None
     spot: Spot = ""
+    door: Text = ""
     facing: Text = ""
 
 

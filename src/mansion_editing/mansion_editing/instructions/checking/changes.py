@@ -6,6 +6,7 @@ from mansion_editing.instructions.doing.work import listed
 from mansion_editing.instructions.meaning.choices import able_ones, concerned
 from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.descriptions import rooms_of, things_of
+from mansion_editing.instructions.meaning.doors import doors_meant, means_doors
 from mansion_editing.instructions.meaning.nouns import has_colour, has_material
 from mansion_editing.instructions.meaning.wording import thing_words
 from mansion_editing.instructions.statements import (
@@ -34,6 +35,8 @@ def check_state(
 ) -> Finding:
     """Check that the things meant are open, closed, on or off, and that nothing else of them changed."""
     name, value = statement.state, statement.value
+    if means_doors(statement.things):
+        return _check_doors(statement, before, after, context, diff)
     things = able_ones(before, statement.things, context, lambda item: _has(item, name))
     fitting = [item for item in concerned(before, things, context) if _has(item, name)]
     now = [found[1] for item in fitting if (found := after.find(item.id)) is not None]
@@ -44,6 +47,18 @@ def check_state(
     if others:
         reason = f"{listed(others)} changed in more than this"
     return Finding(reason, set(changed))
+
+
+def _check_doors(
+    statement: SetState, before: SceneState, after: SceneState, context: Context, diff: Differences
+) -> Finding:
+    """Check that the doors meant are open or closed, and no others that the words fit have changed."""
+    if statement.things.refers == "others":
+        return Finding()  # they remain as they are: none may have changed
+    meant = {door.id for door in doors_meant(before, statement.things, context)}
+    now = [door for scene in after.scenes.values() for door in scene.doors if door.id in meant]
+    wrong = [door.id for door in now if door.is_open != statement.value]
+    return Finding(f"{listed(wrong)} did not change" if wrong or len(now) != len(meant) else "", meant & diff.doors)
 
 
 def _has(item: SceneObject, state: str) -> bool:

@@ -7,6 +7,7 @@ import msgspec
 
 from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.descriptions import all_at, anchors_of, rooms_of
+from mansion_editing.instructions.meaning.doors import means_doors
 from mansion_editing.instructions.meaning.nouns import is_fixed
 from mansion_editing.instructions.meaning.numbers import (
     by_holder,
@@ -85,6 +86,7 @@ def any_number(things: Things) -> Things:
         refers="",
         ordinal=0,
         size="",
+        hints=(),
         owned="",
         beside=(),
     )
@@ -96,7 +98,7 @@ def shares_of(place: Place, before: SceneState, after: SceneState, context: Cont
     They are looked up before the statement, so that new things do not become places of it; after it, where none was
     there.
     """
-    if place.relation == "between" or place.outside:
+    if place.relation == "between" or place.outside or (place.anchor is not None and means_doors(place.anchor)):
         return [place]
     if place.rooms is not None and means_any_in_each_room(place):
         each = rooms_of(before, place.rooms, context)

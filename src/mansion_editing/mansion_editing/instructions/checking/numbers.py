@@ -15,6 +15,7 @@ from mansion_editing.instructions.doing.work import listed
 from mansion_editing.instructions.meaning.choices import concerned
 from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.descriptions import all_at, anchors_of, carried_by, things_of
+from mansion_editing.instructions.meaning.measured import compares
 from mansion_editing.instructions.meaning.nouns import is_loose
 from mansion_editing.instructions.meaning.numbers import (
     is_shared_out,
@@ -197,6 +198,8 @@ def check_replace(
         reason = f"{len(came)} {thing_words(any_number(statement.by))} came for {len(gone)}"
     elif stray:
         reason = f"{listed(stray)} is not where the old ones were"
+    elif not all(compares(statement.by.hints, new.size, old.size) for new in came for old in gone):
+        reason = f"{listed(came)} is not {' and '.join(statement.by.hints)}"
     roots = {item.id for item in gone}
     carried = carried_below(before, roots) & {*diff.removed, *diff.moved}
     return Finding(reason, roots | {item.id for item in came} | carried, makes_room=True)

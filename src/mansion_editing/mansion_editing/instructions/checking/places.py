@@ -1,6 +1,7 @@
 """Checks of statements about places: Move, Swap and Turn."""
 
 import math
+import re
 
 import msgspec
 
@@ -83,6 +84,9 @@ def check_shift(
     return Finding(reason, set(went) | carried_below(before, went))
 
 
+_ASIDE = 0.75
+"""Greatest distance by which a thing moves aside so that it can turn, metres."""
+_WAY_ROUND = re.compile(r"clockwise|\b(left|right|counter|anti)", re.IGNORECASE)
 _FACING = 30.0
 """Greatest angle between where a front points and the window, door or wall that it faces, degrees."""
 _CLOSE = 1.0
@@ -131,7 +135,7 @@ def check_turn(statement: Turn, before: SceneState, after: SceneState, context: 
     reason = ""
     for old in turned:
         new = diff.moved[old.id][1]
-        if math.dist(old.position, new.position) > 0.01 or old.room != new.room:
+        if math.dist(old.position, new.position) > _ASIDE or old.room != new.room:
             reason = f"{old.id} is not where it stood"
         elif statement.spot:
             off = (
@@ -139,8 +143,12 @@ def check_turn(statement: Turn, before: SceneState, after: SceneState, context: 
             ) % 360.0 - 180.0
             reason = "" if abs(off) <= _FACING else f"{old.id} does not face the {statement.spot}"
         elif statement.facing is None:
-            off = (new.rotation - old.rotation - statement.degrees + 180.0) % 360.0 - 180.0
-            reason = "" if abs(off) <= 1.0 else f"{old.id} is turned by {new.rotation - old.rotation:g} degrees"
+            either = abs(statement.degrees) == 90.0 and not _WAY_ROUND.search(statement.quote)
+            ways = (statement.degrees, -statement.degrees) if either else (statement.degrees,)
+            offs = [(new.rotation - old.rotation - degrees + 180.0) % 360.0 - 180.0 for degrees in ways]
+            reason = (
+                "" if min(map(abs, offs)) <= 1.0 else f"{old.id} is turned by {new.rotation - old.rotation:g} degrees"
+            )
         if reason:
             break
     if statement.facing is not None and not reason:

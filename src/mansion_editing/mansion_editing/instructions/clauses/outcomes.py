@@ -305,10 +305,21 @@ def goes_on_from_a_room(places: Sequence[ReadPlace]) -> bool:
 
 def begins_in_a_room(places: Sequence[ReadPlace]) -> bool:
     """Whether places begin with furniture and its room: ``from the bar in the hall on the table in the study``."""
+    if _is_of_another_room(places):
+        return True
     if len(places) < 3 or not places[0].source or places[0].place.anchor is None:
         return False
     goal = next((at for at in range(1, len(places)) if places[at].place.anchor is not None), 0)
     return goal > 1 and all(p.place.rooms is not None and not p.place.spot for p in places[1:goal])
+
+
+def _is_of_another_room(places: Sequence[ReadPlace]) -> bool:
+    """Whether furniture of one room follows another room: ``in the kitchen on the dining room table``."""
+    first = places[0].place if places else Place()
+    if len(places) < 2 or first.rooms is None or not first.rooms.words or first != Place(rooms=first.rooms):
+        return False
+    anchor = places[1].place.anchor
+    return anchor is not None and bool(anchor.owned) and anchor.owned != first.rooms.words
 
 
 def _counted_otherwise(things: Things) -> Things:

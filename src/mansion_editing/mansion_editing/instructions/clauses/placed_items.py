@@ -10,7 +10,7 @@ from mansion_editing.instructions.clauses.items import Item, joined_places
 from mansion_editing.instructions.clauses.spans import Spans
 from mansion_editing.instructions.phrases.noun_phrases import NounPhrase
 from mansion_editing.instructions.phrases.nouns import Noun
-from mansion_editing.instructions.phrases.places import ReadPlace, read_place, with_place
+from mansion_editing.instructions.phrases.places import SUPERLATIVES, ReadPlace, merged, read_place, with_place
 from mansion_editing.instructions.phrases.storeys import read_storeys
 from mansion_editing.instructions.phrases.verbs import verb_at
 from mansion_editing.instructions.phrases.word_sets import BESIDE_RELATIONS
@@ -64,11 +64,18 @@ class PlacedItems(Spans):
                 at = read.end  # "next to the one that is already there"
                 found[-1] = replace(found[-1], place=_those_there(found[-1].place))
                 continue
+            which = read.place.relation in SUPERLATIVES
+            if which and found:  # "on the desk nearest the door", "the chair in the hall nearest the door"
+                place = merged(found[-1].place, read.place)
+                bare = found[-1].place.anchor is None
+                found[-1] = replace(found[-1], place=place, end=read.end, relative=found[-1].relative or bare)
+                at = read.end
+                continue
             beside = self._beside_what_it_carries(found, read)
             if beside is not None:
                 found = [*(p for p in found if p.source), beside]
             else:
-                found.append(replace(read, relative=True) if relative or owned else read)
+                found.append(replace(read, relative=True) if relative or owned or which else read)
             at = read.end
 
     def _beside_what_it_carries(self, found: Sequence[ReadPlace], near: ReadPlace) -> ReadPlace | None:

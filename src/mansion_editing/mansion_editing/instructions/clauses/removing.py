@@ -28,6 +28,8 @@ class Removing(Moving):
             return self._cleared_out(at, items, end + 1)
         if taking and any(p.goal and not p.source for p in items[-1].places):
             return self._move(at, place)
+        if self.text(at) == "put" and any(_holds(p.place) for p in items[-1].places if not (p.source or p.relative)):
+            return self._move(at, place)  # "put away the mugs in the cupboard"
         while self.text(end) in AWAY:
             end += 1
         more, end = self.places(end)
@@ -147,6 +149,11 @@ class Removing(Moving):
         gone = self.items(joint + 1)
         end = gone[-1].end
         return self._gone_from(where, gone, self.quote(at, end)), end
+
+
+def _holds(place: Place) -> bool:
+    """Whether a place is in furniture."""
+    return place.relation == "in" and place.anchor is not None
 
 
 def _taken_from(gone: Statement) -> Statement:

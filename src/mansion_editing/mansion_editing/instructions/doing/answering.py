@@ -9,15 +9,17 @@ from mansion_editing.instructions.doing.work import Done, listed, whereabouts
 from mansion_editing.instructions.meaning.choices import one_room_each
 from mansion_editing.instructions.meaning.context import Context, ambiguous
 from mansion_editing.instructions.meaning.descriptions import all_at, anchors_of, carried_by, rooms_of, things_of
+from mansion_editing.instructions.meaning.doors import door_title, doors_meant, means_doors
 from mansion_editing.instructions.meaning.room_words import room_title
 from mansion_editing.instructions.meaning.wording import counted, place_words, title_of
+from mansion_editing.instructions.phrases.places import with_place
 from mansion_editing.instructions.statements import Amount, Ask, Place, Rooms, Things
 from mansion_editing.state import SceneState
 from mansion_editing.tools.paths import check_path
 from mansion_language.colours import colour_of
 from mansion_msgs_py.editing.questions import CheckPathArgs
 from mansion_msgs_py.errors import ErrorCode, MansionError
-from mansion_msgs_py.scene import SceneObject
+from mansion_msgs_py.scene import Door, SceneObject
 
 __all__ = ["answer", "holds"]
 
@@ -41,6 +43,9 @@ def answer(question: Ask, state: SceneState, context: Context) -> Done:
         return _of_rooms(question, state, context)
     if question.about == "reach":
         return _of_ways(question, state, context)
+    if question.about == "state" and question.things is not None and means_doors(question.things):
+        swung = [(door, "open" if door.is_open else "closed") for door in _doors(question, state, context)]
+        return Done("; ".join(f"{door_title(state, door)} is {word}" for door, word in swung), context)
     found = _found(question, state, context)
     said = _said(question)
     reply = {"count": _count, "exists": _exists, "where": _where, "what": _what, "state": _states, "colour": _colours}[
@@ -67,6 +72,8 @@ def holds(question: Ask, state: SceneState, context: Context) -> bool:
     if question.place is not None and question.place.anchor is not None and question.about == "exists":
         things = question.things or Things(plural=True)
         return _is_so_many(len(all_at(state, things_of(state, things, context), question.place, context)), things)
+    if question.about == "state" and question.things is not None and means_doors(question.things):
+        return all(door.is_open == question.value for door in _doors(question, state, context))
     found = _found(question, state, context)
     if question.about == "state":
         name = question.state or "open"
@@ -79,6 +86,13 @@ def holds(question: Ask, state: SceneState, context: Context) -> bool:
             raise ambiguous(_noun(question), [title_of(state, item) for item in ready], [item.id for item in ready])
         return all(values)
     return _is_so_many(len(found), question.things)
+
+
+def _doors(question: Ask, state: SceneState, context: Context) -> list[Door]:
+    """Return the doors that a question is about."""
+    things = question.things or Things()
+    place = question.place or (None if question.rooms is None else Place(rooms=question.rooms))
+    return doors_meant(state, things if place is None else with_place(things, place), context)
 
 
 def _is_so_many(count: int, things: Things | None) -> bool:

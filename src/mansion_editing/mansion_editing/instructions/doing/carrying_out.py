@@ -15,6 +15,7 @@ from mansion_editing.instructions.doing.work import Done, Work, listed
 from mansion_editing.instructions.meaning.choices import things_meant
 from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.descriptions import rooms_of, things_of
+from mansion_editing.instructions.meaning.doors import means_doors
 from mansion_editing.instructions.meaning.wording import place_words, thing_words
 from mansion_editing.instructions.statements import (
     Add,
@@ -79,6 +80,8 @@ def carry(statement: Statement, state: SceneState, context: Context) -> Generato
     if isinstance(statement, Ask):
         return answer(statement, state, context)
     if isinstance(statement, Keep):
+        if means_doors(statement.things):
+            return Done("", context)  # no other statement may change a door that it does not mean
         if _is_bare(statement.things, state, context):
             return Done("nothing to leave as it was", context)
         if statement.things.refers == "others" and not things_of(state, statement.things, context):

@@ -8,6 +8,7 @@ from mansion_editing.instructions.doing.work import Done, Work, listed
 from mansion_editing.instructions.meaning.choices import able_ones, concerned, one_room_each, things_meant
 from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.descriptions import rooms_of
+from mansion_editing.instructions.meaning.doors import doors_meant, means_doors
 from mansion_editing.instructions.meaning.nouns import has_colour, has_material
 from mansion_editing.instructions.meaning.wording import thing_words
 from mansion_editing.instructions.statements import Paint, Reach, Rooms, SetState, Things
@@ -25,6 +26,9 @@ _WHATEVER: Final = re.compile(r"\b(all|every|everything|any|each|whatever|no)\b"
 """Words that mean as many as there are, none among them; "close the curtains" says that there are some."""
 
 
+_REMAINING: Final = re.compile(r"\b(remains?|stays?|leave|left|keep|kept)\b", re.IGNORECASE)
+
+
 def state_word(state: str, *, value: bool) -> str:
     """Return the word for a state of a thing."""
     return _WORDS[state, value]
@@ -38,6 +42,8 @@ def able(item: SceneObject, state: str) -> bool:
 def set_state(statement: SetState, state: SceneState, context: Context) -> Work:
     """Open, close or switch the things that words mean; of several for one thing, the one that is not so yet."""
     name, value = statement.state, statement.value
+    if means_doors(statement.things):
+        return (yield from _swing(statement, state, context))
     things = able_ones(state, statement.things, context, lambda item: able(item, name))
     word = state_word(name, value=value)
     found = concerned(state, things, context)
@@ -63,6 +69,28 @@ def set_state(statement: SetState, state: SceneState, context: Context) -> Work:
         reply += f"{listed(rest)} {'is' if len(rest) == 1 else 'are'} {word} already"
     rooms = tuple(dict.fromkeys(item.room for item in chosen))
     return Done(reply, context.followed([item.id for item in chosen], rooms, things.noun))
+
+
+def _swing(statement: SetState, state: SceneState, context: Context) -> Work:
+    """Open or close doors of the building."""
+    if statement.things.refers == "others" and _REMAINING.search(statement.quote):
+        return Done("", context)
+    if statement.state != "open":
+        raise Unmet("a door opens and closes; it does not switch on or off")
+    meant = doors_meant(state, statement.things, context)
+    word = state_word("open", value=statement.value)
+    changing = [door.id for door in meant if door.is_open != statement.value]
+    for name in changing:
+        yield from ask(f"{name} should be {word}.", "SetState", {"object_id": name, "open": statement.value})
+    rest = [door.id for door in meant if door.id not in changing]
+    told = [f"{listed(changing)} {'is' if len(changing) == 1 else 'are'} now {word}"] if changing else []
+    told += [f"{listed(rest)} {'is' if len(rest) == 1 else 'are'} {word} already"] if rest else []
+    rooms = (
+        ()
+        if statement.things.place is None or statement.things.place.rooms is None
+        else tuple(rooms_of(state, statement.things.place.rooms, context))
+    )
+    return Done("; ".join(told), context.followed((), rooms, ""))
 
 
 def _some(chosen: list[SceneObject], things: Things) -> list[SceneObject]:

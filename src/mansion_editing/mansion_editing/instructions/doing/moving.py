@@ -1,20 +1,23 @@
 """Move, Swap and Turn: things that are there go to another place, or turn where they stand."""
 
+import math
+import re
 from collections.abc import Generator, Sequence, Set
 from dataclasses import replace
-from typing import Any
+from typing import Any, Final
 
 import msgspec
 
-from mansion_editing.instructions.doing.providing import add, wishes_of
+from mansion_editing.instructions.doing.providing import add, counters_by, wishes_of
 from mansion_editing.instructions.doing.rooms import swap_rooms
 from mansion_editing.instructions.doing.work import Done, Work, listed, live, whereabouts
 from mansion_editing.instructions.meaning.choices import at_home, from_there, one_room_each, things_meant
-from mansion_editing.instructions.meaning.context import Context
+from mansion_editing.instructions.meaning.context import Context, ambiguous
 from mansion_editing.instructions.meaning.descriptions import all_at, rooms_of, things_of
 from mansion_editing.instructions.meaning.directions import faced_point, rotation_towards
 from mansion_editing.instructions.meaning.nouns import is_loose
 from mansion_editing.instructions.meaning.numbers import means_one
+from mansion_editing.instructions.meaning.room_words import room_title
 from mansion_editing.instructions.meaning.targets import Target, names_any, places_of
 from mansion_editing.instructions.meaning.wording import place_words, thing_words
 from mansion_editing.instructions.statements import Add, Amount, Move, Place, Rooms, Swap, Things, Turn
@@ -29,6 +32,14 @@ from mansion_editing.tools.tops import carries_on_top
 from mansion_msgs_py.scene import SceneObject
 
 __all__ = ["facing_rotation", "move", "swap", "turn"]
+
+
+_QUARTER: Final = 90.0
+_WAY_ROUND: Final = re.compile(r"clockwise|\b(left|right|counter|anti)", re.IGNORECASE)
+"""Words that tell which way something turns; a quarter turn without them may be either way."""
+
+_STEPS_ASIDE: Final = 5
+"""Decimetres by which a thing moves aside for a turn at most, in either direction of the plan."""
 
 
 def move(statement: Move, state: SceneState, context: Context) -> Work:
@@ -46,7 +57,8 @@ def move(statement: Move, state: SceneState, context: Context) -> Work:
             one_room_each(state, things.place.rooms, context, lambda room: True)
         kind = msgspec.structs.replace(things, place=None, amount=Amount(kind="all", number=0))
         arrived = all_at(state, things_of(state, kind, context), place, context)
-        if arrived and not things.amount.of and things.amount.number in (0, len(arrived)):
+        told = place.rooms is not None or place.anchor is not None
+        if told and arrived and not things.amount.of and things.amount.number in (0, len(arrived)):
             none = f"there is no {thing_words(msgspec.structs.replace(things, definite=False))}"
             said = f"{none}, and {listed(arrived)} {_is([i.id for i in arrived])} there already"
             rooms = tuple(dict.fromkeys(item.room for item in arrived))
@@ -185,6 +197,7 @@ def _to_move(
         narrowed = away if len(away) == 1 else near if len(near) == 1 else []
         if narrowed:
             return narrowed
+    _refuse_scattered(state, things, away, here, context)
     prefer = here if here else near
     alike = {item.id for item in prefer}
     chosen = things_meant(state, things, context, lambda item: item.id in alike)
@@ -193,6 +206,22 @@ def _to_move(
     going = [item for item in chosen if item.id in ids]
     spare = [item for item in (*prefer, *away) if item not in chosen]
     return [*going, *{item.id: item for item in spare}.values()][: len(chosen)]
+
+
+def _refuse_scattered(
+    state: SceneState, things: Things, away: list[SceneObject], here: list[SceneObject], context: Context
+) -> None:
+    """Refuse to gather ``the boots`` from several rooms, none of which was mentioned or is the one they go to.
+
+    Raises
+    ------
+    Ambiguous
+    """
+    bare = things.definite and things.plural and things.amount.kind == "some" and not things.amount.number
+    told = things.place is not None or things.owned or things.refers or things.colour or things.material
+    rooms = list(dict.fromkeys(item.room for item in away))
+    if bare and not told and len(rooms) > 1 and not here and not set(rooms) & set(context.rooms):
+        raise ambiguous(thing_words(things), [f"those in {room_title(state, room)}" for room in rooms], rooms)
 
 
 def _moved_to_any(
@@ -250,7 +279,8 @@ def _ways(
         return [{"receptacle_id": target.anchor.id, **wishes, **({"inside": True} if inward else {})}]
     if target.anchor is not None:
         holder = target.anchor.parent if is_loose(item) else None
-        return [{"receptacle_id": holder or target.room, **wishes}]
+        tops = counters_by(target.anchor, place, state) if item.mount != "floor" and is_loose(item) else []
+        return [{"receptacle_id": name, **wishes} for name in (*tops, holder or target.room)]
     if own:
         return [wishes]
     if not is_loose(item) or place.spot:
@@ -294,12 +324,13 @@ def turn(statement: Turn, state: SceneState, context: Context) -> Work:
         turns = _rotations(statement, item, state, context)
         before = item.rotation
         reason = ""
-        for rotation in turns:
-            x, y, _ = item.position
+        for (dx, dy), rotation in ((aside, turn) for aside in _asides(item) for turn in turns):
+            x, y = (round(at + by, 4) for at, by in zip(item.position[:2], (dx, dy), strict=True))
             arguments = {"object_id": item.id, "x": x, "y": y, "rotation": rotation}
             answer = yield Action(f"{item.id} should turn.", "MoveObject", arguments)
             if answer.error is None:
-                replies.append(f"{item.id} turned from {before:g} to {rotation:g} degrees")
+                moved = f" and moved by {math.hypot(dx, dy):.1f} m, as it had no room to turn" if dx or dy else ""
+                replies.append(f"{item.id} turned from {before:g} to {rotation:g} degrees{moved}")
                 break
             reason = reason or answer.error.info.message
         else:
@@ -313,12 +344,23 @@ def _rotations(statement: Turn, item: SceneObject, state: SceneState, context: C
         straight = rotation_towards(item, faced_point(statement.spot, item, state))
         return _square_first(item, straight)
     if statement.facing is None:
-        return [round((item.rotation + statement.degrees) % 360.0, 4)]
+        either = abs(statement.degrees) == _QUARTER and not _WAY_ROUND.search(statement.quote)
+        ways = (statement.degrees, -statement.degrees) if either else (statement.degrees,)
+        return [round((item.rotation + degrees) % 360.0, 4) for degrees in ways]
     facing = msgspec.structs.replace(
         statement.facing, place=statement.facing.place or Place(rooms=Rooms(words=item.room))
     )
     (target,) = things_meant(state, facing, context)[:1]
     return _square_first(item, facing_rotation(item, target))
+
+
+def _asides(item: SceneObject) -> list[tuple[float, float]]:
+    """Return by how much a thing may move so that it has room to turn, the least first; what lies on a top stays."""
+    if item.mount != "floor":
+        return [(0.0, 0.0)]
+    steps = [round(0.1 * k, 1) for k in range(-_STEPS_ASIDE, _STEPS_ASIDE + 1)]
+    found = [(x, y) for x in steps for y in steps if x == 0.0 or y == 0.0 or abs(x) == abs(y)]
+    return sorted(found, key=lambda by: (round(math.hypot(*by), 4), by))
 
 
 def _square_first(item: SceneObject, straight: float) -> list[float]:

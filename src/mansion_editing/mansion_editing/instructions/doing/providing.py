@@ -1,5 +1,6 @@
 """Add, Ensure and Replace: new things where words want them, with the fewest of them."""
 
+import math
 import re
 from collections.abc import Generator, Sequence, Set
 from dataclasses import replace
@@ -7,12 +8,14 @@ from typing import Any, Final
 
 import msgspec
 
+from mansion_assets.catalogue import Asset
 from mansion_editing.instructions.doing.removing import removed
 from mansion_editing.instructions.doing.work import Done, Work, listed, live
 from mansion_editing.instructions.meaning.choices import one_room_each, things_meant
 from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.descriptions import all_at, rooms_of, things_of
-from mansion_editing.instructions.meaning.nouns import called, has_material
+from mansion_editing.instructions.meaning.measured import compares, is_comparative
+from mansion_editing.instructions.meaning.nouns import called, has_material, is_among_counters
 from mansion_editing.instructions.meaning.numbers import (
     is_one_of_each_room,
     is_shared_out,
@@ -40,10 +43,13 @@ from mansion_editing.provisioning.usual_places import find_surfaces, is_furnitur
 from mansion_editing.runs.policies import Action, Outcome, Unmet, ask
 from mansion_editing.state import SceneState
 from mansion_editing.tools.perception import object_info
+from mansion_editing.tools.relations import FLOOR_GAP, footprint_gap
+from mansion_editing.tools.tops import carries_on_top
 from mansion_msgs_py.editing.questions import AssetInfo
 from mansion_msgs_py.scene import SceneObject
+from mansion_msgs_py.shapes import Point3
 
-__all__ = ["add", "at_target", "ensure", "place_at", "replace_things", "wishes_of"]
+__all__ = ["add", "at_target", "counters_by", "ensure", "place_at", "replace_things", "wishes_of"]
 
 MOST_NEW = 100
 """Greatest number of new things of a kind for one place."""
@@ -63,7 +69,7 @@ def at_target(state: SceneState, things: Things, place: Place, target: Target, c
     room = None if target.anchor is not None else Rooms(words=target.room)
     exact = msgspec.structs.replace(place, anchor=anchor, other=other, facing=facing, rooms=room, outside=False)
     kind = msgspec.structs.replace(
-        things, place=None, amount=Amount(kind="all", number=0), definite=False, refers="", ordinal=0, size=""
+        things, place=None, amount=Amount(kind="all", number=0), definite=False, refers="", ordinal=0, size="", hints=()
     )
     return all_at(state, things_of(state, kind, context), exact, context)
 
@@ -301,15 +307,29 @@ def wishes_of(place: Place, target: Target) -> dict[str, Any]:
         out["other"] = target.other.id
     if place.within:
         out["within"] = place.within
-    if place.spot:
-        out["spot"] = place.spot
+    if place.spot or target.door:
+        out["spot"] = place.spot or "door"
+    if target.door:
+        out["door"] = target.door
     if target.facing is not None:
         out["facing"] = target.facing.id
     return out
 
 
-def place_at(things: Things, number: int, place: Place, targets: Sequence[Target], state: SceneState) -> Made:
+def place_at(
+    things: Things,
+    number: int,
+    place: Place,
+    targets: Sequence[Target],
+    state: SceneState,
+    before: Point3 | None = None,
+) -> Made:
     """Place new things at the first of some places that takes them all.
+
+    Parameters
+    ----------
+    before : (x, y, z), optional
+        Size of what was there, with which ``a bigger one`` is compared.
 
     Raises
     ------
@@ -317,6 +337,8 @@ def place_at(things: Things, number: int, place: Place, targets: Sequence[Target
         Where none does.
     """
     assets = yield from _assets_of(things, state)
+    if before is not None and any(map(is_comparative, things.hints)):
+        assets = _compared(things, assets, before, state)
     reasons: list[str] = []
     for kinds, clearing in _attempts(assets, number):
         for target in targets[:MOST_CARRIERS]:
@@ -352,6 +374,35 @@ def _assets_of(things: Things, state: SceneState) -> Generator[Action, Outcome, 
     return assets
 
 
+def _compared(things: Things, assets: list[AssetInfo], before: Point3, state: SceneState) -> list[AssetInfo]:
+    """Return the assets of the kind that are larger, taller, ... than what was there, the least different first.
+
+    Raises
+    ------
+    Unmet
+        Where there is none.
+    """
+    kind = assets[0].category
+    sizes = {asset.key: asset.size for asset in state.catalogue.by_category(kind)}
+    known = {info.asset_id: info for info in assets}
+    fitting = [key for key, size in sizes.items() if compares(things.hints, size, before)]
+    if not fitting:
+        raise Unmet(f"the catalogue has no {' and '.join(things.hints)} {things.noun}")
+    fitting.sort(key=lambda key: (round(math.dist(sizes[key], before), 4), key))
+    return [known.get(key) or _info_of(state.catalogue.asset(key)) for key in fitting]
+
+
+def _info_of(asset: Asset) -> AssetInfo:
+    return AssetInfo(
+        asset_id=asset.key,
+        category=asset.category,
+        name=asset.name,
+        size=asset.size,
+        score=0.0,
+        material=asset.material,
+    )
+
+
 def _place_one(
     things: Things, assets: list[AssetInfo], place: Place, target: Target, state: SceneState, *, clearing: bool
 ) -> Generator[Action, Outcome, tuple[str, str]]:
@@ -377,6 +428,10 @@ def _place_one(
         return (
             yield from place_any(assets, target.anchor.parent, "on", colour=colour, name=things.noun, wishes=wishes)
         )
+    for top in [] if stands or target.anchor is None else counters_by(target.anchor, place, state):
+        made, reason = yield from place_any(assets, top, "on", colour=colour, name=things.noun, wishes=wishes)
+        if made:
+            return made, ""
     if stands or target.anchor is not None or place.spot:
         return (yield from place_any(assets, target.room, "on", colour=colour, name=things.noun, wishes=wishes))
     surfaces = yield from find_surfaces(Scope("room", "", (target.room,)), state, things.noun)
@@ -386,6 +441,19 @@ def _place_one(
         if made:
             return made, ""
     return "", reason
+
+
+def counters_by(mark: SceneObject, place: Place, state: SceneState) -> list[str]:
+    """Return the ids of the furniture by a stove, a sink, ..., on which lies what is put beside that; counters first."""
+    if place.relation not in ("beside", "near", "left", "right") or not is_among_counters(mark):
+        return []
+    tops = [
+        (not item.category.endswith(("counter", "counter_top", "island")), round(footprint_gap(item, mark), 4), item.id)
+        for _, item in state.objects()
+        if item.room == mark.room and item.id != mark.id and item.mount == "floor"
+        if (asset := state.asset(item)) is not None and carries_on_top(asset)
+    ]
+    return [name for _, gap, name in sorted(tops) if gap <= FLOOR_GAP]
 
 
 def _goes_to_room(assets: list[AssetInfo], state: SceneState) -> bool:
@@ -550,7 +618,7 @@ def _in_place_of(old: SceneObject, by: Things, number: int, state: SceneState) -
     parent = live(state, [old.parent or ""])
     relation = "in" if old.mount == "inside" else "on"
     place = Place(relation=relation) if parent else Place()  # type: ignore[arg-type]
-    made = yield from place_at(by, number, place, [Target(old.room, parent[0] if parent else None)], state)
+    made = yield from place_at(by, number, place, [Target(old.room, parent[0] if parent else None)], state, old.size)
     first = live(state, made[:1])[0]
     if first.mount == old.mount and first.parent == old.parent:
         x, y, _ = old.position

@@ -8,6 +8,8 @@ import msgspec
 from mansion_assets.catalogue.vocabulary import stems
 from mansion_editing.instructions.meaning.context import Context, ambiguous
 from mansion_editing.instructions.meaning.descriptions import all_at, anchors_of, rooms_of, things_of
+from mansion_editing.instructions.meaning.doors import doors_at, means_doors
+from mansion_editing.instructions.meaning.measured import told_by_size
 from mansion_editing.instructions.meaning.numbers import (
     by_holder,
     counts_each,
@@ -104,6 +106,11 @@ def from_there(state: SceneState, things: Things, place: Place, context: Context
 def at_home(state: SceneState, things: Things, place: Place, context: Context) -> Place:
     """Return the place in the one room that things are in, where words name no room and that has such a place."""
     anchor = place.anchor
+    if anchor is not None and place.rooms is None and means_doors(anchor):
+        rooms = {item.room for item in things_of(state, things, context)}
+        ends = {name for door in doors_at(state, place, context) for name in door.rooms}
+        here = msgspec.structs.replace(place, rooms=Rooms(words=min(rooms, default="")))
+        return here if len(rooms) == 1 and rooms <= ends else place
     if anchor is None or place.rooms is not None or anchor.refers or anchor.owned or anchor.place is not None:
         return place
     if not (means_one(anchor) and anchor.definite) and not anchor.amount.of:
@@ -290,7 +297,8 @@ def _the_one(
     here = [item for item in found if item.room in near]
     own = [item for item in here if is_of_its_room(state, item, things.noun)]
     asked = context.brief.things_first(here, things.noun)
-    found = next((few for few in (preferred, here, own, asked) if len(few) == 1), found)
+    sized = told_by_size(here, things.hints)
+    found = next((few for few in (preferred, here, sized, own, asked) if len(few) == 1), found)
     if len(found) > 1 and context.brief.wants_one(asked, things.noun):
         return asked[:1]
     if len(found) > 1:

@@ -9,9 +9,11 @@ from shapely import Polygon
 
 from mansion_assets.catalogue.vocabulary import stems
 from mansion_editing.instructions.meaning.context import Context
+from mansion_editing.instructions.meaning.distances import by_distance
 from mansion_editing.instructions.meaning.nouns import called, has_colour, has_material, id_order
 from mansion_editing.instructions.meaning.numbers import means_several, of_one_kind
 from mansion_editing.instructions.meaning.room_words import adjoining, best_named, room_order
+from mansion_editing.instructions.phrases.places import SUPERLATIVES
 from mansion_editing.instructions.statements import JOINED, Place, Rooms, Things
 from mansion_editing.state import SceneState
 from mansion_editing.tools.perception import contents, on_top
@@ -133,7 +135,9 @@ def things_of(state: SceneState, things: Things, context: Context) -> list[Scene
         raise MansionError(ErrorCode.NOT_FOUND, "nothing was mentioned before that the words could refer to")
     if things.refers == "last":
         pool = _existing(state, context.things)
-    elif things.refers == "others":
+    elif not things.refers:
+        pool = _in_rooms(state, pool, things.place, context)
+    else:
         rooms = {item.room for item in _existing(state, context.things)} or set(context.rooms)
         pool = [item for item in pool if item.id not in context.things and item.room in rooms]
     noun = things.noun or (context.noun if things.refers == "others" else "")
@@ -145,7 +149,8 @@ def things_of(state: SceneState, things: Things, context: Context) -> list[Scene
     apart = not many and things.place is not None and _are_several(things.place.rooms)
     if noun or not things.refers:
         pool = _called(state, pool, noun, apart=apart, many=True, every=things.amount.kind == "all")
-    if things.place is not None:
+    superlative = things.place is not None and things.place.relation in SUPERLATIVES
+    if things.place is not None and not superlative:
         at = _Placed(state, things.place, context)
         pool = [item for item in pool if at.holds(item)]
     if things.owned:
@@ -156,7 +161,17 @@ def things_of(state: SceneState, things: Things, context: Context) -> list[Scene
     for spared in things.beside:
         out = {item.id for item in things_of(state, spared, context)}
         pool = [item for item in pool if item.id not in out]
+    if things.place is not None and superlative:
+        pool = by_distance(state, pool, things, anchors_of(state, things.place, context))
     return _picked(sorted(pool, key=id_order), things)
+
+
+def _in_rooms(state: SceneState, pool: list[SceneObject], place: Place | None, context: Context) -> list[SceneObject]:
+    """Return those in the rooms that a place names; all where it names none."""
+    if place is None or place.rooms is None or place.outside:
+        return pool
+    rooms = set(rooms_of(state, place.rooms, context))
+    return [item for item in pool if item.room in rooms]
 
 
 def _are_several(rooms: Rooms | None) -> bool:
@@ -184,8 +199,9 @@ def _with_owner(
     """
     words = noun.split()
     known = called(state, pool, noun, many=True) if len(words) > 1 else []
-    if any(stems(noun) in (stems(item.category.replace("_", " ")), stems(item.name)) for item in known):
-        return things, noun
+    named = [item for item in known if stems(noun) in (stems(item.category.replace("_", " ")), stems(item.name))]
+    if named:
+        return _of_room_named_so(state, named, things, noun, context), noun
     for at in range(len(words) - 1, 0, -1):
         owner, rest = " ".join(words[:at]), " ".join(words[at:])
         rooms = set(rooms_of(state, Rooms(words=owner), context))
@@ -193,7 +209,26 @@ def _with_owner(
             return msgspec.structs.replace(things, owned=owner), noun
         if not known and called(state, [item for item in pool if item.room in rooms], rest, many=True):
             return msgspec.structs.replace(things, owned=owner, noun=rest), rest
+        if not known and not rooms and _around(state, called(state, pool, rest, many=True), called(state, pool, owner)):
+            return msgspec.structs.replace(things, owned=owner, noun=rest), rest
     return things, noun
+
+
+def _of_room_named_so(
+    state: SceneState, named: list[SceneObject], things: Things, noun: str, context: Context
+) -> Things:
+    """Return ``the cafe tables`` as those of the cafe, where there are such tables and others elsewhere too."""
+    owner = noun.rpartition(" ")[0]
+    if not (things.definite and means_several(things)) or things.place is not None or owner in _OF_KINDS:
+        return things
+    rooms = set(rooms_of(state, Rooms(words=owner), context))
+    inside = [item for item in named if item.room in rooms]
+    told = bool(inside) and len(inside) < len(named) and owner.lower() in _plain_names(state, rooms)
+    return msgspec.structs.replace(things, owned=owner) if told else things
+
+
+_OF_KINDS: Final = frozenset(["office", "kitchen", "garden"])
+"""Rooms whose name begins names of furniture that stands in many others: office chairs, office desks."""
 
 
 def _plain_names(state: SceneState, rooms: set[str]) -> set[str]:
@@ -229,10 +264,27 @@ def _owned(state: SceneState, pool: list[SceneObject], owner: str, context: Cont
     inside = [item for item in pool if item.room in rooms]
     if inside:
         return inside
-    holders = {item.id for item in called(state, (item for _, item in state.objects()), words)}
+    holders = called(state, (item for _, item in state.objects()), words)
     if not rooms and not holders:
         return pool  # the baby's high chair: an owner who is no part of the building
-    return [item for item in pool if item.parent in holders]
+    return [item for item in pool if item.parent in {one.id for one in holders}] or _around(state, pool, holders)
+
+
+def _around(state: SceneState, pool: list[SceneObject], marks: Sequence[SceneObject]) -> list[SceneObject]:
+    """Return what stands beside one of some things, or on what does; else the only one of the room that has them."""
+    by_room: dict[str, list[SceneObject]] = {}
+    for mark in marks:
+        by_room.setdefault(mark.room, []).append(mark)
+    here = [item for item in pool if item.room in by_room]
+    near = [item for item in here if any(_is_beside(state, item, mark) for mark in by_room[item.room])]
+    return near or ([] if len({item.room for item in here}) != len(here) else here)
+
+
+def _is_beside(state: SceneState, item: SceneObject, mark: SceneObject) -> bool:
+    """Whether a thing, or the furniture that carries it, stands beside another."""
+    carrier = None if item.parent is None else state.find(item.parent)
+    standing = item if carrier is None else carrier[1]
+    return standing.id != mark.id and relation_holds(state, standing, "beside", mark.id)
 
 
 class _Placed:
@@ -241,7 +293,8 @@ class _Placed:
     def __init__(self, state: SceneState, place: Place, context: Context) -> None:
         self.state, self.place = state, place
         self.rooms = None if place.rooms is None else set(rooms_of(state, place.rooms, context))
-        self.anchors = [] if place.anchor is None else anchors_of(state, place, context)
+        self.doors = _doors_at(state, place, context)
+        self.anchors = [] if place.anchor is None or self.doors is not None else anchors_of(state, place, context)
         self.others = [] if place.other is None else things_of(state, place.other, context)
         self.facing = None if place.facing is None else things_of(state, place.facing, context)
         self.carried = (
@@ -267,6 +320,8 @@ class _Placed:
 
     def _is_related(self, item: SceneObject) -> bool:
         relation, within = self.place.relation, self.place.within or None
+        if self.doors is not None:
+            return any(relation_holds(self.state, item, spot="door", door=door) for door in self.doors)
         if relation in ("on", "in", ""):
             return item.id in self.carried
         near = [anchor for anchor in self.anchors if anchor.id != item.id and anchor.room == item.room]
@@ -280,6 +335,15 @@ class _Placed:
             )
         side: Side = "" if relation == "near" else relation  # type: ignore[assignment]
         return any(relation_holds(self.state, item, side, anchor.id, within=within) for anchor in near)
+
+
+def _doors_at(state: SceneState, place: Place, context: Context) -> list[str] | None:
+    """Return the ids of the doors that a place is at, None where it is at something else."""
+    from mansion_editing.instructions.meaning.doors import doors_at, means_doors  # which asks for rooms here
+
+    if place.anchor is None or not means_doors(place.anchor):
+        return None
+    return [door.id for door in doors_at(state, place, context)]
 
 
 def is_at(state: SceneState, item: SceneObject, place: Place, context: Context) -> bool:

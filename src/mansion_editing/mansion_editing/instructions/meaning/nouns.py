@@ -12,7 +12,17 @@ from mansion_editing.state import SceneState
 from mansion_language.colours import COLOUR_WORDS, colour_of
 from mansion_msgs_py.scene import SceneObject
 
-__all__ = ["called", "has_colour", "has_material", "id_order", "is_fixed", "is_light", "is_loose", "names_many"]
+__all__ = [
+    "called",
+    "has_colour",
+    "has_material",
+    "id_order",
+    "is_among_counters",
+    "is_fixed",
+    "is_light",
+    "is_loose",
+    "names_many",
+]
 
 _BUILT_IN: Final = frozenset({"sink", "faucet", "beer_tap"})
 """Categories that stand in furniture and are fixed to it all the same."""
@@ -34,6 +44,7 @@ _APPLIANCES: Final = (
     "fridge", "freezer", "stove", "oven", "dishwasher", "microwave", "toaster", "kettle", "coffee_machine", "blender",
     "washing_machine", "clothes_dryer", "rice_cooker", "minibar",
 )  # fmt: skip
+_AMONG_COUNTERS: Final = ("stove", "oven", "sink", "sink_unit", "fridge", "freezer", "dishwasher", "washing_machine")
 _COMPUTERS: Final = ("laptop", "monitor", "computer_tower", "desktop_computer", "all_in_one_computer")
 _TOYS: Final = ("teddy_bear", "toy_car", "toy_blocks", "doll", "board_game", "rocking_horse", "toy_kitchen")
 _BOOKS: Final = ("book", "book_stack", "book_upright")
@@ -66,6 +77,11 @@ def is_loose(item: SceneObject) -> bool:
 def is_fixed(item: SceneObject) -> bool:
     """Whether an object hangs on a wall or a ceiling, or is built into furniture."""
     return item.mount in ("wall", "ceiling") or item.category in _BUILT_IN
+
+
+def is_among_counters(item: SceneObject) -> bool:
+    """Whether furniture stands in a row with counters, on which lies what people put beside it: a stove, a sink."""
+    return item.mount == "floor" and item.category.endswith(_AMONG_COUNTERS)
 
 
 def _is_furniture(item: SceneObject) -> bool:
@@ -156,6 +172,8 @@ def called(
     ended = [item for item in pool if numbered and item.id.lower().endswith(f"/{tail}")]
     if ended or "/" in noun:
         return ended
+    if words == "door":
+        return []  # part of the structure, no door mat
     general = _MANY.get(words) if words else _MANY["thing"]
     if not words or words in _ANYTHING:
         return [item for item in pool if general is not None and general(item)]
@@ -172,12 +190,20 @@ def called(
         alike = _by_another_name(state, pool, noun)
     if not alike and words in _AT_BEDS:
         alike = [item for item in pool if item.category == "side_table" and _sleeps_in(state, item.room)]
+    alike = _standing_synonyms(state, alike, noun) or alike
     if alike and not many:
         best = max(ranks[item.id] for item in alike)
         return [item for item in alike if best < 3 or ranks[item.id] == 3]
     if alike or vocabulary_of(state.catalogue).nouns(noun):
         return alike
     return [item for item in pool if ranks[item.id] == 1]
+
+
+def _standing_synonyms(state: SceneState, alike: list[SceneObject], noun: str) -> list[SceneObject]:
+    """Return the furniture that a noun is a name of, where all else that ends so is small or fixed: the bar."""
+    kinds = vocabulary_of(state.catalogue).exact(stems(noun))
+    named = [item for item in alike if item.category in kinds and item.mount == "floor"]
+    return named if all(item in named or item.mount != "floor" for item in alike) else []
 
 
 def _hangs_as_lamp(item: SceneObject) -> bool:

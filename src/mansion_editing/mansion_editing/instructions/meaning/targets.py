@@ -2,11 +2,13 @@
 
 import math
 from collections.abc import Set
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from mansion_editing.instructions.meaning.choices import Fit, is_of_its_room, one_room_each, too_few
 from mansion_editing.instructions.meaning.context import Context, ambiguous
 from mansion_editing.instructions.meaning.descriptions import anchors_of, things_of
+from mansion_editing.instructions.meaning.doors import means_doors, sides_of
+from mansion_editing.instructions.meaning.measured import told_by_size
 from mansion_editing.instructions.meaning.numbers import is_one, means_one
 from mansion_editing.instructions.meaning.room_words import room_title
 from mansion_editing.instructions.meaning.wording import bare_words, room_words, thing_words, title_of
@@ -30,12 +32,15 @@ class Target:
         What it goes on, in, beside, ...; `other` is the second one of ``between``.
     facing : SceneObject, optional
         What it shall face.
+    door : str
+        Id of the door that it shall be at; empty for none.
     """
 
     room: str
     anchor: SceneObject | None = None
     other: SceneObject | None = None
     facing: SceneObject | None = None
+    door: str = ""
 
 
 def places_of(
@@ -65,6 +70,10 @@ def places_of(
     Ambiguous
         Where words for one place fit several, and which of them is taken matters.
     """
+    if place.anchor is not None and means_doors(place.anchor):
+        return [
+            _facing(state, place, Target(room, door=door.id), context) for room, door in sides_of(state, place, context)
+        ]
     if place.anchor is None:
         rooms = [] if place.rooms is None else one_room_each(state, place.rooms, context, fits)
         return [_facing(state, place, Target(room), context) for room in rooms]
@@ -117,6 +126,7 @@ def _alike(
     found = [item for item in found if item.room in near]
     own = {item.id for item in found if is_of_its_room(state, item, anchor.noun)}
     found = [item for item in found if item.id in own] or found
+    found = told_by_size(found, anchor.hints)
     found = context.brief.things_first(found, anchor.noun)
     kinds = {(item.room, item.category) for item in found}
     if len(found) == 1 or (len(kinds) == 1 and place.relation not in ("", "between")):
@@ -145,4 +155,4 @@ def _facing(state: SceneState, place: Place, target: Target, context: Context) -
         raise MansionError(ErrorCode.NOT_FOUND, message)
     if len(found) > 1 and means_one(place.facing):
         raise ambiguous(thing_words(place.facing), [title_of(state, item) for item in found], [i.id for i in found])
-    return Target(target.room, target.anchor, target.other, found[0])
+    return replace(target, facing=found[0])

@@ -27,7 +27,7 @@ __all__ = [
 _RELATIONS: Final = {
     "beside": "beside", "left": "to the left of", "right": "to the right of", "front": "in front of",
     "around": "around", "near": "near", "behind": "behind", "between": "between", "on": "on", "in": "in",
-    "under": "under", "above": "above", "": "on or in",
+    "under": "under", "above": "above", "": "on or in", "nearest": "nearest to", "farthest": "farthest from",
 }  # fmt: skip
 
 
@@ -85,7 +85,9 @@ def place_words(place: Place) -> str:
         parts.append(f"{_RELATIONS[place.relation]} {thing_words(place.anchor)}")
     if place.other is not None:
         parts.append(f"and {thing_words(place.other)}")
-    if place.spot:
+    if place.spot and place.relation in ("nearest", "farthest"):
+        parts.append(f"{_RELATIONS[place.relation]} the {place.spot}")
+    elif place.spot:
         parts.append({"middle": "in the middle", "corner": "in a corner"}.get(place.spot, f"at the {place.spot}"))
     if place.rooms is not None:
         where = _in_rooms(place.rooms)

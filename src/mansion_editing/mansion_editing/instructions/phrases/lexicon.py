@@ -6,6 +6,7 @@ from functools import cached_property, lru_cache
 from mansion_assets.catalogue import Catalogue
 from mansion_assets.catalogue.vocabulary import stems, vocabulary_of
 from mansion_editing.instructions.phrases.verb_words import VERB_WORDS
+from mansion_editing.instructions.phrases.word_sets import DOOR_KINDS, OUTER_DOORS
 from mansion_editing.instructions.phrases.words import FUNCTION_WORDS, VAGUE
 from mansion_editing.state import SceneState
 from mansion_knowledge import default_knowledge, interchangeable_names
@@ -29,6 +30,9 @@ WAYS = frozenset(["way", "path", "route", "access", "passage", "walkway"])
 LIGHTS = ("lamp", "light", "chandelier", "ceiling_panel", "spot_track")
 """Ends of the categories that give light."""
 
+_DOORS = frozenset({("door",), *((word, "door") for word in (*OUTER_DOORS, *DOOR_KINDS))})
+"""Nouns for what opens and closes in the structure."""
+
 _LIKE = {"kid": "child"}
 """Words that instructions are read with in place of others."""
 
@@ -37,6 +41,9 @@ _PERSONS_OF_ROOMS = frozenset("child guest staff patient nurse teacher family ma
 
 _NO_OBJECTS = frozenset(["room", "floor", "area", "hall", "office", "space", "place", "side"])
 """Nouns that end names of objects but do not name any by themselves."""
+
+_KINDS_OF_SPACES = frozenset("room bedroom bathroom office hall area studio station kitchen suite lounge shop".split())
+"""Last words of names of rooms that are left out in front of what stands in them."""
 
 _STOREY_WORDS = frozenset("upper lower ground floor first second third fourth fifth sixth top".split())
 
@@ -82,6 +89,10 @@ class Lexicon:
         """Whether words name a room that this building has."""
         return words in self._room_names
 
+    def begins_room(self, words: tuple[str, ...]) -> bool:
+        """Whether words are the name of a room that this building has, without its last word: the master (bedroom)."""
+        return any(name[:-1] == words and name[-1] in _KINDS_OF_SPACES for name in self._whole_room_names)
+
     def means_own_room(self, words: tuple[str, ...]) -> bool:
         """Whether words name a room that this building has, or are what people say for the name of one: the loo."""
         names = interchangeable_names().get(" ".join(words), ())
@@ -118,7 +129,7 @@ class Lexicon:
             text = " ".join(words)
             if len(words) == 1 and words[0] in _NO_OBJECTS:
                 return False
-            known = bool(vocabulary_of(self._state.catalogue).nouns(text)) or words in self._object_names
+            known = bool(vocabulary_of(self._state.catalogue).nouns(text)) or words in self._object_names | _DOORS
             self._objects[words] = known or (len(words) == 1 and words[0] in HYPERNYMS | WAYS)
         return self._objects[words]
 

@@ -61,6 +61,7 @@ class NounPhrase:
             states=dict(noun.states),
             ordinal=noun.ordinal,
             size=noun.size,
+            hints=noun.hints if noun.kind != "room" else (),
             refers=self.refers,
             owned=noun.owned,
             each=self.each,

@@ -10,7 +10,7 @@ from mansion_editing.instructions.phrases.runs import SHADES, end_of_run
 from mansion_editing.instructions.phrases.words import ADVERBS, PERSONS, STATE_WORDS, VAGUE, Word
 from mansion_language.colours import COLOUR_WORDS
 
-__all__ = ["HOLDERS", "MATERIALS", "Noun", "read_noun"]
+__all__ = ["HOLDERS", "MATERIALS", "SIZE_HINTS", "Noun", "read_noun"]
 
 MATERIALS: Final = {
     "wooden": "wood", "wood": "wood", "oak": "wood", "metal": "metal", "steel": "metal", "leather": "leather",
@@ -45,6 +45,15 @@ _SIZES: Final[dict[str, _Size]] = {
 }  # fmt: skip
 
 
+SIZE_HINTS: Final = {
+    "small": "small", "little": "small", "tiny": "small", "large": "large", "big": "large", "huge": "large",
+    "tall": "tall", "high": "tall", "low": "low", "short": "low", "long": "long",
+    "smaller": "smaller", "larger": "larger", "bigger": "larger", "taller": "taller",
+    "shorter": "lower", "longer": "longer",
+}  # fmt: skip
+"""Adjectives of size, by which one of several things is told."""
+
+
 @dataclass(frozen=True)
 class Noun:
     """What the words of a phrase name, without its amount."""
@@ -58,6 +67,7 @@ class Noun:
     material: str = ""
     ordinal: int = 0
     size: _Size = ""
+    hints: tuple[str, ...] = ()
     states: dict[str, bool] = field(default_factory=dict)
     unknown: tuple[str, ...] = ()
     floors: tuple[int, ...] = ()
@@ -76,7 +86,7 @@ def read_noun(words: Sequence[Word], start: int, end: int, lexicon: Lexicon) -> 
         whole = _of_phrase(words, run, end, lexicon)
         if whole is not None:
             return whole
-    if len(run) > 1 and run[-1].text in _OPENING and lexicon.is_object(tuple(w.text for w in run[-2:-1])):
+    if len(run) > 1 and run[-1].text in _OPENING and _opens(run[:-1], lexicon):
         run = run[:-1]
     found = _split(run, lexicon, number)
     if found is not None and found.kind == "object" and number.isdecimal():
@@ -86,16 +96,25 @@ def read_noun(words: Sequence[Word], start: int, end: int, lexicon: Lexicon) -> 
     return found, end
 
 
+def _opens(before: list[Word], lexicon: Lexicon) -> bool:
+    """Whether the words before ``door`` name furniture, and no room that has a door: the fridge door."""
+    texts = tuple(word.text for word in before)
+    rooms = any(lexicon.is_own_room(texts[first:]) for first in range(len(texts)))
+    return lexicon.is_object(texts[-1:]) and not (rooms and not lexicon.is_called(texts[-1:]))
+
+
 def _of_phrase(words: Sequence[Word], run: list[Word], of: int, lexicon: Lexicon) -> tuple[Noun | None, int] | None:
     """Read ``cup of coffee``, ``vase of flowers``, ``bottle of wine``, ``pile of books``."""
     head = run[-1]
-    if head.text not in HOLDERS:
-        return None
     stop = end_of_run(words, of + 1, lexicon)
     tail = [w for w in words[of + 1 : stop] if w.text not in VAGUE]
     if not tail or len(tail) > 2:
         return None
     inner = tuple(w.text for w in tail)
+    if head.text not in HOLDERS:
+        whole = words[of].text == "of" and lexicon.is_called((head.text, *inner))  # "chest of drawers"
+        named = (head.text, *inner)
+        return (_split(run[:-1], lexicon, "", noun=named, plural=head.plural), stop) if whole else None
     for order in ((*inner, head.text), (*inner, *(("bottle",) if head.text == "bottle" else ()))):
         single = head.text not in _COLLECTIONS or lexicon.is_called(order)
         if len(order) > 1 and lexicon.is_object(order) and single:
@@ -170,6 +189,7 @@ def _modified(
     colour = material = ""
     ordinal = 0
     size: _Size = ""
+    hints: list[str] = []
     states: dict[str, bool] = {}
     rest: list[Word] = []
     for at, word in enumerate(before):
@@ -189,16 +209,20 @@ def _modified(
         elif word.text in STATE_WORDS and kind != "room":
             name, value = STATE_WORDS[word.text]
             states[name] = value
+        elif word.text in SIZE_HINTS:
+            hints.append(SIZE_HINTS[word.text])
         elif word.text in VAGUE or word.text in SHADES or word.text in ADVERBS or word.text.endswith("ly"):
             continue
         else:
             rest.append(word)
     if noun == ("one",):
-        return Noun((*(w.text for w in rest), "one"), kind, plural, number, "", colour, material, ordinal, size, states)
+        words = (*(w.text for w in rest), "one")
+        return Noun(words, kind, plural, number, "", colour, material, ordinal, size, tuple(hints), states)
     owned, unknown = _owner(rest, lexicon)
     if kind == "room" and owned and not lexicon.is_own_room((*owned.split(), *noun)) and lexicon.is_own_room(noun):
         owned = ""
-    return Noun(noun, kind, plural, number, owned, colour, material, ordinal, size, states, unknown)
+    marks = tuple(hints)
+    return Noun(noun, kind, plural, number, owned, colour, material, ordinal, size, marks, states, unknown)
 
 
 def _owner(rest: list[Word], lexicon: Lexicon) -> tuple[str, tuple[str, ...]]:
@@ -212,6 +236,10 @@ def _owner(rest: list[Word], lexicon: Lexicon) -> tuple[str, tuple[str, ...]]:
         return " ".join(texts), ()
     if lexicon.is_object(texts) and lexicon.is_here(" ".join(texts)):
         return " ".join(texts), ()
+    if texts == ("bedside",):
+        return "bed", ()
     if len(texts) == 1 and lexicon.is_own_room((*texts, "room")):
         return f"{texts[0]} room", ()  # "every guest bed"
+    if lexicon.begins_room(texts):
+        return " ".join(texts), ()  # "the master bed"
     return "", tuple(w.raw for w in rest)

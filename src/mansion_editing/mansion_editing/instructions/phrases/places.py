@@ -10,11 +10,17 @@ from mansion_editing.instructions.phrases.lexicon import Lexicon
 from mansion_editing.instructions.phrases.noun_phrases import NounPhrase, noun_phrase
 from mansion_editing.instructions.phrases.relative_storeys import read_relative_storey
 from mansion_editing.instructions.phrases.storeys import read_storeys
-from mansion_editing.instructions.phrases.word_sets import BEFORE_PLACES, BEFORE_SPOTS, BESIDE_RELATIONS, NEAR_SPOTS
+from mansion_editing.instructions.phrases.word_sets import (
+    BEFORE_PLACES,
+    BEFORE_SPOTS,
+    BESIDE_RELATIONS,
+    NEAR_SPOTS,
+    OUTER_DOORS,
+)
 from mansion_editing.instructions.phrases.words import BE, MODALS, Word, text_at
 from mansion_editing.instructions.statements import JOINED, Amount, Place, Relation, Rooms, Spot, Things
 
-__all__ = ["SAME_FLOOR", "ReadPlace", "merged", "read_place", "with_place"]
+__all__ = ["SAME_FLOOR", "SUPERLATIVES", "ReadPlace", "merged", "read_place", "with_place"]
 
 SAME_FLOOR: Final = -99
 """Number of the storey that was mentioned last, until the whole instruction is read."""
@@ -175,7 +181,7 @@ def _unbracketed(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Seque
     if text_at(words, at) == "inside" and text_at(words, at + 1) in _ENDS:
         last = Things(refers="last", definite=True, amount=Amount(number=0))
         return ReadPlace(Place(relation="in", anchor=last), at, at + 1)
-    near = _no_further(words, at, lexicon, floors)
+    near = _no_further(words, at, lexicon, floors) or _superlative(words, at, lexicon, floors)
     if near is not None:
         return near
     for phrase, relation in _PREPOSITIONS:
@@ -251,7 +257,21 @@ def _after_preposition(
         return None  # nobody knows which room is his
     if relation == "between":
         return _between(words, start, target, lexicon, floors)
-    return _at_noun(words, start, phrase, relation, target, lexicon, floors, goal=goal, source=source)
+    read = _at_noun(words, start, phrase, relation, target, lexicon, floors, goal=goal, source=source)
+    return _at_door(words, read, lexicon, floors) if target.noun.words[-1:] == ("door",) else read
+
+
+def _at_door(words: Sequence[Word], read: ReadPlace, lexicon: Lexicon, floors: Sequence[int]) -> ReadPlace:
+    """Return a place at a door with the rooms that tell which: ``next to the door to the kitchen``."""
+    anchor, at = read.place.anchor, read.end
+    if anchor is None or text_at(words, at) not in ("to", "of", "into", "between"):
+        return read
+    joint, relation = (text_at(words, at),), "between" if text_at(words, at) == "between" else "in"
+    inner = _after_preposition(words, at, at + 1, joint, relation, lexicon, floors)  # type: ignore[arg-type]
+    if inner is None or (inner.place.anchor is not None and relation == "in"):
+        return read
+    place = msgspec.structs.replace(read.place, anchor=with_place(anchor, inner.place))
+    return ReadPlace(place, read.start, inner.end, read.goal, read.source, read.each)
 
 
 def _direction(phrase: tuple[str, ...]) -> tuple[bool, bool]:
@@ -301,6 +321,38 @@ def _no_further(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Sequen
         return None
     at_number = at + 3 + (text_at(words, at + 2) == "away")
     return _within(words, at, at_number, lexicon, floors)
+
+
+_DISTANCES: Final[dict[str, Relation]] = {
+    "nearest": "nearest", "closest": "nearest", "furthest": "farthest", "farthest": "farthest",
+}  # fmt: skip
+
+
+SUPERLATIVES: Final = frozenset(_DISTANCES.values())
+"""Relations that tell which of several things is meant, not where it is."""
+
+
+def _superlative(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Sequence[int]) -> ReadPlace | None:
+    """Read ``nearest to the door``, ``furthest from the sofa``, which tells which of several things is meant."""
+    relation = _DISTANCES.get(text_at(words, at))
+    if relation is None:
+        return None
+    place = at + 1 + (text_at(words, at + 1) == "away")
+    place += text_at(words, place) in ("to", "from")
+    spot = place + (text_at(words, place) in ("the", "a"))
+    named = (text_at(words, spot), text_at(words, spot + 1))
+    plain = _SPOTS.get(named[0]) if not lexicon.is_object(named) else None
+    if plain is not None:
+        inner = None
+        if text_at(words, spot + 1) == "of":
+            inner = _after_preposition(words, spot + 1, spot + 2, ("in",), "in", lexicon, floors)
+        rooms = inner.place.rooms if inner is not None and inner.place.anchor is None else None
+        end = spot + 1 if inner is None or rooms is None else inner.end
+        return ReadPlace(Place(relation=relation, spot=plain, rooms=rooms), at, end)
+    target = noun_phrase(words, place, lexicon, floors)
+    if target is None or target.noun.unknown or target.noun.kind == "room":
+        return None
+    return ReadPlace(Place(relation=relation, anchor=target.things()), at, target.end)
 
 
 _BUILDINGS: Final = frozenset("building house office school hotel hospital museum home flat apartment clinic".split())
@@ -366,12 +418,14 @@ def _spot(
     if lexicon.is_room(named) or lexicon.is_object(named):
         return None
     spot = _SPOTS[word]
+    if spot == "door" and word == "door" and text_at(words, place - 1) in OUTER_DOORS:
+        return None  # one door of the building, not any of the room
     ceiling_or_wall = phrase[0] in _ON and spot == "wall"
     if relation in ("", "above", "under", "behind") and not goal:
         return None
     if spot in ("window", "door") and phrase[0] not in NEAR_SPOTS:
         return None
-    if spot == "door" and text_at(words, place + 1) == "to":
+    if spot == "door" and text_at(words, place + 1) in ("to", "between", "of"):
         return None
     if spot == "wall" and not ceiling_or_wall and phrase[0] not in ("against", "along", "at", "by", "to", "next"):
         return None
@@ -482,6 +536,11 @@ def _and_rooms(
 def merged(outer: Place, inner: Place) -> Place:
     """Return a place that a further phrase tells more of: ``on the desk`` and ``in the study``."""
     rooms = _merged_rooms(outer.rooms, inner.rooms)
+    if inner.relation in SUPERLATIVES and outer.anchor is not None:
+        anchor = with_place(outer.anchor, msgspec.structs.replace(inner, rooms=None))
+        return msgspec.structs.replace(outer, anchor=anchor, rooms=rooms)  # "on the desk nearest the door"
+    if inner.anchor is None and inner.relation in SUPERLATIVES:
+        return msgspec.structs.replace(inner, rooms=rooms)
     if inner.anchor is None:
         return msgspec.structs.replace(
             outer,

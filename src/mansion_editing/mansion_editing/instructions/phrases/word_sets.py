@@ -40,6 +40,7 @@ __all__ = [
     "BEFORE_STOREYS",
     "BEFORE_SURFACES",
     "BEFORE_VERBS",
+    "DOOR_KINDS",
     "BEFORE_WISHES",
     "BEGIN_CLAUSES",
     "BEING_SOMEWHERE",
@@ -70,6 +71,7 @@ __all__ = [
     "NO_FRONTED_PLACES",
     "OPEN_QUESTIONS",
     "OPEN_TO_ALL",
+    "OUTER_DOORS",
     "OPINIONS",
     "PAST_VERBS",
     "PEOPLE",
@@ -216,6 +218,14 @@ BEFORE_PLACES: Final = frozenset(
     "somewhere anywhere just right directly all still already currently straight exactly".split()
 )
 NEAR_SPOTS: Final = frozenset("over by at next near beside close to in opposite under right against".split())
+OUTER_DOORS: Final = frozenset("front main entrance outside outer exterior house street".split())
+DOOR_KINDS: Final = {
+    "balcony": "balcony",
+    "patio": "balcony",
+    "garage": "garage",
+    "double": "double",
+    "glass": "glazed",
+}
 BEFORE_STOREYS: Final = frozenset("the all both each every our of".split())
 
 # Sentences around clauses

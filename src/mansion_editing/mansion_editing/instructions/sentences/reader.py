@@ -10,7 +10,9 @@ import msgspec
 from mansion_assets.catalogue.descriptions import hypernyms_of
 from mansion_editing.instructions.clauses.items import NotUnderstood, TwoReadings, joined_places
 from mansion_editing.instructions.clauses.reader import ClauseReader, of_each_room
+from mansion_editing.instructions.meaning.measured import is_comparative
 from mansion_editing.instructions.phrases.lexicon import HYPERNYMS
+from mansion_editing.instructions.phrases.nouns import SIZE_HINTS
 from mansion_editing.instructions.phrases.places import merged, read_place
 from mansion_editing.instructions.phrases.storeys import read_storeys
 from mansion_editing.instructions.phrases.verbs import verb_at
@@ -42,6 +44,7 @@ from mansion_editing.instructions.sentences.refinement import (
     in_place_of,
     must_contain,
     of_none,
+    on_each_side,
     one_more_there,
     sets_as_one,
     sparing_what_goes,
@@ -52,6 +55,7 @@ from mansion_editing.instructions.sentences.refinement import (
 from mansion_editing.instructions.sentences.repeating import Repeating
 from mansion_editing.instructions.sentences.scene_setting import SceneSetting
 from mansion_editing.instructions.sentences.telling import Telling
+from mansion_editing.instructions.sentences.topics import about_its_room
 from mansion_editing.instructions.statements import (
     Add,
     Ensure,
@@ -142,11 +146,18 @@ class _Reader(
         told = msgspec.json.encode(self.statements).decode()
         topics = [word for word, following in pairwise(self.words) if word.text in TOPICS and following.text in PRINTED]
         plain = [*(word for word in self.words if word.text in UNRECORDED), *topics]
+        compared = [w for w in plain if is_comparative(SIZE_HINTS.get(w.text, "")) and '"type":"Replace"' in told]
+        plain = [w for w in plain if w not in compared]
         ignored = list(dict.fromkeys(w.raw for w in plain if not re.search(rf'"noun":"[^"]*\b{w.text}\b', told)))
         ordered = with_companions_first(with_last_of_them_first(with_old_ones_first(self.statements)))
         ordered = with_takings_first(ordered, self.lexicon)
         statements = turned_by_list(with_storeys(ordered), self.text)
         statements = sets_as_one(sparing_what_goes(statements), self.lexicon)
+        statements = [
+            about_its_room(s, self._words_of(s.quote), self.lexicon, self.floors) if isinstance(s, Mention) else s
+            for s in statements
+        ]
+        statements = [side for statement in statements for side in on_each_side(statement)]
         return Instruction(
             statements=statements, not_understood=self.unknown, ignored=ignored, undecided=self.undecided
         )

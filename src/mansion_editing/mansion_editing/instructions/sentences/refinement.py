@@ -19,6 +19,7 @@ from mansion_editing.instructions.statements import (
     Mention,
     Move,
     Place,
+    Relation,
     Remove,
     Rename,
     Replace,
@@ -48,6 +49,7 @@ __all__ = [
     "must_contain",
     "narrowed",
     "of_none",
+    "on_each_side",
     "one_more_there",
     "only_brings_it",
     "placed_at_last",
@@ -321,9 +323,26 @@ def is_open(statement: Statement) -> bool:
     return '"type":"Rooms"' not in msgspec.json.encode(statement).decode()
 
 
+_EITHER_SIDE: Final = re.compile(r"\b(?:on|to|at) (?:either|each|both) sides?\b|\bleft and right of\b", re.IGNORECASE)
+
+
+def on_each_side(statement: Statement) -> list[Statement]:
+    """Return ``a chair on either side of the desk`` as one to the left of it and one to the right."""
+    if not isinstance(statement, Add | Ensure) or statement.place.relation != "around":
+        return [statement]
+    one = statement.things.amount.kind == "some" and statement.things.amount.number == 1
+    if not one or not _EITHER_SIDE.search(statement.quote):
+        return [statement]
+    sides: tuple[Relation, ...] = ("left", "right")
+    return [
+        msgspec.structs.replace(statement, place=msgspec.structs.replace(statement.place, relation=side))
+        for side in sides
+    ]
+
+
 def held_there(value: Any, holder: Things) -> Any:
     """Return a statement in which ``in there`` and ``on there`` mean a piece of furniture that was mentioned."""
-    if isinstance(value, Place) and value.anchor is None and value.relation:
+    if isinstance(value, Place) and value.anchor is None and value.relation and not value.spot:
         return Place(relation=value.relation, anchor=holder)
     if not isinstance(value, msgspec.Struct):
         return tuple(held_there(part, holder) for part in value) if isinstance(value, tuple) else value
@@ -340,7 +359,7 @@ def with_storeys(statements: Sequence[Statement]) -> list[Statement]:
             return msgspec.structs.replace(value, floors=last[0], same=value.same or not last[0])
         if isinstance(value, Rooms) and value.floors:
             last[0] = value.floors
-        if isinstance(value, Place) and value.relation and value.anchor is None:
+        if isinstance(value, Place) and value.relation and value.anchor is None and not value.spot:
             value = msgspec.structs.replace(value, relation="")
         if not isinstance(value, msgspec.Struct):
             return tuple(filled(part) for part in value) if isinstance(value, tuple) else value
