@@ -12,12 +12,13 @@ from mansion_editing.instructions.paraphrases.strange_verbs import with_known_ve
 from mansion_editing.instructions.phrases.lexicon import Lexicon
 from mansion_editing.instructions.sentences.reader import read_instruction
 from mansion_editing.instructions.statements import Instruction, Mention, Things
+from mansion_editing.instructions.syntax.main_points import main_points
 from mansion_editing.state import SceneState
 
 __all__ = ["read_in_other_words", "reworded"]
 
 _MOST_REMARKS = 2
-_MOST_READINGS = 14
+_MOST_READINGS = 20
 """How often one instruction is read."""
 _CORRECTION: Final = re.compile(
     r"(?:\.\.\.|…|\s-|,|\.)\s*(?:(?:no|oh|oops|er|um)\b,? )*"
@@ -87,7 +88,12 @@ def _wordings(text: str, lexicon: Lexicon, floors: tuple[int, ...]) -> Iterator[
     plain = reworded(text, lexicon)
     if plain != text:
         yield plain, ()
-    known = {plain}
+    known = {text, plain}
+    for points in (*main_points(in_running_text(text), lexicon), *main_points(in_running_text(plain), lexicon)):
+        for said in (points.text, reworded(points.text, lexicon)):
+            if said not in known:
+                known.add(said)
+                yield said, points.remarks
     shorter: list[tuple[str, tuple[str, ...]]] = [(plain, ())]
     for _ in range(_MOST_REMARKS):
         longer, shorter = shorter, []

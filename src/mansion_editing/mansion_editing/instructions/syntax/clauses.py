@@ -1,0 +1,170 @@
+"""The clauses of an instruction: where each begins and ends, how it is built, and what it depends on."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import Final, Literal, TypeAlias
+
+from mansion_editing.instructions.syntax.noun_groups import end_of_noun_group, finite_verb_after
+from mansion_editing.instructions.syntax.tagged_words import MARKS_BETWEEN_SENTENCES, TaggedWord
+
+__all__ = ["Clause", "Form", "clauses_of"]
+
+Form: TypeAlias = Literal["order", "statement", "existence", "question", "dependent", "fragment"]
+
+
+@dataclass(frozen=True)
+class Clause:
+    """A clause of a text.
+
+    Attributes
+    ----------
+    form : str
+        ``order``: begins with a verb ("put ..."); ``statement``: a subject with a finite verb; ``existence``:
+        "there is ..."; ``question``: the finite verb comes before the subject; ``dependent``: after a subordinator;
+        ``fragment``: has no verb.
+    start, end : int
+        Its words, without the joint or marks around it.
+    verb : int
+        The place of its finite or ordering verb; `start` of a fragment.
+    subject : int
+        The place of its subject's first word.
+    after : str
+        The mark or joint that it follows: ``,``, ``and``; empty at the beginning of a sentence.
+    sentence : int
+        The number of its sentence.
+    """
+
+    form: Form
+    start: int
+    end: int
+    verb: int
+    subject: int
+    after: str
+    sentence: int
+
+
+_MARKS: Final = frozenset([",", "-", ":", "(", ")", "–", "—"])
+_IDLE: Final = frozenset(["interjection", "adverb"])
+_PLEAS: Final = frozenset(["can", "could", "would", "will"])
+_LETTING: Final = frozenset(["let"])
+
+
+def clauses_of(words: Sequence[TaggedWord]) -> list[Clause]:
+    """Return the clauses of a text in order."""
+    found: list[Clause] = []
+    for number, (first, last) in enumerate(_sentences(words)):
+        found += _in_sentence(words, first, last, number)
+    return found
+
+
+def _sentences(words: Sequence[TaggedWord]) -> Iterator[tuple[int, int]]:
+    first = 0
+    for at, word in enumerate(words):
+        if word.tag == "mark" and word.text in MARKS_BETWEEN_SENTENCES:
+            if at > first:
+                yield first, at
+            first = at + 1
+    if first < len(words):
+        yield first, len(words)
+
+
+def _in_sentence(words: Sequence[TaggedWord], first: int, last: int, number: int) -> Iterator[Clause]:
+    at, after = first, ""
+    while at < last:
+        while at < last and (words[at].text in _MARKS or words[at].tag == "joint" or words[at].text == "oh"):
+            after = words[at].text
+            at += 1
+        if at >= last:
+            return
+        form, verb, subject = _opening(words[:last], at)
+        end = _end(words[:last], max(at, verb), form)
+        yield Clause(form, at, end, verb, subject, after, number)
+        at, after = end, ""
+
+
+def _end(words: Sequence[TaggedWord], at: int, form: Form) -> int:
+    """Return the end of a clause whose verb stands at a place: where a mark or a joint comes before another one."""
+    for k in range(at + 1, len(words)):
+        word, following = words[k], k + 1
+        if word.text in ("(", ")", ":") or (word.text in _MARKS and form == "fragment"):
+            return k
+        if word.text in _MARKS or word.tag == "joint":
+            while following < len(words) and (words[following].tag == "joint" or words[following].text in _MARKS):
+                following += 1
+            begins, verb, _ = _opening(words, following) if following < len(words) else ("fragment", 0, 0)
+            if word.text in ("and", "or") and words[at].tag in ("modal", "do") or words[at].verb == "let":
+                begins = "fragment" if begins == "statement" and words[verb].form == "base" else begins
+            if begins != "fragment" or word.text in ("-", "–", "—"):
+                return k
+            if word.text == "," and form != "fragment" and _is_aside(words, following):
+                return k
+        elif word.tag == "subordinator" and word.text not in ("that", "where", "whether", "until") and k > at + 1:
+            if _opening(words, k)[0] == "dependent" and not _tells_how_it_is(words, k):
+                return k
+        elif word.text in ("too", "please", "oh") and following < len(words):
+            if words[following].tag == "joint" or _opening(words, following)[0] in ("statement", "order"):
+                return k + (word.text != "oh")
+        elif word.tag == "modal" and word.text in _PLEAS and k + 1 < len(words) and words[k + 1].text == "you":
+            return k
+    return len(words)
+
+
+def _tells_how_it_is(words: Sequence[TaggedWord], at: int) -> bool:
+    """Whether ``as it is``, ``as they are`` ends what shall stay so."""
+    said = [word.text for word in words[at : at + 3]]
+    return said[:1] == ["as"] and said[-1] in ("is", "are", "was", "were")
+
+
+def _is_aside(words: Sequence[TaggedWord], at: int) -> bool:
+    """Whether words after a comma begin with neither a thing nor a place, and so go on with no list."""
+    return at < len(words) and words[at].tag in ("interjection", "relative")
+
+
+def _opening(words: Sequence[TaggedWord], at: int) -> tuple[Form, int, int]:
+    """Return how the clause at a place is built, the place of its verb and that of its subject."""
+    start = at
+    while at < len(words) and words[at].tag in _IDLE:
+        at += 1
+    if at >= len(words):
+        return "fragment", start, start
+    word = words[at]
+    following = words[at + 1] if at + 1 < len(words) else None
+    if word.tag == "verb" and word.form == "base":
+        return "order", at, at
+    if word.tag == "do" and following is not None and following.tag == "not":
+        return "order", at, at
+    if word.tag == "subordinator" and word.text in _CONDITIONS:
+        verb = next((k for k in range(at + 1, min(len(words), at + 12)) if words[k].is_finite), None)
+        return ("dependent", verb, at + 1) if verb is not None else ("fragment", start, start)
+    if word.tag == "there" and following is not None and following.is_finite:
+        return "existence", at + 1, at
+    if word.tag in ("modal", "be", "do", "have") and end_of_noun_group(words, at + 1) > at + 1:
+        return "question", at, at + 1
+    if word.tag == "subordinator" or (word.text in _ALSO_SUBORDINATE and word.tag in ("preposition", "joint")):
+        verb = finite_verb_after(words, at + 1 + (following is not None and following.text == "that"))
+        return ("dependent", verb, at + 1) if verb is not None else _statement(words, at, start)
+    return _statement(words, at, start)
+
+
+_CONDITIONS: Final = frozenset("if unless whether".split())
+_ALSO_SUBORDINATE: Final = frozenset("since until before after".split())
+
+
+def _statement(words: Sequence[TaggedWord], at: int, start: int) -> tuple[Form, int, int]:
+    at = _after_places(words, at)
+    if at < len(words) and at > start and words[at].tag == "verb" and words[at].form == "base":
+        return "order", at, at  # "in the hall, put ..."
+    if at > start and at + 1 < len(words) and words[at].tag == "there" and words[at + 1].is_finite:
+        return "existence", at + 1, at
+    verb = finite_verb_after(words, at)
+    return ("fragment", start, start) if verb is None else ("statement", verb, at)
+
+
+def _after_places(words: Sequence[TaggedWord], at: int) -> int:
+    """Return the place after the places and adverbs that a clause begins with."""
+    while at < len(words) and words[at].tag in ("preposition", "adverb", "interjection"):
+        end = end_of_noun_group(words, at + 1) if words[at].tag == "preposition" else at + 1
+        if words[at].tag == "preposition" and end == at + 1:
+            return at
+        at = end + (end + 1 < len(words) and words[end].text == ",")
+    return at

@@ -1,0 +1,189 @@
+"""A clause that asks for something as a plain order: without courtesy, passive, purpose and relative clauses."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from functools import cache
+from importlib.resources import files
+from typing import Final
+
+from mansion_editing.instructions.phrases.lexicon import Lexicon
+from mansion_editing.instructions.phrases.verb_words import BY_WORDS
+from mansion_editing.instructions.syntax.noun_groups import end_of_noun_group
+from mansion_editing.instructions.syntax.requests import names_something
+from mansion_editing.instructions.syntax.tagged_words import TaggedWord
+
+__all__ = ["plainly_asked"]
+
+_ASKED: Final = frozenset("you we somebody someone anybody anyone i".split())
+_IDLE: Final = frozenset(["adverb", "interjection"])
+_KEPT_ADVERBS: Final = frozenset(
+    "back upstairs downstairs there here together only instead again too also first".split()
+)
+_OBLIGING: Final = frozenset("must should shall can could may might ought".split())
+_RESTING: Final = frozenset("be stand lie sit hang leave put place keep have store forget drop dump park set rest".split())
+_PARTICLES: Final = frozenset("up down over out across along round around away back off through".split())
+_GOALS: Final = frozenset("in into on onto to under next behind beside by between at near against inside".split())
+_WAYS: Final = frozenset("into onto to".split())
+"""Prepositions by which things that are there go somewhere; in others they may only be there."""
+
+
+def plainly_asked(words: Sequence[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
+    """Return the words of a clause that asks for something in the words of a plain order, where that is known."""
+    steps: tuple[Callable[[list[TaggedWord], Lexicon], list[TaggedWord]], ...] = (
+        _without_edges, _as_order, _as_active, _without_relatives, _without_purpose, _with_plain_verb,
+    )  # fmt: skip
+    said = list(words)
+    for step in steps:
+        said = step(said, lexicon)
+    return said
+
+
+def _without_edges(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
+    """Return words without the courtesies and adverbs around them."""
+    start, end = 0, len(words)
+    while start < end - 1 and (words[start].tag in _IDLE and words[start].text not in _KEPT_ADVERBS):
+        start += 1 + (words[start + 1].text == "," if start + 1 < end else 0)
+    while end > start + 1 and (words[end - 1].tag == "interjection" or words[end - 1].text in ("please", ",")):
+        end -= 1
+    return words[start:end]
+
+
+def _as_order(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
+    """Return ``put the lamp there`` for ``could you please put the lamp there``, ``I need you to put ...``."""
+    if words[0].tag == "modal" and len(words) > 2 and words[1].text in _ASKED:
+        at = _after_idle(words, 2)
+        if at < len(words) and words[at].verb:
+            return [_in_base(words[at]), *words[at + 1 :]]
+    wish = next((at for at, word in enumerate(words[:5]) if word.verb in ("need", "want", "like", "ask")), None)
+    if wish is not None and [word.text for word in words[wish + 1 : wish + 3]] in (["you", "to"], ["somebody", "to"]):
+        return words[_after_idle(words, wish + 3) :]
+    if words[0].tag == "to" and len(words) > 1 and words[1].form == "base":
+        return words[1:]
+    return words
+
+
+def _after_idle(words: Sequence[TaggedWord], at: int) -> int:
+    while at < len(words) and words[at].tag in _IDLE:
+        at += 1
+    return at
+
+
+def _in_base(word: TaggedWord) -> TaggedWord:
+    return replace(word, text=word.verb, raw=word.verb, form="base", tag="verb")
+
+
+def _as_active(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
+    """Return ``take the rug away`` for ``the rug has to be taken away``, ``could the rug be taken away``."""
+    asked = words[0].tag == "modal"
+    for at in range(1, len(words) - 1):
+        done = words[at + 1]
+        if words[at].text not in ("be", "get") or not done.verb or (done.verb,) not in BY_WORDS:
+            continue
+        start = 1 if asked else 0
+        end = _end_of_subject(words, start, at, asked=asked)
+        if end <= start or done.form not in ("participle", "past"):
+            return words
+        rest = [word for word in words[at + 2 :] if word.text != "please"]
+        return [_in_base(done), *words[start:end], *rest]
+    return words
+
+
+def _end_of_subject(words: Sequence[TaggedWord], start: int, be: int, *, asked: bool) -> int:
+    """Return the end of the subject of a passive request whose ``be`` stands at a place; the start for none."""
+    at = be
+    while at > start and words[at - 1].tag in ("adverb", "interjection"):
+        at -= 1
+    if asked:
+        return at
+    obliged = words[at - 1].text in _OBLIGING or words[at - 1].tag == "to"
+    if words[at - 1].tag == "to":
+        at -= 1
+        at -= words[at - 1].text == "got"
+        obliged = words[at - 1].text in ("has", "have", "needs", "need", "is", "are", "ought")
+    at -= 1
+    while at > start and words[at - 1].tag in ("adverb", "interjection") and words[at - 1].text not in _KEPT_ADVERBS:
+        at -= 1
+    return at if obliged else start
+
+
+def _without_relatives(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
+    """Return ``the box on the counter`` for ``the box that somebody left on the counter``."""
+    for at in range(1, len(words) - 1):
+        named = words[at - 1].tag in ("noun", "pronoun", "number")
+        bare = words[at].tag == "somebody" and words[at].text in ("i", "we", "you", "they", "she", "he")
+        if not named or not (words[at].tag == "relative" or bare):
+            continue
+        verb = at if bare else at + 1
+        while verb < len(words) and verb < at + 5 and not words[verb].is_finite:
+            verb += 1
+        while verb + 1 < len(words) and (words[verb].tag in ("have", "be", "adverb") and words[verb + 1].verb):
+            verb += 1
+        resting = verb < len(words) and (words[verb].verb in _RESTING or words[verb].tag in ("be", "have"))
+        after = _after_idle(words, verb + 1)
+        if resting and after < len(words) and words[after].tag == "preposition":
+            return _without_relatives([*words[:at], *words[after:]], lexicon)
+    return words
+
+
+def _without_purpose(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
+    """Return an order without what it is for: ``to cheer us up``, ``for reading``, ``so that we see it``."""
+    if words[0].form != "base":
+        return words
+    for at in range(3, len(words) - 1):
+        rest = words[at + 1 :]
+        to_do = words[at].tag == "to" and rest[0].form == "base" and words[at - 1].tag in ("noun", "adverb", "mark")
+        for_doing = words[at].text == "for" and rest[0].form == "gerund"
+        if (to_do or for_doing) and not names_something(rest, lexicon) and not _counts(rest):
+            return words[: at - (words[at - 1].text in (",", "order"))]
+    return words
+
+
+def _counts(words: Sequence[TaggedWord]) -> bool:
+    return any(word.tag in ("number", "pronoun", "preposition") for word in words)
+
+
+def _with_plain_verb(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
+    """Return ``put the knife in the drawer`` for ``lock the knife away in the drawer``."""
+    if words[0].form != "base" or len(words) < 3:
+        return words
+    verb = words[0]
+    plain = _deeds().get(verb.verb, "")
+    known = plain or (verb.verb if (verb.verb,) in BY_WORDS else "")
+    aside = words[1].text in _PARTICLES
+    start = 1 + aside
+    end = end_of_noun_group(words, start)
+    if end == start or not known:
+        return words
+    particle = words[end].text if end + 1 < len(words) else ""
+    deed = BY_WORDS.get((known,))
+    goal = _goal_from(words, end, _GOALS if deed == "add" else _WAYS)
+    carried = deed in ("move", "add", "bring", "take")
+    if carried and goal and (aside or particle in _PARTICLES) and not _leaves(words, end):
+        rest = words[goal:] if particle in _PARTICLES else words[end:]
+        put = known if known != "put" or words[goal].text != "to" else "move"
+        return [replace(verb, text=put, raw=put, verb=put), *words[start:end], *rest]
+    return [replace(verb, text=known, raw=known, verb=known), *words[1:]] if plain else words
+
+
+def _goal_from(words: Sequence[TaggedWord], at: int, goals: frozenset[str]) -> int:
+    """Return the place of the first preposition of a goal after an object, past its particles; 0 for none."""
+    k = at
+    while k < len(words) and words[k].text in _PARTICLES and k < at + 2:
+        k += 1
+    if k < len(words) and words[k].text in goals:
+        return k
+    later = (n for n in range(at, len(words)) if words[n].text in goals)
+    return next(later, 0) if at < len(words) and words[at].text not in _PARTICLES else 0
+
+
+def _leaves(words: Sequence[TaggedWord], at: int) -> bool:
+    """Whether things come ``out of``, ``off`` or ``from`` somewhere."""
+    return at + 1 < len(words) and (words[at].text in ("from", "off") or words[at + 1].text in ("of", "from"))
+
+
+@cache
+def _deeds() -> dict[str, str]:
+    """Return the plainer verb of each that is said for it."""
+    lines = files(__package__).joinpath("data/deeds.txt").read_text(encoding="utf-8").splitlines()
+    rows = (line.split() for line in lines if line and not line.startswith("#"))
+    return {verb: row[0] for row in rows for verb in row[1:]}
