@@ -26,8 +26,9 @@ class Clause:
         Its words, without the joint or marks around it.
     verb : int
         The place of its finite or ordering verb; `start` of a fragment.
-    subject : int
-        The place of its subject's first word.
+    subject, subject_end : int
+        Where its subject begins and ends; before `start` where it shares the one of the clause before: ``the rug is
+        old and has to go``.
     after : str
         The mark or joint that it follows: ``,``, ``and``; empty at the beginning of a sentence.
     sentence : int
@@ -39,8 +40,14 @@ class Clause:
     end: int
     verb: int
     subject: int
+    subject_end: int
     after: str
     sentence: int
+
+    @property
+    def shares_subject(self) -> bool:
+        """Whether its subject stands in the clause before."""
+        return self.subject < self.start
 
 
 _MARKS: Final = frozenset([",", "-", ":", "(", ")", "–", "—"])
@@ -70,6 +77,7 @@ def _sentences(words: Sequence[TaggedWord]) -> Iterator[tuple[int, int]]:
 
 def _in_sentence(words: Sequence[TaggedWord], first: int, last: int, number: int) -> Iterator[Clause]:
     at, after = first, ""
+    before: Clause | None = None
     while at < last:
         while at < last and (words[at].text in _MARKS or words[at].tag == "joint" or words[at].text == "oh"):
             after = words[at].text
@@ -77,9 +85,20 @@ def _in_sentence(words: Sequence[TaggedWord], first: int, last: int, number: int
         if at >= last:
             return
         form, verb, subject = _opening(words[:last], at)
+        subject_end = verb
+        if before is not None and before.form == "statement" and _goes_on(words[:last], at, form):
+            form, verb, subject, subject_end = "statement", at, before.subject, before.subject_end
         end = _end(words[:last], max(at, verb), form)
-        yield Clause(form, at, end, verb, subject, after, number)
+        before = Clause(form, at, end, verb, subject, subject_end, after, number)
+        yield before
         at, after = end, ""
+
+
+def _goes_on(words: Sequence[TaggedWord], at: int, form: Form) -> bool:
+    """Whether a verb without a subject begins a clause, and no order."""
+    if form not in ("fragment", "question") or not words[at].is_finite or words[at].form == "base":
+        return False
+    return form == "fragment" or words[at].tag in ("be", "have")
 
 
 def _end(words: Sequence[TaggedWord], at: int, form: Form) -> int:
@@ -94,6 +113,9 @@ def _end(words: Sequence[TaggedWord], at: int, form: Form) -> int:
             begins, verb, _ = _opening(words, following) if following < len(words) else ("fragment", 0, 0)
             if word.text in ("and", "or") and words[at].tag in ("modal", "do") or words[at].verb == "let":
                 begins = "fragment" if begins == "statement" and words[verb].form == "base" else begins
+            shared = form == "statement" and word.text != "-" and following < len(words)
+            if shared and _goes_on(words, following, begins):
+                return k
             if begins != "fragment" or word.text in ("-", "–", "—"):
                 return k
             if word.text == "," and form != "fragment" and _is_aside(words, following):
@@ -136,6 +158,9 @@ def _opening(words: Sequence[TaggedWord], at: int) -> tuple[Form, int, int]:
     if word.tag == "subordinator" and word.text in _CONDITIONS:
         verb = next((k for k in range(at + 1, min(len(words), at + 12)) if words[k].is_finite), None)
         return ("dependent", verb, at + 1) if verb is not None else ("fragment", start, start)
+    if word.text in _GRANTED and following is not None and following.text in ("that", "as"):
+        verb = finite_verb_after(words, at + 2)
+        return ("dependent", verb, at + 2) if verb is not None else ("fragment", start, start)
     if word.tag == "there" and following is not None and following.is_finite:
         return "existence", at + 1, at
     if word.tag in ("modal", "be", "do", "have") and end_of_noun_group(words, at + 1) > at + 1:
@@ -146,6 +171,7 @@ def _opening(words: Sequence[TaggedWord], at: int) -> tuple[Form, int, int]:
     return _statement(words, at, start)
 
 
+_GRANTED: Final = frozenset("seeing given considering granted now".split())
 _CONDITIONS: Final = frozenset("if unless whether".split())
 _ALSO_SUBORDINATE: Final = frozenset("since until before after".split())
 

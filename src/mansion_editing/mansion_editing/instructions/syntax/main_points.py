@@ -10,7 +10,7 @@ from mansion_editing.instructions.syntax.mentions import Mentioned, mentioned_in
 from mansion_editing.instructions.syntax.noun_groups import end_of_noun_group
 from mansion_editing.instructions.syntax.plain_requests import plainly_asked
 from mansion_editing.instructions.syntax.requests import only_tells
-from mansion_editing.instructions.syntax.tagged_words import TaggedWord, joined, tagged
+from mansion_editing.instructions.syntax.tagged_words import MARKS_BETWEEN_SENTENCES, TaggedWord, joined, tagged
 from mansion_language.inflection import plural, singular
 
 __all__ = ["MainPoints", "main_points"]
@@ -18,6 +18,7 @@ __all__ = ["MainPoints", "main_points"]
 _PRONOUNS: Final = frozenset("it them they this that these those both".split())
 _ONES: Final = frozenset(["one", "ones"])
 _ALSO: Final = frozenset("too also well".split())
+_CORRECTING: Final = frozenset("no nope sorry wait oops correction scratch forget rather actually".split())
 _FOREIGN: Final = frozenset("$ { } \\ / ~ & * _ = < > | # @ % ^ \" “ ”".split())
 """Marks of names and of code, which are no English."""
 
@@ -50,7 +51,7 @@ def main_points(text: str, lexicon: Lexicon) -> Iterator[MainPoints]:
     clauses = clauses_of(words)
     told = [only_tells(clause, words, lexicon) for clause in clauses]
     told = [tells or _is_topic(clauses, words, number) for number, tells in enumerate(told)]
-    if all(told):
+    if all(told) or any(tells and _corrects(clause, words) for clause, tells in zip(clauses, told, strict=True)):
         return
     for plainly in (False, True):
         try:
@@ -85,7 +86,8 @@ class _Points:
         if tells:
             self.remarks.append(self.text[self.words[clause.start].start : self.words[clause.end - 1].end])
         else:
-            said = self._with_antecedents(clause, mentions)
+            said = [*self._shared_subject(clause), *self._with_antecedents(clause, mentions)]
+            said = self._with_counted_noun(said)
             said = self._with_room_for_there(said) if self._tells_room() else said
             said = self._with_verb_before(clause, said) or said
             self.asked.append((clause, plainly_asked(said, self.lexicon) if self.plainly else said))
@@ -95,18 +97,26 @@ class _Points:
     def said(self) -> str:
         """Return what is asked for in running text."""
         parts: list[str] = []
-        last = -1
+        last: Clause | None = None
+        mark = "."
         for clause, said in self.asked:
-            alone = clause.sentence != last or clause.after in (":", "-", "(", "–")
-            joint = ". " if alone else f" {clause.after} " if clause.after.isalpha() else ", "
-            parts += [joint if parts else "", joined(said)]
-            last = clause.sentence
+            if last is not None:
+                parts.append(_joint(last, clause, self.words, mark))
+            parts.append(joined(said))
+            ended = next((word.text for word in self.words[clause.end :] if word.text in MARKS_BETWEEN_SENTENCES), ".")
+            mark = "?" if ended == "?" and said[0].form != "base" else "."
+            last = clause
         whole = "".join(parts)
         rooms = self._told_rooms()
         named = any(one.kind == "room" and not one.told for mentions in self.mentions for one in mentions)
         if len(rooms) == 1 and not named and rooms[0] not in whole:
-            return f"in {rooms[0]}, {whole}."
-        return f"{whole}."
+            return f"in {rooms[0]}, {whole}{mark}"
+        return f"{whole}{mark}"
+
+    def _shared_subject(self, clause: Clause) -> list[TaggedWord]:
+        """Return the subject that a clause shares with one before it that only tells."""
+        last = self.asked[-1][0].subject if self.asked else -1
+        return list(self.words[clause.subject : clause.subject_end]) if clause.shares_subject and last != clause.subject else []
 
     def _told_rooms(self) -> list[str]:
         rooms = (one.words for mentions in self.mentions for one in mentions if one.kind == "room" and one.told)
@@ -124,6 +134,18 @@ class _Points:
             return said
         room = replace(said[at], raw=f"in {rooms[0].words}", tag="noun")
         return [*said[:at], *said[at + 1 :], room]
+
+    def _with_counted_noun(self, said: list[TaggedWord]) -> list[TaggedWord]:
+        """Return a clause in which a number without a noun counts what was told of: ``three of the five hammers``."""
+        for at, word in enumerate(said):
+            following = said[at + 1] if at + 1 < len(said) else None
+            before = said[at - 1] if at else None
+            counted = word.tag == "number" and before is not None and before.text in ("the", "all", "those", "other")
+            ends = following is None or following.tag in ("preposition", "mark", "verb", "modal", "adverb", "to")
+            if counted and ends and not (following is not None and following.text == "of"):
+                noun = self._noun_for("ones")
+                return [*said[: at + 1], replace(word, raw=noun, tag="noun"), *said[at + 1 :]] if noun else said
+        return said
 
     def _with_verb_before(self, clause: Clause, said: list[TaggedWord]) -> list[TaggedWord]:
         """Return ``take the bed away`` for ``and the bed too`` after ``take the tree away``; empty where it is not so."""
@@ -156,8 +178,11 @@ class _Points:
             new = ""
             if not ones:
                 new = self._antecedent(word.text)
-            elif not within and _is_the_one(self.words, number):
-                new = self._noun_for(word.text)
+            elif not within:
+                noun = self._noun_for(word.text)
+                article = "an" if noun[:1] in tuple("aeiou") else "a"
+                bare = word.tag == "pronoun" and not _is_the_one(self.words, number)
+                new = f"{article} {noun}" if noun and bare else noun if _is_the_one(self.words, number) else ""
             out.append(replace(word, raw=new, tag="noun") if new else word)
         return out
 
@@ -186,6 +211,23 @@ class _Points:
                 raise _Uncertain
             return meant
         return ""
+
+
+def _joint(last: Clause, clause: Clause, words: Sequence[TaggedWord], mark: str) -> str:
+    """Return what stands between two clauses: as it was within a sentence, a comma after a place that begins one."""
+    if clause.form == "fragment" and clause.after in ("-", ":") and words[clause.start].tag == "preposition":
+        return " "
+    if last.form == "fragment" and words[last.start].tag == "preposition":
+        return ", "
+    if clause.sentence != last.sentence or clause.after in (":", "-", "(", "–"):
+        return f"{mark} "
+    return f" {clause.after} " if clause.after.isalpha() else ", "
+
+
+def _corrects(clause: Clause, words: Sequence[TaggedWord]) -> bool:
+    """Whether a clause takes back or puts right what was said: ``I mean the other one``."""
+    texts = [word.text for word in words[clause.start : clause.end]]
+    return texts[0] in _CORRECTING or "mean" in texts[:3] or "meant" in texts[:3]
 
 
 def _is_the_one(words: Sequence[TaggedWord], at: int) -> bool:

@@ -69,7 +69,7 @@ def mentioned_in(
             place = _place_after(clause, words, end) if kind == "thing" else ()
             said = _said_again(words[at:end], text) + (f" {text_of(place, text)}" if place else "")
             head = next((word for word in reversed(words[at:end]) if word.tag == "noun"), words[end - 1])
-            nouns = [word for word in words[at:end] if word.tag in ("noun", "verb")]
+            nouns = _name(words[at:end], lexicon)
             plural = _is_plural(words[at:end], head)
             leads = first and (at <= clause.verb or clause.form == "existence" or clause.form == "fragment")
             found.append(Mentioned(kind, said, text_of(nouns, text), plural, leads, told, at, end))
@@ -87,6 +87,14 @@ def _kind(words: Sequence[TaggedWord], lexicon: Lexicon) -> Kind | None:
     if any(lexicon.is_own_room(span) for span in spans) and not lexicon.is_object(spans[0]):
         return "room"
     return "thing" if any(lexicon.is_object(span) for span in spans) else None
+
+
+def _name(words: Sequence[TaggedWord], lexicon: Lexicon) -> Sequence[TaggedWord]:
+    """Return the words of a noun group that name its kind: the longest name that the catalogue has, else its nouns."""
+    for at in range(len(words)):
+        if lexicon.is_called(tuple(singular(word.text) for word in words[at:])):
+            return words[at:]
+    return [word for word in words if word.tag in ("noun", "verb")]
 
 
 def _is_plural(words: Sequence[TaggedWord], head: TaggedWord) -> bool:

@@ -25,6 +25,8 @@ def end_of_noun_group(words: Sequence[TaggedWord], at: int) -> int:
         at += 1
     named = at
     while _tag(words, at) in _WITHIN or _is_before_noun(words, at):
+        if at > named and _tag(words, at) == "number" and not _text(words, at).isdecimal():
+            break  # "the storage room one"
         at += 1
     if at > named:
         joined = _text(words, at) == "'" or _text(words, at - 1).endswith(("'s", "s'"))
@@ -70,6 +72,10 @@ def _after_attachment(words: Sequence[TaggedWord], at: int) -> int:
     if word.tag in ("preposition", "to") or (word.tag == "joint" and word.text in ("and", "or")):
         end = end_of_noun_group(words, at + 1)
         return end if end > at + 1 else at
+    following = words[at + 1] if at + 1 < len(words) else None
+    if word.text == "," and following is not None and following.text in ("which", "who"):
+        comma = next((k for k in range(at + 2, len(words)) if words[k].text == ","), None)
+        return at if comma is None else comma + 1
     if word.tag == "relative":
         return _end_of_relative(words, at + 1)
     if word.tag == "somebody" and word.text not in ("me", "us", "him"):

@@ -20,7 +20,9 @@ _KEPT_ADVERBS: Final = frozenset(
     "back upstairs downstairs there here together only instead again too also first".split()
 )
 _OBLIGING: Final = frozenset("must should shall can could may might ought".split())
-_RESTING: Final = frozenset("be stand lie sit hang leave put place keep have store forget drop dump park set rest".split())
+_RESTING: Final = frozenset(
+    "be stand lie sit hang leave put place keep have store forget drop dump park set rest end land wind get".split()
+)
 _PARTICLES: Final = frozenset("up down over out across along round around away back off through".split())
 _GOALS: Final = frozenset("in into on onto to under next behind beside by between at near against inside".split())
 _WAYS: Final = frozenset("into onto to".split())
@@ -30,7 +32,8 @@ _WAYS: Final = frozenset("into onto to".split())
 def plainly_asked(words: Sequence[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
     """Return the words of a clause that asks for something in the words of a plain order, where that is known."""
     steps: tuple[Callable[[list[TaggedWord], Lexicon], list[TaggedWord]], ...] = (
-        _without_edges, _as_order, _as_active, _without_relatives, _without_purpose, _with_plain_verb,
+        _without_edges, _without_added_clause, _with_part_after, _with_replaced_after, _as_order, _as_new_things,
+        _as_active, _without_relatives, _without_purpose, _with_plain_verb,
     )  # fmt: skip
     said = list(words)
     for step in steps:
@@ -46,6 +49,85 @@ def _without_edges(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord
     while end > start + 1 and (words[end - 1].tag == "interjection" or words[end - 1].text in ("please", ",")):
         end -= 1
     return words[start:end]
+
+
+def _without_added_clause(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
+    """Return ``the printer can go`` for ``the printer, which nobody uses, can go``."""
+    start = next((k for k in range(1, len(words)) if words[k].text in ("which", "who") and words[k - 1].text == ","), 0)
+    end = next((k for k in range(start + 1, len(words)) if words[k].text == ","), len(words)) if start else 0
+    if not start or names_something(words[start:end], lexicon) or any(w.text in _OBLIGING for w in words[start:end]):
+        return words
+    return [*words[: start - 1], *words[end + 1 :]]
+
+
+def _with_part_after(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
+    """Return ``one of the three cabinets should be open`` for ``of the three cabinets one should be open``."""
+    if words[0].text not in ("of", "from", "out") or len(words) < 4:
+        return words
+    first = 1 + (words[1].text == "of")
+    end = end_of_noun_group(words, first)
+    while end < len(words) and words[end].tag == "preposition":
+        following = end_of_noun_group(words, end + 1)
+        if following == end + 1:
+            break
+        end = following
+    rest = words[end + (end < len(words) and words[end].text == ",") :]
+    part = next((at for at, word in enumerate(rest) if word.tag in ("number", "pronoun") or word.text == "half"), None)
+    if part is None or end == first or (part and rest[0].form != "base") or words[first].tag != "determiner":
+        return words
+    of = replace(words[0], text="of", raw="of", tag="preposition")
+    return [*rest[: part + 1], of, *words[first:end], *rest[part + 1 :]]
+
+
+_INSTEAD: Final = (["instead", "of"], ["in", "place", "of"], ["rather", "than"])
+
+
+def _with_replaced_after(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
+    """Return ``replace the tables by a bookcase`` for ``instead of the tables I'd rather have a bookcase``."""
+    texts = [word.text for word in words]
+    length = next((len(said) for said in _INSTEAD if texts[: len(said)] == said), 0)
+    verb = next((at for at in range(length + 1, len(words)) if words[at].is_finite or words[at].form == "base"), 0)
+    if not length or not verb:
+        return words
+    subject = verb - 1 if words[verb - 1].tag == "somebody" else verb
+    new = verb + 1
+    while new < len(words) and words[new].tag in ("verb", "adverb", "have", "modal"):
+        new += 1
+    counted = new < len(words) and (words[new].text in ("a", "an", "another", "some") or words[new].tag == "number")
+    gone = [word for word in words[length:subject] if word.text != ","]
+    if not counted or not gone or gone[0].text not in ("the", "our", "my", "those", "these", "one", "that", "this"):
+        return words
+    by = replace(words[0], text="by", raw="by", tag="preposition")
+    return [replace(words[0], text="replace", raw="replace", tag="verb", verb="replace", form="base"), *gone, by, *words[new:]]
+
+
+def _as_obliged(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
+    """Return ``the cart should be here`` for ``it would make sense for the cart to be here``."""
+    at = next((k for k in range(2, len(words) - 3) if words[k].text == "for"), 0)
+    if words[0].text != "it" or not at or not {"would", "should", "is"} & {word.text for word in words[1:at]}:
+        return words
+    end = end_of_noun_group(words, at + 1)
+    if end >= len(words) - 1 or words[end].tag != "to":
+        return words
+    should = replace(words[end], text="should", raw="should", tag="modal")
+    return [*words[at + 1 : end], should, *words[end + 1 :]]
+
+
+_DOING: Final = frozenset("do suffice help sort fix solve improve".split())
+
+
+def _as_new_things(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
+    """Return ``put two more benches`` for ``two more benches should sort that out``."""
+    end = end_of_noun_group(words, 0)
+    new = words[0].text in ("a", "an", "another", "some") or any(word.text == "more" for word in words[:end])
+    modal = next((at for at in range(end, len(words)) if words[at].tag == "modal"), 0)
+    if not end or not new or not modal or modal + 1 >= len(words):
+        return words
+    rest = words[_after_idle(words, modal + 1) :]
+    if not rest or rest[0].verb not in _DOING or names_something(rest, lexicon):
+        return words
+    put = replace(words[0], text="add", raw="add", tag="verb", verb="add", form="base")
+    return [put, *words[:modal]]
 
 
 def _as_order(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
@@ -116,10 +198,13 @@ def _without_relatives(words: list[TaggedWord], lexicon: Lexicon) -> list[Tagged
         verb = at if bare else at + 1
         while verb < len(words) and verb < at + 5 and not words[verb].is_finite:
             verb += 1
-        while verb + 1 < len(words) and (words[verb].tag in ("have", "be", "adverb") and words[verb + 1].verb):
+        while verb + 1 < len(words) and words[verb].tag in ("have", "be", "adverb"):
+            if not (words[verb + 1].verb or words[verb + 1].tag in ("be", "adverb")):
+                break
             verb += 1
         resting = verb < len(words) and (words[verb].verb in _RESTING or words[verb].tag in ("be", "have"))
         after = _after_idle(words, verb + 1)
+        after += after < len(words) and words[after].text == "up"
         if resting and after < len(words) and words[after].tag == "preposition":
             return _without_relatives([*words[:at], *words[after:]], lexicon)
     return words
@@ -155,6 +240,8 @@ def _with_plain_verb(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWo
     if end == start or not known:
         return words
     particle = words[end].text if end + 1 < len(words) else ""
+    if particle == "in" and words[end + 1].tag == "preposition":
+        words, particle = [*words[:end], *words[end + 1 :]], ""
     deed = BY_WORDS.get((known,))
     goal = _goal_from(words, end, _GOALS if deed == "add" else _WAYS)
     carried = deed in ("move", "add", "bring", "take")

@@ -7,6 +7,7 @@ from mansion_editing.instructions.phrases.lexicon import Lexicon
 from mansion_editing.instructions.phrases.word_sets import PEOPLE
 from mansion_editing.instructions.phrases.words import PERSONS
 from mansion_editing.instructions.syntax.clauses import Clause
+from mansion_editing.instructions.syntax.noun_groups import end_of_noun_group
 from mansion_editing.instructions.syntax.tagged_words import TaggedWord
 from mansion_language.inflection import singular
 
@@ -24,8 +25,11 @@ _MEASURING: Final = frozenset(
     "useful ideal wrong".split()
 )
 """Words by which a description also says what there shall be."""
-_LIMITING: Final = frozenset("only except instead nothing exactly apart without otherwise".split())
+_LIMITING: Final = frozenset(
+    "only except instead nothing exactly apart without otherwise including included excluding".split()
+)
 """Words that may limit what another clause asks for."""
+_WHOLES: Final = frozenset("all every each both any half".split())
 _DEPENDING: Final = frozenset("if unless whether until".split())
 _CALLS: Final = frozenset("thank look guess imagine listen know see mind remember".split())
 _DENYING: Final = frozenset(["not", "no", "never"])
@@ -42,6 +46,8 @@ def only_tells(clause: Clause, words: Sequence[TaggedWord], lexicon: Lexicon) ->
     named = names_something(said, lexicon)
     if named and ({*texts} & _LIMITING or texts[-1] in _ALSO or {"too", "also"} & {*texts[:-1]}):
         return clause.form == "statement" and _tells_of_use(clause, words)
+    if clause.form == "statement" and texts[0] == "what":
+        return not any(word.verb in _WISHING or word.text in _MEASURING for word in said)
     if clause.form == "question":
         idle = not (named or {*texts} & {"you", "we"} or _takes_up(said[1:]))
         return idle or (texts[-1:] == ["you"] and len(texts) <= 3)
@@ -51,7 +57,7 @@ def only_tells(clause: Clause, words: Sequence[TaggedWord], lexicon: Lexicon) ->
         return texts[0] not in _DEPENDING
     if clause.form == "fragment":
         states = {texts[-1], *(text for text in texts if text not in ("on", "up", "down", "out"))} & _STATES
-        return not (named or {*texts} & _LIMITING or states or _counts(said) or _takes_up(said))
+        return not (named or {*texts} & (_LIMITING | _WHOLES) or states or _counts(said) or _takes_up(said))
     if clause.after == "so" or (texts[0] == "that" and said[0].tag != "determiner"):
         return not (named or _counts(said) or {*texts} & _LIMITING) and not _asks(clause, words, lexicon)
     return not _asks(clause, words, lexicon)
@@ -65,7 +71,8 @@ def _tells_of_use(clause: Clause, words: Sequence[TaggedWord]) -> bool:
 
 def _asks(clause: Clause, words: Sequence[TaggedWord], lexicon: Lexicon) -> bool:
     """Whether a clause with a subject and a finite verb may ask for something."""
-    subject, rest = words[clause.subject : clause.verb], words[clause.verb : clause.end]
+    head = max(end_of_noun_group(words[: clause.subject_end], clause.subject), clause.subject + 1)
+    subject, rest = words[clause.subject : head], words[clause.verb : clause.end]
     texts = [word.text for word in rest]
     counted = any(word.tag in ("number", "pronoun") for word in subject)
     somebody = is_person(subject) or not (names_something(subject, lexicon) or counted)
@@ -134,8 +141,10 @@ def is_person(words: Sequence[TaggedWord]) -> bool:
 
 def names_something(words: Sequence[TaggedWord], lexicon: Lexicon) -> bool:
     """Whether words name a thing of the catalogue or a room of the building."""
-    nouns = [singular(word.text) for word in words if word.tag == "noun" and not is_person([word])]
-    return any(noun in _SPOTS or lexicon.is_object((noun,)) or lexicon.is_own_room((noun,)) for noun in nouns)
+    nouns = [singular(word.text) if word.tag == "noun" and not is_person([word]) else "" for word in words]
+    spans = [tuple(nouns[at : at + count]) for count in (1, 2, 3) for at in range(len(nouns) - count + 1)]
+    spans = [span for span in spans if all(span)]
+    return any(span[0] in _SPOTS or lexicon.is_object(span) or lexicon.is_own_room(span) for span in spans)
 
 
 def _counts(words: Sequence[TaggedWord]) -> bool:

@@ -73,7 +73,7 @@ _SOMEBODY: Final = frozenset(
 _PREPOSITIONS: Final = frozenset(
     "in on at by to into onto from of off out up down over under above below beside besides behind between among near "
     "against around round along across through towards toward with without for inside outside within upon underneath "
-    "beneath opposite about per after before during until since next like except despite than via away".split()
+    "beneath opposite about per after before during until since next like except despite than via away nearest closest nearer".split()
 )
 _JOINTS: Final = frozenset("and but or so then plus nor".split())
 _SUBORDINATORS: Final = frozenset(
@@ -160,6 +160,9 @@ def _in_context(words: Sequence[TaggedWord], at: int, lexicon: Lexicon) -> Tagge
         return _that(word, before, after) if word.text == "that" else replace(word, tag="pronoun")
     if word.text == "that" and before is not None and before.tag == "noun" and after is not None:
         return replace(word, tag="relative") if verb_forms(after.text) and after.tag != "noun" else word
+    if word.tag in ("adverb", "preposition") and before is not None and before.tag == "possessive":
+        ends = after is None or after.tag not in ("noun", "adjective") or bool(verb_forms(after.text))
+        return replace(word, tag="noun") if ends else word
     if word.tag in ("noun", "adjective", "preposition") and word.text.isalpha() and word.text != "like":
         found = _as_verb(words, at, lexicon)
         return word if found is None else found
@@ -187,7 +190,7 @@ def _as_verb(words: Sequence[TaggedWord], at: int, lexicon: Lexicon) -> TaggedWo
     forms = verb_forms(word.text)
     before = words[at - 1] if at else None
     after = words[at + 1] if at + 1 < len(words) else None
-    if not forms or word.text in _PREPOSITIONS:
+    if word.text in _PREPOSITIONS:
         return None
     kinds = [form.form for form in forms]
     named = _is_name_here(words, at, lexicon)
@@ -195,8 +198,14 @@ def _as_verb(words: Sequence[TaggedWord], at: int, lexicon: Lexicon) -> TaggedWo
     opens = opens or (before is not None and before.text in _BEFORE_ORDERS)
     if before is not None and before.verb in _EXCHANGING and word.text == "places":
         return None
+    if opens and not forms and _is_order(words, at, lexicon):
+        return replace(word, tag="verb", verb=word.text, form="base")
     if opens and "base" in kinds:
         return None if named and not _takes_object(after) else _formed(word, forms, "base")
+    if before is not None and _has_object(words, at, lexicon):
+        several = singular(before.text) != before.text
+        if "third" in kinds or ("base" in kinds and several):
+            return _formed(word, forms, "third" if "third" in kinds else "base")
     if before is None or named:
         return None
     if "base" in kinds and words[at - 1].tag == "noun" and after is not None and after.text == "places":
@@ -221,7 +230,7 @@ def _after_subject(
         return _formed(word, forms, "third" if "third" in kinds else "past")
     if "participle" in kinds:
         return _formed(word, forms, "participle")
-    several = before.text in ("they", "these", "those", "both") or singular(before.text) != before.text
+    several = (before.tag == "number" and before.text != "one") or before.text in ("they", "these", "those", "both") or singular(before.text) != before.text
     goes_on = after is None or after.tag not in ("verb", "be", "modal")
     return _formed(word, forms, "base") if several and goes_on and "base" in kinds else None
 
@@ -246,6 +255,22 @@ def _is_name_here(words: Sequence[TaggedWord], at: int, lexicon: Lexicon) -> boo
     if before is not None and before.tag in ("modal", "to", "do", "somebody", "be", "have", "not"):
         return False
     return lexicon.is_object((own,)) or lexicon.is_own_room((own,))
+
+
+def _is_order(words: Sequence[TaggedWord], at: int, lexicon: Lexicon) -> bool:
+    """Whether a word that begins a clause is an unknown verb with its object: ``reupholster the chair``."""
+    after = words[at + 1] if at + 1 < len(words) else None
+    beginning = after is not None and (after.tag in ("determiner", "possessive") or after.text in ("it", "them"))
+    return beginning and words[at].tag == "noun" and not lexicon.is_object((singular(words[at].text),))
+
+
+def _has_object(words: Sequence[TaggedWord], at: int, lexicon: Lexicon) -> bool:
+    """Whether a word between a noun and a new noun group may only be a verb: ``the plant blocks the door``."""
+    before, after = words[at - 1], words[at + 1] if at + 1 < len(words) else None
+    if after is None or after.tag not in ("determiner", "possessive", "somebody", "pronoun"):
+        return False
+    name = (singular(before.text), singular(words[at].text))
+    return before.tag == "noun" and not lexicon.is_object(name)
 
 
 def _takes_object(after: TaggedWord | None) -> bool:
