@@ -89,11 +89,12 @@ def _wordings(text: str, lexicon: Lexicon, floors: tuple[int, ...]) -> Iterator[
     if plain != text:
         yield plain, ()
     known = {text, plain}
-    for points in (*main_points(in_running_text(text), lexicon), *main_points(in_running_text(plain), lexicon)):
-        for said in (points.text, reworded(points.text, lexicon)):
-            if said not in known:
-                known.add(said)
-                yield said, points.remarks
+    running = in_running_text(text)
+    own = [(reworded(points.text, lexicon), points.remarks) for points in main_points(running, lexicon)]
+    for said, remarks in (*own, *((points.text, points.remarks) for points in main_points(plain, lexicon))):
+        if said not in known:
+            known.add(said)
+            yield said, remarks
     shorter: list[tuple[str, tuple[str, ...]]] = [(plain, ())]
     for _ in range(_MOST_REMARKS):
         longer, shorter = shorter, []

@@ -111,12 +111,12 @@ def _end(words: Sequence[TaggedWord], at: int, form: Form) -> int:
             while following < len(words) and (words[following].tag == "joint" or words[following].text in _MARKS):
                 following += 1
             begins, verb, _ = _opening(words, following) if following < len(words) else ("fragment", 0, 0)
-            if word.text in ("and", "or") and words[at].tag in ("modal", "do") or words[at].verb == "let":
-                begins = "fragment" if begins == "statement" and words[verb].form == "base" else begins
+            if begins == "statement" and word.text in ("and", "or") and _may_go_on(words, at, following, verb):
+                begins = "fragment"
             shared = form == "statement" and word.text != "-" and following < len(words)
             if shared and _goes_on(words, following, begins):
                 return k
-            if begins != "fragment" or word.text in ("-", "–", "—"):
+            if begins != "fragment" or word.text in ("-", "–", "—") or _is_vague(words[at + 1 : k]):
                 return k
             if word.text == "," and form != "fragment" and _is_aside(words, following):
                 return k
@@ -129,6 +129,19 @@ def _end(words: Sequence[TaggedWord], at: int, form: Form) -> int:
         elif word.tag == "modal" and word.text in _PLEAS and k + 1 < len(words) and words[k + 1].text == "you":
             return k
     return len(words)
+
+
+def _may_go_on(words: Sequence[TaggedWord], verb: int, following: int, other: int) -> bool:
+    """Whether what follows ``and`` may be one more subject or object: ``let the sofa and the chair change places``."""
+    if words[other].form == "base":
+        return words[verb].tag in ("modal", "do") or words[verb].verb == "let"
+    named = words[following].tag not in ("somebody", "pronoun")
+    return words[other].form == "past" and words[other].text not in _ONLY_PAST and named
+
+
+def _is_vague(words: Sequence[TaggedWord]) -> bool:
+    """Whether what follows a verb names nothing: ``(sort) that out``, after which a comma begins what is meant."""
+    return bool(words) and words[0].tag == "pronoun" and all(w.tag in ("pronoun", "preposition") for w in words)
 
 
 def _tells_how_it_is(words: Sequence[TaggedWord], at: int) -> bool:
@@ -171,6 +184,8 @@ def _opening(words: Sequence[TaggedWord], at: int) -> tuple[Form, int, int]:
     return _statement(words, at, start)
 
 
+_ONLY_PAST: Final = frozenset("went came broke fell gave took saw wore drove began was were did ate drank stole".split())
+"""Past forms that are no participles."""
 _GRANTED: Final = frozenset("seeing given considering granted now".split())
 _CONDITIONS: Final = frozenset("if unless whether".split())
 _ALSO_SUBORDINATE: Final = frozenset("since until before after".split())

@@ -16,6 +16,7 @@ from mansion_language.inflection import plural, singular
 __all__ = ["MainPoints", "main_points"]
 
 _PRONOUNS: Final = frozenset("it them they this that these those both".split())
+_SEVERAL: Final = frozenset("them they these those both".split())
 _ONES: Final = frozenset(["one", "ones"])
 _ALSO: Final = frozenset("too also well".split())
 _CORRECTING: Final = frozenset("no nope sorry wait oops correction scratch forget rather actually".split())
@@ -49,8 +50,12 @@ def main_points(text: str, lexicon: Lexicon) -> Iterator[MainPoints]:
     if any(word.text in _FOREIGN for word in words):
         return
     clauses = clauses_of(words)
+    clauses, words = _wished(clauses, words)
     told = [only_tells(clause, words, lexicon) for clause in clauses]
-    told = [tells or _is_topic(clauses, words, number) for number, tells in enumerate(told)]
+    told = [
+        tells or _is_topic(clauses, words, number) or _repeats_swap(clauses, words, number)
+        for number, tells in enumerate(told)
+    ]
     if all(told) or any(tells and _corrects(clause, words) for clause, tells in zip(clauses, told, strict=True)):
         return
     for plainly in (False, True):
@@ -171,13 +176,18 @@ class _Points:
         for number in range(clause.start, clause.end):
             word = self.words[number]
             ones = word.text in _ONES and word.tag in ("pronoun", "number")
-            within = any(one.kind == "thing" and one.end <= number for one in own)
+            within = number != clause.subject and any(one.kind == "thing" and one.end <= number for one in own)
             if not ones and (word.tag != "pronoun" or word.text not in _PRONOUNS or within):
                 out.append(word)
                 continue
             new = ""
             if not ones:
                 new = self._antecedent(word.text)
+                bare = new.removeprefix("the ")
+                if new and len(out) > 1 and out[-1].text == "of" and out[-2].tag == "number" and self._is_kind(bare):
+                    out, new = out[:-1], bare  # "bandages! there should be ten of them"
+                if new and out and out[0].verb in ("leave", "keep") and number + 1 == clause.end:
+                    new = f"{new} as {'they are' if word.text in _SEVERAL else 'it is'}"
             elif not within:
                 noun = self._noun_for(word.text)
                 article = "an" if noun[:1] in tuple("aeiou") else "a"
@@ -185,6 +195,11 @@ class _Points:
                 new = f"{article} {noun}" if noun and bare else noun if _is_the_one(self.words, number) else ""
             out.append(replace(word, raw=new, tag="noun") if new else word)
         return out
+
+    def _is_kind(self, noun: str) -> bool:
+        """Whether a noun was called out alone, without an article or a place."""
+        last = self.mentions[-1] if self.mentions else []
+        return len(last) == 1 and last[0].noun.lower() == noun.lower() and last[0].start + 1 == last[0].end
 
     def _noun_for(self, one: str) -> str:
         """Return the noun of the last clause with things that ``one`` or ``ones`` stands for; empty if it was kept."""
@@ -224,6 +239,38 @@ def _joint(last: Clause, clause: Clause, words: Sequence[TaggedWord], mark: str)
     return f" {clause.after} " if clause.after.isalpha() else ", "
 
 
+def _wished(
+    clauses: Sequence[Clause], words: Sequence[TaggedWord]
+) -> tuple[Sequence[Clause], Sequence[TaggedWord]]:
+    """Return ``the rug should be moved`` for ``I would be happy if the rug were moved``."""
+    for number, clause in enumerate(clauses):
+        before = clauses[number - 1] if number else None
+        wishing = before is not None and "would" in {word.text for word in words[before.start : before.end]}
+        supposed = clause.form == "dependent" and words[clause.start].text == "if" and words[clause.verb].text in _WERE
+        if before is None or not (wishing and supposed) or words[before.subject].tag not in ("somebody", "pronoun"):
+            continue
+        be = replace(words[clause.verb], text="should be", raw="should be", tag="modal")
+        if words[clause.verb + 1].text == "be":
+            be = replace(be, text="should", raw="should")
+        start = clause.start + 1
+        asked = replace(clause, form="statement", start=start, subject=start, subject_end=clause.verb, after="")
+        new = [*words[: clause.verb], be, *words[clause.verb + 1 :]]
+        return [*clauses[: number - 1], asked, *clauses[number + 1 :]], new
+    return clauses, words
+
+
+_WERE: Final = frozenset("were was could would".split())
+
+
+def _repeats_swap(clauses: Sequence[Clause], words: Sequence[TaggedWord], number: int) -> bool:
+    """Whether a clause says again what a swap brings about: ``so that each stands where the other was``."""
+    before = clauses[number - 1] if number else None
+    clause = clauses[number]
+    if before is None or clause.after != "so" or words[before.verb].verb not in ("swap", "swop", "trade", "exchange"):
+        return False
+    return any(word.text in ("other", "other's") for word in words[clause.start : clause.end])
+
+
 def _corrects(clause: Clause, words: Sequence[TaggedWord]) -> bool:
     """Whether a clause takes back or puts right what was said: ``I mean the other one``."""
     texts = [word.text for word in words[clause.start : clause.end]]
@@ -240,10 +287,11 @@ def _is_topic(clauses: Sequence[Clause], words: Sequence[TaggedWord], number: in
     """Whether a fragment only names what the next clause takes up by a pronoun: ``the red cushion: swap it``."""
     clause = clauses[number]
     following = clauses[number + 1] if number + 1 < len(clauses) else None
-    if clause.form != "fragment" or following is None or following.form not in ("order", "statement", "question"):
+    if clause.form != "fragment" or following is None or following.form in ("fragment", "dependent"):
         return False
     later = words[following.start : following.end]
-    first = words[clause.start]
+    concerning = [word.text for word in words[clause.start : clause.start + 2]] == ["as", "for"]
+    first = words[clause.start + 2 * concerning]
     opens = first.tag in ("determiner", "possessive", "noun", "number") and first.text not in ("no", "every")
     pronoun = next((at for at, word in enumerate(later) if word.tag == "pronoun" and word.text in _PRONOUNS), None)
     named = pronoun is not None and any(word.tag == "noun" for word in later[:pronoun])

@@ -10,6 +10,8 @@ __all__ = ["end_of_complements", "end_of_noun_group", "finite_verb_after"]
 _BEFORE_NOUNS: Final = frozenset(["determiner", "possessive", "number", "adjective"])
 _ALONE: Final = frozenset(["pronoun", "somebody", "number"])
 _WITHIN: Final = frozenset(["noun", "adjective", "number"])
+_ADDING: Final = frozenset("which who along together including with".split())
+"""Words that begin an addition between commas: ``the desk, along with its chair, ...``."""
 _MOST_STEPS: Final = 40
 
 
@@ -73,9 +75,13 @@ def _after_attachment(words: Sequence[TaggedWord], at: int) -> int:
         end = end_of_noun_group(words, at + 1)
         return end if end > at + 1 else at
     following = words[at + 1] if at + 1 < len(words) else None
-    if word.text == "," and following is not None and following.text in ("which", "who"):
+    if word.text == "," and following is not None and following.text in _ADDING:
         comma = next((k for k in range(at + 2, len(words)) if words[k].text == ","), None)
         return at if comma is None else comma + 1
+    if word.text == ",":
+        end = end_of_noun_group(words, at + 1)
+        listed = end > at + 1 and end < len(words) and (words[end].text in (",", "and"))
+        return end if listed and words[at + 1].tag in _BEFORE_NOUNS | {"noun"} else at
     if word.tag == "relative":
         return _end_of_relative(words, at + 1)
     if word.tag == "somebody" and word.text not in ("me", "us", "him"):

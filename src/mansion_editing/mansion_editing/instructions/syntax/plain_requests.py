@@ -32,7 +32,7 @@ _WAYS: Final = frozenset("into onto to".split())
 def plainly_asked(words: Sequence[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
     """Return the words of a clause that asks for something in the words of a plain order, where that is known."""
     steps: tuple[Callable[[list[TaggedWord], Lexicon], list[TaggedWord]], ...] = (
-        _without_edges, _without_added_clause, _with_part_after, _with_replaced_after, _as_order, _as_new_things,
+        _without_edges, _without_added_clause, _with_companions, _without_comparison, _with_part_after, _with_replaced_after, _as_order, _as_new_things,
         _as_active, _without_relatives, _without_purpose, _with_plain_verb,
     )  # fmt: skip
     said = list(words)
@@ -58,6 +58,37 @@ def _without_added_clause(words: list[TaggedWord], lexicon: Lexicon) -> list[Tag
     if not start or names_something(words[start:end], lexicon) or any(w.text in _OBLIGING for w in words[start:end]):
         return words
     return [*words[: start - 1], *words[end + 1 :]]
+
+
+_WITH: Final = (["along", "with"], ["together", "with"])
+
+
+def _with_companions(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
+    """Return ``the desk and its chair go there`` for ``the desk, along with its chair, goes there``."""
+    for at in range(2, len(words) - 3):
+        said = [word.text for word in words[at : at + 2]]
+        end = next((k for k in range(at, len(words)) if words[k].text == ","), 0)
+        if said in _WITH and words[at - 1].text == "," and end:
+            joint = replace(words[at], text="and", raw="and", tag="joint")
+            return [*words[: at - 1], joint, *words[at + 2 : end], *words[end + 1 :]]
+    return words
+
+
+_ALIKE: Final = (["like", "the"], ["like", "those"], ["as", "the"], ["like", "that"])
+_NO_LONGER: Final = (["any", "longer"], ["any", "more"], ["anymore"])
+
+
+def _without_comparison(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
+    """Return words without what only compares at their end: ``like the one in the bathroom``, ``any longer``."""
+    texts = [word.text for word in words]
+    for said in _NO_LONGER:
+        if texts[-len(said) :] == said and len(words) > len(said):
+            return _without_comparison(words[: -len(said)], lexicon)
+    for at in range(2, len(words) - 2):
+        alike = texts[at : at + 2] in _ALIKE and texts[at + 2] in ("one", "ones", "other", "others")
+        if alike and not any(word.is_finite for word in words[at:]):
+            return words[: at - (texts[at - 1] in ("same", ",", "just"))]
+    return words
 
 
 def _with_part_after(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
@@ -113,29 +144,79 @@ def _as_obliged(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
     return [*words[at + 1 : end], should, *words[end + 1 :]]
 
 
+_BETTER: Final = frozenset("better nicer use useful good well best lovely nice great fun perfect".split())
+
+
+def _as_moved(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
+    """Return ``the lamp should go by the sofa`` for ``by the sofa the lamp would be of use``, ``is needed by ...``."""
+    verb = next((k for k in range(1, len(words)) if words[k].tag in ("modal", "be")), 0)
+    start = _end_of_place(words, 0)
+    subject_end = end_of_noun_group(words, start)
+    definite = words[start].tag in ("determiner", "possessive", "pronoun") and words[start].text not in _NEW
+    if not verb or not definite or subject_end > verb:
+        return words
+    rest = words[verb + 1 :]
+    place = words[:start]
+    if words[verb].text == "would" and {word.text for word in rest} & _BETTER:
+        at = next((k for k, word in enumerate(rest) if word.text in _GOALS and k), len(rest))
+        place = place or rest[at:]
+    elif rest and rest[0].text in ("needed", "wanted", "required") and words[verb].tag == "be":
+        place = place or rest[1:]
+    else:
+        return words
+    if not place or place[0].text not in _GOALS or not names_something(place, lexicon):
+        return words
+    should = replace(words[verb], text="should", raw="should", tag="modal")
+    go = replace(words[verb], text="go", raw="go", tag="verb", verb="go", form="base")
+    return [*words[start:verb], should, go, *place]
+
+
+_NEW: Final = frozenset("a an another some any no".split())
+
+
+def _end_of_place(words: Sequence[TaggedWord], at: int) -> int:
+    """Return the end of the place that begins at a word; the word where none does."""
+    while at < len(words) and words[at].tag == "preposition":
+        end = end_of_noun_group(words, at + 1)
+        if end == at + 1:
+            return at
+        at = end + (end < len(words) and words[end].text == ",")
+    return at
+
+
 _DOING: Final = frozenset("do suffice help sort fix solve improve".split())
+_NEEDED: Final = frozenset("needed required wanted called missing due welcome".split())
 
 
 def _as_new_things(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
     """Return ``put two more benches`` for ``two more benches should sort that out``."""
     end = end_of_noun_group(words, 0)
     new = words[0].text in ("a", "an", "another", "some") or any(word.text == "more" for word in words[:end])
-    modal = next((at for at in range(end, len(words)) if words[at].tag == "modal"), 0)
-    if not end or not new or not modal or modal + 1 >= len(words):
+    several = words[0].tag == "number" and end > 1 and words[1].text != "of"
+    verb = next((at for at in range(end, len(words)) if words[at].tag in ("modal", "be")), 0)
+    if not end or not (new or several) or not verb or verb + 1 >= len(words):
         return words
-    rest = words[_after_idle(words, modal + 1) :]
-    if not rest or rest[0].verb not in _DOING or names_something(rest, lexicon):
+    rest = words[_after_idle(words, verb + 1) :]
+    if not new and rest and rest[0].verb in ("do", "suffice"):
+        return words  # so many may be there already
+    needed = words[verb].tag == "be" and bool(rest) and rest[0].text in _NEEDED
+    if not rest or names_something(rest, lexicon) or not (needed or rest[0].verb in _DOING):
         return words
     put = replace(words[0], text="add", raw="add", tag="verb", verb="add", form="base")
-    return [put, *words[:modal]]
+    return [put, *words[:verb]]
 
 
 def _as_order(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
     """Return ``put the lamp there`` for ``could you please put the lamp there``, ``I need you to put ...``."""
     if words[0].tag == "modal" and len(words) > 2 and words[1].text in _ASKED:
         at = _after_idle(words, 2)
+        at = _after_idle(words, at + 1) if at < len(words) and words[at].verb == "mind" else at
         if at < len(words) and words[at].verb:
             return [_in_base(words[at]), *words[at + 1 :]]
+    to = next((at for at, word in enumerate(words[:8]) if word.tag == "to"), 0)
+    possible = [word.text for word in words[:3]] in ([modal, "it", "be"] for modal in ("would", "could", "might"))
+    if possible and to and words[to + 1].form == "base" and (words[to + 1].verb,) in BY_WORDS:
+        return words[to + 1 :]
     wish = next((at for at, word in enumerate(words[:5]) if word.verb in ("need", "want", "like", "ask")), None)
     if wish is not None and [word.text for word in words[wish + 1 : wish + 3]] in (["you", "to"], ["somebody", "to"]):
         return words[_after_idle(words, wish + 3) :]
@@ -234,6 +315,8 @@ def _with_plain_verb(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWo
     verb = words[0]
     plain = _deeds().get(verb.verb, "")
     known = plain or (verb.verb if (verb.verb,) in BY_WORDS else "")
+    if known in ("swap", "switch") and words[-1].text in _PARTICLES and any(word.text == "and" for word in words):
+        return [replace(verb, text="swap", raw="swap", verb="swap"), *words[1:-1]]
     aside = words[1].text in _PARTICLES
     start = 1 + aside
     end = end_of_noun_group(words, start)

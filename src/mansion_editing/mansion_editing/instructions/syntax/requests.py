@@ -1,6 +1,7 @@
 """Which clauses of an instruction ask for something, and which only tell."""
 
 from collections.abc import Sequence
+from itertools import pairwise
 from typing import Final
 
 from mansion_editing.instructions.phrases.lexicon import Lexicon
@@ -22,16 +23,21 @@ _STAYING: Final = frozenset(["stay", "remain"])
 _MEASURING: Final = frozenset(
     "enough plenty many much few fewer less more missing needed wanted required supposed meant due short surplus "
     "superfluous redundant unwanted welcome sufficient ample nice good great lovely better best fine handy perfect "
-    "useful ideal wrong".split()
+    "useful ideal wrong use".split()
 )
 """Words by which a description also says what there shall be."""
 _LIMITING: Final = frozenset(
-    "only except instead nothing exactly apart without otherwise including included excluding".split()
+    "only except instead exactly apart without otherwise including included excluding".split()
 )
 """Words that may limit what another clause asks for."""
 _WHOLES: Final = frozenset("all every each both any half".split())
 _DEPENDING: Final = frozenset("if unless whether until".split())
 _CALLS: Final = frozenset("thank look guess imagine listen know see mind remember".split())
+_MENDING: Final = frozenset("sort fix see remedy change solve mend correct".split())
+_IT: Final = frozenset("it that this out to please right for me us now about up".split())
+"""Words of orders that say no more than that something shall be put right: ``sort that out``."""
+_PREPARING: Final = frozenset("roll pick grab unplug fold lift wrap disconnect pack check".split())
+"""What is done with a thing before it is brought somewhere: ``roll it up and take it to the storage``."""
 _DENYING: Final = frozenset(["not", "no", "never"])
 
 
@@ -44,7 +50,8 @@ def only_tells(clause: Clause, words: Sequence[TaggedWord], lexicon: Lexicon) ->
     said = words[clause.start : clause.end]
     texts = [word.text for word in said]
     named = names_something(said, lexicon)
-    if named and ({*texts} & _LIMITING or texts[-1] in _ALSO or {"too", "also"} & {*texts[:-1]}):
+    nothing = texts[0] == "nothing" or any(pair in (("nothing", "but"), ("nothing", "else")) for pair in pairwise(texts))
+    if named and (nothing or {*texts} & _LIMITING or texts[-1] in _ALSO or {"too", "also"} & {*texts[:-1]}):
         return clause.form == "statement" and _tells_of_use(clause, words)
     if clause.form == "statement" and texts[0] == "what":
         return not any(word.verb in _WISHING or word.text in _MEASURING for word in said)
@@ -52,7 +59,10 @@ def only_tells(clause: Clause, words: Sequence[TaggedWord], lexicon: Lexicon) ->
         idle = not (named or {*texts} & {"you", "we"} or _takes_up(said[1:]))
         return idle or (texts[-1:] == ["you"] and len(texts) <= 3)
     if clause.form == "order":
-        return texts[0] in _CALLS and not named
+        if said[0].verb in _PREPARING and len(said) < 5 and _takes_up(said) and not named:
+            return True
+        vague = texts[0] in _MENDING and {*texts[1:]} <= _IT and len(texts) > 1
+        return vague or (texts[0] in _CALLS and not named)
     if clause.form == "dependent":
         return texts[0] not in _DEPENDING
     if clause.form == "fragment":
@@ -82,6 +92,8 @@ def _asks(clause: Clause, words: Sequence[TaggedWord], lexicon: Lexicon) -> bool
         return not somebody or aimed
     if _wishes(rest):
         return aimed and not (somebody and _does_it_oneself(rest))
+    if counted and verb.tag == "be" and texts[-1] in ("right", "correct"):
+        return False  # "eight is right"
     main = next((word for word in rest if word.tag == "verb"), verb)
     if main.verb in _STAYING:
         return not is_person(subject)

@@ -93,7 +93,7 @@ _DETERMINED: Final = frozenset("the these those my our your his her their its of
 _BEFORE_ORDERS: Final = frozenset("please just kindly then also now simply maybe perhaps finally first next only".split())
 _EXCHANGING: Final = frozenset("trade swap change exchange switch swop".split())
 _BEGINNING_OBJECTS: Final = frozenset("determiner possessive number pronoun somebody".split())
-_PARTICLES: Final = frozenset("up out on off down away over back".split())
+_PARTICLES: Final = frozenset(["on", "off"])
 _PARTICIPLES: Final = ("participle", "gerund")
 
 
@@ -166,6 +166,8 @@ def _in_context(words: Sequence[TaggedWord], at: int, lexicon: Lexicon) -> Tagge
     if word.tag in ("noun", "adjective", "preposition") and word.text.isalpha() and word.text != "like":
         found = _as_verb(words, at, lexicon)
         return word if found is None else found
+    if word.text == "that" and before is not None and before.text == "so":
+        return replace(word, tag="adverb")
     if word.text == "like" and before is not None and before.tag in ("modal", "somebody"):
         return replace(word, tag="verb", verb="like", form="base")
     if word.text == "her" and not opens_phrase:
@@ -201,7 +203,9 @@ def _as_verb(words: Sequence[TaggedWord], at: int, lexicon: Lexicon) -> TaggedWo
     if opens and not forms and _is_order(words, at, lexicon):
         return replace(word, tag="verb", verb=word.text, form="base")
     if opens and "base" in kinds:
-        return None if named and not _takes_object(after) else _formed(word, forms, "base")
+        object_follows = after is not None and after.tag in _BEGINNING_OBJECTS
+        switched = word.text == "switch" and after is not None and after.text in _PARTICLES
+        return None if named and not (object_follows or switched) else _formed(word, forms, "base")
     if before is not None and _has_object(words, at, lexicon):
         several = singular(before.text) != before.text
         if "third" in kinds or ("base" in kinds and several):
@@ -212,11 +216,12 @@ def _as_verb(words: Sequence[TaggedWord], at: int, lexicon: Lexicon) -> TaggedWo
         return _formed(word, forms, "base")
     if before.tag in ("modal", "to", "do", "somebody", "not") and "base" in kinds:
         return _formed(word, forms, "base")
-    if before.tag in ("be", "have", "adverb") or word.text.endswith("ing"):
+    if before.tag in ("be", "have", "adverb") or before.verb == "get" or word.text.endswith("ing"):
         best = next((kind for kind in _PARTICIPLES if kind in kinds), None)
         if best is not None:
             return _formed(word, forms, best)
-    if before.tag in ("noun", "pronoun", "somebody", "adverb", "relative", "number"):
+    told = before.text == "," and "third" in kinds and after is not None and after.tag in ("preposition", "to")
+    if told or before.tag in ("noun", "pronoun", "somebody", "adverb", "relative", "number"):
         return _after_subject(word, forms, before, after)
     return None
 
@@ -271,10 +276,3 @@ def _has_object(words: Sequence[TaggedWord], at: int, lexicon: Lexicon) -> bool:
         return False
     name = (singular(before.text), singular(words[at].text))
     return before.tag == "noun" and not lexicon.is_object(name)
-
-
-def _takes_object(after: TaggedWord | None) -> bool:
-    """Whether what follows a verb may be its object or its particle."""
-    if after is None:
-        return False
-    return after.tag in _BEGINNING_OBJECTS or after.text in _PARTICLES
