@@ -12,6 +12,7 @@ from mansion_editing.instructions.paraphrases.strange_verbs import with_known_ve
 from mansion_editing.instructions.phrases.lexicon import Lexicon
 from mansion_editing.instructions.sentences.reader import read_instruction
 from mansion_editing.instructions.statements import Instruction, Mention, Things
+from mansion_editing.instructions.syntax.arrows import without_arrows
 from mansion_editing.instructions.syntax.main_points import main_points
 from mansion_editing.state import SceneState
 
@@ -80,7 +81,7 @@ def _taken_back(read: Instruction, text: str) -> str:
 
 def reworded(text: str, lexicon: Lexicon) -> str:
     """Return a text in the plain words of what it asks for."""
-    return with_known_verbs(in_plain_words(in_running_text(text)), lexicon)
+    return with_known_verbs(in_plain_words(without_arrows(in_running_text(text))), lexicon)
 
 
 def _wordings(text: str, lexicon: Lexicon, floors: tuple[int, ...]) -> Iterator[tuple[str, tuple[str, ...]]]:

@@ -118,17 +118,30 @@ def _end(words: Sequence[TaggedWord], at: int, form: Form) -> int:
                 return k
             if begins != "fragment" or word.text in ("-", "–", "—") or _is_vague(words[at + 1 : k]):
                 return k
+            if following < len(words) and _adds_one_more(words, following):
+                return k
             if word.text == "," and form != "fragment" and _is_aside(words, following):
                 return k
         elif word.tag == "subordinator" and word.text not in ("that", "where", "whether", "until") and k > at + 1:
             if _opening(words, k)[0] == "dependent" and not _tells_how_it_is(words, k):
                 return k
-        elif word.text in ("too", "please", "oh") and following < len(words):
+        elif word.text in ("too", "please", "oh") and following < len(words) and (form != "question" or k > at + 3):
             if words[following].tag == "joint" or _opening(words, following)[0] in ("statement", "order"):
                 return k + (word.text != "oh")
         elif word.tag == "modal" and word.text in _PLEAS and k + 1 < len(words) and words[k + 1].text == "you":
             return k
     return len(words)
+
+
+def _adds_one_more(words: Sequence[TaggedWord], at: int) -> bool:
+    """Whether a further thing comes at the end, for which the verb before is meant again: ``and the bucket too``."""
+    while words[at].tag in _IDLE:
+        at += 1
+        if at >= len(words):
+            return False
+    end = end_of_noun_group(words, at)
+    last = [word.text for word in words[-2:] if word.text != "please"]
+    return end > at and words[at].tag in ("determiner", "possessive") and last[-1:] in (["too"], ["also"], ["well"])
 
 
 def _may_go_on(words: Sequence[TaggedWord], verb: int, following: int, other: int) -> bool:

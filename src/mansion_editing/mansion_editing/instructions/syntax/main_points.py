@@ -17,6 +17,7 @@ __all__ = ["MainPoints", "main_points"]
 
 _PRONOUNS: Final = frozenset("it them they this that these those both".split())
 _SEVERAL: Final = frozenset("them they these those both".split())
+_THAT: Final = frozenset("that this the those these".split())
 _ONES: Final = frozenset(["one", "ones"])
 _ALSO: Final = frozenset("too also well".split())
 _CORRECTING: Final = frozenset("no nope sorry wait oops correction scratch forget rather actually".split())
@@ -175,6 +176,14 @@ class _Points:
         out: list[TaggedWord] = []
         for number in range(clause.start, clause.end):
             word = self.words[number]
+            following = self.words[number + 1].text if number + 1 < clause.end else ""
+            if word.text in ("thing", "things") and out and out[-1].text in _THAT:
+                new = self._antecedent("them" if word.text == "things" else "it")
+                out[-1:] = [replace(word, raw=new, tag="noun")] if new else [out[-1], word]
+                continue
+            if word.text in _THAT and following in ("thing", "things"):
+                out.append(word)
+                continue
             ones = word.text in _ONES and word.tag in ("pronoun", "number")
             within = number != clause.subject and any(one.kind == "thing" and one.end <= number for one in own)
             if not ones and (word.tag != "pronoun" or word.text not in _PRONOUNS or within):
@@ -188,7 +197,7 @@ class _Points:
                     out, new = out[:-1], bare  # "bandages! there should be ten of them"
                 if new and out and out[0].verb in ("leave", "keep") and number + 1 == clause.end:
                     new = f"{new} as {'they are' if word.text in _SEVERAL else 'it is'}"
-            elif not within:
+            elif not within and self.words[clause.start].text not in ("of", "from"):
                 noun = self._noun_for(word.text)
                 article = "an" if noun[:1] in tuple("aeiou") else "a"
                 bare = word.tag == "pronoun" and not _is_the_one(self.words, number)

@@ -88,7 +88,7 @@ def _after_attachment(words: Sequence[TaggedWord], at: int) -> int:
         return _end_of_relative(words, at)
     if word.tag == "verb" and word.form in ("participle", "gerund"):
         return end_of_complements(words, at + 1)
-    return at + 1 if word.tag in ("adverb", "not") else at
+    return at + 1 if word.tag in ("adverb", "not") and word.text != "too" else at
 
 
 def _end_of_relative(words: Sequence[TaggedWord], at: int) -> int:

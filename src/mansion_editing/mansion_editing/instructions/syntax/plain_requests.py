@@ -74,7 +74,7 @@ def _with_companions(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWo
     return words
 
 
-_ALIKE: Final = (["like", "the"], ["like", "those"], ["as", "the"], ["like", "that"])
+_ALIKE: Final = (["like", "the"], ["like", "those"], ["as", "the"], ["like", "that"], ["with", "the"])
 _NO_LONGER: Final = (["any", "longer"], ["any", "more"], ["anymore"])
 
 
@@ -86,6 +86,7 @@ def _without_comparison(words: list[TaggedWord], lexicon: Lexicon) -> list[Tagge
             return _without_comparison(words[: -len(said)], lexicon)
     for at in range(2, len(words) - 2):
         alike = texts[at : at + 2] in _ALIKE and texts[at + 2] in ("one", "ones", "other", "others")
+        alike = alike and (texts[at] != "with" or texts[at + 2] in ("other", "others"))
         if alike and not any(word.is_finite for word in words[at:]):
             return words[: at - (texts[at - 1] in ("same", ",", "just"))]
     return words
@@ -328,11 +329,18 @@ def _with_plain_verb(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWo
     deed = BY_WORDS.get((known,))
     goal = _goal_from(words, end, _GOALS if deed == "add" else _WAYS)
     carried = deed in ("move", "add", "bring", "take")
+    wall = next((k for k in range(end, len(words) - 2) if words[k].text in ("off", "from") and _is_wall(words, k + 2)), 0)
+    if known == "take" and wall:
+        return [replace(verb, text="remove", raw="remove", verb="remove"), *words[1:wall], *words[wall + 3 :]]
     if carried and goal and (aside or particle in _PARTICLES) and not _leaves(words, end):
         rest = words[goal:] if particle in _PARTICLES else words[end:]
         put = known if known != "put" or words[goal].text != "to" else "move"
         return [replace(verb, text=put, raw=put, verb=put), *words[start:end], *rest]
     return [replace(verb, text=known, raw=known, verb=known), *words[1:]] if plain else words
+
+
+def _is_wall(words: Sequence[TaggedWord], at: int) -> bool:
+    return words[at].text in ("wall", "walls") and words[at - 1].text == "the"
 
 
 def _goal_from(words: Sequence[TaggedWord], at: int, goals: frozenset[str]) -> int:

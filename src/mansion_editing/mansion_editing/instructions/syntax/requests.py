@@ -38,6 +38,8 @@ _IT: Final = frozenset("it that this out to please right for me us now about up"
 """Words of orders that say no more than that something shall be put right: ``sort that out``."""
 _PREPARING: Final = frozenset("roll pick grab unplug fold lift wrap disconnect pack check".split())
 """What is done with a thing before it is brought somewhere: ``roll it up and take it to the storage``."""
+_FINE: Final = frozenset("right correct fine ok okay alright good".split())
+_WHOLES_OF: Final = frozenset("everything all whatever".split())
 _DENYING: Final = frozenset(["not", "no", "never"])
 
 
@@ -88,12 +90,15 @@ def _asks(clause: Clause, words: Sequence[TaggedWord], lexicon: Lexicon) -> bool
     somebody = is_person(subject) or not (names_something(subject, lexicon) or counted)
     aimed = names_something(rest, lexicon) or _counts(rest) or _takes_up(rest)
     verb = rest[0]
+    if texts[-1] in ("along", "too") and {"come", "go"} & {word.verb for word in rest} and subject[0].text in _WHOLES_OF:
+        return False  # "everything on it must come along"
     if verb.text in _OBLIGING or (verb.tag in ("be", "have") and _is_to(rest)) or texts[:2] in _NEEDING:
         return not somebody or aimed
     if _wishes(rest):
         return aimed and not (somebody and _does_it_oneself(rest))
-    if counted and verb.tag == "be" and texts[-1] in ("right", "correct"):
-        return False  # "eight is right"
+    fine = verb.tag == "be" and bool({*texts[1:3]} & _FINE)
+    if fine and counted and not names_something(subject, lexicon):
+        return False  # "eight is right", "that one is fine as it is"
     main = next((word for word in rest if word.tag == "verb"), verb)
     if main.verb in _STAYING:
         return not is_person(subject)

@@ -88,6 +88,12 @@ _ADVERBS: Final = frozenset(
     "barely hardly soon later kindly actually basically honestly anyway however though well else as so far yet never "
     "once twice not-so please possibly currently about".split()
 )
+_WHICH_PERIOD: Final = frozenset("last next this".split())
+_PERIODS: Final = frozenset(
+    "week weekend month year night evening morning afternoon spring summer autumn winter time monday tuesday wednesday "
+    "thursday friday saturday sunday term season".split()
+)
+_SOUNDS: Final = frozenset("um uh er erm eh aw phew yeah yep nah yay hooray yuck ew gosh".split())
 _BEFORE_DETERMINERS: Final = frozenset("all both half none".split())
 _DETERMINED: Final = frozenset("the these those my our your his her their its of".split())
 _BEFORE_ORDERS: Final = frozenset("please just kindly then also now simply maybe perhaps finally first next only".split())
@@ -102,6 +108,8 @@ def tagged(text: str, lexicon: Lexicon) -> list[TaggedWord]:
     words = [_by_class(match) for match in _WORD.finditer(text)]
     for at in range(len(words)):
         words[at] = _in_context(words, at, lexicon)
+        if at and words[at].text in _PERIODS and words[at - 1].text in _WHICH_PERIOD:
+            words[at - 1 : at + 1] = [replace(word, tag="adverb", verb="", form="") for word in words[at - 1 : at + 1]]
     return words
 
 
@@ -137,7 +145,7 @@ def _classes(text: str) -> Iterator[Tag]:
         (frozenset(["to"]), "to"), (_JOINTS, "joint"), (_DETERMINERS, "determiner"), (_POSSESSIVES, "possessive"),
         (_PRONOUNS, "pronoun"), (_SOMEBODY, "somebody"), (frozenset(["there"]), "there"),
         (_PREPOSITIONS, "preposition"), (_SUBORDINATORS, "subordinator"), (_RELATIVES, "relative"),
-        (_ADVERBS, "adverb"), (COURTESIES, "interjection"),
+        (_ADVERBS, "adverb"), (COURTESIES | _SOUNDS, "interjection"),
     )  # fmt: skip
     yield from (tag for words, tag in classes if text in words)
     if text in VAGUE or text in COLOUR_WORDS:
@@ -155,7 +163,8 @@ def _in_context(words: Sequence[TaggedWord], at: int, lexicon: Lexicon) -> Tagge
         return replace(word, tag="determiner")
     if word.text in ("close", "next", "ready") and after is not None and after.tag == "to":
         return replace(word, tag="adverb")
-    opens_phrase = after is not None and after.tag in ("noun", "adjective", "number") and after.text not in ("one",)
+    opens_phrase = after is not None and after.tag in ("noun", "adjective", "number")
+    opens_phrase = opens_phrase and (after is None or after.text != "one" or word.text in ("this", "that"))
     if word.tag == "determiner" and word.text in _PRONOUNS and not opens_phrase:
         return _that(word, before, after) if word.text == "that" else replace(word, tag="pronoun")
     if word.text == "that" and before is not None and before.tag == "noun" and after is not None:
@@ -251,6 +260,8 @@ def _is_name_here(words: Sequence[TaggedWord], at: int, lexicon: Lexicon) -> boo
     before = words[at - 1] if at else None
     after = words[at + 1] if at + 1 < len(words) else None
     numbered = before is not None and before.tag == "number" and (before.text == "one" or before.text.isdecimal())
+    others = at > 1 and words[at - 2].text in ("other", "the") and after is not None and after.tag in _BEGINNING_OBJECTS
+    numbered = numbered or (before is not None and before.tag == "number" and others)
     if before is not None and before.tag in ("determiner", "possessive", "adjective", "number") and not numbered:
         return True
     if before is not None and before.tag == "noun" and lexicon.is_object((singular(before.text), own)):
