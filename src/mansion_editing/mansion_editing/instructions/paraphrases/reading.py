@@ -12,12 +12,14 @@ from mansion_editing.instructions.paraphrases.strange_verbs import with_known_ve
 from mansion_editing.instructions.phrases.lexicon import Lexicon
 from mansion_editing.instructions.sentences.reader import read_instruction
 from mansion_editing.instructions.statements import Instruction, Mention, Things
+from mansion_editing.instructions.syntax.arrows import without_arrows
+from mansion_editing.instructions.syntax.main_points import main_points
 from mansion_editing.state import SceneState
 
 __all__ = ["read_in_other_words", "reworded"]
 
 _MOST_REMARKS = 2
-_MOST_READINGS = 14
+_MOST_READINGS = 20
 """How often one instruction is read."""
 _CORRECTION: Final = re.compile(
     r"(?:\.\.\.|…|\s-|,|\.)\s*(?:(?:no|oh|oops|er|um)\b,? )*"
@@ -79,7 +81,7 @@ def _taken_back(read: Instruction, text: str) -> str:
 
 def reworded(text: str, lexicon: Lexicon) -> str:
     """Return a text in the plain words of what it asks for."""
-    return with_known_verbs(in_plain_words(in_running_text(text)), lexicon)
+    return with_known_verbs(in_plain_words(without_arrows(in_running_text(text))), lexicon)
 
 
 def _wordings(text: str, lexicon: Lexicon, floors: tuple[int, ...]) -> Iterator[tuple[str, tuple[str, ...]]]:
@@ -87,7 +89,13 @@ def _wordings(text: str, lexicon: Lexicon, floors: tuple[int, ...]) -> Iterator[
     plain = reworded(text, lexicon)
     if plain != text:
         yield plain, ()
-    known = {plain}
+    known = {text, plain}
+    running = in_running_text(text)
+    own = [(reworded(points.text, lexicon), points.remarks) for points in main_points(running, lexicon)]
+    for said, remarks in (*own, *((points.text, points.remarks) for points in main_points(plain, lexicon))):
+        if said not in known:
+            known.add(said)
+            yield said, remarks
     shorter: list[tuple[str, tuple[str, ...]]] = [(plain, ())]
     for _ in range(_MOST_REMARKS):
         longer, shorter = shorter, []
