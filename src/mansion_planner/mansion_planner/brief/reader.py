@@ -287,8 +287,12 @@ class _Reader:
             reading.take(opening[2], opening[3])
             opening = None
         if opening is not None:
-            self.facts.building_name, self.facts.building_like, first, last = opening
-            self.facts.building_span.append(reading.span(first, last))
+            name, like, first, last = opening
+            if name in reading.knowledge.buildings:
+                self.facts.building.append((name, reading.span(first, last)))
+            else:
+                self.facts.building_name, self.facts.building_like = name, like
+                self.facts.building_span.append(reading.span(first, last))
             reading.take(first, last)
             phrases[:] = [p for p in phrases if p.last <= first or p.first >= last]
             number = None
