@@ -320,7 +320,9 @@ def read_counts_by_group(reading: Reading, phrases: list[Phrase], households: Ho
             if (
                 phrase.head == "room"
                 and subject != "room"
-                and not (phrase.determiner in ("its", "own") and number and phrases[number - 1].count == counts[subject])
+                and not (
+                    phrase.determiner in ("its", "own") and number and phrases[number - 1].count == counts[subject]
+                )
                 and phrase.first > index
                 and reading.sentence[phrase.first] == reading.sentence[index]
                 and phrase.count == 1

@@ -140,7 +140,12 @@ def is_date_or_age(reading: Reading, index: int) -> bool:
         return True  # "we open at seven"
     if after in _SPANS:
         return True  # "in three weeks", "three generations"
-    if before in ("over", "almost", "nearly", "past") and closes and reading.word(index - 2) in _BOTH and value <= _OLDEST:
+    if (
+        before in ("over", "almost", "nearly", "past")
+        and closes
+        and reading.word(index - 2) in _BOTH
+        and value <= _OLDEST
+    ):
         return True  # "my parents (both over 70)"
     aged = (before in _AGED or before in _SOMEBODY) and (closes or after == "year") and 1 < value <= _OLDEST
     return aged and (before in _SOMEBODY or _has_somebody(reading, index - 1))
