@@ -41,7 +41,9 @@ def without_conversions(tokens: list[Token]) -> list[Token]:
 _FLOORS = frozenset({"floor", "storey", "level"})
 _OLD = frozenset({"old", "former", "existing", "disused", "historic"})
 _STANDING = frozenset(
-    "block building house tower bank mill church warehouse factory barn hall school villa mall centre center hotel".split()
+    """
+    block building house tower bank mill church warehouse factory barn hall school villa mall centre center hotel
+    """.split()
 )
 
 

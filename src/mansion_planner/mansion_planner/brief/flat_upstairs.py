@@ -1,4 +1,4 @@
-"""Give the flat above a practice or a shop its rooms: "a vet with a flat above. ... Upstairs living room, 2 bedrooms"."""
+"""Give the flat above a practice or a shop its rooms: "a flat above. ... Upstairs living room, 2 bedrooms"."""
 
 from dataclasses import replace
 
