@@ -59,7 +59,7 @@ def aside_tokens(reading: Reading) -> set[int]:
 _SITES = frozenset(
     """
     town village city suburb countryside lake beach plot park neighbourhood neighborhood hill hillside mountain island
-    forest coast sea seaside river riverside meadow valley square row road
+    forest slope coast sea seaside river riverside meadow valley square row road
     """.split()
 )
 """Nouns for where a building stands, of which no plan is made."""

@@ -21,6 +21,13 @@ def without_conversions(tokens: list[Token]) -> list[Token]:
     index = 0
     while index < len(tokens):
         before = tokens[index - 1].text if index else ""
+        host = _floor_of_host(tokens, index)
+        if host:
+            first, last = tokens[index], tokens[host - 1]
+            result += [Token("word", word, first.start, last.end) for word in ("on", "one", "floor")]
+            result[-2] = Token("number", "one", first.start, last.end, 1.0)
+            index = host
+            continue
         end = _converted(tokens, index) if tokens[index].text in _CONVERTING and before in _OPENS else 0
         if end:
             index = end
@@ -29,6 +36,33 @@ def without_conversions(tokens: list[Token]) -> list[Token]:
             result.append(tokens[index])
         index += 1
     return result
+
+
+_FLOORS = frozenset({"floor", "storey", "level"})
+_OLD = frozenset({"old", "former", "existing", "disused", "historic"})
+_STANDING = frozenset(
+    """
+    block building house tower bank mill church warehouse factory barn hall school villa mall centre center hotel
+    """.split()
+)
+
+
+def _floor_of_host(tokens: list[Token], index: int) -> int:
+    """Return where "on the first floor of an existing office block" ends; 0 where a token opens no such words."""
+    if index and tokens[index - 1].text in ("the", "whole", "each", "every"):
+        return 0
+    texts = [token.text for token in tokens[index : index + 12]]
+    at = int(texts[:1] in (["on"], ["in"], ["at"]))
+    at += texts[at : at + 1] == ["the"]
+    named = at < len(texts) and (tokens[index + at].kind == "ordinal" or texts[at] in ("ground", "top", "upper"))
+    if not named or texts[at + 1 : at + 2] == [] or texts[at + 1] not in _FLOORS:
+        return 0
+    at += 2
+    if texts[at : at + 1] != ["of"] or texts[at + 1 : at + 2] not in (["a"], ["an"], ["the"], ["our"]):
+        return 0
+    noun = next((k for k in range(at + 2, len(texts)) if texts[k] in _STANDING), 0)
+    old = not _OLD.isdisjoint(texts[at + 2 : noun])
+    return index + noun + 1 if noun and old and noun - at < 6 else 0
 
 
 def _converted(tokens: list[Token], index: int) -> int:

@@ -320,6 +320,9 @@ def read_counts_by_group(reading: Reading, phrases: list[Phrase], households: Ho
             if (
                 phrase.head == "room"
                 and subject != "room"
+                and not (
+                    phrase.determiner in ("its", "own") and number and phrases[number - 1].count == counts[subject]
+                )
                 and phrase.first > index
                 and reading.sentence[phrase.first] == reading.sentence[index]
                 and phrase.count == 1
@@ -329,6 +332,14 @@ def read_counts_by_group(reading: Reading, phrases: list[Phrase], households: Ho
             ):
                 phrases[number] = replace(phrase, count=counts[subject], counted=True)
         reading.take(index, index + 2)
+        _take_number(reading, subject, counts[subject])
+
+
+def _take_number(reading: Reading, noun: str, count: int) -> None:
+    """Take the number that groups were counted by: "60 children in three groups"."""
+    for at in range(len(reading.tokens) - 1):
+        if reading.value(at) == count and reading.kind(at) == "number" and reading.word(at + 1) == noun:
+            reading.take(at, at + 2)
 
 
 _SHARED = frozenset({"shared", "common", "communal"})

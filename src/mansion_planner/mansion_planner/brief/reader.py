@@ -43,6 +43,7 @@ from mansion_planner.brief.exclusions import negated_phrases, read_completeness
 from mansion_planner.brief.facts import BriefFacts, Span
 from mansion_planner.brief.finishes import read_materials, read_style
 from mansion_planner.brief.fittings import leave_out_containers, read_fittings
+from mansion_planner.brief.flat_upstairs import give_rooms_to_flat
 from mansion_planner.brief.furnishings import read_furnishings
 from mansion_planner.brief.heights import read_heights
 from mansion_planner.brief.households import read_households
@@ -250,6 +251,7 @@ class _Reader:
         ).record()
         among_adverts(facts, adverts)
         read_changed_copies(reading, self.changed)
+        give_rooms_to_flat(reading)
         read_desk_areas(facts)
         state_relations(reading, self.phrases, self.relations, self.same, self.groups)
         read_completeness(reading, self.places, self.phrases)
@@ -285,8 +287,12 @@ class _Reader:
             reading.take(opening[2], opening[3])
             opening = None
         if opening is not None:
-            self.facts.building_name, self.facts.building_like, first, last = opening
-            self.facts.building_span.append(reading.span(first, last))
+            name, like, first, last = opening
+            if name in reading.knowledge.buildings:
+                self.facts.building.append((name, reading.span(first, last)))
+            else:
+                self.facts.building_name, self.facts.building_like = name, like
+                self.facts.building_span.append(reading.span(first, last))
             reading.take(first, last)
             phrases[:] = [p for p in phrases if p.last <= first or p.first >= last]
             number = None

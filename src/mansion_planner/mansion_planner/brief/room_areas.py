@@ -213,6 +213,10 @@ def said_of_each(reading: Reading, measure: Measure, phrases: list[Phrase]) -> t
     return (number, before[-1]) if before else None
 
 
+_BESIDE_PLACE = (("at", "the"), ("on", "the"), ("in", "the"), ("by", "the"), ("to", "the"))
+"""Words of where rooms are, before a comma and the area of each: "two shops at the front, 60 m2 each"."""
+
+
 def _described(reading: Reading, measure: Measure, phrases: list[Phrase]) -> list[int]:
     """Return the room that is described before its area: "a hall for men, 180 m2", "a loft above of 15 m2"."""
     sentence = reading.sentence[measure.first]
@@ -230,6 +234,7 @@ def _described(reading: Reading, measure: Measure, phrases: list[Phrase]) -> lis
     gap = reading.words(phrases[rooms[-1]].last, measure.first)
     people = len(gap) >= 3 and gap[0] == "for" and gap[-1] == "," and len(gap) <= 5
     above = gap[:1] in (("above",), ("below",), ("upstairs",), ("downstairs",)) and set(gap[1:]) <= FILLERS
+    above = above or (gap[:2] in _BESIDE_PLACE and gap[-1] == "," and len(gap) <= 4 and is_of_each(reading, measure))
     relative = gap[:2] == (",", "which") and gap[-1] == "," and "room" in gap and ";" not in gap
     return rooms[-1:] if people or above or relative or _is_clause_of_room(gap) else []
 

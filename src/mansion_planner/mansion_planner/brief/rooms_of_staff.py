@@ -10,12 +10,14 @@ __all__ = ["OFFICE_HOLDERS", "with_rooms_of_staff"]
 
 _HAVE_ROOMS = frozenset("staff teacher nurse doctor consultant priest judge officer technician".split())
 """Who has a room of their own in a building."""
+_NEAR = 4
+"""Words that may stand between a room and the comma after it: "an open office for 24 officers"."""
 _THE_ONE = frozenset({"", "the", "a", "an", "her", "his", "its", "their", "our", "one"})
 OFFICE_HOLDERS = frozenset(
     """
     director manager dean principal headmaster headmistress headteacher rector registrar bursar secretary assistant
     treasurer president chairman chairwoman mayor editor ceo boss receptionist caretaker warden janitor
-    accountant clerk deputy bookkeeper curator
+    accountant clerk deputy bookkeeper curator commander captain chief sergeant
     """.split()
 )
 """Who has an office of their own where a list of rooms adds them: "ten offices plus the dean"."""
@@ -36,6 +38,12 @@ def with_rooms_of_staff(reading: Reading, phrases: list[Phrase]) -> list[Phrase]
     ]
 
 
+def _is_amid(rooms: list[Phrase], last: int, first: int) -> bool:
+    """Whether a room begins at token `first`, and another one ends shortly before token `last`."""
+    before = any(0 <= last - room.last <= _NEAR for room in rooms)
+    return before and any(room.first == first or room.begin == first for room in rooms)
+
+
 def _room_of_staff(reading: Reading, phrases: list[Phrase], phrase: Phrase) -> Phrase:
     """Return the room of those whom a list of rooms names in its place: "head teacher, sick bay, plus the dean"."""
     one = phrase.determiner in _THE_ONE and phrase.count in (None, 1) and not phrase.plural
@@ -52,7 +60,8 @@ def _room_of_staff(reading: Reading, phrases: list[Phrase], phrase: Phrase) -> P
     joined = before in ("and", "&") and any(p.last == lead for p in rooms)
     added = before in ("plus", "+", "additionally", "furthermore", "likewise") or joined
     plain = not phrase.determiner and word in _HAVE_ROOMS
-    listed = closed and (added if not plain else added or before in (",", ":", ";"))
+    amid = before == "," and after == "," and _is_amid(rooms, lead, phrase.last + 1)  # "an office, commander, armoury"
+    listed = closed and (added or amid or (plain and before in (",", ":", ";")))
     if not listed or not any(abs(reading.sentence[p.first] - sentence) <= 1 for p in rooms):
         return phrase
     kind = elliptic_room_type(reading.words(phrase.begin, phrase.noun_end), reading.knowledge)

@@ -267,10 +267,21 @@ class _Pair:
         its = "its" in self.gap or self.phrase.determiner == "its"
         return self.has() and (mine or (its and self.phrase.room_type in PRIVATE))
 
+    def _without_area(self) -> tuple[str, ...]:
+        """Return the words between the two without the area of the owner: "20 rooms at 24 m2 with shower"."""
+        if not self.owner.areas:
+            return self.words
+        between = zip(range(self.named.last, self.phrase.begin), self.words, strict=True)
+        measures = ("number", "unit")
+        return tuple(
+            w for at, w in between if self.reading.kind(at) not in measures and w not in ("at", "of", "each", ",")
+        )
+
     def _is_private(self) -> bool:
         """Whether a room to sleep in has a room that is private as a rule: "a bedroom with a bathroom"."""
         private = self.phrase.room_type in PRIVATE and self.owner.room_type in SLEEPING
-        bare = self.words == ("with",) and not (self.phrase.determiner or self.phrase.counted or self.phrase.plural)
+        said = self._without_area()
+        bare = said == ("with",) and not (self.phrase.determiner or self.phrase.counted or self.phrase.plural)
         # "fourteen patient rooms with shower" have one each
         return private and not {"with", "having"}.isdisjoint(self.gap) and (bare or not self.is_several())
 

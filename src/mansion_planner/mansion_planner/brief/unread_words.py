@@ -160,11 +160,11 @@ def _points_back(reading: Reading, index: int) -> bool:
         return True
     read = any(at in reading.taken for at in range(index + 3, index + 5))
     some = after[:1] == ("of",) and after[1:2] in (("the",), ("our",), ("these",), ("those",)) and read
-    last = reading.breaks(index + 1) or after[:1] == (",",)
+    last = reading.breaks(index + 1) or after[:1] in ((",",), (":",))
     return token.text == "one" and (some or (last and reading.word(index - 1) in _BEFORE_PRONOUN))
 
 
-_BEFORE_PRONOUN = frozenset({"be", "have", "want", "need", "like", "has", "without", "not", "such", "get"})
+_BEFORE_PRONOUN = frozenset({"be", "have", "want", "need", "like", "has", "without", "not", "such", "get", "quick"})
 """Words before "one" where it stands for what was named: "there must not be one"."""
 
 
