@@ -1,6 +1,7 @@
 """Read what a room is by the building that it stands in: "40 rooms" of a hotel, the cabin of a director."""
 
 import re
+from collections.abc import Sequence
 from dataclasses import replace
 
 from mansion_planner.brief.building import is_compound
@@ -92,11 +93,19 @@ def _by_family(reading: Reading, phrase: Phrase, family: str) -> Phrase | None:
         return replace(phrase, room_type="production_hall")
     if family == "industry" and words[-2:] == ["machine", "room"]:
         return replace(phrase, room_type="production_hall")
+    if phrase.room_type == "car_workshop" and words[-1] == "bay" and _holds_instruments(reading, words, family):
+        return replace(phrase, room_type="laboratory", known=False)
     if family == "sport" and words[-2:] == ["shower", "room"] and not phrase.building:
         return replace(phrase, room_type="shower_area")
     if phrase.name == "student_room" and not phrase.counted and not phrase.plural and family in _WORKING:
         return replace(phrase, room_type="study_room", known=False)
     return None
+
+
+def _holds_instruments(reading: Reading, words: Sequence[str], family: str) -> bool:
+    """Whether a bay is one of a laboratory: an etching bay, a metrology bay."""
+    laboratory = family in _INSTRUMENTS or reading.facts.building_like.startswith("laboratory")
+    return laboratory and len(words) > 1 and _FOR_CARS.isdisjoint(words)
 
 
 _ENTRANCES = frozenset({"entrance_hall", "entry_hall", "entrance_room"})
@@ -110,6 +119,12 @@ _DWELT_IN = frozenset({"home", "lodging"})
 
 _WORKING = frozenset({"office", "industry", "education", "culture", "sport", "retail"})
 """Families of buildings whose studios are to work in."""
+
+_INSTRUMENTS = frozenset({"education", "health", "office", ""})
+"""Families of buildings whose bays hold instruments and not cars."""
+
+_FOR_CARS = frozenset("car vehicle auto motor truck lorry bus van service repair workshop lift tyre tire wash".split())
+"""What is said of the bays of a workshop for cars."""
 
 _STUDIOS = {"dance": "dance_studio", "ballet": "dance_studio", "yoga": "yoga_studio", "pilates": "yoga_studio",
             "photo": "photo_studio", "radio": "recording_studio"}  # fmt: skip
