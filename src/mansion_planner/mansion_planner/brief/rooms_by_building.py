@@ -94,7 +94,7 @@ def _by_family(reading: Reading, phrase: Phrase, family: str) -> Phrase | None:
     if family == "industry" and words[-2:] == ["machine", "room"]:
         return replace(phrase, room_type="production_hall")
     if phrase.room_type == "car_workshop" and words[-1] == "bay" and _holds_instruments(reading, words, family):
-        return replace(phrase, room_type="laboratory", known=False)
+        return replace(phrase, room_type="laboratory", known=True)
     if family == "sport" and words[-2:] == ["shower", "room"] and not phrase.building:
         return replace(phrase, room_type="shower_area")
     if phrase.name == "student_room" and not phrase.counted and not phrase.plural and family in _WORKING:
