@@ -217,8 +217,11 @@ def _statement(words: Sequence[TaggedWord], at: int, start: int) -> tuple[Form, 
 def _after_places(words: Sequence[TaggedWord], at: int) -> int:
     """Return the place after the places and adverbs that a clause begins with."""
     while at < len(words) and words[at].tag in ("preposition", "adverb", "interjection"):
-        end = end_of_noun_group(words, at + 1) if words[at].tag == "preposition" else at + 1
-        if words[at].tag == "preposition" and end == at + 1:
+        placing = words[at].tag == "preposition"
+        end = end_of_noun_group(words, at + 1) if placing else at + 1
+        while placing and end < len(words) and words[end].tag == "adverb" and words[end - 1].tag != "noun":
+            end += 1  # "since last week"
+        if placing and end == at + 1:
             return at
         at = end + (end + 1 < len(words) and words[end].text == ",")
     return at

@@ -5,6 +5,7 @@ from dataclasses import dataclass, field, replace
 from typing import Final
 
 from mansion_editing.instructions.phrases.lexicon import Lexicon
+from mansion_editing.instructions.phrases.verb_words import BY_WORDS
 from mansion_editing.instructions.syntax.clauses import Clause, clauses_of
 from mansion_editing.instructions.syntax.mentions import Mentioned, mentioned_in, taken_up
 from mansion_editing.instructions.syntax.noun_groups import end_of_noun_group
@@ -19,6 +20,7 @@ _PRONOUNS: Final = frozenset("it them they this that these those both".split())
 _SEVERAL: Final = frozenset("them they these those both".split())
 _THAT: Final = frozenset("that this the those these".split())
 _ONES: Final = frozenset(["one", "ones"])
+_HITHER: Final = frozenset("in over across along".split())
 _ALSO: Final = frozenset("too also well".split())
 _CORRECTING: Final = frozenset("no nope sorry wait oops correction scratch forget rather actually".split())
 _FOREIGN: Final = frozenset("$ { } \\ / ~ & * _ = < > | # @ % ^ \" “ ”".split())
@@ -94,7 +96,7 @@ class _Points:
         else:
             said = [*self._shared_subject(clause), *self._with_antecedents(clause, mentions)]
             said = self._with_counted_noun(said)
-            said = self._with_room_for_there(said) if self._tells_room() else said
+            said = self._with_room_as_goal(self._with_room_for_there(said)) if self._tells_room() else said
             said = self._with_verb_before(clause, said) or said
             self.asked.append((clause, plainly_asked(said, self.lexicon) if self.plainly else said))
         if clause.form != "dependent":
@@ -139,6 +141,18 @@ class _Points:
         if at is None or at == 0 or len(rooms) != 1 or said[at - 1].tag == "preposition":
             return said
         room = replace(said[at], raw=f"in {rooms[0].words}", tag="noun")
+        told_with = said[at - 1].tag in ("noun", "pronoun", "number")
+        return [*said[:at], room, *said[at + 1 :]] if told_with else [*said[:at], *said[at + 1 :], room]
+
+    def _with_room_as_goal(self, said: list[TaggedWord]) -> list[TaggedWord]:
+        """Return ``bring the chair to the hall`` for ``bring in the chair`` after words about the hall."""
+        rooms = [one for one in self.mentions[-1] if one.kind == "room" and one.told] if self.mentions else []
+        brought = said[0].form == "base" and BY_WORDS.get((said[0].verb,)) in ("bring", "move", "take")
+        at = 1 if len(said) > 2 and said[1].text in _HITHER else len(said) - 1
+        goal = any(word.text in ("to", "into", "onto", "there", "here") for word in said)
+        if not brought or goal or len(rooms) != 1 or said[at].text not in _HITHER:
+            return said
+        room = replace(said[at], raw=f"to {rooms[0].words}", tag="noun")
         return [*said[:at], *said[at + 1 :], room]
 
     def _with_counted_noun(self, said: list[TaggedWord]) -> list[TaggedWord]:

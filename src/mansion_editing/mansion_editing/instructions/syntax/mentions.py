@@ -55,18 +55,22 @@ _SEVERAL: Final = frozenset("them they these those both".split())
 def mentioned_in(
     clause: Clause, words: Sequence[TaggedWord], text: str, lexicon: Lexicon, *, told: bool
 ) -> list[Mentioned]:
-    """Return the things and rooms that a clause names, in order."""
+    """Return the things and rooms that a clause names, in order; not those that only tell where another one is."""
     found: list[Mentioned] = []
     at = clause.start
     first = True
+    inside = 0
     while at < clause.end:
         end = end_of_noun_group(words[: clause.end], at)
         if end <= at:
             at += 1
             continue
         kind = _kind(words[at:end], lexicon)
+        if kind == "thing" and words[at].start < inside:
+            kind = None
         if kind is not None:
             place = _place_after(clause, words, end) if kind == "thing" else ()
+            inside = max(inside, place[-1].end if place else 0)
             said = _said_again(words[at:end], text) + (f" {text_of(place, text)}" if place else "")
             head = next((word for word in reversed(words[at:end]) if word.tag == "noun"), words[end - 1])
             nouns = _name(words[at:end], lexicon)
@@ -84,7 +88,8 @@ def _kind(words: Sequence[TaggedWord], lexicon: Lexicon) -> Kind | None:
     if not nouns or is_person(words):
         return None
     spans = [tuple(nouns[-count:]) for count in (3, 2, 1) if len(nouns) >= count]
-    if any(lexicon.is_own_room(span) for span in spans) and not lexicon.is_object(spans[0]):
+    called = lexicon.is_own_room(spans[0]) and not lexicon.is_called(spans[0])
+    if called or (any(lexicon.is_own_room(span) for span in spans) and not lexicon.is_object(spans[0])):
         return "room"
     return "thing" if any(lexicon.is_object(span) for span in spans) else None
 

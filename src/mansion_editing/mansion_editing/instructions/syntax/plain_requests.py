@@ -32,8 +32,9 @@ _WAYS: Final = frozenset("into onto to".split())
 def plainly_asked(words: Sequence[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
     """Return the words of a clause that asks for something in the words of a plain order, where that is known."""
     steps: tuple[Callable[[list[TaggedWord], Lexicon], list[TaggedWord]], ...] = (
-        _without_edges, _without_added_clause, _with_companions, _without_comparison, _with_part_after, _with_replaced_after, _as_order, _as_new_things,
-        _as_active, _without_relatives, _without_purpose, _with_plain_verb,
+        _without_edges, _without_added_clause, _with_companions, _without_comparison, _with_part_after,
+        _with_replaced_after, _as_obliged, _as_moved, _as_order, _as_new_things, _as_active, _without_relatives,
+        _without_purpose, _with_plain_verb,
     )  # fmt: skip
     said = list(words)
     for step in steps:
@@ -209,6 +210,11 @@ def _as_new_things(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord
 
 def _as_order(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
     """Return ``put the lamp there`` for ``could you please put the lamp there``, ``I need you to put ...``."""
+    whoever = len(words) > 2 and (words[1].text == "whoever" or [w.text for w in words[1:4]] == ["one", "of", "you"])
+    if words[0].tag == "modal" and whoever:
+        orders = (k for k in range(2, len(words)) if words[k].form == "base" and (words[k].verb,) in BY_WORDS)
+        at = next(orders, 0)
+        return words[at:] if at else words
     if words[0].tag == "modal" and len(words) > 2 and words[1].text in _ASKED:
         at = _after_idle(words, 2)
         at = _after_idle(words, at + 1) if at < len(words) and words[at].verb == "mind" else at

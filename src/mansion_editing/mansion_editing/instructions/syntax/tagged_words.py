@@ -61,7 +61,7 @@ _BE: Final = frozenset("is are was were am be been being".split())
 _HAVE: Final = frozenset("has have had having".split())
 _DO: Final = frozenset("do does did".split())
 _MODALS: Final = frozenset("should must shall will would can could may might ought cannot".split())
-_DETERMINERS: Final = frozenset("the a an this that these those all both each every another some any no either".split())
+_DETERMINERS: Final = frozenset("the a an this that these those all both half each every another some any no either".split())
 _POSSESSIVES: Final = frozenset("my our your his her its their whose".split())
 _PRONOUNS: Final = frozenset(
     "it they them this that these those one ones both all everything nothing anything something each another none "
