@@ -124,7 +124,10 @@ class _Points:
     def _shared_subject(self, clause: Clause) -> list[TaggedWord]:
         """Return the subject that a clause shares with one before it that only tells."""
         last = self.asked[-1][0].subject if self.asked else -1
-        return list(self.words[clause.subject : clause.subject_end]) if clause.shares_subject and last != clause.subject else []
+        if not clause.shares_subject or last == clause.subject:
+            return []
+        first, *more = self.words[clause.subject : clause.subject_end]
+        return [first if first.tag == "noun" else replace(first, raw=first.text), *more]
 
     def _told_rooms(self) -> list[str]:
         rooms = (one.words for mentions in self.mentions for one in mentions if one.kind == "room" and one.told)
@@ -272,14 +275,21 @@ def _wished(
         supposed = clause.form == "dependent" and words[clause.start].text == "if" and words[clause.verb].text in _WERE
         if before is None or not (wishing and supposed) or words[before.subject].tag not in ("somebody", "pronoun"):
             continue
-        be = replace(words[clause.verb], text="should be", raw="should be", tag="modal")
-        if words[clause.verb + 1].text == "be":
-            be = replace(be, text="should", raw="should")
+        should = replace(words[clause.verb], text="should", raw="should", tag="modal")
+        more = [] if words[clause.verb + 1].text == "be" else [replace(should, text="be", raw="be", tag="be")]
         start = clause.start + 1
-        asked = replace(clause, form="statement", start=start, subject=start, subject_end=clause.verb, after="")
-        new = [*words[: clause.verb], be, *words[clause.verb + 1 :]]
-        return [*clauses[: number - 1], asked, *clauses[number + 1 :]], new
+        end = clause.end + len(more)
+        asked = replace(clause, form="statement", start=start, end=end, subject=start, subject_end=clause.verb, after="")
+        new = [*words[: clause.verb], should, *more, *words[clause.verb + 1 :]]
+        later = [_moved(one, len(more)) for one in clauses[number + 1 :]]
+        return [*clauses[: number - 1], asked, *later], new
     return clauses, words
+
+
+def _moved(clause: Clause, by: int) -> Clause:
+    """Return a clause whose words stand so many places later."""
+    places = {name: getattr(clause, name) + by for name in ("start", "end", "verb", "subject", "subject_end")}
+    return replace(clause, **places)
 
 
 _WERE: Final = frozenset("were was could would".split())

@@ -32,8 +32,8 @@ class Mentioned:
         It is the subject, or what "there is".
     told : bool
         Its clause only tells.
-    start, end : int
-        Its words without those of its place.
+    start, end, stop : int
+        Its words without those of its place, and the end of these.
     """
 
     kind: Kind
@@ -44,6 +44,7 @@ class Mentioned:
     told: bool
     start: int
     end: int
+    stop: int
 
 
 _RESTING: Final = frozenset("be stand lie sit hang stay live leave put place rest lean find keep store".split())
@@ -76,10 +77,14 @@ def mentioned_in(
             nouns = _name(words[at:end], lexicon)
             plural = _is_plural(words[at:end], head)
             leads = first and (at <= clause.verb or clause.form == "existence" or clause.form == "fragment")
-            found.append(Mentioned(kind, said, text_of(nouns, text), plural, leads, told, at, end))
+            found.append(Mentioned(kind, said, text_of(nouns, text), plural, leads, told, at, end, _end_of(place, words, end)))
         first = first and words[at].tag == "there"
         at = end
     return found
+
+
+def _end_of(place: Sequence[TaggedWord], words: Sequence[TaggedWord], end: int) -> int:
+    return end if not place else next(k for k in range(end, len(words)) if words[k] is place[-1]) + 1
 
 
 def _kind(words: Sequence[TaggedWord], lexicon: Lexicon) -> Kind | None:
@@ -165,7 +170,7 @@ def _list_of(things: Sequence[Mentioned], words: Sequence[TaggedWord]) -> list[M
     """Return the things of the list that begins with the first one; only that one where no list does."""
     listed = list(things[:1])
     for one in things[1:]:
-        between = words[listed[-1].end : one.start]
+        between = words[listed[-1].stop : one.start]
         if not between or any(word.tag != "joint" and word.text != "," for word in between):
             break
         listed.append(one)

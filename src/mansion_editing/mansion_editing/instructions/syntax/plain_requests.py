@@ -154,7 +154,7 @@ def _as_moved(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
     verb = next((k for k in range(1, len(words)) if words[k].tag in ("modal", "be")), 0)
     start = _end_of_place(words, 0)
     subject_end = end_of_noun_group(words, start)
-    definite = words[start].tag in ("determiner", "possessive", "pronoun") and words[start].text not in _NEW
+    definite = start < len(words) and words[start].tag in ("determiner", "possessive", "pronoun") and words[start].text not in _NEW
     if not verb or not definite or subject_end > verb:
         return words
     rest = words[verb + 1 :]
@@ -254,7 +254,8 @@ def _as_active(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
         if end <= start or done.form not in ("participle", "past"):
             return words
         rest = [word for word in words[at + 2 :] if word.text != "please"]
-        return [_in_base(done), *words[start:end], *rest]
+        first = words[start] if words[start].tag == "noun" else replace(words[start], raw=words[start].text)
+        return [_in_base(done), first, *words[start + 1 : end], *rest]
     return words
 
 

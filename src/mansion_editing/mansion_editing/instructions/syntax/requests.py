@@ -92,6 +92,11 @@ def _asks(clause: Clause, words: Sequence[TaggedWord], lexicon: Lexicon) -> bool
     verb = rest[0]
     if texts[-1] in ("along", "too") and {"come", "go"} & {word.verb for word in rest} and subject[0].text in _WHOLES_OF:
         return False  # "everything on it must come along"
+    main = next((word for word in rest if word.tag == "verb"), verb)
+    if main.verb in _STAYING:
+        return not is_person(subject)
+    if verb.tag == "modal" and any(word.tag == "number" for word in subject):
+        return True
     if verb.text in _OBLIGING or (verb.tag in ("be", "have") and _is_to(rest)) or texts[:2] in _NEEDING:
         return not somebody or aimed
     if _wishes(rest):
@@ -99,9 +104,6 @@ def _asks(clause: Clause, words: Sequence[TaggedWord], lexicon: Lexicon) -> bool
     fine = verb.tag == "be" and bool({*texts[1:3]} & _FINE)
     if fine and counted and not names_something(subject, lexicon):
         return False  # "eight is right", "that one is fine as it is"
-    main = next((word for word in rest if word.tag == "verb"), verb)
-    if main.verb in _STAYING:
-        return not is_person(subject)
     if verb.tag == "modal":
         denied = {*texts[1:3]} & _DENYING
         return not somebody and not denied and (main.verb in _PLACING or main.form == "participle" or _measures(texts))

@@ -88,6 +88,8 @@ _ADVERBS: Final = frozenset(
     "barely hardly soon later kindly actually basically honestly anyway however though well else as so far yet never "
     "once twice not-so please possibly currently about".split()
 )
+_BETWEEN: Final = frozenset("all both also never always just even still only often really".split())
+"""Words between a pronoun and its verb."""
 _WHICH_PERIOD: Final = frozenset("last next this".split())
 _PERIODS: Final = frozenset(
     "week weekend month year night evening morning afternoon spring summer autumn winter time monday tuesday wednesday "
@@ -105,7 +107,7 @@ _PARTICIPLES: Final = ("participle", "gerund")
 
 def tagged(text: str, lexicon: Lexicon) -> list[TaggedWord]:
     """Return the words of a text in running order, contractions written out, with their parts of speech."""
-    words = [_by_class(match) for match in _WORD.finditer(text)]
+    words = _with_verbs_apart([_by_class(match) for match in _WORD.finditer(text)])
     for at in range(len(words)):
         words[at] = _in_context(words, at, lexicon)
         if at and words[at].text in _PERIODS and words[at - 1].text in _WHICH_PERIOD:
@@ -122,6 +124,21 @@ def joined(words: Sequence[TaggedWord]) -> str:
     'hall!'
     """
     return re.sub(r" (?=[,.;:!?)]|'s?\b)|(?<=\() ", "", " ".join(word.raw for word in words))
+
+
+def _with_verbs_apart(words: Sequence[TaggedWord]) -> list[TaggedWord]:
+    """Return words with ``is`` apart from its subject: ``the printer's noisy``, but not ``the printer's cable``."""
+    out: list[TaggedWord] = []
+    for at, word in enumerate(words):
+        following = words[at + 1] if at + 1 < len(words) else None
+        last = at + 2 >= len(words) or words[at + 2].tag in ("mark", "joint")
+        described = following is not None and following.tag in ("adjective", "adverb") and last
+        if word.tag == "noun" and word.text.endswith("'s") and described:
+            noun = replace(word, text=word.text[:-2], raw=word.raw[:-2], end=word.end - 2)
+            out += [noun, TaggedWord("is", "be", word.end - 2, word.end, "is")]
+        else:
+            out.append(word)
+    return out
 
 
 def text_of(words: Sequence[TaggedWord], text: str) -> str:
@@ -159,6 +176,8 @@ def _in_context(words: Sequence[TaggedWord], at: int, lexicon: Lexicon) -> Tagge
     word = words[at]
     before = words[at - 1] if at else None
     after = words[at + 1] if at + 1 < len(words) else None
+    if word.text in ("all", "both") and before is not None and before.text in ("we", "you", "they"):
+        return replace(word, tag="adverb")
     if word.text in _BEFORE_DETERMINERS and after is not None and after.text in _DETERMINED:
         return replace(word, tag="determiner")
     if word.text in ("close", "next", "ready") and after is not None and after.tag == "to":
@@ -223,7 +242,10 @@ def _as_verb(words: Sequence[TaggedWord], at: int, lexicon: Lexicon) -> TaggedWo
         return None
     if "base" in kinds and words[at - 1].tag == "noun" and after is not None and after.text == "places":
         return _formed(word, forms, "base")
-    if before.tag in ("modal", "to", "do", "somebody", "not") and "base" in kinds:
+    people = before.text in _BETWEEN and at > 1 and words[at - 2].text in ("we", "i", "you", "they")
+    if (people or before.tag in ("modal", "to", "do", "somebody", "not")) and "base" in kinds:
+        return _formed(word, forms, "base")
+    if "base" in kinds and _is_order_after_part(words, at):
         return _formed(word, forms, "base")
     if before.tag in ("be", "have", "adverb") or before.verb == "get" or word.text.endswith("ing"):
         best = next((kind for kind in _PARTICIPLES if kind in kinds), None)
@@ -242,11 +264,11 @@ def _after_subject(
     kinds = [form for _, form in forms]
     if "third" in kinds or "past" in kinds:
         return _formed(word, forms, "third" if "third" in kinds else "past")
-    if "participle" in kinds:
-        return _formed(word, forms, "participle")
     several = (before.tag == "number" and before.text != "one") or before.text in ("they", "these", "those", "both") or singular(before.text) != before.text
     goes_on = after is None or after.tag not in ("verb", "be", "modal")
-    return _formed(word, forms, "base") if several and goes_on and "base" in kinds else None
+    if several and goes_on and "base" in kinds:
+        return _formed(word, forms, "base")
+    return _formed(word, forms, "participle") if "participle" in kinds else None
 
 
 def _formed(word: TaggedWord, forms: Sequence[tuple[str, Form]], form: Form) -> TaggedWord:
@@ -278,6 +300,13 @@ def _is_order(words: Sequence[TaggedWord], at: int, lexicon: Lexicon) -> bool:
     after = words[at + 1] if at + 1 < len(words) else None
     beginning = after is not None and (after.tag in ("determiner", "possessive") or after.text in ("it", "them"))
     return beginning and words[at].tag == "noun" and not lexicon.is_object((singular(words[at].text),))
+
+
+def _is_order_after_part(words: Sequence[TaggedWord], at: int) -> bool:
+    """Whether a verb follows the whole of which its object is a part: ``of the chairs in the hall take two``."""
+    start = next((k for k in range(at - 1, 0, -1) if words[k - 1].tag == "mark"), 0)
+    after = words[at + 1] if at + 1 < len(words) else None
+    return words[start].text in ("of", "from") and after is not None and after.tag in ("number", "pronoun")
 
 
 def _has_object(words: Sequence[TaggedWord], at: int, lexicon: Lexicon) -> bool:
