@@ -7,10 +7,11 @@ from typing import Final
 from mansion_editing.instructions.phrases.lexicon import Lexicon
 from mansion_editing.instructions.phrases.verb_words import BY_WORDS
 from mansion_editing.instructions.syntax.clauses import Clause, clauses_of
+from mansion_editing.instructions.syntax.made_numbers import made_number, with_number_made
 from mansion_editing.instructions.syntax.mentions import Mentioned, mentioned_in, taken_up
 from mansion_editing.instructions.syntax.noun_groups import end_of_noun_group
 from mansion_editing.instructions.syntax.plain_requests import plainly_asked
-from mansion_editing.instructions.syntax.requests import only_tells
+from mansion_editing.instructions.syntax.requests import names_something, only_tells
 from mansion_editing.instructions.syntax.tagged_words import MARKS_BETWEEN_SENTENCES, TaggedWord, joined, tagged
 from mansion_language.inflection import plural, singular
 
@@ -56,7 +57,9 @@ def main_points(text: str, lexicon: Lexicon) -> Iterator[MainPoints]:
     clauses, words = _wished(clauses, words)
     told = [only_tells(clause, words, lexicon) for clause in clauses]
     told = [
-        tells or _is_topic(clauses, words, number) or _repeats_swap(clauses, words, number)
+        (tells and not _is_listed(clauses, words, number, lexicon))
+        or _is_topic(clauses, words, number)
+        or _repeats_swap(clauses, words, number)
         for number, tells in enumerate(told)
     ]
     if all(told) or any(tells and _corrects(clause, words) for clause, tells in zip(clauses, told, strict=True)):
@@ -93,14 +96,31 @@ class _Points:
         mentions = mentioned_in(clause, self.words, self.text, self.lexicon, told=tells)
         if tells:
             self.remarks.append(self.text[self.words[clause.start].start : self.words[clause.end - 1].end])
+        elif self._makes_number(clause):
+            pass
         else:
             said = [*self._shared_subject(clause), *self._with_antecedents(clause, mentions)]
             said = self._with_counted_noun(said)
             said = self._with_room_as_goal(self._with_room_for_there(said)) if self._tells_room() else said
             said = self._with_verb_before(clause, said) or said
+            if self.remarks and not self.asked and any(w.text == "there" and w.tag == "adverb" for w in said):
+                raise _Uncertain
             self.asked.append((clause, plainly_asked(said, self.lexicon) if self.plainly else said))
         if clause.form != "dependent":
             self.mentions.append(mentions)
+
+    def _makes_number(self, clause: Clause) -> bool:
+        """Add ``there should be exactly two monitors`` for ``make it two`` after words about one monitor."""
+        number = made_number(self.words[clause.start : clause.end])
+        things = next((found for m in reversed(self.mentions) if (found := [t for t in m if t.kind == "thing"])), [])
+        rooms = self._told_rooms()
+        said = with_number_made(number, things, self.words, rooms[0] if len(rooms) == 1 else "") if number else []
+        if not said:
+            return False
+        if not things[0].told:
+            self.asked.pop()
+        self.asked.append((clause, said))
+        return True
 
     def said(self) -> str:
         """Return what is asked for in running text."""
@@ -223,9 +243,10 @@ class _Points:
         return out
 
     def _is_kind(self, noun: str) -> bool:
-        """Whether a noun was called out alone, without an article or a place."""
-        last = self.mentions[-1] if self.mentions else []
-        return len(last) == 1 and last[0].noun.lower() == noun.lower() and last[0].start + 1 == last[0].end
+        """Whether a noun was last mentioned as a kind, without an article: ``we run out of bandages``."""
+        last = [one for one in self.mentions[-1] if one.kind == "thing"] if self.mentions else []
+        bare = len(last) == 1 and self.words[last[0].start].tag == "noun"
+        return bare and noun.lower().startswith(last[0].noun.lower())
 
     def _noun_for(self, one: str) -> str:
         """Return the noun of the last clause with things that ``one`` or ``ones`` stands for; empty if it was kept."""
@@ -260,6 +281,8 @@ def _joint(last: Clause, clause: Clause, words: Sequence[TaggedWord], mark: str)
         return " "
     if last.form == "fragment" and words[last.start].tag == "preposition":
         return ", "
+    if last.form == "fragment" and clause.after == ":":
+        return ": "
     if clause.sentence != last.sentence or clause.after in (":", "-", "(", "–"):
         return f"{mark} "
     return f" {clause.after} " if clause.after.isalpha() else ", "
@@ -293,6 +316,16 @@ def _moved(clause: Clause, by: int) -> Clause:
 
 
 _WERE: Final = frozenset("were was could would".split())
+
+
+def _is_listed(clauses: Sequence[Clause], words: Sequence[TaggedWord], number: int, lexicon: Lexicon) -> bool:
+    """Whether a fragment stands in a list with others that name things, and may name one too."""
+    clause = clauses[number]
+    if clause.form != "fragment" or words[clause.end - 1].tag != "noun":
+        return False
+    beside = [*clauses[max(0, number - 1) : number], *clauses[number + 1 : number + 2]]
+    listed = (one for one in beside if one.form == "fragment" and one.sentence == clause.sentence)
+    return any(names_something(words[one.start : one.end], lexicon) for one in listed)
 
 
 def _repeats_swap(clauses: Sequence[Clause], words: Sequence[TaggedWord], number: int) -> bool:

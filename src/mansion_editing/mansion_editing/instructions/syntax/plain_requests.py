@@ -199,10 +199,10 @@ def _as_new_things(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord
     if not end or not (new or several) or not verb or verb + 1 >= len(words):
         return words
     rest = words[_after_idle(words, verb + 1) :]
-    if not new and rest and rest[0].verb in ("do", "suffice"):
+    if not new and rest and (rest[0].text == "do" or rest[0].verb == "suffice"):
         return words  # so many may be there already
     needed = words[verb].tag == "be" and bool(rest) and rest[0].text in _NEEDED
-    if not rest or names_something(rest, lexicon) or not (needed or rest[0].verb in _DOING):
+    if not rest or names_something(rest, lexicon) or not (needed or rest[0].verb in _DOING or rest[0].text == "do"):
         return words
     put = replace(words[0], text="add", raw="add", tag="verb", verb="add", form="base")
     return [put, *words[:verb]]
@@ -224,6 +224,9 @@ def _as_order(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
     possible = [word.text for word in words[:3]] in ([modal, "it", "be"] for modal in ("would", "could", "might"))
     if possible and to and words[to + 1].form == "base" and (words[to + 1].verb,) in BY_WORDS:
         return words[to + 1 :]
+    troubled = words[0].tag == "modal" and [w.text for w in words[2:5]] in (["trouble", "you", "for"], ["ask", "you", "for"])
+    if troubled:
+        return [replace(words[0], text="add", raw="add", tag="verb", verb="add", form="base"), *words[5:]]
     wish = next((at for at, word in enumerate(words[:5]) if word.verb in ("need", "want", "like", "ask")), None)
     if wish is not None and [word.text for word in words[wish + 1 : wish + 3]] in (["you", "to"], ["somebody", "to"]):
         return words[_after_idle(words, wish + 3) :]

@@ -11,6 +11,7 @@ from mansion_editing.instructions.syntax.clauses import Clause
 from mansion_editing.instructions.syntax.noun_groups import end_of_noun_group
 from mansion_editing.instructions.syntax.tagged_words import TaggedWord
 from mansion_language.inflection import singular
+from mansion_language.numbers import ORDINALS
 
 __all__ = ["is_person", "names_something", "only_tells"]
 
@@ -52,8 +53,12 @@ def only_tells(clause: Clause, words: Sequence[TaggedWord], lexicon: Lexicon) ->
     said = words[clause.start : clause.end]
     texts = [word.text for word in said]
     named = names_something(said, lexicon)
+    counts = clause.form == "existence" or words[clause.verb].tag == "have"
+    limiting = {*texts} & _LIMITING
+    if counts and limiting == {"only"} and said[texts.index("only") + 1 : texts.index("only") + 2]:
+        limiting = set() if said[texts.index("only") + 1].tag in ("number", "determiner") else limiting
     nothing = texts[0] == "nothing" or any(pair in (("nothing", "but"), ("nothing", "else")) for pair in pairwise(texts))
-    if named and (nothing or {*texts} & _LIMITING or texts[-1] in _ALSO or {"too", "also"} & {*texts[:-1]}):
+    if named and (nothing or limiting or texts[-1] in _ALSO or {"too", "also"} & {*texts[:-1]}):
         return clause.form == "statement" and _tells_of_use(clause, words)
     if clause.form == "statement" and texts[0] == "what":
         return not any(word.verb in _WISHING or word.text in _MEASURING for word in said)
@@ -69,7 +74,8 @@ def only_tells(clause: Clause, words: Sequence[TaggedWord], lexicon: Lexicon) ->
         return texts[0] not in _DEPENDING
     if clause.form == "fragment":
         states = {texts[-1], *(text for text in texts if text not in ("on", "up", "down", "out"))} & _STATES
-        return not (named or {*texts} & (_LIMITING | _WHOLES) or states or _counts(said) or _takes_up(said))
+        counted = any(word.tag == "number" and word.text not in ORDINALS for word in said)
+        return not (named or {*texts} & (_LIMITING | _WHOLES) or states or counted or _takes_up(said))
     if clause.after == "so" or (texts[0] == "that" and said[0].tag != "determiner"):
         return not (named or _counts(said) or {*texts} & _LIMITING) and not _asks(clause, words, lexicon)
     return not _asks(clause, words, lexicon)
