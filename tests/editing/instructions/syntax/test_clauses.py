@@ -22,7 +22,10 @@ def _clauses(text: str, state: SceneState) -> list[tuple[str, str]]:
         ("The chair wobbles and has to go.", ["The chair wobbles", "has to go"]),
         ("Could the sofa and the table trade places?", ["Could the sofa and the table trade places"]),
         ("The mug, which nobody uses, can go.", ["The mug, which nobody uses, can go"]),
-        ("The mug that somebody left in the hall belongs here.", ["The mug that somebody left in the hall belongs here"]),
+        (
+            "The mug that somebody left in the hall belongs here.",
+            ["The mug that somebody left in the hall belongs here"],
+        ),
         ("As we have guests, open the fridge.", ["As we have guests", "open the fridge"]),
     ],
 )

@@ -69,7 +69,9 @@ def read_in_other_words(text: str, state: SceneState, brief: str = "") -> Instru
 
 def _acts_on(points: Sequence[MainPoints], read: Instruction) -> bool:
     """Whether something was read as asked for by a clause that only tells."""
-    asked = [in_running_text(one.quote).strip(" .,!?") for one in read.statements if not isinstance(one, Mention | Keep)]
+    asked = [
+        in_running_text(one.quote).strip(" .,!?") for one in read.statements if not isinstance(one, Mention | Keep)
+    ]
     remarks = points[0].remarks if points else ()
     return any(quote and quote in remark for quote in asked for remark in remarks)
 

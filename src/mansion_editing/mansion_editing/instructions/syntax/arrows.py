@@ -13,7 +13,19 @@ _NOTE: Final = re.compile(
     r"(?P<goal>[^.;!?\n]+?)(?=[.;!?\n]|, [^,]*(?:->|=>|→)|$)",
     re.IGNORECASE,
 )
-_PLACING: Final = ("on top of", "next to", "in front of", "on", "in", "under", "beside", "behind", "by", "near", "inside")
+_PLACING: Final = (
+    "on top of",
+    "next to",
+    "in front of",
+    "on",
+    "in",
+    "under",
+    "beside",
+    "behind",
+    "by",
+    "near",
+    "inside",
+)
 
 
 def without_arrows(text: str) -> str:

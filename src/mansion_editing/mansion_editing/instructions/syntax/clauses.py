@@ -197,7 +197,9 @@ def _opening(words: Sequence[TaggedWord], at: int) -> tuple[Form, int, int]:
     return _statement(words, at, start)
 
 
-_ONLY_PAST: Final = frozenset("went came broke fell gave took saw wore drove began was were did ate drank stole".split())
+_ONLY_PAST: Final = frozenset(
+    "went came broke fell gave took saw wore drove began was were did ate drank stole".split()
+)
 """Past forms that are no participles."""
 _GRANTED: Final = frozenset("seeing given considering granted now".split())
 _CONDITIONS: Final = frozenset("if unless whether".split())

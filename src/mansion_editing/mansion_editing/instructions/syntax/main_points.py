@@ -24,7 +24,7 @@ _ONES: Final = frozenset(["one", "ones"])
 _HITHER: Final = frozenset("in over across along".split())
 _ALSO: Final = frozenset("too also well".split())
 _CORRECTING: Final = frozenset("no nope sorry wait oops correction scratch forget rather actually".split())
-_FOREIGN: Final = frozenset("$ { } \\ / ~ & * _ = < > | # @ % ^ \" “ ”".split())
+_FOREIGN: Final = frozenset('$ { } \\ / ~ & * _ = < > | # @ % ^ " “ ”'.split())
 """Marks of names and of code, which are no English."""
 
 
@@ -191,7 +191,7 @@ class _Points:
         return said
 
     def _with_verb_before(self, clause: Clause, said: list[TaggedWord]) -> list[TaggedWord]:
-        """Return ``take the bed away`` for ``and the bed too`` after ``take the tree away``; empty where it is not so."""
+        """Return ``take the bed away`` for ``and the bed too`` after ``take the tree away``; nothing else."""
         before = self.asked[-1][1] if self.asked else []
         also = said[-1].text in _ALSO
         if clause.form != "fragment" or not also or not before or before[0].form != "base":
@@ -288,9 +288,7 @@ def _joint(last: Clause, clause: Clause, words: Sequence[TaggedWord], mark: str)
     return f" {clause.after} " if clause.after.isalpha() else ", "
 
 
-def _wished(
-    clauses: Sequence[Clause], words: Sequence[TaggedWord]
-) -> tuple[Sequence[Clause], Sequence[TaggedWord]]:
+def _wished(clauses: Sequence[Clause], words: Sequence[TaggedWord]) -> tuple[Sequence[Clause], Sequence[TaggedWord]]:
     """Return ``the rug should be moved`` for ``I would be happy if the rug were moved``."""
     for number, clause in enumerate(clauses):
         before = clauses[number - 1] if number else None
@@ -302,7 +300,9 @@ def _wished(
         more = [] if words[clause.verb + 1].text == "be" else [replace(should, text="be", raw="be", tag="be")]
         start = clause.start + 1
         end = clause.end + len(more)
-        asked = replace(clause, form="statement", start=start, end=end, subject=start, subject_end=clause.verb, after="")
+        asked = replace(
+            clause, form="statement", start=start, end=end, subject=start, subject_end=clause.verb, after=""
+        )
         new = [*words[: clause.verb], should, *more, *words[clause.verb + 1 :]]
         later = [_moved(one, len(more)) for one in clauses[number + 1 :]]
         return [*clauses[: number - 1], asked, *later], new

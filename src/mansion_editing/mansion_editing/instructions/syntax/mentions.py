@@ -77,7 +77,9 @@ def mentioned_in(
             nouns = _name(words[at:end], lexicon)
             plural = _is_plural(words[at:end], head)
             leads = first and (at <= clause.verb or clause.form == "existence" or clause.form == "fragment")
-            found.append(Mentioned(kind, said, text_of(nouns, text), plural, leads, told, at, end, _end_of(place, words, end)))
+            found.append(
+                Mentioned(kind, said, text_of(nouns, text), plural, leads, told, at, end, _end_of(place, words, end))
+            )
         first = first and words[at].tag == "there"
         at = end
     return found

@@ -131,7 +131,12 @@ def _with_replaced_after(words: list[TaggedWord], lexicon: Lexicon) -> list[Tagg
     if not counted or not gone or gone[0].text not in ("the", "our", "my", "those", "these", "one", "that", "this"):
         return words
     by = replace(words[0], text="by", raw="by", tag="preposition")
-    return [replace(words[0], text="replace", raw="replace", tag="verb", verb="replace", form="base"), *gone, by, *words[new:]]
+    return [
+        replace(words[0], text="replace", raw="replace", tag="verb", verb="replace", form="base"),
+        *gone,
+        by,
+        *words[new:],
+    ]
 
 
 def _as_obliged(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
@@ -154,7 +159,11 @@ def _as_moved(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
     verb = next((k for k in range(1, len(words)) if words[k].tag in ("modal", "be")), 0)
     start = _end_of_place(words, 0)
     subject_end = end_of_noun_group(words, start)
-    definite = start < len(words) and words[start].tag in ("determiner", "possessive", "pronoun") and words[start].text not in _NEW
+    definite = (
+        start < len(words)
+        and words[start].tag in ("determiner", "possessive", "pronoun")
+        and words[start].text not in _NEW
+    )
     if not verb or not definite or subject_end > verb:
         return words
     rest = words[verb + 1 :]
@@ -224,7 +233,10 @@ def _as_order(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
     possible = [word.text for word in words[:3]] in ([modal, "it", "be"] for modal in ("would", "could", "might"))
     if possible and to and words[to + 1].form == "base" and (words[to + 1].verb,) in BY_WORDS:
         return words[to + 1 :]
-    troubled = words[0].tag == "modal" and [w.text for w in words[2:5]] in (["trouble", "you", "for"], ["ask", "you", "for"])
+    troubled = words[0].tag == "modal" and [w.text for w in words[2:5]] in (
+        ["trouble", "you", "for"],
+        ["ask", "you", "for"],
+    )
     if troubled:
         return [replace(words[0], text="add", raw="add", tag="verb", verb="add", form="base"), *words[5:]]
     wish = next((at for at, word in enumerate(words[:5]) if word.verb in ("need", "want", "like", "ask")), None)
@@ -339,7 +351,9 @@ def _with_plain_verb(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWo
     deed = BY_WORDS.get((known,))
     goal = _goal_from(words, end, _GOALS if deed == "add" else _WAYS)
     carried = deed in ("move", "add", "bring", "take")
-    wall = next((k for k in range(end, len(words) - 2) if words[k].text in ("off", "from") and _is_wall(words, k + 2)), 0)
+    wall = next(
+        (k for k in range(end, len(words) - 2) if words[k].text in ("off", "from") and _is_wall(words, k + 2)), 0
+    )
     if known == "take" and wall:
         return [replace(verb, text="remove", raw="remove", verb="remove"), *words[1:wall], *words[wall + 3 :]]
     if carried and goal and (aside or particle in _PARTICLES) and not _leaves(words, end):

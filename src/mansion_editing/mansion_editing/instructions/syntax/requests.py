@@ -27,12 +27,12 @@ _MEASURING: Final = frozenset(
     "useful ideal wrong use".split()
 )
 """Words by which a description also says what there shall be."""
-_LIMITING: Final = frozenset(
-    "only except instead exactly apart without otherwise including included excluding".split()
-)
+_LIMITING: Final = frozenset("only except instead exactly apart without otherwise including included excluding".split())
 """Words that may limit what another clause asks for."""
 _WHOLES: Final = frozenset("all every each both any half".split())
-_DEPENDING: Final = frozenset("if unless whether until".split())
+_DEPENDING: Final = frozenset("if unless whether until wherever where that".split())
+_TIMING: Final = frozenset("when whenever once".split())
+"""Words that begin a time, or a condition where they name a thing: ``when the lamp is on, switch it off``."""
 _CALLS: Final = frozenset("thank look guess imagine listen know see mind remember".split())
 _MENDING: Final = frozenset("sort fix see remedy change solve mend correct".split())
 _IT: Final = frozenset("it that this out to please right for me us now about up".split())
@@ -57,7 +57,9 @@ def only_tells(clause: Clause, words: Sequence[TaggedWord], lexicon: Lexicon) ->
     limiting = {*texts} & _LIMITING
     if counts and limiting == {"only"} and said[texts.index("only") + 1 : texts.index("only") + 2]:
         limiting = set() if said[texts.index("only") + 1].tag in ("number", "determiner") else limiting
-    nothing = texts[0] == "nothing" or any(pair in (("nothing", "but"), ("nothing", "else")) for pair in pairwise(texts))
+    nothing = texts[0] == "nothing" or any(
+        pair in (("nothing", "but"), ("nothing", "else")) for pair in pairwise(texts)
+    )
     if named and (nothing or limiting or texts[-1] in _ALSO or {"too", "also"} & {*texts[:-1]}):
         return clause.form == "statement" and _tells_of_use(clause, words)
     if clause.form == "statement" and texts[0] == "what":
@@ -71,7 +73,7 @@ def only_tells(clause: Clause, words: Sequence[TaggedWord], lexicon: Lexicon) ->
         vague = texts[0] in _MENDING and {*texts[1:]} <= _IT and len(texts) > 1
         return vague or (texts[0] in _CALLS and not named)
     if clause.form == "dependent":
-        return texts[0] not in _DEPENDING
+        return texts[0] not in _DEPENDING and not (named and texts[0] in _TIMING)
     if clause.form == "fragment":
         states = {texts[-1], *(text for text in texts if text not in ("on", "up", "down", "out"))} & _STATES
         counted = any(word.tag == "number" and word.text not in ORDINALS for word in said)
@@ -96,7 +98,11 @@ def _asks(clause: Clause, words: Sequence[TaggedWord], lexicon: Lexicon) -> bool
     somebody = is_person(subject) or not (names_something(subject, lexicon) or counted)
     aimed = names_something(rest, lexicon) or _counts(rest) or _takes_up(rest)
     verb = rest[0]
-    if texts[-1] in ("along", "too") and {"come", "go"} & {word.verb for word in rest} and subject[0].text in _WHOLES_OF:
+    if (
+        texts[-1] in ("along", "too")
+        and {"come", "go"} & {word.verb for word in rest}
+        and subject[0].text in _WHOLES_OF
+    ):
         return False  # "everything on it must come along"
     main = next((word for word in rest if word.tag == "verb"), verb)
     if main.verb in _STAYING:

@@ -56,12 +56,17 @@ class TaggedWord:
         return told or self.tag in ("be", "have", "do", "modal")
 
 
-_WORD: Final = re.compile(r"(?:mrs?|ms|dr|prof|st|no|nr|approx)\.(?=\s)|\d+(?:[.,]\d+)?(?:st|nd|rd|th)?|[^\W\d_]+(?:[-'][^\W\d_]+)*(?:'(?!\w))?|->|=>|→|\S|\n", re.IGNORECASE)
+_WORD: Final = re.compile(
+    r"(?:mrs?|ms|dr|prof|st)\.(?=\s)|(?:no|nr|approx)\.(?=\s?\d)|\d+(?:[.,]\d+)?(?:st|nd|rd|th)?|[^\W\d_]+(?:[-'][^\W\d_]+)*(?:'(?!\w))?|->|=>|→|\S|\n",
+    re.IGNORECASE,
+)
 _BE: Final = frozenset("is are was were am be been being".split())
 _HAVE: Final = frozenset("has have had having".split())
 _DO: Final = frozenset("do does did".split())
 _MODALS: Final = frozenset("should must shall will would can could may might ought cannot".split())
-_DETERMINERS: Final = frozenset("the a an this that these those all both half each every another some any no either".split())
+_DETERMINERS: Final = frozenset(
+    "the a an this that these those all both half each every another some any no either".split()
+)
 _POSSESSIVES: Final = frozenset("my our your his her its their whose".split())
 _PRONOUNS: Final = frozenset(
     "it they them this that these those one ones both all everything nothing anything something each another none "
@@ -73,7 +78,8 @@ _SOMEBODY: Final = frozenset(
 _PREPOSITIONS: Final = frozenset(
     "in on at by to into onto from of off out up down over under above below beside besides behind between among near "
     "against around round along across through towards toward with without for inside outside within upon underneath "
-    "beneath opposite about per after before during until since next like except despite than via away nearest closest nearer".split()
+    "beneath opposite about per after before during until since next like except despite than via away "
+    "nearest closest nearer".split()
 )
 _JOINTS: Final = frozenset("and but or so then plus nor".split())
 _SUBORDINATORS: Final = frozenset(
@@ -98,7 +104,9 @@ _PERIODS: Final = frozenset(
 _SOUNDS: Final = frozenset("um uh er erm eh aw phew yeah yep nah yay hooray yuck ew gosh".split())
 _BEFORE_DETERMINERS: Final = frozenset("all both half none".split())
 _DETERMINED: Final = frozenset("the these those my our your his her their its of".split())
-_BEFORE_ORDERS: Final = frozenset("please just kindly then also now simply maybe perhaps finally first next only".split())
+_BEFORE_ORDERS: Final = frozenset(
+    "please just kindly then also now simply maybe perhaps finally first next only".split()
+)
 _EXCHANGING: Final = frozenset("trade swap change exchange switch swop".split())
 _BEGINNING_OBJECTS: Final = frozenset("determiner possessive number pronoun somebody".split())
 _PARTICLES: Final = frozenset(["on", "off"])
@@ -264,7 +272,11 @@ def _after_subject(
     kinds = [form for _, form in forms]
     if "third" in kinds or "past" in kinds:
         return _formed(word, forms, "third" if "third" in kinds else "past")
-    several = (before.tag == "number" and before.text != "one") or before.text in ("they", "these", "those", "both") or singular(before.text) != before.text
+    several = (
+        (before.tag == "number" and before.text != "one")
+        or before.text in ("they", "these", "those", "both")
+        or singular(before.text) != before.text
+    )
     goes_on = after is None or after.tag not in ("verb", "be", "modal")
     if several and goes_on and "base" in kinds:
         return _formed(word, forms, "base")
