@@ -115,10 +115,10 @@ class _Points:
         things = next((found for m in reversed(self.mentions) if (found := [t for t in m if t.kind == "thing"])), [])
         rooms = self._told_rooms()
         said = with_number_made(number, things, self.words, rooms[0] if len(rooms) == 1 else "") if number else []
-        if not said:
+        if not said or not (things[0].told or (self.asked and self.asked[-1][0].form == "statement")):
             return False
         if not things[0].told:
-            self.asked.pop()
+            self.asked.pop()  # "one monitor is too few"
         self.asked.append((clause, said))
         return True
 
