@@ -187,7 +187,8 @@ def _opening(words: Sequence[TaggedWord], at: int) -> tuple[Form, int, int]:
     if word.text in _GRANTED and following is not None and following.text in ("that", "as"):
         verb = finite_verb_after(words, at + 2)
         return ("dependent", verb, at + 2) if verb is not None else ("fragment", start, start)
-    if word.tag == "there" and following is not None and following.is_finite:
+    exists = following is not None and (following.is_finite or following.text == "used")
+    if word.tag == "there" and exists:
         return "existence", at + 1, at
     if word.tag in ("modal", "be", "do", "have") and end_of_noun_group(words, at + 1) > at + 1:
         return "question", at, at + 1

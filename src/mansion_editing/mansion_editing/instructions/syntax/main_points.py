@@ -211,36 +211,47 @@ class _Points:
         _Uncertain
         """
         out: list[TaggedWord] = []
+        taken_up = False
         for number in range(clause.start, clause.end):
             word = self.words[number]
-            following = self.words[number + 1].text if number + 1 < clause.end else ""
-            if word.text in ("thing", "things") and out and out[-1].text in _THAT:
-                new = self._antecedent("them" if word.text == "things" else "it")
-                out[-1:] = [replace(word, raw=new, tag="noun")] if new else [out[-1], word]
-                continue
-            if word.text in _THAT and following in ("thing", "things"):
-                out.append(word)
-                continue
-            ones = word.text in _ONES and word.tag in ("pronoun", "number")
+            thing = word.text in ("thing", "things") and bool(out) and out[-1].text in _THAT
             within = number != clause.subject and any(one.kind == "thing" and one.end <= number for one in own)
-            if not ones and (word.tag != "pronoun" or word.text not in _PRONOUNS or within):
-                out.append(word)
-                continue
             new = ""
-            if not ones:
-                new = self._antecedent(word.text)
-                bare = new.removeprefix("the ")
-                if new and len(out) > 1 and out[-1].text == "of" and out[-2].tag == "number" and self._is_kind(bare):
-                    out, new = out[:-1], bare  # "bandages! there should be ten of them"
-                if new and out and out[0].verb in ("leave", "keep") and number + 1 == clause.end:
-                    new = f"{new} as {'they are' if word.text in _SEVERAL else 'it is'}"
-            elif not within and self.words[clause.start].text not in ("of", "from"):
-                noun = self._noun_for(word.text)
-                article = "an" if noun[:1] in tuple("aeiou") else "a"
-                bare = word.tag == "pronoun" and not _is_the_one(self.words, number)
-                new = f"{article} {noun}" if noun and bare else noun if _is_the_one(self.words, number) else ""
+            if thing:
+                new = self._antecedent("them" if word.text == "things" else "it")
+                out = out[:-1] if new else out
+            elif word.text in _ONES and word.tag in ("pronoun", "number") and not within:
+                new = self._instead_of_one(clause, number)
+            elif word.tag == "pronoun" and word.text in _PRONOUNS and not (within or taken_up):
+                new, out = self._instead_of_pronoun(word, out, last=number + 1 == clause.end)
+            taken_up = taken_up or (bool(new) and word.text not in _ONES)
             out.append(replace(word, raw=new, tag="noun") if new else word)
         return out
+
+    def _instead_of_pronoun(
+        self, word: TaggedWord, before: list[TaggedWord], *, last: bool
+    ) -> tuple[str, list[TaggedWord]]:
+        """Return what a pronoun takes up, and the words before it, which may lose their ``of``.
+
+        Raises
+        ------
+        _Uncertain
+        """
+        new = self._antecedent(word.text)
+        bare = new.removeprefix("the ")
+        if new and len(before) > 1 and before[-1].text == "of" and before[-2].tag == "number" and self._is_kind(bare):
+            return bare, before[:-1]  # "bandages! there should be ten of them"
+        if new and last and before and before[0].verb in ("leave", "keep"):
+            return f"{new} as {'they are' if word.text in _SEVERAL else 'it is'}", before
+        return new, before
+
+    def _instead_of_one(self, clause: Clause, number: int) -> str:
+        """Return the noun that ``one`` stands for, with an article where it has none; empty where none was told of."""
+        noun = "" if self.words[clause.start].text in ("of", "from") else self._noun_for(self.words[number].text)
+        if not noun or _is_the_one(self.words, number):
+            return noun
+        article = "an" if noun[:1] in tuple("aeiou") else "a"
+        return f"{article} {noun}" if self.words[number].tag == "pronoun" else ""
 
     def _is_kind(self, noun: str) -> bool:
         """Whether a noun was last mentioned as a kind, without an article: ``we run out of bandages``."""

@@ -34,7 +34,7 @@ def plainly_asked(words: Sequence[TaggedWord], lexicon: Lexicon) -> list[TaggedW
     steps: tuple[Callable[[list[TaggedWord], Lexicon], list[TaggedWord]], ...] = (
         _without_edges, _without_added_clause, _with_companions, _without_comparison, _with_part_after,
         _with_replaced_after, _as_obliged, _as_moved, _as_order, _as_new_things, _as_active, _without_relatives,
-        _without_purpose, _with_plain_verb,
+        _as_turned, _without_purpose, _with_plain_verb,
     )  # fmt: skip
     said = list(words)
     for step in steps:
@@ -83,7 +83,7 @@ def _without_comparison(words: list[TaggedWord], lexicon: Lexicon) -> list[Tagge
     """Return words without what only compares at their end: ``like the one in the bathroom``, ``any longer``."""
     texts = [word.text for word in words]
     for said in _NO_LONGER:
-        if texts[-len(said) :] == said and len(words) > len(said):
+        if texts[0] == "no" and texts[-len(said) :] == said and len(words) > len(said):
             return _without_comparison(words[: -len(said)], lexicon)
     for at in range(2, len(words) - 2):
         alike = texts[at : at + 2] in _ALIKE and texts[at + 2] in ("one", "ones", "other", "others")
@@ -312,6 +312,27 @@ def _without_relatives(words: list[TaggedWord], lexicon: Lexicon) -> list[Tagged
         if resting and after < len(words) and words[after].tag == "preposition":
             return _without_relatives([*words[:at], *words[after:]], lexicon)
     return words
+
+
+_TURNING: Final = frozenset("turn rotate swivel spin twist point angle orient".split())
+_LOOKING: Final = frozenset("face faces look looks point points".split())
+
+
+def _as_turned(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
+    """Return ``turn the chair to the crib`` for ``turn the chair around so that it looks at the crib``."""
+    so = next((k for k in range(2, len(words) - 2) if words[k].text == "so"), 0)
+    if words[0].verb not in _TURNING or not so:
+        return words
+    looks = next((k for k in range(so + 1, len(words) - 1) if words[k].text in _LOOKING), 0)
+    subject = [word.text for word in words[so + 1 : looks] if word.text not in ("that", "can", "should", "will")]
+    if not looks or subject not in (["it"], ["they"], ["its", "front"]):
+        return words
+    goal = looks + 1
+    while goal < len(words) and (words[goal].tag in ("preposition", "to", "adverb")):
+        goal += 1
+    end = so - (words[so - 1].text in ("around", "round", "about", ","))
+    to = replace(words[so], text="to", raw="to", tag="to")
+    return [*words[:end], to, *words[goal:]] if goal < len(words) else words
 
 
 def _without_purpose(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:

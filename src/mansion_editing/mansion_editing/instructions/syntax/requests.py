@@ -68,7 +68,7 @@ def only_tells(clause: Clause, words: Sequence[TaggedWord], lexicon: Lexicon) ->
         idle = not (named or {*texts} & {"you", "we"} or _takes_up(said[1:]))
         return idle or (texts[-1:] == ["you"] and len(texts) <= 3)
     if clause.form == "order":
-        if said[0].verb in _PREPARING and len(said) < 5 and _takes_up(said) and not named:
+        if said[0].verb in _PREPARING and len(said) < 5 and (_takes_up(said) or len(said) == 1) and not named:
             return True
         vague = texts[0] in _MENDING and {*texts[1:]} <= _IT and len(texts) > 1
         return vague or (texts[0] in _CALLS and not named)

@@ -96,6 +96,7 @@ _ADVERBS: Final = frozenset(
 )
 _BETWEEN: Final = frozenset("all both also never always just even still only often really".split())
 """Words between a pronoun and its verb."""
+_AFTER_PRONOUNS: Final = frozenset("mark preposition be adverb".split())
 _WHICH_PERIOD: Final = frozenset("last next this".split())
 _PERIODS: Final = frozenset(
     "week weekend month year night evening morning afternoon spring summer autumn winter time monday tuesday wednesday "
@@ -184,6 +185,8 @@ def _in_context(words: Sequence[TaggedWord], at: int, lexicon: Lexicon) -> Tagge
     word = words[at]
     before = words[at - 1] if at else None
     after = words[at + 1] if at + 1 < len(words) else None
+    if word.text == "that" and before is not None and before.text == "so":
+        return replace(word, tag="adverb")
     if word.text in ("all", "both") and before is not None and before.text in ("we", "you", "they"):
         return replace(word, tag="adverb")
     if word.text in _BEFORE_DETERMINERS and after is not None and after.text in _DETERMINED:
@@ -202,15 +205,14 @@ def _in_context(words: Sequence[TaggedWord], at: int, lexicon: Lexicon) -> Tagge
     if word.tag in ("noun", "adjective", "preposition") and word.text.isalpha() and word.text != "like":
         found = _as_verb(words, at, lexicon)
         return word if found is None else found
-    if word.text == "that" and before is not None and before.text == "so":
-        return replace(word, tag="adverb")
     if word.text == "like" and before is not None and before.tag in ("modal", "somebody"):
         return replace(word, tag="verb", verb="like", form="base")
     if word.text == "her" and not opens_phrase:
         return replace(word, tag="somebody")
-    if word.text == "there" and not (after is not None and after.tag in ("be", "modal")):
+    existing = after is not None and (after.tag in ("be", "modal") or after.text in ("used", "seems", "has", "have"))
+    if word.text == "there" and not existing:
         return replace(word, tag="adverb")
-    if word.text == "one" and word.tag == "number" and (after is None or after.tag in ("mark", "preposition", "be")):
+    if word.text == "one" and word.tag == "number" and (after is None or after.tag in _AFTER_PRONOUNS):
         return replace(word, tag="pronoun") if after is None or after.text != "of" else word
     return word
 
