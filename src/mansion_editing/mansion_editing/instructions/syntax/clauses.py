@@ -7,7 +7,7 @@ from typing import Final, Literal, TypeAlias
 from mansion_editing.instructions.syntax.noun_groups import end_of_noun_group, finite_verb_after
 from mansion_editing.instructions.syntax.tagged_words import MARKS_BETWEEN_SENTENCES, TaggedWord
 
-__all__ = ["Clause", "Form", "clauses_of"]
+__all__ = ["TURNING", "Clause", "Form", "clauses_of"]
 
 Form: TypeAlias = Literal["order", "statement", "existence", "question", "dependent", "fragment"]
 
@@ -50,6 +50,8 @@ class Clause:
         return self.subject < self.start
 
 
+TURNING: Final = frozenset("turn rotate swivel spin twist point angle orient".split())
+"""Verbs that what a thing faces belongs to: ``turn it so that it faces the wall``."""
 _MARKS: Final = frozenset([",", "-", ":", "(", ")", "–", "—"])
 _IDLE: Final = frozenset(["interjection", "adverb"])
 _PLEAS: Final = frozenset(["can", "could", "would", "will"])
@@ -107,6 +109,8 @@ def _end(words: Sequence[TaggedWord], at: int, form: Form) -> int:
         word, following = words[k], k + 1
         if word.text in ("(", ")", ":") or (word.text in _MARKS and form == "fragment"):
             return k
+        if word.text == "so" and words[at].verb in TURNING:
+            continue
         if word.text in _MARKS or word.tag == "joint":
             while following < len(words) and (words[following].tag == "joint" or words[following].text in _MARKS):
                 following += 1

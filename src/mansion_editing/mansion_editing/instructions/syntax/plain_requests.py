@@ -8,6 +8,7 @@ from typing import Final
 
 from mansion_editing.instructions.phrases.lexicon import Lexicon
 from mansion_editing.instructions.phrases.verb_words import BY_WORDS
+from mansion_editing.instructions.syntax.clauses import TURNING
 from mansion_editing.instructions.syntax.noun_groups import end_of_noun_group
 from mansion_editing.instructions.syntax.requests import names_something
 from mansion_editing.instructions.syntax.tagged_words import TaggedWord
@@ -314,18 +315,17 @@ def _without_relatives(words: list[TaggedWord], lexicon: Lexicon) -> list[Tagged
     return words
 
 
-_TURNING: Final = frozenset("turn rotate swivel spin twist point angle orient".split())
 _LOOKING: Final = frozenset("face faces look looks point points".split())
 
 
 def _as_turned(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
     """Return ``turn the chair to the crib`` for ``turn the chair around so that it looks at the crib``."""
     so = next((k for k in range(2, len(words) - 2) if words[k].text == "so"), 0)
-    if words[0].verb not in _TURNING or not so:
+    if words[0].verb not in TURNING or not so:
         return words
     looks = next((k for k in range(so + 1, len(words) - 1) if words[k].text in _LOOKING), 0)
     subject = [word.text for word in words[so + 1 : looks] if word.text not in ("that", "can", "should", "will")]
-    if not looks or subject not in (["it"], ["they"], ["its", "front"]):
+    if not looks or subject not in (["it"], ["they"], ["its", "front"]) or words[-1].text in ("way", "direction"):
         return words
     goal = looks + 1
     while goal < len(words) and (words[goal].tag in ("preposition", "to", "adverb")):
