@@ -40,6 +40,8 @@ def test_requests_are_left_as_plain_orders(furnished_state: SceneState, text: st
     [
         "the table can stay",
         "the rest should remain",
+        "the rest can go to the kitchen",
+        "the others may leave the hall",
         "only the mugs are ours",
         "the fridge must remain shut",
         "two mugs will do",

@@ -102,7 +102,7 @@ class _Points:
             said = [*self._shared_subject(clause), *self._with_antecedents(clause, mentions)]
             said = self._with_counted_noun(said)
             said = self._with_room_as_goal(self._with_room_for_there(said)) if self._tells_room() else said
-            said = self._with_verb_before(clause, said) or said
+            said = self._in_each_room(self._with_verb_before(clause, said) or said)
             if self.remarks and not self.asked and any(w.text == "there" and w.tag == "adverb" for w in said):
                 raise _Uncertain
             self.asked.append((clause, plainly_asked(said, self.lexicon) if self.plainly else said))
@@ -177,6 +177,15 @@ class _Points:
             return said
         room = replace(said[at], raw=f"to {rooms[0].words}", tag="noun")
         return [*said[:at], *said[at + 1 :], room]
+
+    def _in_each_room(self, said: list[TaggedWord]) -> list[TaggedWord]:
+        """Return ``put a rug in room 4 and put a rug in room 5`` for ``put a rug in each`` after words about both."""
+        rooms = [one for one in self.mentions[-1] if one.kind == "room" and one.told] if self.mentions else []
+        if len(rooms) < 2 or [word.text for word in said[-2:]] != ["in", "each"]:
+            return said
+        first, *more = ([*said[:-1], replace(said[-1], raw=room.words, tag="noun")] for room in rooms)
+        joint = replace(said[-1], text="and", raw="and", tag="joint")
+        return [*first, *(word for other in more for word in (joint, *other))]
 
     def _with_counted_noun(self, said: list[TaggedWord]) -> list[TaggedWord]:
         """Return a clause in which a number without a noun counts what was told of: ``three of the five hammers``."""

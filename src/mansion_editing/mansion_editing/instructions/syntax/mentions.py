@@ -121,7 +121,8 @@ def _said_again(words: Sequence[TaggedWord], text: str) -> str:
     text = f"{text[: first.start]}{text[first.start].lower()}{text[first.start + 1 :]}" if first.tag != "noun" else text
     if first.tag == "possessive" or first.text in ("the", "these", "those", "both", "all", "this", "that", "every"):
         return text_of(words, text)
-    if len(words) > 1 and words[1].text == "of":
+    numbered = first.tag == "noun" and words[-1].tag == "number"  # "room 4"
+    if numbered or (len(words) > 1 and words[1].text == "of"):
         return text_of(words, text)
     single = first.text in ("a", "an", "one", "another", "some", "any", "no")
     return f"the {text_of(words[1:] if single else words, text)}"

@@ -39,6 +39,11 @@ _IT: Final = frozenset("it that this out to please right for me us now about up"
 """Words of orders that say no more than that something shall be put right: ``sort that out``."""
 _PREPARING: Final = frozenset("roll pick grab unplug fold lift wrap disconnect pack check".split())
 """What is done with a thing before it is brought somewhere: ``roll it up and take it to the storage``."""
+_MEANT_AGAIN: Final = frozenset(
+    "rest remainder remaining other others lot stuff everything all half surplus excess thing object item furniture "
+    "content one ones door window wall".split()
+)
+"""Words of subjects that mean things without their name."""
 _FINE: Final = frozenset("right correct fine ok okay alright good".split())
 _WHOLES_OF: Final = frozenset("everything all whatever".split())
 _DENYING: Final = frozenset(["not", "no", "never"])
@@ -95,7 +100,8 @@ def _asks(clause: Clause, words: Sequence[TaggedWord], lexicon: Lexicon) -> bool
     subject, rest = words[clause.subject : head], words[clause.verb : clause.end]
     texts = [word.text for word in rest]
     counted = any(word.tag in ("number", "pronoun") for word in subject)
-    somebody = is_person(subject) or not (names_something(subject, lexicon) or counted)
+    again = any(singular(word.text) in _MEANT_AGAIN for word in subject)
+    somebody = is_person(subject) or not (names_something(subject, lexicon) or counted or again)
     aimed = names_something(rest, lexicon) or _counts(rest) or _takes_up(rest)
     verb = rest[0]
     if (
