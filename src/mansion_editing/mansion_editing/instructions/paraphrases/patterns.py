@@ -46,7 +46,7 @@ _CONTRACTED: Final = (
     (r"\bcan't\b", "cannot"), (r"\bwon't\b", "will not"), (r"\bshan't\b", "shall not"), (r"n't\b", " not"),
     (r"(?<=\w)'d\b", " would"), (r"(?<=\w)'m\b", " am"), (r"(?<=\w)'re\b", " are"), (r"(?<=\w)'ve\b", " have"),
     (r"(?<=\w)'ll\b", " will"), (r"\blet's\b", "let us"),
-    (r"\b(it|that|there|what|who|here|he|she|everything|nothing|whatever|where|one|two|which)'s\b", r"\1 is"),
+    (r"\b(it|that|there|what|who|here|he|she|everything|nothing|whatever|where|one|two|which|whoever)'s\b", r"\1 is"),
     (r"\bit is got\b", "it has got"), (r"(?<=\w)'s (?=been\b|got\b|gone\b)", " has "),
 )  # fmt: skip
 _MARKS: Final = (

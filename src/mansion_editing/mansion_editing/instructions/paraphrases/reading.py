@@ -1,7 +1,7 @@
 """Read an instruction; one that is not understood as it stands, in other words and without what only tells."""
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Final
 
 import msgspec
@@ -11,9 +11,9 @@ from mansion_editing.instructions.paraphrases.remarks import without_remarks
 from mansion_editing.instructions.paraphrases.strange_verbs import with_known_verbs
 from mansion_editing.instructions.phrases.lexicon import Lexicon
 from mansion_editing.instructions.sentences.reader import read_instruction
-from mansion_editing.instructions.statements import Instruction, Mention, Things
+from mansion_editing.instructions.statements import Instruction, Keep, Mention, Things
 from mansion_editing.instructions.syntax.arrows import without_arrows
-from mansion_editing.instructions.syntax.main_points import main_points
+from mansion_editing.instructions.syntax.main_points import MainPoints, main_points
 from mansion_editing.state import SceneState
 
 __all__ = ["read_in_other_words", "reworded"]
@@ -44,18 +44,36 @@ def read_in_other_words(text: str, state: SceneState, brief: str = "") -> Instru
     first = read_instruction(plainly, state, brief)
     if plainly != text:
         first, text = msgspec.structs.replace(first, read_as=plainly), plainly
-    if first.undecided or _is_clear(first, text):
-        return first
     lexicon = Lexicon(state)
-    for number, (plain, remarks) in enumerate(_wordings(text, lexicon, tuple(state.floors))):
-        if number >= _MOST_READINGS:
+    if first.undecided:
+        return first
+    points = tuple(main_points(in_running_text(text), lexicon))
+    clear = first if _is_clear(first, text) else None
+    if clear is not None and not _acts_on(points, clear):
+        return clear
+    for number, (plain, remarks) in enumerate(_wordings(text, lexicon, points, tuple(state.floors))):
+        if number >= _MOST_READINGS or (clear is not None and not remarks):
             break
         read = read_instruction(plain, state, brief)
         if _is_clear(read, plain):
             left = [Mention(quote=remark, passed_over=True) for remark in remarks]
-            return msgspec.structs.replace(read, statements=[*read.statements, *left], read_as=plain)
+            found = msgspec.structs.replace(read, statements=[*read.statements, *left], read_as=plain)
+            if remarks or not _acts_on(points, found):
+                return found
+            clear = found
+    if clear is not None:
+        return clear
     taken_back = "" if first.not_understood else _taken_back(first, text)
     return msgspec.structs.replace(first, not_understood=[taken_back]) if taken_back else first
+
+
+def _acts_on(points: Sequence[MainPoints], read: Instruction) -> bool:
+    """Whether something was read as asked for by a clause that only tells."""
+    asked = [
+        in_running_text(one.quote).strip(" .,!?") for one in read.statements if not isinstance(one, Mention | Keep)
+    ]
+    remarks = points[0].remarks if points else ()
+    return any(quote and quote in remark for quote in asked for remark in remarks)
 
 
 def _is_clear(read: Instruction, text: str) -> bool:
@@ -84,15 +102,16 @@ def reworded(text: str, lexicon: Lexicon) -> str:
     return with_known_verbs(in_plain_words(without_arrows(in_running_text(text))), lexicon)
 
 
-def _wordings(text: str, lexicon: Lexicon, floors: tuple[int, ...]) -> Iterator[tuple[str, tuple[str, ...]]]:
-    """Yield an instruction in other words, then also without one remark, and without two."""
+def _wordings(
+    text: str, lexicon: Lexicon, points: Sequence[MainPoints], floors: tuple[int, ...]
+) -> Iterator[tuple[str, tuple[str, ...]]]:
+    """Yield an instruction in other words, then its main points, then also without one remark, and without two."""
     plain = reworded(text, lexicon)
     if plain != text:
         yield plain, ()
     known = {text, plain}
-    running = in_running_text(text)
-    own = [(reworded(points.text, lexicon), points.remarks) for points in main_points(running, lexicon)]
-    for said, remarks in (*own, *((points.text, points.remarks) for points in main_points(plain, lexicon))):
+    own = [(reworded(said.text, lexicon), said.remarks) for said in points]
+    for said, remarks in (*own, *((again.text, again.remarks) for again in main_points(plain, lexicon))):
         if said not in known:
             known.add(said)
             yield said, remarks

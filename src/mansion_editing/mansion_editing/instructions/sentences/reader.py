@@ -228,6 +228,8 @@ class _Reader(
         return statement
 
     def _read_sentence(self, words: Sequence[Word], *, marked: bool) -> None:
+        if not words:
+            return
         reader = ClauseReader(words, self.lexicon, self.floors, lambda a, b: self._quote(words, a, b))
         self.frames = ()
         reader.last_noun = self.last_noun

@@ -13,7 +13,19 @@ _NOTE: Final = re.compile(
     r"(?P<goal>[^.;!?\n]+?)(?=[.;!?\n]|, [^,]*(?:->|=>|→)|$)",
     re.IGNORECASE,
 )
-_PLACING: Final = ("on top of", "next to", "in front of", "on", "in", "under", "beside", "behind", "by", "near", "inside")
+_PLACING: Final = (
+    "on top of",
+    "next to",
+    "in front of",
+    "on",
+    "in",
+    "under",
+    "beside",
+    "behind",
+    "by",
+    "near",
+    "inside",
+)
 
 
 def without_arrows(text: str) -> str:
@@ -31,8 +43,9 @@ def without_arrows(text: str) -> str:
 
 def _order(note: re.Match[str]) -> str:
     goal, thing, source = note["goal"], note["thing"], note["source"]
-    first = goal.split()[0].lower()
-    if first in STATE_WORDS or first in COLOUR_WORDS or any(part[:1].isdigit() for part in (thing, goal)):
+    first, *more = goal.lower().split()
+    state = first in STATE_WORDS and not more
+    if state or first in COLOUR_WORDS or any(part[:1].isdigit() for part in (thing, goal)):
         return note.group()
     placing = next((said for said in _PLACING if goal.lower().startswith(f"{said} ")), "")
     where = f"{placing} {_known(goal[len(placing) :].strip())}" if placing else f"to {_known(goal)}"

@@ -7,7 +7,7 @@ from typing import Final, Literal, TypeAlias
 from mansion_editing.instructions.syntax.noun_groups import end_of_noun_group, finite_verb_after
 from mansion_editing.instructions.syntax.tagged_words import MARKS_BETWEEN_SENTENCES, TaggedWord
 
-__all__ = ["Clause", "Form", "clauses_of"]
+__all__ = ["TURNING", "Clause", "Form", "clauses_of"]
 
 Form: TypeAlias = Literal["order", "statement", "existence", "question", "dependent", "fragment"]
 
@@ -50,6 +50,8 @@ class Clause:
         return self.subject < self.start
 
 
+TURNING: Final = frozenset("turn rotate swivel spin twist point angle orient".split())
+"""Verbs that what a thing faces belongs to: ``turn it so that it faces the wall``."""
 _MARKS: Final = frozenset([",", "-", ":", "(", ")", "–", "—"])
 _IDLE: Final = frozenset(["interjection", "adverb"])
 _PLEAS: Final = frozenset(["can", "could", "would", "will"])
@@ -107,6 +109,8 @@ def _end(words: Sequence[TaggedWord], at: int, form: Form) -> int:
         word, following = words[k], k + 1
         if word.text in ("(", ")", ":") or (word.text in _MARKS and form == "fragment"):
             return k
+        if word.text == "so" and words[at].verb in TURNING:
+            continue
         if word.text in _MARKS or word.tag == "joint":
             while following < len(words) and (words[following].tag == "joint" or words[following].text in _MARKS):
                 following += 1
@@ -187,7 +191,8 @@ def _opening(words: Sequence[TaggedWord], at: int) -> tuple[Form, int, int]:
     if word.text in _GRANTED and following is not None and following.text in ("that", "as"):
         verb = finite_verb_after(words, at + 2)
         return ("dependent", verb, at + 2) if verb is not None else ("fragment", start, start)
-    if word.tag == "there" and following is not None and following.is_finite:
+    exists = following is not None and (following.is_finite or following.text == "used")
+    if word.tag == "there" and exists:
         return "existence", at + 1, at
     if word.tag in ("modal", "be", "do", "have") and end_of_noun_group(words, at + 1) > at + 1:
         return "question", at, at + 1
@@ -197,7 +202,9 @@ def _opening(words: Sequence[TaggedWord], at: int) -> tuple[Form, int, int]:
     return _statement(words, at, start)
 
 
-_ONLY_PAST: Final = frozenset("went came broke fell gave took saw wore drove began was were did ate drank stole".split())
+_ONLY_PAST: Final = frozenset(
+    "went came broke fell gave took saw wore drove began was were did ate drank stole".split()
+)
 """Past forms that are no participles."""
 _GRANTED: Final = frozenset("seeing given considering granted now".split())
 _CONDITIONS: Final = frozenset("if unless whether".split())
@@ -217,8 +224,11 @@ def _statement(words: Sequence[TaggedWord], at: int, start: int) -> tuple[Form, 
 def _after_places(words: Sequence[TaggedWord], at: int) -> int:
     """Return the place after the places and adverbs that a clause begins with."""
     while at < len(words) and words[at].tag in ("preposition", "adverb", "interjection"):
-        end = end_of_noun_group(words, at + 1) if words[at].tag == "preposition" else at + 1
-        if words[at].tag == "preposition" and end == at + 1:
+        placing = words[at].tag == "preposition"
+        end = end_of_noun_group(words, at + 1) if placing else at + 1
+        while placing and end < len(words) and words[end].tag == "adverb" and words[end - 1].tag != "noun":
+            end += 1  # "since last week"
+        if placing and end == at + 1:
             return at
         at = end + (end + 1 < len(words) and words[end].text == ",")
     return at

@@ -5,11 +5,13 @@ from dataclasses import dataclass, field, replace
 from typing import Final
 
 from mansion_editing.instructions.phrases.lexicon import Lexicon
+from mansion_editing.instructions.phrases.verb_words import BY_WORDS
 from mansion_editing.instructions.syntax.clauses import Clause, clauses_of
+from mansion_editing.instructions.syntax.made_numbers import made_number, with_number_made
 from mansion_editing.instructions.syntax.mentions import Mentioned, mentioned_in, taken_up
 from mansion_editing.instructions.syntax.noun_groups import end_of_noun_group
 from mansion_editing.instructions.syntax.plain_requests import plainly_asked
-from mansion_editing.instructions.syntax.requests import only_tells
+from mansion_editing.instructions.syntax.requests import names_something, only_tells
 from mansion_editing.instructions.syntax.tagged_words import MARKS_BETWEEN_SENTENCES, TaggedWord, joined, tagged
 from mansion_language.inflection import plural, singular
 
@@ -19,9 +21,10 @@ _PRONOUNS: Final = frozenset("it them they this that these those both".split())
 _SEVERAL: Final = frozenset("them they these those both".split())
 _THAT: Final = frozenset("that this the those these".split())
 _ONES: Final = frozenset(["one", "ones"])
+_HITHER: Final = frozenset("in over across along".split())
 _ALSO: Final = frozenset("too also well".split())
 _CORRECTING: Final = frozenset("no nope sorry wait oops correction scratch forget rather actually".split())
-_FOREIGN: Final = frozenset("$ { } \\ / ~ & * _ = < > | # @ % ^ \" “ ”".split())
+_FOREIGN: Final = frozenset('$ { } \\ / ~ & * _ = < > | # @ % ^ " “ ”'.split())
 """Marks of names and of code, which are no English."""
 
 
@@ -54,7 +57,9 @@ def main_points(text: str, lexicon: Lexicon) -> Iterator[MainPoints]:
     clauses, words = _wished(clauses, words)
     told = [only_tells(clause, words, lexicon) for clause in clauses]
     told = [
-        tells or _is_topic(clauses, words, number) or _repeats_swap(clauses, words, number)
+        (tells and not _is_listed(clauses, words, number, lexicon))
+        or _is_topic(clauses, words, number)
+        or _repeats_swap(clauses, words, number)
         for number, tells in enumerate(told)
     ]
     if all(told) or any(tells and _corrects(clause, words) for clause, tells in zip(clauses, told, strict=True)):
@@ -91,14 +96,31 @@ class _Points:
         mentions = mentioned_in(clause, self.words, self.text, self.lexicon, told=tells)
         if tells:
             self.remarks.append(self.text[self.words[clause.start].start : self.words[clause.end - 1].end])
+        elif self._makes_number(clause):
+            pass
         else:
             said = [*self._shared_subject(clause), *self._with_antecedents(clause, mentions)]
             said = self._with_counted_noun(said)
-            said = self._with_room_for_there(said) if self._tells_room() else said
-            said = self._with_verb_before(clause, said) or said
+            said = self._with_room_as_goal(self._with_room_for_there(said)) if self._tells_room() else said
+            said = self._in_each_room(self._with_verb_before(clause, said) or said)
+            if self.remarks and not self.asked and any(w.text == "there" and w.tag == "adverb" for w in said):
+                raise _Uncertain
             self.asked.append((clause, plainly_asked(said, self.lexicon) if self.plainly else said))
         if clause.form != "dependent":
             self.mentions.append(mentions)
+
+    def _makes_number(self, clause: Clause) -> bool:
+        """Add ``there should be exactly two monitors`` for ``make it two`` after words about one monitor."""
+        number = made_number(self.words[clause.start : clause.end])
+        things = next((found for m in reversed(self.mentions) if (found := [t for t in m if t.kind == "thing"])), [])
+        rooms = self._told_rooms()
+        said = with_number_made(number, things, self.words, rooms[0] if len(rooms) == 1 else "") if number else []
+        if not said or not (things[0].told or (self.asked and self.asked[-1][0].form == "statement")):
+            return False
+        if not things[0].told:
+            self.asked.pop()  # "one monitor is too few"
+        self.asked.append((clause, said))
+        return True
 
     def said(self) -> str:
         """Return what is asked for in running text."""
@@ -122,7 +144,10 @@ class _Points:
     def _shared_subject(self, clause: Clause) -> list[TaggedWord]:
         """Return the subject that a clause shares with one before it that only tells."""
         last = self.asked[-1][0].subject if self.asked else -1
-        return list(self.words[clause.subject : clause.subject_end]) if clause.shares_subject and last != clause.subject else []
+        if not clause.shares_subject or last == clause.subject:
+            return []
+        first, *more = self.words[clause.subject : clause.subject_end]
+        return [first if first.tag == "noun" else replace(first, raw=first.text), *more]
 
     def _told_rooms(self) -> list[str]:
         rooms = (one.words for mentions in self.mentions for one in mentions if one.kind == "room" and one.told)
@@ -139,7 +164,28 @@ class _Points:
         if at is None or at == 0 or len(rooms) != 1 or said[at - 1].tag == "preposition":
             return said
         room = replace(said[at], raw=f"in {rooms[0].words}", tag="noun")
+        told_with = said[at - 1].tag in ("noun", "pronoun", "number")
+        return [*said[:at], room, *said[at + 1 :]] if told_with else [*said[:at], *said[at + 1 :], room]
+
+    def _with_room_as_goal(self, said: list[TaggedWord]) -> list[TaggedWord]:
+        """Return ``bring the chair to the hall`` for ``bring in the chair`` after words about the hall."""
+        rooms = [one for one in self.mentions[-1] if one.kind == "room" and one.told] if self.mentions else []
+        brought = said[0].form == "base" and BY_WORDS.get((said[0].verb,)) in ("bring", "move", "take")
+        at = 1 if len(said) > 2 and said[1].text in _HITHER else len(said) - 1
+        goal = any(word.text in ("to", "into", "onto", "there", "here") for word in said)
+        if not brought or goal or len(rooms) != 1 or said[at].text not in _HITHER:
+            return said
+        room = replace(said[at], raw=f"to {rooms[0].words}", tag="noun")
         return [*said[:at], *said[at + 1 :], room]
+
+    def _in_each_room(self, said: list[TaggedWord]) -> list[TaggedWord]:
+        """Return ``put a rug in room 4 and put a rug in room 5`` for ``put a rug in each`` after words about both."""
+        rooms = [one for one in self.mentions[-1] if one.kind == "room" and one.told] if self.mentions else []
+        if len(rooms) < 2 or [word.text for word in said[-2:]] != ["in", "each"]:
+            return said
+        first, *more = ([*said[:-1], replace(said[-1], raw=room.words, tag="noun")] for room in rooms)
+        joint = replace(said[-1], text="and", raw="and", tag="joint")
+        return [*first, *(word for other in more for word in (joint, *other))]
 
     def _with_counted_noun(self, said: list[TaggedWord]) -> list[TaggedWord]:
         """Return a clause in which a number without a noun counts what was told of: ``three of the five hammers``."""
@@ -154,7 +200,7 @@ class _Points:
         return said
 
     def _with_verb_before(self, clause: Clause, said: list[TaggedWord]) -> list[TaggedWord]:
-        """Return ``take the bed away`` for ``and the bed too`` after ``take the tree away``; empty where it is not so."""
+        """Return ``take the bed away`` for ``and the bed too`` after ``take the tree away``; nothing else."""
         before = self.asked[-1][1] if self.asked else []
         also = said[-1].text in _ALSO
         if clause.form != "fragment" or not also or not before or before[0].form != "base":
@@ -174,41 +220,53 @@ class _Points:
         _Uncertain
         """
         out: list[TaggedWord] = []
+        taken_up = False
         for number in range(clause.start, clause.end):
             word = self.words[number]
-            following = self.words[number + 1].text if number + 1 < clause.end else ""
-            if word.text in ("thing", "things") and out and out[-1].text in _THAT:
-                new = self._antecedent("them" if word.text == "things" else "it")
-                out[-1:] = [replace(word, raw=new, tag="noun")] if new else [out[-1], word]
-                continue
-            if word.text in _THAT and following in ("thing", "things"):
-                out.append(word)
-                continue
-            ones = word.text in _ONES and word.tag in ("pronoun", "number")
+            thing = word.text in ("thing", "things") and bool(out) and out[-1].text in _THAT
             within = number != clause.subject and any(one.kind == "thing" and one.end <= number for one in own)
-            if not ones and (word.tag != "pronoun" or word.text not in _PRONOUNS or within):
-                out.append(word)
-                continue
             new = ""
-            if not ones:
-                new = self._antecedent(word.text)
-                bare = new.removeprefix("the ")
-                if new and len(out) > 1 and out[-1].text == "of" and out[-2].tag == "number" and self._is_kind(bare):
-                    out, new = out[:-1], bare  # "bandages! there should be ten of them"
-                if new and out and out[0].verb in ("leave", "keep") and number + 1 == clause.end:
-                    new = f"{new} as {'they are' if word.text in _SEVERAL else 'it is'}"
-            elif not within and self.words[clause.start].text not in ("of", "from"):
-                noun = self._noun_for(word.text)
-                article = "an" if noun[:1] in tuple("aeiou") else "a"
-                bare = word.tag == "pronoun" and not _is_the_one(self.words, number)
-                new = f"{article} {noun}" if noun and bare else noun if _is_the_one(self.words, number) else ""
+            if thing:
+                new = self._antecedent("them" if word.text == "things" else "it")
+                out = out[:-1] if new else out
+            elif word.text in _ONES and word.tag in ("pronoun", "number") and not within:
+                new = self._instead_of_one(clause, number)
+            elif word.tag == "pronoun" and word.text in _PRONOUNS and not (within or taken_up):
+                new, out = self._instead_of_pronoun(word, out, last=number + 1 == clause.end)
+            taken_up = taken_up or (bool(new) and word.text not in _ONES)
             out.append(replace(word, raw=new, tag="noun") if new else word)
         return out
 
+    def _instead_of_pronoun(
+        self, word: TaggedWord, before: list[TaggedWord], *, last: bool
+    ) -> tuple[str, list[TaggedWord]]:
+        """Return what a pronoun takes up, and the words before it, which may lose their ``of``.
+
+        Raises
+        ------
+        _Uncertain
+        """
+        new = self._antecedent(word.text)
+        bare = new.removeprefix("the ")
+        if new and len(before) > 1 and before[-1].text == "of" and before[-2].tag == "number" and self._is_kind(bare):
+            return bare, before[:-1]  # "bandages! there should be ten of them"
+        if new and last and before and before[0].verb in ("leave", "keep"):
+            return f"{new} as {'they are' if word.text in _SEVERAL else 'it is'}", before
+        return new, before
+
+    def _instead_of_one(self, clause: Clause, number: int) -> str:
+        """Return the noun that ``one`` stands for, with an article where it has none; empty where none was told of."""
+        noun = "" if self.words[clause.start].text in ("of", "from") else self._noun_for(self.words[number].text)
+        if not noun or _is_the_one(self.words, number):
+            return noun
+        article = "an" if noun[:1] in tuple("aeiou") else "a"
+        return f"{article} {noun}" if self.words[number].tag == "pronoun" else ""
+
     def _is_kind(self, noun: str) -> bool:
-        """Whether a noun was called out alone, without an article or a place."""
-        last = self.mentions[-1] if self.mentions else []
-        return len(last) == 1 and last[0].noun.lower() == noun.lower() and last[0].start + 1 == last[0].end
+        """Whether a noun was last mentioned as a kind, without an article: ``we run out of bandages``."""
+        last = [one for one in self.mentions[-1] if one.kind == "thing"] if self.mentions else []
+        bare = len(last) == 1 and self.words[last[0].start].tag == "noun"
+        return bare and noun.lower().startswith(last[0].noun.lower())
 
     def _noun_for(self, one: str) -> str:
         """Return the noun of the last clause with things that ``one`` or ``ones`` stands for; empty if it was kept."""
@@ -243,14 +301,14 @@ def _joint(last: Clause, clause: Clause, words: Sequence[TaggedWord], mark: str)
         return " "
     if last.form == "fragment" and words[last.start].tag == "preposition":
         return ", "
+    if last.form == "fragment" and clause.after == ":":
+        return ": "
     if clause.sentence != last.sentence or clause.after in (":", "-", "(", "–"):
         return f"{mark} "
     return f" {clause.after} " if clause.after.isalpha() else ", "
 
 
-def _wished(
-    clauses: Sequence[Clause], words: Sequence[TaggedWord]
-) -> tuple[Sequence[Clause], Sequence[TaggedWord]]:
+def _wished(clauses: Sequence[Clause], words: Sequence[TaggedWord]) -> tuple[Sequence[Clause], Sequence[TaggedWord]]:
     """Return ``the rug should be moved`` for ``I would be happy if the rug were moved``."""
     for number, clause in enumerate(clauses):
         before = clauses[number - 1] if number else None
@@ -258,17 +316,36 @@ def _wished(
         supposed = clause.form == "dependent" and words[clause.start].text == "if" and words[clause.verb].text in _WERE
         if before is None or not (wishing and supposed) or words[before.subject].tag not in ("somebody", "pronoun"):
             continue
-        be = replace(words[clause.verb], text="should be", raw="should be", tag="modal")
-        if words[clause.verb + 1].text == "be":
-            be = replace(be, text="should", raw="should")
+        should = replace(words[clause.verb], text="should", raw="should", tag="modal")
+        more = [] if words[clause.verb + 1].text == "be" else [replace(should, text="be", raw="be", tag="be")]
         start = clause.start + 1
-        asked = replace(clause, form="statement", start=start, subject=start, subject_end=clause.verb, after="")
-        new = [*words[: clause.verb], be, *words[clause.verb + 1 :]]
-        return [*clauses[: number - 1], asked, *clauses[number + 1 :]], new
+        end = clause.end + len(more)
+        asked = replace(
+            clause, form="statement", start=start, end=end, subject=start, subject_end=clause.verb, after=""
+        )
+        new = [*words[: clause.verb], should, *more, *words[clause.verb + 1 :]]
+        later = [_moved(one, len(more)) for one in clauses[number + 1 :]]
+        return [*clauses[: number - 1], asked, *later], new
     return clauses, words
 
 
+def _moved(clause: Clause, by: int) -> Clause:
+    """Return a clause whose words stand so many places later."""
+    places = {name: getattr(clause, name) + by for name in ("start", "end", "verb", "subject", "subject_end")}
+    return replace(clause, **places)
+
+
 _WERE: Final = frozenset("were was could would".split())
+
+
+def _is_listed(clauses: Sequence[Clause], words: Sequence[TaggedWord], number: int, lexicon: Lexicon) -> bool:
+    """Whether a fragment stands in a list with others that name things, and may name one too."""
+    clause = clauses[number]
+    if clause.form != "fragment" or words[clause.end - 1].tag != "noun":
+        return False
+    beside = [*clauses[max(0, number - 1) : number], *clauses[number + 1 : number + 2]]
+    listed = (one for one in beside if one.form == "fragment" and one.sentence == clause.sentence)
+    return any(names_something(words[one.start : one.end], lexicon) for one in listed)
 
 
 def _repeats_swap(clauses: Sequence[Clause], words: Sequence[TaggedWord], number: int) -> bool:

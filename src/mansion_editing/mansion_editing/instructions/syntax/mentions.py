@@ -32,8 +32,8 @@ class Mentioned:
         It is the subject, or what "there is".
     told : bool
         Its clause only tells.
-    start, end : int
-        Its words without those of its place.
+    start, end, stop : int
+        Its words without those of its place, and the end of these.
     """
 
     kind: Kind
@@ -44,6 +44,7 @@ class Mentioned:
     told: bool
     start: int
     end: int
+    stop: int
 
 
 _RESTING: Final = frozenset("be stand lie sit hang stay live leave put place rest lean find keep store".split())
@@ -55,27 +56,37 @@ _SEVERAL: Final = frozenset("them they these those both".split())
 def mentioned_in(
     clause: Clause, words: Sequence[TaggedWord], text: str, lexicon: Lexicon, *, told: bool
 ) -> list[Mentioned]:
-    """Return the things and rooms that a clause names, in order."""
+    """Return the things and rooms that a clause names, in order; not those that only tell where another one is."""
     found: list[Mentioned] = []
     at = clause.start
     first = True
+    inside = 0
     while at < clause.end:
         end = end_of_noun_group(words[: clause.end], at)
         if end <= at:
             at += 1
             continue
         kind = _kind(words[at:end], lexicon)
+        if kind == "thing" and words[at].start < inside:
+            kind = None
         if kind is not None:
             place = _place_after(clause, words, end) if kind == "thing" else ()
+            inside = max(inside, place[-1].end if place else 0)
             said = _said_again(words[at:end], text) + (f" {text_of(place, text)}" if place else "")
             head = next((word for word in reversed(words[at:end]) if word.tag == "noun"), words[end - 1])
             nouns = _name(words[at:end], lexicon)
             plural = _is_plural(words[at:end], head)
             leads = first and (at <= clause.verb or clause.form == "existence" or clause.form == "fragment")
-            found.append(Mentioned(kind, said, text_of(nouns, text), plural, leads, told, at, end))
+            found.append(
+                Mentioned(kind, said, text_of(nouns, text), plural, leads, told, at, end, _end_of(place, words, end))
+            )
         first = first and words[at].tag == "there"
         at = end
     return found
+
+
+def _end_of(place: Sequence[TaggedWord], words: Sequence[TaggedWord], end: int) -> int:
+    return end if not place else next(k for k in range(end, len(words)) if words[k] is place[-1]) + 1
 
 
 def _kind(words: Sequence[TaggedWord], lexicon: Lexicon) -> Kind | None:
@@ -84,7 +95,8 @@ def _kind(words: Sequence[TaggedWord], lexicon: Lexicon) -> Kind | None:
     if not nouns or is_person(words):
         return None
     spans = [tuple(nouns[-count:]) for count in (3, 2, 1) if len(nouns) >= count]
-    if any(lexicon.is_own_room(span) for span in spans) and not lexicon.is_object(spans[0]):
+    called = lexicon.is_own_room(spans[0]) and not lexicon.is_called(spans[0])
+    if called or (any(lexicon.is_own_room(span) for span in spans) and not lexicon.is_object(spans[0])):
         return "room"
     return "thing" if any(lexicon.is_object(span) for span in spans) else None
 
@@ -109,7 +121,8 @@ def _said_again(words: Sequence[TaggedWord], text: str) -> str:
     text = f"{text[: first.start]}{text[first.start].lower()}{text[first.start + 1 :]}" if first.tag != "noun" else text
     if first.tag == "possessive" or first.text in ("the", "these", "those", "both", "all", "this", "that", "every"):
         return text_of(words, text)
-    if len(words) > 1 and words[1].text == "of":
+    numbered = first.tag == "noun" and words[-1].tag == "number"  # "room 4"
+    if numbered or (len(words) > 1 and words[1].text == "of"):
         return text_of(words, text)
     single = first.text in ("a", "an", "one", "another", "some", "any", "no")
     return f"the {text_of(words[1:] if single else words, text)}"
@@ -160,7 +173,7 @@ def _list_of(things: Sequence[Mentioned], words: Sequence[TaggedWord]) -> list[M
     """Return the things of the list that begins with the first one; only that one where no list does."""
     listed = list(things[:1])
     for one in things[1:]:
-        between = words[listed[-1].end : one.start]
+        between = words[listed[-1].stop : one.start]
         if not between or any(word.tag != "joint" and word.text != "," for word in between):
             break
         listed.append(one)

@@ -8,6 +8,7 @@ from typing import Final
 
 from mansion_editing.instructions.phrases.lexicon import Lexicon
 from mansion_editing.instructions.phrases.verb_words import BY_WORDS
+from mansion_editing.instructions.syntax.clauses import TURNING
 from mansion_editing.instructions.syntax.noun_groups import end_of_noun_group
 from mansion_editing.instructions.syntax.requests import names_something
 from mansion_editing.instructions.syntax.tagged_words import TaggedWord
@@ -32,8 +33,9 @@ _WAYS: Final = frozenset("into onto to".split())
 def plainly_asked(words: Sequence[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
     """Return the words of a clause that asks for something in the words of a plain order, where that is known."""
     steps: tuple[Callable[[list[TaggedWord], Lexicon], list[TaggedWord]], ...] = (
-        _without_edges, _without_added_clause, _with_companions, _without_comparison, _with_part_after, _with_replaced_after, _as_order, _as_new_things,
-        _as_active, _without_relatives, _without_purpose, _with_plain_verb,
+        _without_edges, _without_added_clause, _with_companions, _without_comparison, _with_part_after,
+        _with_replaced_after, _as_obliged, _as_moved, _as_order, _as_new_things, _as_active, _without_relatives,
+        _as_turned, _without_purpose, _with_plain_verb,
     )  # fmt: skip
     said = list(words)
     for step in steps:
@@ -82,7 +84,7 @@ def _without_comparison(words: list[TaggedWord], lexicon: Lexicon) -> list[Tagge
     """Return words without what only compares at their end: ``like the one in the bathroom``, ``any longer``."""
     texts = [word.text for word in words]
     for said in _NO_LONGER:
-        if texts[-len(said) :] == said and len(words) > len(said):
+        if texts[0] == "no" and texts[-len(said) :] == said and len(words) > len(said):
             return _without_comparison(words[: -len(said)], lexicon)
     for at in range(2, len(words) - 2):
         alike = texts[at : at + 2] in _ALIKE and texts[at + 2] in ("one", "ones", "other", "others")
@@ -130,7 +132,12 @@ def _with_replaced_after(words: list[TaggedWord], lexicon: Lexicon) -> list[Tagg
     if not counted or not gone or gone[0].text not in ("the", "our", "my", "those", "these", "one", "that", "this"):
         return words
     by = replace(words[0], text="by", raw="by", tag="preposition")
-    return [replace(words[0], text="replace", raw="replace", tag="verb", verb="replace", form="base"), *gone, by, *words[new:]]
+    return [
+        replace(words[0], text="replace", raw="replace", tag="verb", verb="replace", form="base"),
+        *gone,
+        by,
+        *words[new:],
+    ]
 
 
 def _as_obliged(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
@@ -153,7 +160,11 @@ def _as_moved(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
     verb = next((k for k in range(1, len(words)) if words[k].tag in ("modal", "be")), 0)
     start = _end_of_place(words, 0)
     subject_end = end_of_noun_group(words, start)
-    definite = words[start].tag in ("determiner", "possessive", "pronoun") and words[start].text not in _NEW
+    definite = (
+        start < len(words)
+        and words[start].tag in ("determiner", "possessive", "pronoun")
+        and words[start].text not in _NEW
+    )
     if not verb or not definite or subject_end > verb:
         return words
     rest = words[verb + 1 :]
@@ -198,10 +209,10 @@ def _as_new_things(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord
     if not end or not (new or several) or not verb or verb + 1 >= len(words):
         return words
     rest = words[_after_idle(words, verb + 1) :]
-    if not new and rest and rest[0].verb in ("do", "suffice"):
+    if not new and rest and (rest[0].text == "do" or rest[0].verb == "suffice"):
         return words  # so many may be there already
     needed = words[verb].tag == "be" and bool(rest) and rest[0].text in _NEEDED
-    if not rest or names_something(rest, lexicon) or not (needed or rest[0].verb in _DOING):
+    if not rest or names_something(rest, lexicon) or not (needed or rest[0].verb in _DOING or rest[0].text == "do"):
         return words
     put = replace(words[0], text="add", raw="add", tag="verb", verb="add", form="base")
     return [put, *words[:verb]]
@@ -209,6 +220,11 @@ def _as_new_things(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord
 
 def _as_order(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
     """Return ``put the lamp there`` for ``could you please put the lamp there``, ``I need you to put ...``."""
+    whoever = len(words) > 2 and (words[1].text == "whoever" or [w.text for w in words[1:4]] == ["one", "of", "you"])
+    if words[0].tag == "modal" and whoever:
+        orders = (k for k in range(2, len(words)) if words[k].form == "base" and (words[k].verb,) in BY_WORDS)
+        at = next(orders, 0)
+        return words[at:] if at else words
     if words[0].tag == "modal" and len(words) > 2 and words[1].text in _ASKED:
         at = _after_idle(words, 2)
         at = _after_idle(words, at + 1) if at < len(words) and words[at].verb == "mind" else at
@@ -218,6 +234,12 @@ def _as_order(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
     possible = [word.text for word in words[:3]] in ([modal, "it", "be"] for modal in ("would", "could", "might"))
     if possible and to and words[to + 1].form == "base" and (words[to + 1].verb,) in BY_WORDS:
         return words[to + 1 :]
+    troubled = words[0].tag == "modal" and [w.text for w in words[2:5]] in (
+        ["trouble", "you", "for"],
+        ["ask", "you", "for"],
+    )
+    if troubled:
+        return [replace(words[0], text="add", raw="add", tag="verb", verb="add", form="base"), *words[5:]]
     wish = next((at for at, word in enumerate(words[:5]) if word.verb in ("need", "want", "like", "ask")), None)
     if wish is not None and [word.text for word in words[wish + 1 : wish + 3]] in (["you", "to"], ["somebody", "to"]):
         return words[_after_idle(words, wish + 3) :]
@@ -248,7 +270,8 @@ def _as_active(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
         if end <= start or done.form not in ("participle", "past"):
             return words
         rest = [word for word in words[at + 2 :] if word.text != "please"]
-        return [_in_base(done), *words[start:end], *rest]
+        first = words[start] if words[start].tag == "noun" else replace(words[start], raw=words[start].text)
+        return [_in_base(done), first, *words[start + 1 : end], *rest]
     return words
 
 
@@ -292,6 +315,26 @@ def _without_relatives(words: list[TaggedWord], lexicon: Lexicon) -> list[Tagged
     return words
 
 
+_LOOKING: Final = frozenset("face faces look looks point points".split())
+
+
+def _as_turned(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
+    """Return ``turn the chair to the crib`` for ``turn the chair around so that it looks at the crib``."""
+    so = next((k for k in range(2, len(words) - 2) if words[k].text == "so"), 0)
+    if words[0].verb not in TURNING or not so:
+        return words
+    looks = next((k for k in range(so + 1, len(words) - 1) if words[k].text in _LOOKING), 0)
+    subject = [word.text for word in words[so + 1 : looks] if word.text not in ("that", "can", "should", "will")]
+    if not looks or subject not in (["it"], ["they"], ["its", "front"]) or words[-1].text in ("way", "direction"):
+        return words
+    goal = looks + 1
+    while goal < len(words) and (words[goal].tag in ("preposition", "to", "adverb")):
+        goal += 1
+    end = so - (words[so - 1].text in ("around", "round", "about", ","))
+    to = replace(words[so], text="to", raw="to", tag="to")
+    return [*words[:end], to, *words[goal:]] if goal < len(words) else words
+
+
 def _without_purpose(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
     """Return an order without what it is for: ``to cheer us up``, ``for reading``, ``so that we see it``."""
     if words[0].form != "base":
@@ -329,7 +372,9 @@ def _with_plain_verb(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWo
     deed = BY_WORDS.get((known,))
     goal = _goal_from(words, end, _GOALS if deed == "add" else _WAYS)
     carried = deed in ("move", "add", "bring", "take")
-    wall = next((k for k in range(end, len(words) - 2) if words[k].text in ("off", "from") and _is_wall(words, k + 2)), 0)
+    wall = next(
+        (k for k in range(end, len(words) - 2) if words[k].text in ("off", "from") and _is_wall(words, k + 2)), 0
+    )
     if known == "take" and wall:
         return [replace(verb, text="remove", raw="remove", verb="remove"), *words[1:wall], *words[wall + 3 :]]
     if carried and goal and (aside or particle in _PARTICLES) and not _leaves(words, end):

@@ -11,6 +11,7 @@ from mansion_editing.instructions.syntax.clauses import Clause
 from mansion_editing.instructions.syntax.noun_groups import end_of_noun_group
 from mansion_editing.instructions.syntax.tagged_words import TaggedWord
 from mansion_language.inflection import singular
+from mansion_language.numbers import ORDINALS
 
 __all__ = ["is_person", "names_something", "only_tells"]
 
@@ -26,18 +27,23 @@ _MEASURING: Final = frozenset(
     "useful ideal wrong use".split()
 )
 """Words by which a description also says what there shall be."""
-_LIMITING: Final = frozenset(
-    "only except instead exactly apart without otherwise including included excluding".split()
-)
+_LIMITING: Final = frozenset("only except instead exactly apart without otherwise including included excluding".split())
 """Words that may limit what another clause asks for."""
 _WHOLES: Final = frozenset("all every each both any half".split())
-_DEPENDING: Final = frozenset("if unless whether until".split())
+_DEPENDING: Final = frozenset("if unless whether until wherever where that".split())
+_TIMING: Final = frozenset("when whenever once".split())
+"""Words that begin a time, or a condition where they name a thing: ``when the lamp is on, switch it off``."""
 _CALLS: Final = frozenset("thank look guess imagine listen know see mind remember".split())
 _MENDING: Final = frozenset("sort fix see remedy change solve mend correct".split())
 _IT: Final = frozenset("it that this out to please right for me us now about up".split())
 """Words of orders that say no more than that something shall be put right: ``sort that out``."""
 _PREPARING: Final = frozenset("roll pick grab unplug fold lift wrap disconnect pack check".split())
 """What is done with a thing before it is brought somewhere: ``roll it up and take it to the storage``."""
+_MEANT_AGAIN: Final = frozenset(
+    "rest remainder remaining other others lot stuff everything all half surplus excess thing object item furniture "
+    "content one ones door window wall".split()
+)
+"""Words of subjects that mean things without their name."""
 _FINE: Final = frozenset("right correct fine ok okay alright good".split())
 _WHOLES_OF: Final = frozenset("everything all whatever".split())
 _DENYING: Final = frozenset(["not", "no", "never"])
@@ -52,8 +58,14 @@ def only_tells(clause: Clause, words: Sequence[TaggedWord], lexicon: Lexicon) ->
     said = words[clause.start : clause.end]
     texts = [word.text for word in said]
     named = names_something(said, lexicon)
-    nothing = texts[0] == "nothing" or any(pair in (("nothing", "but"), ("nothing", "else")) for pair in pairwise(texts))
-    if named and (nothing or {*texts} & _LIMITING or texts[-1] in _ALSO or {"too", "also"} & {*texts[:-1]}):
+    counts = clause.form == "existence" or words[clause.verb].tag == "have"
+    limiting = {*texts} & _LIMITING
+    if counts and limiting == {"only"} and said[texts.index("only") + 1 : texts.index("only") + 2]:
+        limiting = set() if said[texts.index("only") + 1].tag in ("number", "determiner") else limiting
+    nothing = texts[0] == "nothing" or any(
+        pair in (("nothing", "but"), ("nothing", "else")) for pair in pairwise(texts)
+    )
+    if named and (nothing or limiting or texts[-1] in _ALSO or {"too", "also"} & {*texts[:-1]}):
         return clause.form == "statement" and _tells_of_use(clause, words)
     if clause.form == "statement" and texts[0] == "what":
         return not any(word.verb in _WISHING or word.text in _MEASURING for word in said)
@@ -61,15 +73,16 @@ def only_tells(clause: Clause, words: Sequence[TaggedWord], lexicon: Lexicon) ->
         idle = not (named or {*texts} & {"you", "we"} or _takes_up(said[1:]))
         return idle or (texts[-1:] == ["you"] and len(texts) <= 3)
     if clause.form == "order":
-        if said[0].verb in _PREPARING and len(said) < 5 and _takes_up(said) and not named:
+        if said[0].verb in _PREPARING and len(said) < 5 and (_takes_up(said) or len(said) == 1) and not named:
             return True
         vague = texts[0] in _MENDING and {*texts[1:]} <= _IT and len(texts) > 1
         return vague or (texts[0] in _CALLS and not named)
     if clause.form == "dependent":
-        return texts[0] not in _DEPENDING
+        return texts[0] not in _DEPENDING and not (named and texts[0] in _TIMING)
     if clause.form == "fragment":
         states = {texts[-1], *(text for text in texts if text not in ("on", "up", "down", "out"))} & _STATES
-        return not (named or {*texts} & (_LIMITING | _WHOLES) or states or _counts(said) or _takes_up(said))
+        counted = any(word.tag == "number" and word.text not in ORDINALS for word in said)
+        return not (named or {*texts} & (_LIMITING | _WHOLES) or states or counted or _takes_up(said))
     if clause.after == "so" or (texts[0] == "that" and said[0].tag != "determiner"):
         return not (named or _counts(said) or {*texts} & _LIMITING) and not _asks(clause, words, lexicon)
     return not _asks(clause, words, lexicon)
@@ -87,11 +100,21 @@ def _asks(clause: Clause, words: Sequence[TaggedWord], lexicon: Lexicon) -> bool
     subject, rest = words[clause.subject : head], words[clause.verb : clause.end]
     texts = [word.text for word in rest]
     counted = any(word.tag in ("number", "pronoun") for word in subject)
-    somebody = is_person(subject) or not (names_something(subject, lexicon) or counted)
+    again = any(singular(word.text) in _MEANT_AGAIN for word in subject)
+    somebody = is_person(subject) or not (names_something(subject, lexicon) or counted or again)
     aimed = names_something(rest, lexicon) or _counts(rest) or _takes_up(rest)
     verb = rest[0]
-    if texts[-1] in ("along", "too") and {"come", "go"} & {word.verb for word in rest} and subject[0].text in _WHOLES_OF:
+    if (
+        texts[-1] in ("along", "too")
+        and {"come", "go"} & {word.verb for word in rest}
+        and subject[0].text in _WHOLES_OF
+    ):
         return False  # "everything on it must come along"
+    main = next((word for word in rest if word.tag == "verb"), verb)
+    if main.verb in _STAYING:
+        return not is_person(subject)
+    if verb.tag == "modal" and any(word.tag == "number" for word in subject):
+        return True
     if verb.text in _OBLIGING or (verb.tag in ("be", "have") and _is_to(rest)) or texts[:2] in _NEEDING:
         return not somebody or aimed
     if _wishes(rest):
@@ -99,9 +122,6 @@ def _asks(clause: Clause, words: Sequence[TaggedWord], lexicon: Lexicon) -> bool
     fine = verb.tag == "be" and bool({*texts[1:3]} & _FINE)
     if fine and counted and not names_something(subject, lexicon):
         return False  # "eight is right", "that one is fine as it is"
-    main = next((word for word in rest if word.tag == "verb"), verb)
-    if main.verb in _STAYING:
-        return not is_person(subject)
     if verb.tag == "modal":
         denied = {*texts[1:3]} & _DENYING
         return not somebody and not denied and (main.verb in _PLACING or main.form == "participle" or _measures(texts))

@@ -56,12 +56,17 @@ class TaggedWord:
         return told or self.tag in ("be", "have", "do", "modal")
 
 
-_WORD: Final = re.compile(r"(?:mrs?|ms|dr|prof|st|no|nr|approx)\.(?=\s)|\d+(?:[.,]\d+)?(?:st|nd|rd|th)?|[^\W\d_]+(?:[-'][^\W\d_]+)*(?:'(?!\w))?|->|=>|→|\S|\n", re.IGNORECASE)
+_WORD: Final = re.compile(
+    r"(?:mrs?|ms|dr|prof|st)\.(?=\s)|(?:no|nr|approx)\.(?=\s?\d)|\d+(?:[.,]\d+)?(?:st|nd|rd|th)?|[^\W\d_]+(?:[-'][^\W\d_]+)*(?:'(?!\w))?|->|=>|→|\S|\n",
+    re.IGNORECASE,
+)
 _BE: Final = frozenset("is are was were am be been being".split())
 _HAVE: Final = frozenset("has have had having".split())
 _DO: Final = frozenset("do does did".split())
 _MODALS: Final = frozenset("should must shall will would can could may might ought cannot".split())
-_DETERMINERS: Final = frozenset("the a an this that these those all both each every another some any no either".split())
+_DETERMINERS: Final = frozenset(
+    "the a an this that these those all both half each every another some any no either".split()
+)
 _POSSESSIVES: Final = frozenset("my our your his her its their whose".split())
 _PRONOUNS: Final = frozenset(
     "it they them this that these those one ones both all everything nothing anything something each another none "
@@ -73,7 +78,8 @@ _SOMEBODY: Final = frozenset(
 _PREPOSITIONS: Final = frozenset(
     "in on at by to into onto from of off out up down over under above below beside besides behind between among near "
     "against around round along across through towards toward with without for inside outside within upon underneath "
-    "beneath opposite about per after before during until since next like except despite than via away nearest closest nearer".split()
+    "beneath opposite about per after before during until since next like except despite than via away "
+    "nearest closest nearer".split()
 )
 _JOINTS: Final = frozenset("and but or so then plus nor".split())
 _SUBORDINATORS: Final = frozenset(
@@ -88,6 +94,9 @@ _ADVERBS: Final = frozenset(
     "barely hardly soon later kindly actually basically honestly anyway however though well else as so far yet never "
     "once twice not-so please possibly currently about".split()
 )
+_BETWEEN: Final = frozenset("all both also never always just even still only often really".split())
+"""Words between a pronoun and its verb."""
+_AFTER_PRONOUNS: Final = frozenset("mark preposition be adverb".split())
 _WHICH_PERIOD: Final = frozenset("last next this".split())
 _PERIODS: Final = frozenset(
     "week weekend month year night evening morning afternoon spring summer autumn winter time monday tuesday wednesday "
@@ -96,7 +105,9 @@ _PERIODS: Final = frozenset(
 _SOUNDS: Final = frozenset("um uh er erm eh aw phew yeah yep nah yay hooray yuck ew gosh".split())
 _BEFORE_DETERMINERS: Final = frozenset("all both half none".split())
 _DETERMINED: Final = frozenset("the these those my our your his her their its of".split())
-_BEFORE_ORDERS: Final = frozenset("please just kindly then also now simply maybe perhaps finally first next only".split())
+_BEFORE_ORDERS: Final = frozenset(
+    "please just kindly then also now simply maybe perhaps finally first next only".split()
+)
 _EXCHANGING: Final = frozenset("trade swap change exchange switch swop".split())
 _BEGINNING_OBJECTS: Final = frozenset("determiner possessive number pronoun somebody".split())
 _PARTICLES: Final = frozenset(["on", "off"])
@@ -105,7 +116,7 @@ _PARTICIPLES: Final = ("participle", "gerund")
 
 def tagged(text: str, lexicon: Lexicon) -> list[TaggedWord]:
     """Return the words of a text in running order, contractions written out, with their parts of speech."""
-    words = [_by_class(match) for match in _WORD.finditer(text)]
+    words = _with_verbs_apart([_by_class(match) for match in _WORD.finditer(text)])
     for at in range(len(words)):
         words[at] = _in_context(words, at, lexicon)
         if at and words[at].text in _PERIODS and words[at - 1].text in _WHICH_PERIOD:
@@ -122,6 +133,21 @@ def joined(words: Sequence[TaggedWord]) -> str:
     'hall!'
     """
     return re.sub(r" (?=[,.;:!?)]|'s?\b)|(?<=\() ", "", " ".join(word.raw for word in words))
+
+
+def _with_verbs_apart(words: Sequence[TaggedWord]) -> list[TaggedWord]:
+    """Return words with ``is`` apart from its subject: ``the printer's noisy``, but not ``the printer's cable``."""
+    out: list[TaggedWord] = []
+    for at, word in enumerate(words):
+        following = words[at + 1] if at + 1 < len(words) else None
+        last = at + 2 >= len(words) or words[at + 2].tag in ("mark", "joint")
+        described = following is not None and following.tag in ("adjective", "adverb") and last
+        if word.tag == "noun" and word.text.endswith("'s") and described:
+            noun = replace(word, text=word.text[:-2], raw=word.raw[:-2], end=word.end - 2)
+            out += [noun, TaggedWord("is", "be", word.end - 2, word.end, "is")]
+        else:
+            out.append(word)
+    return out
 
 
 def text_of(words: Sequence[TaggedWord], text: str) -> str:
@@ -159,6 +185,10 @@ def _in_context(words: Sequence[TaggedWord], at: int, lexicon: Lexicon) -> Tagge
     word = words[at]
     before = words[at - 1] if at else None
     after = words[at + 1] if at + 1 < len(words) else None
+    if word.text == "that" and before is not None and before.text == "so":
+        return replace(word, tag="adverb")
+    if word.text in ("all", "both") and before is not None and before.text in ("we", "you", "they"):
+        return replace(word, tag="adverb")
     if word.text in _BEFORE_DETERMINERS and after is not None and after.text in _DETERMINED:
         return replace(word, tag="determiner")
     if word.text in ("close", "next", "ready") and after is not None and after.tag == "to":
@@ -175,15 +205,14 @@ def _in_context(words: Sequence[TaggedWord], at: int, lexicon: Lexicon) -> Tagge
     if word.tag in ("noun", "adjective", "preposition") and word.text.isalpha() and word.text != "like":
         found = _as_verb(words, at, lexicon)
         return word if found is None else found
-    if word.text == "that" and before is not None and before.text == "so":
-        return replace(word, tag="adverb")
     if word.text == "like" and before is not None and before.tag in ("modal", "somebody"):
         return replace(word, tag="verb", verb="like", form="base")
     if word.text == "her" and not opens_phrase:
         return replace(word, tag="somebody")
-    if word.text == "there" and not (after is not None and after.tag in ("be", "modal")):
+    existing = after is not None and (after.tag in ("be", "modal") or after.text in ("used", "seems", "has", "have"))
+    if word.text == "there" and not existing:
         return replace(word, tag="adverb")
-    if word.text == "one" and word.tag == "number" and (after is None or after.tag in ("mark", "preposition", "be")):
+    if word.text == "one" and word.tag == "number" and (after is None or after.tag in _AFTER_PRONOUNS):
         return replace(word, tag="pronoun") if after is None or after.text != "of" else word
     return word
 
@@ -223,7 +252,10 @@ def _as_verb(words: Sequence[TaggedWord], at: int, lexicon: Lexicon) -> TaggedWo
         return None
     if "base" in kinds and words[at - 1].tag == "noun" and after is not None and after.text == "places":
         return _formed(word, forms, "base")
-    if before.tag in ("modal", "to", "do", "somebody", "not") and "base" in kinds:
+    people = before.text in _BETWEEN and at > 1 and words[at - 2].text in ("we", "i", "you", "they")
+    if (people or before.tag in ("modal", "to", "do", "somebody", "not")) and "base" in kinds:
+        return _formed(word, forms, "base")
+    if "base" in kinds and _is_order_after_part(words, at):
         return _formed(word, forms, "base")
     if before.tag in ("be", "have", "adverb") or before.verb == "get" or word.text.endswith("ing"):
         best = next((kind for kind in _PARTICIPLES if kind in kinds), None)
@@ -242,11 +274,15 @@ def _after_subject(
     kinds = [form for _, form in forms]
     if "third" in kinds or "past" in kinds:
         return _formed(word, forms, "third" if "third" in kinds else "past")
-    if "participle" in kinds:
-        return _formed(word, forms, "participle")
-    several = (before.tag == "number" and before.text != "one") or before.text in ("they", "these", "those", "both") or singular(before.text) != before.text
+    several = (
+        (before.tag == "number" and before.text != "one")
+        or before.text in ("they", "these", "those", "both")
+        or singular(before.text) != before.text
+    )
     goes_on = after is None or after.tag not in ("verb", "be", "modal")
-    return _formed(word, forms, "base") if several and goes_on and "base" in kinds else None
+    if several and goes_on and "base" in kinds:
+        return _formed(word, forms, "base")
+    return _formed(word, forms, "participle") if "participle" in kinds else None
 
 
 def _formed(word: TaggedWord, forms: Sequence[tuple[str, Form]], form: Form) -> TaggedWord:
@@ -278,6 +314,13 @@ def _is_order(words: Sequence[TaggedWord], at: int, lexicon: Lexicon) -> bool:
     after = words[at + 1] if at + 1 < len(words) else None
     beginning = after is not None and (after.tag in ("determiner", "possessive") or after.text in ("it", "them"))
     return beginning and words[at].tag == "noun" and not lexicon.is_object((singular(words[at].text),))
+
+
+def _is_order_after_part(words: Sequence[TaggedWord], at: int) -> bool:
+    """Whether a verb follows the whole of which its object is a part: ``of the chairs in the hall take two``."""
+    start = next((k for k in range(at - 1, 0, -1) if words[k - 1].tag == "mark"), 0)
+    after = words[at + 1] if at + 1 < len(words) else None
+    return words[start].text in ("of", "from") and after is not None and after.tag in ("number", "pronoun")
 
 
 def _has_object(words: Sequence[TaggedWord], at: int, lexicon: Lexicon) -> bool:
