@@ -19,7 +19,7 @@ from mansion_editing.instructions.meaning.nouns import is_loose
 from mansion_editing.instructions.meaning.numbers import means_one
 from mansion_editing.instructions.meaning.room_words import room_title
 from mansion_editing.instructions.meaning.targets import Target, names_any, places_of
-from mansion_editing.instructions.meaning.wording import place_words, thing_words
+from mansion_editing.instructions.meaning.wording import bare_words, place_words, thing_words
 from mansion_editing.instructions.statements import Add, Amount, Move, Place, Rooms, Swap, Things, Turn
 from mansion_editing.provisioning.facts import Scope
 from mansion_editing.provisioning.making_room import move_after_clearing
@@ -38,6 +38,8 @@ _QUARTER: Final = 90.0
 _WAY_ROUND: Final = re.compile(r"clockwise|\b(left|right|counter|anti)", re.IGNORECASE)
 """Words that tell which way something turns; a quarter turn without them may be either way."""
 
+_OUT_OF_THERE: Final = re.compile(r"\bout of (there|here)\b", re.IGNORECASE)
+
 _STEPS_ASIDE: Final = 5
 """Decimetres by which a thing moves aside for a turn at most, in either direction of the plan."""
 
@@ -47,9 +49,10 @@ def move(statement: Move, state: SceneState, context: Context) -> Work:
     statement = _of_another(statement, context)
     things, place = statement.things, statement.place
     found = things_of(state, things, context)
-    if place == Place():
+    if place == Place() or (place == Place(rooms=Rooms(same=True)) and _OUT_OF_THERE.search(statement.quote)):
         raise Unmet(f"say where {thing_words(things)} shall go")
     if not found and statement.or_new:
+        _refuse_other_looks(state, things, place, context)
         return (yield from add(Add(things=_new(things), place=place), state, context))
     told = things.place is not None and things.place.relation in ("", "on", "in") and things.amount.kind != "all_but"
     if not found and things.noun and things.place is not None and told and (things.definite or things.plural):
@@ -93,6 +96,23 @@ def move(statement: Move, state: SceneState, context: Context) -> Work:
     source = tuple(dict.fromkeys(item.room for item in chosen))
     context = context.followed((), source, "") if len(source) == 1 else context
     return Done("; ".join(replies), context.followed(ids, rooms, things.noun))
+
+
+def _refuse_other_looks(state: SceneState, things: Things, place: Place, context: Context) -> None:
+    """Refuse to bring ``the yellow ball`` where there is a ball of another colour, which may be meant.
+
+    Raises
+    ------
+    Unmet
+    """
+    if not (things.definite and (things.colour or things.material)) or place.rooms is None:
+        return
+    rooms = set(rooms_of(state, place.rooms, context))
+    plain = msgspec.structs.replace(things, colour="", material="", place=None)
+    others = [item for item in things_of(state, plain, context) if item.room in rooms]
+    if others:
+        looks = ", ".join(f"{item.id} ({item.material.replace('_', ' ')})" for item in others[:4])
+        raise Unmet(f"there is no {bare_words(things)}; there is {looks}")
 
 
 def _already_there(

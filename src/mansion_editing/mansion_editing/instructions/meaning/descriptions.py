@@ -1,7 +1,7 @@
 """Rooms and things that fit a description."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Final
 
 import msgspec
@@ -10,7 +10,7 @@ from shapely import Polygon
 from mansion_assets.catalogue.vocabulary import stems
 from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.distances import by_distance
-from mansion_editing.instructions.meaning.nouns import called, has_colour, has_material, id_order
+from mansion_editing.instructions.meaning.nouns import called, has_colour, has_material, id_order, looks_like
 from mansion_editing.instructions.meaning.numbers import means_several, of_one_kind
 from mansion_editing.instructions.meaning.room_words import adjoining, best_named, room_order
 from mansion_editing.instructions.phrases.places import SUPERLATIVES
@@ -129,7 +129,19 @@ def _existing(state: SceneState, ids: Sequence[str]) -> list[SceneObject]:
 
 
 def things_of(state: SceneState, things: Things, context: Context) -> list[SceneObject]:
-    """Return all objects that words fit, in the order of their ids; how many of them are meant is not looked at."""
+    """Return all objects that words fit, in the order of their ids; how many of them are meant is not looked at.
+
+    Certain things that are there may be of about a colour ("the brown bench" of oak) where none is just of it.
+    """
+    found = _things_of(state, things, context, has_colour)
+    if found or not (things.colour and things.definite and things.noun):
+        return found
+    return _things_of(state, things, context, looks_like)
+
+
+def _things_of(
+    state: SceneState, things: Things, context: Context, coloured: Callable[[SceneObject, str], bool]
+) -> list[SceneObject]:
     pool = [item for _, item in state.objects()]
     if things.refers and not context.things and not context.rooms:
         raise MansionError(ErrorCode.NOT_FOUND, "nothing was mentioned before that the words could refer to")
@@ -144,7 +156,7 @@ def things_of(state: SceneState, things: Things, context: Context) -> list[Scene
     if noun and not things.owned:
         things, noun = _with_owner(state, pool, things, noun, context)
     many = means_several(things)
-    pool = [item for item in pool if _has_traits(item, things)]
+    pool = [item for item in pool if _has_traits(item, things, coloured)]
     apart = not many and things.place is not None and _are_several(things.place.rooms)
     if noun or not things.refers:
         pool = _called(state, pool, noun, apart=apart, many=True, every=things.amount.kind == "all")
@@ -248,8 +260,8 @@ def _picked(pool: list[SceneObject], things: Things) -> list[SceneObject]:
     return pool
 
 
-def _has_traits(item: SceneObject, things: Things) -> bool:
-    if things.colour and not has_colour(item, things.colour):
+def _has_traits(item: SceneObject, things: Things, coloured: Callable[[SceneObject, str], bool]) -> bool:
+    if things.colour and not coloured(item, things.colour):
         return False
     if things.material and not has_material(item, things.material):
         return False

@@ -9,7 +9,7 @@ from mansion_editing.instructions.phrases.lexicon import Lexicon
 from mansion_editing.instructions.phrases.nouns import Noun, read_noun
 from mansion_editing.instructions.phrases.runs import ENDS_RUN, end_of_run
 from mansion_editing.instructions.phrases.storeys import read_storeys
-from mansion_editing.instructions.phrases.word_sets import BARE_PRONOUNS, PRINTED, TOPICS
+from mansion_editing.instructions.phrases.word_sets import BARE_PRONOUNS, PAIRED, PRINTED, TOPICS
 from mansion_editing.instructions.phrases.words import ADVERBS, DETERMINERS, STATE_WORDS, Word, text_at
 from mansion_editing.instructions.statements import JOINED, Amount, AmountKind, Place, Rooms, Things
 from mansion_language.colours import COLOUR_WORDS
@@ -154,6 +154,8 @@ def _with_what_follows(words: Sequence[Word], phrase: NounPhrase, lexicon: Lexic
         amount, definite, end = whole[0], True, whole[1]
     if amount.number == 0 and amount.kind == "some" and not definite and not found.plural:
         amount = Amount(number=1)
+    if definite and not amount.number and found.words[-1:] and found.words[-1] in PAIRED:
+        found = replace(found, plural=True)
     if amount.kind == "all":
         amount, definite, end = _all_but(words, end, lexicon, amount, definite=definite)
     end += text_at(words, end) in ("itself", "themselves")

@@ -509,6 +509,8 @@ def _at_noun(
     own: Relation = "" if phrase == ("from",) else relation or "on"
     if phrase == ("for",) and target.each and lexicon.lies_beside_others(noun.words):
         own = "beside"  # "a glass for every plate"
+    if phrase[-1] == "to" and own == "on" and goal and lexicon.encloses(noun.words):
+        own = "in"  # "move the milk to the fridge"
     outside = phrase == ("away", "from")
     place = Place(relation=own, anchor=target.things(), outside=outside)
     return ReadPlace(place, start, target.end, goal, source, each=target.each)
