@@ -158,6 +158,8 @@ class Things(msgspec.Struct, frozen=True, kw_only=True, tag=True):
         Exceptions ("everything except the vase").
     owned : str
         Words before the noun that tell its room or owner ("the lobby chairs", "the CEO's desk").
+    bearing : Things, optional
+        What is on or in them ("the table with the lamp on it").
     each : bool
         They are spoken of one by one ("each bed"): an amount of what is at them is that of each, not of all together.
     """
@@ -176,6 +178,7 @@ class Things(msgspec.Struct, frozen=True, kw_only=True, tag=True):
     place: "Place | None" = None
     beside: "tuple[Things, ...]" = ()
     owned: str = ""
+    bearing: "Things | None" = None
     each: bool = False
 
 

@@ -444,7 +444,7 @@ def _place_one(
 
 
 def counters_by(mark: SceneObject, place: Place, state: SceneState) -> list[str]:
-    """Return the ids of the furniture by a stove, a sink, ..., on which lies what is put beside that; counters first."""
+    """Return the ids of the furniture by a stove, a sink, ... that carries what is put beside that, counters first."""
     if place.relation not in ("beside", "near", "left", "right") or not is_among_counters(mark):
         return []
     tops = [

@@ -14,7 +14,7 @@ from mansion_editing.instructions.meaning.nouns import called, has_colour, has_m
 from mansion_editing.instructions.meaning.numbers import means_several, of_one_kind
 from mansion_editing.instructions.meaning.room_words import adjoining, best_named, room_order
 from mansion_editing.instructions.phrases.places import SUPERLATIVES
-from mansion_editing.instructions.statements import JOINED, Place, Rooms, Things
+from mansion_editing.instructions.statements import JOINED, Amount, Place, Rooms, Things
 from mansion_editing.state import SceneState
 from mansion_editing.tools.perception import contents, on_top
 from mansion_editing.tools.relations import relation_holds
@@ -169,12 +169,21 @@ def _things_of(
     if noun and not many:
         named = _called(state, pool, noun, apart=apart)
         pool = pool if things.size and len(named) == 1 else named
+    if things.bearing is not None:
+        pool = _bearing(state, pool, things.bearing, context)
     for spared in things.beside:
         out = {item.id for item in things_of(state, spared, context)}
         pool = [item for item in pool if item.id not in out]
     if things.place is not None and superlative:
         pool = by_distance(state, pool, things, anchors_of(state, things.place, context))
     return _picked(sorted(pool, key=id_order), things)
+
+
+def _bearing(state: SceneState, pool: list[SceneObject], borne: Things, context: Context) -> list[SceneObject]:
+    """Return the furniture that has certain things on or in it."""
+    kind = msgspec.structs.replace(borne, amount=Amount(kind="all", number=0), plural=True)
+    ids = {item.id for item in things_of(state, kind, context)}
+    return [item for item in pool if ids.intersection(one.id for one in carried_by(state, item, ""))]
 
 
 def _in_rooms(state: SceneState, pool: list[SceneObject], place: Place | None, context: Context) -> list[SceneObject]:

@@ -265,7 +265,7 @@ _SEEN_AS: Final = {
 
 
 def looks_like(item: SceneObject, colour: str) -> bool:
-    """Whether people may call an object by a colour that its material is not named after: oak is brown, plants green."""
+    """Whether people may call an object by a colour that its material is not named after: oak is brown."""
     word = COLOUR_WORDS.get(colour.lower(), colour.lower())
     if word == "green" and item.category.rstrip("0123456789").endswith(("plant", "planter_box")):
         return True

@@ -572,13 +572,18 @@ def _merged_rooms(one: Rooms | None, other: Rooms | None) -> Rooms | None:
         every=one.every or (other.every and not other.words),
         same=one.same or (other.same and not here and not one.up and not (one.words and other.every)),
         number=one.number or other.number,
-        next_to=one.next_to or other.next_to or (other.words if one.words else ""),
+        next_to=one.next_to or other.next_to or ("" if _says_the_same(one, other) else other.words),
         up=one.up or other.up,
         base=one.base or other.base,
         over=one.over or other.over,
         others=one.others or other.others,
         but=one.but or other.but,
     )
+
+
+def _says_the_same(one: Rooms, other: Rooms) -> bool:
+    """Whether words for a room only repeat those for another: the director's, and the director's office."""
+    return not one.words or set(other.words.split()) <= set(one.words.split())
 
 
 def with_place(things: Things, place: Place) -> Things:

@@ -222,8 +222,8 @@ BEFORE_PLACES: Final = frozenset(
 NEAR_SPOTS: Final = frozenset("over by at next near beside close to in opposite under right against".split())
 PAIRED: Final = frozenset("scissors pliers tongs tweezers headphones binoculars".split())
 MASSES: Final = frozenset(
-    "beer wine milk juice water cola alcohol coffee tea cheese butter bread food fruit medicine paper sugar salt rubbish "
-    "furniture stuff".split()
+    "beer wine milk juice water cola alcohol coffee tea cheese butter bread food fruit medicine paper sugar salt "
+    "rubbish furniture stuff".split()
 )
 OUTER_DOORS: Final = frozenset("front main entrance outside outer exterior house street".split())
 DOOR_KINDS: Final = {

@@ -5,8 +5,8 @@ from typing import Any, Final
 import msgspec
 
 from mansion_editing.instructions.phrases.places import with_place
-from mansion_editing.instructions.sentences.progress import Progress
 from mansion_editing.instructions.phrases.word_sets import MASSES
+from mansion_editing.instructions.sentences.progress import Progress
 from mansion_editing.instructions.sentences.refinement import counts_those_brought, held_there, so_many
 from mansion_editing.instructions.statements import (
     Add,
