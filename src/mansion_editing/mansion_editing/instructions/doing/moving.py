@@ -8,7 +8,8 @@ from typing import Any, Final
 
 import msgspec
 
-from mansion_editing.instructions.doing.providing import add, counters_by, wishes_of
+from mansion_editing.instructions.doing.new_assets import counters_by
+from mansion_editing.instructions.doing.providing import add, wishes_of
 from mansion_editing.instructions.doing.rooms import swap_rooms
 from mansion_editing.instructions.doing.work import Done, Work, listed, live, whereabouts
 from mansion_editing.instructions.meaning.choices import at_home, from_there, one_room_each, things_meant

@@ -186,6 +186,8 @@ def things_meant(
     if not found:
         raise MansionError(ErrorCode.NOT_FOUND, f"there is no {bare_words(things)}{at_words(things.place)}")
     if counts_each(things):
+        if any(item.parent is None for item in found):
+            raise MansionError(ErrorCode.INFEASIBLE, f"say which {bare_words(things)} at each of them is meant")
         groups = by_holder(found)
     else:
         groups = [found if things.place is None else _at_one_place(state, things.place, found, context)]

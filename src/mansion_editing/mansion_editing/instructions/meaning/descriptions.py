@@ -342,6 +342,8 @@ class _Placed:
         relation, within = self.place.relation, self.place.within or None
         if self.doors is not None:
             return any(relation_holds(self.state, item, spot="door", door=door) for door in self.doors)
+        if relation == "" and item.mount == "floor" and item.parent is None:
+            return any(_is_beside(self.state, item, anchor) for anchor in self.anchors)  # the chairs from the table
         if relation in ("on", "in", ""):
             return item.id in self.carried
         near = [anchor for anchor in self.anchors if anchor.id != item.id and anchor.room == item.room]
@@ -354,7 +356,8 @@ class _Placed:
                 if one.id != other.id
             )
         side: Side = "" if relation == "near" else relation  # type: ignore[assignment]
-        return any(relation_holds(self.state, item, side, anchor.id, within=within) for anchor in near)
+        apart = self.place.apart or None
+        return any(relation_holds(self.state, item, side, anchor.id, within=within, apart=apart) for anchor in near)
 
 
 def _doors_at(state: SceneState, place: Place, context: Context) -> list[str] | None:
