@@ -62,6 +62,7 @@ def move(statement: Move, state: SceneState, context: Context) -> Work:
         kind = msgspec.structs.replace(things, place=None, amount=Amount(kind="all", number=0))
         arrived = all_at(state, things_of(state, kind, context), place, context)
         told = place.rooms is not None or place.anchor is not None
+        told = told and (len(arrived) == 1 or not means_one(things))
         if told and arrived and not things.amount.of and things.amount.number in (0, len(arrived)):
             none = f"there is no {thing_words(msgspec.structs.replace(things, definite=False))}"
             said = f"{none}, and {listed(arrived)} {_is([i.id for i in arrived])} there already"
