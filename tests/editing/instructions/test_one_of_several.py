@@ -3,6 +3,7 @@
 import pytest
 
 from mansion_editing.editor import SceneEditor
+from mansion_editing.instructions.doing.gathering import are_together
 from mansion_editing.instructions.instruct import instruct
 from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.descriptions import things_of
@@ -10,6 +11,7 @@ from mansion_editing.instructions.meaning.measured import compares, told_by_size
 from mansion_editing.instructions.sentences.reader import read_instruction
 from mansion_editing.instructions.statements import Ensure, Move, Place, Remove, Rooms, Statement, Things
 from mansion_editing.state import SceneState
+from mansion_editing.tools.relations import relation_holds
 
 
 def _statement(text: str, state: SceneState) -> Statement:
@@ -124,3 +126,27 @@ def test_what_has_no_room_to_turn_moves_a_little(editor: SceneEditor) -> None:
     assert report.done, report.message
     fridge = editor.state.get("F1/kitchen/fridge_1")[1]
     assert fridge.rotation in (90.0, 270.0)
+
+
+def test_things_come_next_to_each_other(editor: SceneEditor) -> None:
+    report = instruct(editor, "Put the chairs in the hall next to each other.")
+    assert report.done, report.message
+    chairs = [editor.state.get(f"F1/hall/chair_{n}")[1] for n in (1, 2, 3)]
+    assert are_together(editor.state, chairs)
+
+
+def test_one_thing_is_not_next_to_itself(editor: SceneEditor) -> None:
+    assert not instruct(editor, "Put the sofas in the hall side by side.").done
+
+
+def test_things_go_so_many_metres_from_others(editor: SceneEditor) -> None:
+    report = instruct(editor, "Move the sofa two metres from the chair furthest from it.")
+    assert not report.done or relation_holds(
+        editor.state, editor.state.get("F1/hall/sofa_1")[1], near="F1/hall/chair_1", apart=1.8, within=2.2
+    )
+
+
+def test_only_so_many_that_stay_send_the_rest_away(editor: SceneEditor) -> None:
+    report = instruct(editor, "The chairs in the hall are too many, only two should stay.")
+    assert report.done, report.message
+    assert [editor.state.find(f"F1/hall/chair_{n}") is not None for n in (1, 2, 3)] == [True, True, False]

@@ -8,6 +8,7 @@ from typing import Any, Final
 
 import msgspec
 
+from mansion_editing.instructions.doing.gathering import gather
 from mansion_editing.instructions.doing.new_assets import counters_by
 from mansion_editing.instructions.doing.providing import add, wishes_of
 from mansion_editing.instructions.doing.rooms import swap_rooms
@@ -21,6 +22,7 @@ from mansion_editing.instructions.meaning.numbers import means_one
 from mansion_editing.instructions.meaning.room_words import room_title
 from mansion_editing.instructions.meaning.targets import Target, names_any, places_of
 from mansion_editing.instructions.meaning.wording import bare_words, place_words, thing_words
+from mansion_editing.instructions.phrases.each_other import EACH_OTHER
 from mansion_editing.instructions.statements import Add, Amount, Move, Place, Rooms, Swap, Things, Turn
 from mansion_editing.provisioning.facts import Scope
 from mansion_editing.provisioning.making_room import move_after_clearing
@@ -47,6 +49,8 @@ _STEPS_ASIDE: Final = 5
 
 def move(statement: Move, state: SceneState, context: Context) -> Work:
     """Bring things that are there to a place; new ones only where words allow it and none is in the building."""
+    if statement.place.anchor == EACH_OTHER:
+        return (yield from gather(statement, state, context))
     statement = _of_another(statement, context)
     things, place = statement.things, statement.place
     found = things_of(state, things, context)

@@ -7,6 +7,7 @@ from typing import Final
 import msgspec
 
 from mansion_editing.instructions.phrases.distances import read_distance, read_within
+from mansion_editing.instructions.phrases.each_other import EACH_OTHER, end_of_each_other
 from mansion_editing.instructions.phrases.lexicon import Lexicon
 from mansion_editing.instructions.phrases.noun_phrases import NounPhrase, noun_phrase
 from mansion_editing.instructions.phrases.relative_storeys import read_relative_storey
@@ -182,6 +183,9 @@ def _unbracketed(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Seque
     if text_at(words, at) == "inside" and text_at(words, at + 1) in _ENDS:
         last = Things(refers="last", definite=True, amount=Amount(number=0))
         return ReadPlace(Place(relation="in", anchor=last), at, at + 1)
+    end = end_of_each_other(words, at)
+    if end:
+        return ReadPlace(Place(relation="beside", anchor=EACH_OTHER), at, end)
     measured = read_distance(words, at, lexicon, floors)
     if measured is not None:
         return ReadPlace(measured[0], at, measured[1])
