@@ -158,6 +158,8 @@ class Things(msgspec.Struct, frozen=True, kw_only=True, tag=True):
         Exceptions ("everything except the vase").
     owned : str
         Words before the noun that tell its room or owner ("the lobby chairs", "the CEO's desk").
+    bearing : Things, optional
+        What is on or in them ("the table with the lamp on it").
     each : bool
         They are spoken of one by one ("each bed"): an amount of what is at them is that of each, not of all together.
     """
@@ -176,6 +178,7 @@ class Things(msgspec.Struct, frozen=True, kw_only=True, tag=True):
     place: "Place | None" = None
     beside: "tuple[Things, ...]" = ()
     owned: str = ""
+    bearing: "Things | None" = None
     each: bool = False
 
 
@@ -187,8 +190,8 @@ class Place(msgspec.Struct, frozen=True, kw_only=True):
     relation : str
         To `anchor`, empty for on or in it ("from the dresser"); ``between`` has `other` too, or an anchor in the
         plural. ``nearest`` and ``farthest`` tell which of several is meant, by its distance to `anchor` or `spot`.
-    within : float
-        Greatest distance to the anchor in metres; 0 where none is given.
+    within, apart : float
+        Greatest and least distance to the anchor in metres; 0 where none is given.
     spot : {"", "wall", "corner", "window", "door", "middle"}
         Of the room.
     facing : Things, optional
@@ -201,6 +204,7 @@ class Place(msgspec.Struct, frozen=True, kw_only=True):
     anchor: Things | None = None
     other: Things | None = None
     within: float = 0.0
+    apart: float = 0.0
     spot: Spot = ""
     facing: Things | None = None
     rooms: Rooms | None = None

@@ -135,7 +135,9 @@ def _candidates(scene: FloorScene, room: SceneRoom, thing: SceneObject, wish: Pl
 def _poses_round(scene: FloorScene, thing: SceneObject, near: SceneObject, wish: PlacingWish) -> Iterator[_Candidate]:
     """Yield poses along the sides of a landmark: those in line with it, and nearer ones, first."""
     most = greatest_gap(thing, wish)
-    gaps = [gap for gap in GAPS if gap <= most] or [most / 2]
+    least = wish.apart or 0.0
+    tried = (*GAPS, (least + most) / 2) if least else GAPS
+    gaps = [gap for gap in tried if least <= gap <= most] or [most / 2]
     sides = (wish.side,) if wish.side in TURN_TO else tuple(TURN_TO)
     crowd = _neighbours(scene, near, thing) if wish.side == "around" else Counter[str]()
     for side in sides:

@@ -25,8 +25,8 @@ def wish_of(state: SceneState, args: PlacingWishes) -> PlacingWish:
         ``NOT_FOUND`` or ``CONFLICT`` for a name that fits no object or several, ``INVALID_PAYLOAD`` for a side or a gap
         without a landmark, and for ``between`` without a second one.
     """
-    if not args.near and (args.side or args.within is not None):
-        raise MansionError(ErrorCode.INVALID_PAYLOAD, "side and within need near, an object", path="$.near")
+    if not args.near and (args.side or args.within is not None or args.apart is not None):
+        raise MansionError(ErrorCode.INVALID_PAYLOAD, "side, within and apart need near, an object", path="$.near")
     if (args.side == "between") != bool(args.other):
         raise MansionError(
             ErrorCode.INVALID_PAYLOAD, "between needs other, a second object; nothing else does", path="$.other"
@@ -41,6 +41,7 @@ def wish_of(state: SceneState, args: PlacingWishes) -> PlacingWish:
         side=args.side,
         other=other,
         within=args.within,
+        apart=args.apart,
         spot=args.spot,
         door=args.door,
         facing=_named(state, args.facing, "facing"),
@@ -87,6 +88,8 @@ def wish_words(wish: PlacingWish) -> str:
     parts = [words.get(wish.side, f"{wish.side or 'near'} {near}")] if near else []
     if wish.within is not None:
         parts.append(f"within {wish.within:g} m of it")
+    if wish.apart is not None:
+        parts.append(f"at least {wish.apart:g} m from it")
     if wish.door:
         parts.append(f"at {wish.door}")
     elif wish.spot:

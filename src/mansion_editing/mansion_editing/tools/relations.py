@@ -77,6 +77,7 @@ class PlacingWish:
     side: Side = ""
     other: SceneObject | None = None
     within: float | None = None
+    apart: float | None = None
     spot: Spot = ""
     door: str = ""
     facing: SceneObject | None = None
@@ -84,7 +85,7 @@ class PlacingWish:
     @property
     def binding(self) -> bool:
         """Whether anything must hold; `near` alone is a preference."""
-        return bool(self.side or self.spot or self.facing or self.within is not None)
+        return bool(self.side or self.spot or self.facing or self.within is not None or self.apart)
 
 
 NO_WISH: Final = PlacingWish()
@@ -100,6 +101,7 @@ def relation_holds(
     spot: Spot = "",
     facing: str = "",
     door: str = "",
+    apart: float | None = None,
 ) -> bool:
     """Whether an object is where a wish has it.
 
@@ -107,7 +109,7 @@ def relation_holds(
     ----------
     item : SceneObject
         In the scene or not; its room says on which floor it is.
-    side, near, other, within, spot, facing, door
+    side, near, other, within, spot, facing, door, apart
         As in `PlacingWishes`, the objects by their ids. `near` without a side or a gap means nearby.
 
     Raises
@@ -124,6 +126,7 @@ def relation_holds(
     wish = PlacingWish(
         side=side,
         within=within,
+        apart=apart,
         spot=spot,
         door=door,
         near=state.get(near, "$.near")[1] if near else None,
@@ -147,6 +150,8 @@ def fulfils(scene: FloorScene, room: SceneRoom, item: SceneObject, wish: Placing
 
 
 def _beside_landmark(item: SceneObject, wish: PlacingWish, near: SceneObject) -> bool:
+    if wish.apart is not None and footprint_gap(item, near) < wish.apart - ROUNDING:
+        return False
     if wish.side not in ("under", "above"):
         gap = greatest_gap(item, wish) + ROUNDING
         if not _same_level(item, near) or _least_gap(item, near) > gap or footprint_gap(item, near) > gap:

@@ -58,6 +58,8 @@ class PlacingWishes(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=T
         The second object of ``between``.
     within : float, optional
         Greatest gap between the footprints of the object and `near` (and `other`), metres.
+    apart : float, optional
+        Least gap between the footprints of the object and `near`, metres.
     spot : str
         A part of the room: at a wall, in a corner, at a window or a door, in the middle.
     door : str
@@ -70,6 +72,7 @@ class PlacingWishes(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=T
     side: Side = ""
     other: Text = ""
     within: Gap | None = None
+    apart: Gap | None = None
     spot: Spot = ""
     door: Text = ""
     facing: Text = ""

@@ -89,6 +89,7 @@ def any_number(things: Things) -> Things:
         hints=(),
         owned="",
         beside=(),
+        bearing=None,
     )
 
 

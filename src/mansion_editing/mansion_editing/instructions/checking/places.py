@@ -8,12 +8,14 @@ import msgspec
 from mansion_editing.instructions.checking.differences import Differences, carried_below
 from mansion_editing.instructions.checking.finding import Finding, any_number, at_shares, numbers_meant, shares_of
 from mansion_editing.instructions.checking.numbers import check_add
+from mansion_editing.instructions.doing.gathering import are_together, gathered
 from mansion_editing.instructions.doing.work import listed
 from mansion_editing.instructions.meaning.choices import at_home, concerned, from_there
 from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.descriptions import rooms_of, things_of
 from mansion_editing.instructions.meaning.directions import direction_of, faced_point, rotation_towards
 from mansion_editing.instructions.meaning.wording import place_words, thing_words
+from mansion_editing.instructions.phrases.each_other import EACH_OTHER
 from mansion_editing.instructions.statements import Add, Move, Rooms, Shift, Swap, Turn
 from mansion_editing.state import SceneState
 from mansion_editing.tools.relations import relation_holds
@@ -25,6 +27,8 @@ __all__ = ["check_move", "check_shift", "check_swap", "check_turn"]
 def check_move(statement: Move, before: SceneState, after: SceneState, context: Context, diff: Differences) -> Finding:
     """Check that the number meant is at the place now, and that nothing else went there."""
     things, place = statement.things, statement.place
+    if place.anchor == EACH_OTHER:
+        return _check_gathered(statement, before, after, context, diff)
     fitting = concerned(before, things, context)
     place = at_home(before, things, place, context)
     context = from_there(before, things, place, context)
@@ -57,6 +61,18 @@ def check_move(statement: Move, before: SceneState, after: SceneState, context: 
     arrivals = {item.id for item in went.values()}
     below = carried_below(after, arrivals)
     return Finding(reason, set(went) | arrivals | carried | below, makes_room=True)
+
+
+def _check_gathered(
+    statement: Move, before: SceneState, after: SceneState, context: Context, diff: Differences
+) -> Finding:
+    """Check that the things meant are beside one another, in the room where they were."""
+    meant = gathered(statement, before, context)
+    now = [found[1] for item in meant if (found := after.find(item.id)) is not None]
+    apart = len(now) < len(meant) or len({item.room for item in now}) > 1 or not are_together(after, now)
+    went = {item.id for item in meant if item.id in diff.moved}
+    reason = f"{thing_words(statement.things)} are not next to each other" if apart else ""
+    return Finding(reason, went | carried_below(before, went), makes_room=True)
 
 
 def _same(after: SceneState, item: SceneObject) -> SceneObject | None:

@@ -79,7 +79,7 @@ class Moving(Shifting):
         """Whether furniture goes to other furniture, and so beside it: ``move the trolley over to the washbasin``."""
         noun = item.phrase.noun.words
         mark = next((p for p in places if p.goal and p.place.anchor is not None), None)
-        bare = mark is not None and self.text(mark.start) in ("over", "to", "up") and goal.relation == "on"
+        bare = mark is not None and self.text(mark.start) in ("over", "to", "up") and goal.relation in ("on", "in")
         holder = () if goal.anchor is None else tuple(goal.anchor.noun.split())
         sat_on = bool(holder) and holder[-1].endswith(_SEATS)
         heavy = sat_on or not self.lexicon.is_loose(noun)

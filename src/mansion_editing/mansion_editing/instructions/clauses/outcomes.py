@@ -128,7 +128,12 @@ class Outcomes(Sentence):
             more = Things(refers="last", amount=Amount(kind="more", number=phrase.amount.number), plural=phrase.plural)
             return Add(things=more, place=Place(rooms=Rooms(same=True)), quote=quote)
         partitive = self._is_partitive(phrase)
-        if (partitive and any(p.relative for p in item.places)) or (not whence and goes_on_from_a_room(item.places)):
+        begun = partitive and _begins_in_bare_room(item.places)
+        if (
+            (partitive and any(p.relative for p in item.places))
+            or begun
+            or (not whence and goes_on_from_a_room(item.places))
+        ):
             source, goal, each = self._source_and_goal(item.places)
             goal, each = self._framed((goal, each))
         moved = (
@@ -313,13 +318,19 @@ def begins_in_a_room(places: Sequence[ReadPlace]) -> bool:
     return goal > 1 and all(p.place.rooms is not None and not p.place.spot for p in places[1:goal])
 
 
+def _begins_in_bare_room(places: Sequence[ReadPlace]) -> bool:
+    """Whether a room comes first and furniture follows: one of the stools ``in the bar at the high table``."""
+    first = places[0].place if places else Place()
+    bare = first.rooms is not None and bool(first.rooms.words) and first == Place(rooms=first.rooms)
+    return bare and len(places) > 1 and places[1].place.anchor is not None
+
+
 def _is_of_another_room(places: Sequence[ReadPlace]) -> bool:
     """Whether furniture of one room follows another room: ``in the kitchen on the dining room table``."""
-    first = places[0].place if places else Place()
-    if len(places) < 2 or first.rooms is None or not first.rooms.words or first != Place(rooms=first.rooms):
+    if not _begins_in_bare_room(places):
         return False
-    anchor = places[1].place.anchor
-    return anchor is not None and bool(anchor.owned) and anchor.owned != first.rooms.words
+    rooms, anchor = places[0].place.rooms, places[1].place.anchor
+    return rooms is not None and anchor is not None and bool(anchor.owned) and anchor.owned != rooms.words
 
 
 def _counted_otherwise(things: Things) -> Things:

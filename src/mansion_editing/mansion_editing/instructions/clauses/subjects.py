@@ -109,7 +109,8 @@ class Subjects(Lacks):
         """Return ``the cup and the glass in the cabinet`` as both in it; furniture is not on what small things are."""
         last = subjects[-1]
         alone = any(item.places or not item.phrase.definite or item.is_room for item in subjects[:-1])
-        if alone or not last.places or not last.phrase.definite or last.is_room or any(p.goal for p in last.places):
+        told = last.phrase.definite or (last.phrase.noun.plural and subjects[0].phrase.amount.kind == "all")
+        if alone or not last.places or not told or last.is_room or any(p.goal for p in last.places):
             return subjects
         held = last.places[0].place.anchor is not None and not self.lexicon.stands(last.phrase.noun.words)
         if held and any(self.lexicon.stands(item.phrase.noun.words) for item in subjects[:-1]):

@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Final
 
 from mansion_editing.instructions.doing.work import Done, Work, listed
@@ -55,7 +56,10 @@ def set_state(statement: SetState, state: SceneState, context: Context) -> Work:
         raise Unmet(f"{listed(found)} {'does' if len(found) == 1 else 'do'} not {what}")
     other = {item.id for item in found if item.id in ready and bool(item.states.get(name, False)) != value}
     preferred = other if len(other) == 1 else ready
-    chosen = things_meant(state, things, context, lambda item: item.id in preferred)
+    some = things.amount.kind == "some" and not things.amount.of
+    unable = frozenset(item.id for item in found if some and item.id not in ready)
+    meant = replace(context, kept=context.kept | unable)
+    chosen = things_meant(state, things, meant, lambda item: item.id in preferred)
     chosen = [item for item in chosen if item.id in ready]
     if not chosen:
         raise Unmet(f"{thing_words(things)} cannot be {word}")
@@ -85,12 +89,7 @@ def _swing(statement: SetState, state: SceneState, context: Context) -> Work:
     rest = [door.id for door in meant if door.id not in changing]
     told = [f"{listed(changing)} {'is' if len(changing) == 1 else 'are'} now {word}"] if changing else []
     told += [f"{listed(rest)} {'is' if len(rest) == 1 else 'are'} {word} already"] if rest else []
-    rooms = (
-        ()
-        if statement.things.place is None or statement.things.place.rooms is None
-        else tuple(rooms_of(state, statement.things.place.rooms, context))
-    )
-    return Done("; ".join(told), context.followed((), rooms, ""))
+    return Done("; ".join(told), context)
 
 
 def _some(chosen: list[SceneObject], things: Things) -> list[SceneObject]:

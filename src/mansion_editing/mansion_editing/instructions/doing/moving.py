@@ -8,7 +8,9 @@ from typing import Any, Final
 
 import msgspec
 
-from mansion_editing.instructions.doing.providing import add, counters_by, wishes_of
+from mansion_editing.instructions.doing.gathering import gather
+from mansion_editing.instructions.doing.new_assets import counters_by
+from mansion_editing.instructions.doing.providing import add, wishes_of
 from mansion_editing.instructions.doing.rooms import swap_rooms
 from mansion_editing.instructions.doing.work import Done, Work, listed, live, whereabouts
 from mansion_editing.instructions.meaning.choices import at_home, from_there, one_room_each, things_meant
@@ -19,7 +21,8 @@ from mansion_editing.instructions.meaning.nouns import is_loose
 from mansion_editing.instructions.meaning.numbers import means_one
 from mansion_editing.instructions.meaning.room_words import room_title
 from mansion_editing.instructions.meaning.targets import Target, names_any, places_of
-from mansion_editing.instructions.meaning.wording import place_words, thing_words
+from mansion_editing.instructions.meaning.wording import bare_words, place_words, thing_words
+from mansion_editing.instructions.phrases.each_other import EACH_OTHER
 from mansion_editing.instructions.statements import Add, Amount, Move, Place, Rooms, Swap, Things, Turn
 from mansion_editing.provisioning.facts import Scope
 from mansion_editing.provisioning.making_room import move_after_clearing
@@ -38,18 +41,23 @@ _QUARTER: Final = 90.0
 _WAY_ROUND: Final = re.compile(r"clockwise|\b(left|right|counter|anti)", re.IGNORECASE)
 """Words that tell which way something turns; a quarter turn without them may be either way."""
 
+_OUT_OF_THERE: Final = re.compile(r"\bout of (there|here)\b", re.IGNORECASE)
+
 _STEPS_ASIDE: Final = 5
 """Decimetres by which a thing moves aside for a turn at most, in either direction of the plan."""
 
 
 def move(statement: Move, state: SceneState, context: Context) -> Work:
     """Bring things that are there to a place; new ones only where words allow it and none is in the building."""
+    if statement.place.anchor == EACH_OTHER:
+        return (yield from gather(statement, state, context))
     statement = _of_another(statement, context)
     things, place = statement.things, statement.place
     found = things_of(state, things, context)
-    if place == Place():
+    if place == Place() or (place == Place(rooms=Rooms(same=True)) and _OUT_OF_THERE.search(statement.quote)):
         raise Unmet(f"say where {thing_words(things)} shall go")
     if not found and statement.or_new:
+        _refuse_other_looks(state, things, place, context)
         return (yield from add(Add(things=_new(things), place=place), state, context))
     told = things.place is not None and things.place.relation in ("", "on", "in") and things.amount.kind != "all_but"
     if not found and things.noun and things.place is not None and told and (things.definite or things.plural):
@@ -58,6 +66,7 @@ def move(statement: Move, state: SceneState, context: Context) -> Work:
         kind = msgspec.structs.replace(things, place=None, amount=Amount(kind="all", number=0))
         arrived = all_at(state, things_of(state, kind, context), place, context)
         told = place.rooms is not None or place.anchor is not None
+        told = told and (len(arrived) == 1 or not means_one(things))
         if told and arrived and not things.amount.of and things.amount.number in (0, len(arrived)):
             none = f"there is no {thing_words(msgspec.structs.replace(things, definite=False))}"
             said = f"{none}, and {listed(arrived)} {_is([i.id for i in arrived])} there already"
@@ -93,6 +102,23 @@ def move(statement: Move, state: SceneState, context: Context) -> Work:
     source = tuple(dict.fromkeys(item.room for item in chosen))
     context = context.followed((), source, "") if len(source) == 1 else context
     return Done("; ".join(replies), context.followed(ids, rooms, things.noun))
+
+
+def _refuse_other_looks(state: SceneState, things: Things, place: Place, context: Context) -> None:
+    """Refuse to bring ``the yellow ball`` where there is a ball of another colour, which may be meant.
+
+    Raises
+    ------
+    Unmet
+    """
+    if not (things.definite and (things.colour or things.material)) or place.rooms is None:
+        return
+    rooms = set(rooms_of(state, place.rooms, context))
+    plain = msgspec.structs.replace(things, colour="", material="", place=None)
+    others = [item for item in things_of(state, plain, context) if item.room in rooms]
+    if others:
+        looks = ", ".join(f"{item.id} ({item.material.replace('_', ' ')})" for item in others[:4])
+        raise Unmet(f"there is no {bare_words(things)}; there is {looks}")
 
 
 def _already_there(

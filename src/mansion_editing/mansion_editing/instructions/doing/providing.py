@@ -1,6 +1,5 @@
 """Add, Ensure and Replace: new things where words want them, with the fewest of them."""
 
-import math
 import re
 from collections.abc import Generator, Sequence, Set
 from dataclasses import replace
@@ -8,14 +7,14 @@ from typing import Any, Final
 
 import msgspec
 
-from mansion_assets.catalogue import Asset
+from mansion_editing.instructions.doing.new_assets import assets_of, compared, counters_by
 from mansion_editing.instructions.doing.removing import removed
 from mansion_editing.instructions.doing.work import Done, Work, listed, live
 from mansion_editing.instructions.meaning.choices import one_room_each, things_meant
 from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.descriptions import all_at, rooms_of, things_of
-from mansion_editing.instructions.meaning.measured import compares, is_comparative
-from mansion_editing.instructions.meaning.nouns import called, has_material, is_among_counters
+from mansion_editing.instructions.meaning.measured import is_comparative
+from mansion_editing.instructions.meaning.nouns import called, has_material
 from mansion_editing.instructions.meaning.numbers import (
     is_one_of_each_room,
     is_shared_out,
@@ -37,19 +36,17 @@ from mansion_editing.instructions.phrases.word_sets import BESIDE_RELATIONS
 from mansion_editing.instructions.statements import Add, Amount, Ensure, Place, Replace, Rooms, Things
 from mansion_editing.provisioning.facts import ObjectDescription, Scope
 from mansion_editing.provisioning.making_room import make_room
-from mansion_editing.provisioning.new_objects import find_assets, place_any
+from mansion_editing.provisioning.new_objects import place_any
 from mansion_editing.provisioning.satisfying import MOST_CARRIERS, furnish
 from mansion_editing.provisioning.usual_places import find_surfaces, is_furniture, relation_of, rooms_for
 from mansion_editing.runs.policies import Action, Outcome, Unmet, ask
 from mansion_editing.state import SceneState
 from mansion_editing.tools.perception import object_info
-from mansion_editing.tools.relations import FLOOR_GAP, footprint_gap
-from mansion_editing.tools.tops import carries_on_top
 from mansion_msgs_py.editing.questions import AssetInfo
 from mansion_msgs_py.scene import SceneObject
 from mansion_msgs_py.shapes import Point3
 
-__all__ = ["add", "at_target", "counters_by", "ensure", "place_at", "replace_things", "wishes_of"]
+__all__ = ["add", "at_target", "ensure", "place_at", "replace_things", "wishes_of"]
 
 MOST_NEW = 100
 """Greatest number of new things of a kind for one place."""
@@ -246,7 +243,7 @@ def _passed_over(state: SceneState, place: Place, context: Context) -> str:
 
 def _best_first(things: Things, targets: list[Target], state: SceneState) -> Generator[Action, Outcome, list[Target]]:
     """Return rooms that words leave open in the order in which they suit a thing."""
-    first = (yield from _assets_of(things, state))[0]
+    first = (yield from assets_of(things, state))[0]
     rooms = Scope("room", "", tuple(target.room for target in targets))
     order = rooms_for(rooms, state, first.category, first.size)
     return sorted((target for target in targets if target.room in order), key=lambda target: order.index(target.room))
@@ -307,6 +304,8 @@ def wishes_of(place: Place, target: Target) -> dict[str, Any]:
         out["other"] = target.other.id
     if place.within:
         out["within"] = place.within
+    if place.apart:
+        out["apart"] = place.apart
     if place.spot or target.door:
         out["spot"] = place.spot or "door"
     if target.door:
@@ -336,9 +335,9 @@ def place_at(
     Unmet
         Where none does.
     """
-    assets = yield from _assets_of(things, state)
+    assets = yield from assets_of(things, state)
     if before is not None and any(map(is_comparative, things.hints)):
-        assets = _compared(things, assets, before, state)
+        assets = compared(things, assets, before, state)
     reasons: list[str] = []
     for kinds, clearing in _attempts(assets, number):
         for target in targets[:MOST_CARRIERS]:
@@ -362,45 +361,6 @@ def _attempts(assets: list[AssetInfo], number: int) -> list[tuple[list[AssetInfo
     small = sorted(assets, key=lambda asset: (asset.category != assets[0].category, asset.size[0] * asset.size[1]))
     tried = [(assets, False), (small, False)] if number > 1 and small[0] != assets[0] else [(assets, False)]
     return [*tried, (small if number > 1 else assets, True)]
-
-
-def _assets_of(things: Things, state: SceneState) -> Generator[Action, Outcome, list[AssetInfo]]:
-    if not things.noun:
-        raise Unmet("say what to bring")
-    assets = yield from find_assets(ObjectDescription(things.noun, 1, things.colour), state)
-    if things.material:
-        kinds = {asset.category for asset in assets[:1]}
-        assets.sort(key=lambda a: (a.category not in kinds, things.material.lower() not in a.material))
-    return assets
-
-
-def _compared(things: Things, assets: list[AssetInfo], before: Point3, state: SceneState) -> list[AssetInfo]:
-    """Return the assets of the kind that are larger, taller, ... than what was there, the least different first.
-
-    Raises
-    ------
-    Unmet
-        Where there is none.
-    """
-    kind = assets[0].category
-    sizes = {asset.key: asset.size for asset in state.catalogue.by_category(kind)}
-    known = {info.asset_id: info for info in assets}
-    fitting = [key for key, size in sizes.items() if compares(things.hints, size, before)]
-    if not fitting:
-        raise Unmet(f"the catalogue has no {' and '.join(things.hints)} {things.noun}")
-    fitting.sort(key=lambda key: (round(math.dist(sizes[key], before), 4), key))
-    return [known.get(key) or _info_of(state.catalogue.asset(key)) for key in fitting]
-
-
-def _info_of(asset: Asset) -> AssetInfo:
-    return AssetInfo(
-        asset_id=asset.key,
-        category=asset.category,
-        name=asset.name,
-        size=asset.size,
-        score=0.0,
-        material=asset.material,
-    )
 
 
 def _place_one(
@@ -441,19 +401,6 @@ def _place_one(
         if made:
             return made, ""
     return "", reason
-
-
-def counters_by(mark: SceneObject, place: Place, state: SceneState) -> list[str]:
-    """Return the ids of the furniture by a stove, a sink, ..., on which lies what is put beside that; counters first."""
-    if place.relation not in ("beside", "near", "left", "right") or not is_among_counters(mark):
-        return []
-    tops = [
-        (not item.category.endswith(("counter", "counter_top", "island")), round(footprint_gap(item, mark), 4), item.id)
-        for _, item in state.objects()
-        if item.room == mark.room and item.id != mark.id and item.mount == "floor"
-        if (asset := state.asset(item)) is not None and carries_on_top(asset)
-    ]
-    return [name for _, gap, name in sorted(tops) if gap <= FLOOR_GAP]
 
 
 def _goes_to_room(assets: list[AssetInfo], state: SceneState) -> bool:

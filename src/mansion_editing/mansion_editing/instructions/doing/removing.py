@@ -9,7 +9,7 @@ from mansion_assets.catalogue.vocabulary import stems, vocabulary_of
 from mansion_editing.instructions.doing.work import Done, Work, listed, live
 from mansion_editing.instructions.meaning.choices import concerned, one_room_each, things_meant
 from mansion_editing.instructions.meaning.context import Context
-from mansion_editing.instructions.meaning.descriptions import all_at, anchors_of, carried_by, rooms_of
+from mansion_editing.instructions.meaning.descriptions import all_at, anchors_of, carried_by, rooms_of, things_of
 from mansion_editing.instructions.meaning.nouns import is_fixed, is_loose, names_many
 from mansion_editing.instructions.meaning.numbers import means_one
 from mansion_editing.instructions.meaning.sparing import spared_among
@@ -69,6 +69,8 @@ def _chosen(things: Things, state: SceneState, context: Context) -> list[SceneOb
     known = names_many(things.noun) or bool(vocabulary_of(state.catalogue).nouns(things.noun))
     if not found and things.refers:
         raise Unmet(f"there is nothing that {thing_words(things)!r} could be")
+    if not found and known and things.definite and not several:
+        _refuse_others(things, state, context)
     if not found and known and (several or (means_one(things) and bool(things.noun))):
         return []
     if amount.kind in ("all_but", "exactly") and len(found) < amount.number:
@@ -78,6 +80,21 @@ def _chosen(things: Things, state: SceneState, context: Context) -> list[SceneOb
     if chosen and not free:
         raise Unmet(f"{chosen[0].id} is fixed to the building; name it by its kind to remove it")
     return free
+
+
+def _refuse_others(things: Things, state: SceneState, context: Context) -> None:
+    """Refuse to leave ``the second fridge`` or ``the red chair`` as gone where there are others of the kind.
+
+    Raises
+    ------
+    Unmet
+    """
+    if not (things.ordinal or things.colour or things.material or things.states):
+        return
+    plain = msgspec.structs.replace(things, ordinal=0, colour="", material="", states={})
+    others = things_of(state, plain, context)
+    if others:
+        raise Unmet(f"there is no such {things.noun}; there is {listed(others)}")
 
 
 def _is_named(state: SceneState, item: SceneObject, noun: str) -> bool:

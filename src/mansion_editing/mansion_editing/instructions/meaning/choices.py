@@ -27,10 +27,12 @@ from mansion_editing.instructions.meaning.wording import (
     thing_words,
     title_of,
 )
+from mansion_editing.instructions.phrases.word_sets import MASSES
 from mansion_editing.instructions.statements import Amount, Place, Rooms, Things
 from mansion_editing.state import SceneState
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import SceneObject
+from mansion_scene.essentials import essentials_of
 
 __all__ = [
     "Fit",
@@ -39,6 +41,7 @@ __all__ = [
     "concerned",
     "from_there",
     "is_of_its_room",
+    "needed_there",
     "one_room_each",
     "things_meant",
     "too_few",
@@ -183,6 +186,8 @@ def things_meant(
     if not found:
         raise MansionError(ErrorCode.NOT_FOUND, f"there is no {bare_words(things)}{at_words(things.place)}")
     if counts_each(things):
+        if any(item.parent is None for item in found):
+            raise MansionError(ErrorCode.INFEASIBLE, f"say which {bare_words(things)} at each of them is meant")
         groups = by_holder(found)
     else:
         groups = [found if things.place is None else _at_one_place(state, things.place, found, context)]
@@ -218,6 +223,8 @@ def _counted_out(
         return _any_of(state, found, _half(things, found))
     if things.plural and amount.number <= 1:
         return found
+    if things.refers == "last" and not (things.noun or amount.number) and context.noun in MASSES:
+        return found  # "there is beer in the fridge, get rid of it"
     if means_one(things) or (things.refers == "last" and not things.plural and things.noun):
         return _the_one(state, things, found, context, prefer)
     if things.refers == "last" and (not amount.number or amount.number >= count):
@@ -298,12 +305,23 @@ def _the_one(
     own = [item for item in here if is_of_its_room(state, item, things.noun)]
     asked = context.brief.things_first(here, things.noun)
     sized = told_by_size(here, things.hints)
-    found = next((few for few in (preferred, here, sized, own, asked) if len(few) == 1), found)
+    needed = needed_there(state, here)
+    found = next((few for few in (preferred, here, sized, own, asked, needed) if len(few) == 1), found)
     if len(found) > 1 and context.brief.wants_one(asked, things.noun):
         return asked[:1]
     if len(found) > 1:
         raise ambiguous(thing_words(things), [title_of(None, item) for item in found], [item.id for item in found])
     return found
+
+
+def needed_there(state: SceneState, items: Sequence[SceneObject]) -> list[SceneObject]:
+    """Return those of the things of one room that it cannot be used without: the dining table, no console table."""
+    rooms = {item.room for item in items}
+    room = state.room(items[0].room) if len(rooms) == 1 else None
+    if room is None:
+        return []
+    kinds = {kind for need in essentials_of(room[1]) for thing in need.things for kind in thing.categories}
+    return [item for item in items if item.category in kinds]
 
 
 def is_of_its_room(state: SceneState, item: SceneObject, noun: str) -> bool:

@@ -1,7 +1,7 @@
 """Rooms and things that fit a description."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Final
 
 import msgspec
@@ -10,11 +10,11 @@ from shapely import Polygon
 from mansion_assets.catalogue.vocabulary import stems
 from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.distances import by_distance
-from mansion_editing.instructions.meaning.nouns import called, has_colour, has_material, id_order
+from mansion_editing.instructions.meaning.nouns import called, has_colour, has_material, id_order, looks_like
 from mansion_editing.instructions.meaning.numbers import means_several, of_one_kind
 from mansion_editing.instructions.meaning.room_words import adjoining, best_named, room_order
 from mansion_editing.instructions.phrases.places import SUPERLATIVES
-from mansion_editing.instructions.statements import JOINED, Place, Rooms, Things
+from mansion_editing.instructions.statements import JOINED, Amount, Place, Rooms, Things
 from mansion_editing.state import SceneState
 from mansion_editing.tools.perception import contents, on_top
 from mansion_editing.tools.relations import relation_holds
@@ -129,7 +129,19 @@ def _existing(state: SceneState, ids: Sequence[str]) -> list[SceneObject]:
 
 
 def things_of(state: SceneState, things: Things, context: Context) -> list[SceneObject]:
-    """Return all objects that words fit, in the order of their ids; how many of them are meant is not looked at."""
+    """Return all objects that words fit, in the order of their ids; how many of them are meant is not looked at.
+
+    Certain things that are there may be of about a colour ("the brown bench" of oak) where none is just of it.
+    """
+    found = _things_of(state, things, context, has_colour)
+    if found or not (things.colour and things.definite and things.noun):
+        return found
+    return _things_of(state, things, context, looks_like)
+
+
+def _things_of(
+    state: SceneState, things: Things, context: Context, coloured: Callable[[SceneObject, str], bool]
+) -> list[SceneObject]:
     pool = [item for _, item in state.objects()]
     if things.refers and not context.things and not context.rooms:
         raise MansionError(ErrorCode.NOT_FOUND, "nothing was mentioned before that the words could refer to")
@@ -145,7 +157,7 @@ def things_of(state: SceneState, things: Things, context: Context) -> list[Scene
         things, noun = _with_owner(state, pool, things, noun, context)
     many = means_several(things)
     if things.colour or things.material or things.states:
-        pool = [item for item in pool if _has_traits(item, things)]
+        pool = [item for item in pool if _has_traits(item, things, coloured)]
     apart = not many and things.place is not None and _are_several(things.place.rooms)
     if noun or not things.refers:
         pool = _called(state, pool, noun, apart=apart, many=True, every=things.amount.kind == "all")
@@ -158,12 +170,21 @@ def things_of(state: SceneState, things: Things, context: Context) -> list[Scene
     if noun and not many:
         named = _called(state, pool, noun, apart=apart)
         pool = pool if things.size and len(named) == 1 else named
+    if things.bearing is not None:
+        pool = _bearing(state, pool, things.bearing, context)
     for spared in things.beside:
         out = {item.id for item in things_of(state, spared, context)}
         pool = [item for item in pool if item.id not in out]
     if things.place is not None and superlative:
         pool = by_distance(state, pool, things, anchors_of(state, things.place, context))
     return _picked(sorted(pool, key=id_order), things)
+
+
+def _bearing(state: SceneState, pool: list[SceneObject], borne: Things, context: Context) -> list[SceneObject]:
+    """Return the furniture that has certain things on or in it."""
+    kind = msgspec.structs.replace(borne, amount=Amount(kind="all", number=0), plural=True)
+    ids = {item.id for item in things_of(state, kind, context)}
+    return [item for item in pool if ids.intersection(one.id for one in carried_by(state, item, ""))]
 
 
 def _in_rooms(state: SceneState, pool: list[SceneObject], place: Place | None, context: Context) -> list[SceneObject]:
@@ -249,8 +270,8 @@ def _picked(pool: list[SceneObject], things: Things) -> list[SceneObject]:
     return pool
 
 
-def _has_traits(item: SceneObject, things: Things) -> bool:
-    if things.colour and not has_colour(item, things.colour):
+def _has_traits(item: SceneObject, things: Things, coloured: Callable[[SceneObject, str], bool]) -> bool:
+    if things.colour and not coloured(item, things.colour):
         return False
     if things.material and not has_material(item, things.material):
         return False
@@ -322,6 +343,8 @@ class _Placed:
         relation, within = self.place.relation, self.place.within or None
         if self.doors is not None:
             return any(relation_holds(self.state, item, spot="door", door=door) for door in self.doors)
+        if relation == "" and item.mount == "floor" and item.parent is None:
+            return any(_is_beside(self.state, item, anchor) for anchor in self.anchors)  # the chairs from the table
         if relation in ("on", "in", ""):
             return item.id in self.carried
         near = [anchor for anchor in self.anchors if anchor.id != item.id and anchor.room == item.room]
@@ -334,7 +357,8 @@ class _Placed:
                 if one.id != other.id
             )
         side: Side = "" if relation == "near" else relation  # type: ignore[assignment]
-        return any(relation_holds(self.state, item, side, anchor.id, within=within) for anchor in near)
+        apart = self.place.apart or None
+        return any(relation_holds(self.state, item, side, anchor.id, within=within, apart=apart) for anchor in near)
 
 
 def _doors_at(state: SceneState, place: Place, context: Context) -> list[str] | None:

@@ -25,7 +25,8 @@ def _length(size: Point3) -> float:
 
 
 _MEASURES: Final[dict[str, tuple[Callable[[Point3], float], float]]] = {
-    "large": (_area, 1.0), "small": (_area, -1.0), "tall": (_height, 1.0), "low": (_height, -1.0), "long": (_length, 1.0),
+    "large": (_area, 1.0), "small": (_area, -1.0), "tall": (_height, 1.0), "low": (_height, -1.0),
+    "long": (_length, 1.0),
 }  # fmt: skip
 _COMPARATIVES: Final = {"larger": "large", "smaller": "small", "taller": "tall", "lower": "low", "longer": "long"}
 

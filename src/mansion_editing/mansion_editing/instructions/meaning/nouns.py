@@ -21,6 +21,7 @@ __all__ = [
     "is_fixed",
     "is_light",
     "is_loose",
+    "looks_like",
     "names_many",
 ]
 
@@ -255,6 +256,21 @@ def _numbers_padded(name: str) -> tuple[str, ...]:
 def has_colour(item: SceneObject, colour: str) -> bool:
     """Whether an object has a colour."""
     return colour_of(item.material) == COLOUR_WORDS.get(colour.lower(), colour.lower())
+
+
+_SEEN_AS: Final = {
+    "oak": "brown", "walnut": "brown", "birch": "beige", "steel": "grey", "chrome": "grey", "brass": "yellow",
+    "amber": "brown",
+}  # fmt: skip
+"""Shades of materials that people call by a colour."""
+
+
+def looks_like(item: SceneObject, colour: str) -> bool:
+    """Whether people may call an object by a colour that its material is not named after: oak is brown."""
+    word = COLOUR_WORDS.get(colour.lower(), colour.lower())
+    if word == "green" and item.category.rstrip("0123456789").endswith(("plant", "planter_box")):
+        return True
+    return word in {_SEEN_AS.get(part) for part in item.material.split("_")} or has_colour(item, colour)
 
 
 _MATERIALS: Final = {

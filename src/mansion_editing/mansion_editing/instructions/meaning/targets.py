@@ -4,7 +4,7 @@ import math
 from collections.abc import Set
 from dataclasses import dataclass, replace
 
-from mansion_editing.instructions.meaning.choices import Fit, is_of_its_room, one_room_each, too_few
+from mansion_editing.instructions.meaning.choices import Fit, is_of_its_room, needed_there, one_room_each, too_few
 from mansion_editing.instructions.meaning.context import Context, ambiguous
 from mansion_editing.instructions.meaning.descriptions import anchors_of, things_of
 from mansion_editing.instructions.meaning.doors import means_doors, sides_of
@@ -128,6 +128,8 @@ def _alike(
     found = [item for item in found if item.id in own] or found
     found = told_by_size(found, anchor.hints)
     found = context.brief.things_first(found, anchor.noun)
+    needed = needed_there(state, found)
+    found = needed if len(needed) == 1 else found
     kinds = {(item.room, item.category) for item in found}
     if len(found) == 1 or (len(kinds) == 1 and place.relation not in ("", "between")):
         return found

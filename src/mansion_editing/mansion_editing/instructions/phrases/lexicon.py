@@ -45,6 +45,19 @@ _NO_OBJECTS = frozenset(["room", "floor", "area", "hall", "office", "space", "pl
 _KINDS_OF_SPACES = frozenset("room bedroom bathroom office hall area studio station kitchen suite lounge shop".split())
 """Last words of names of rooms that are left out in front of what stands in them."""
 
+_ENCLOSING = (
+    "fridge",
+    "freezer",
+    "wardrobe",
+    "dishwasher",
+    "oven",
+    "microwave",
+    "washing_machine",
+    "minibar",
+    "locker",
+)
+"""Ends of the categories that things are kept in and seldom on."""
+
 _STOREY_WORDS = frozenset("upper lower ground floor first second third fourth fifth sixth top".split())
 
 _DWELLINGS = frozenset(["flat", "apartment"])
@@ -174,6 +187,11 @@ class Lexicon:
         kinds = vocabulary_of(self._state.catalogue).nouns(" ".join(words))
         asset = self._state.catalogue.by_category(kinds[0])[0] if kinds else None
         return asset is not None and bool(asset.volumes or asset.surfaces)
+
+    def encloses(self, words: tuple[str, ...]) -> bool:
+        """Whether words name what things are kept in, never on: a fridge, a wardrobe."""
+        kinds = vocabulary_of(self._state.catalogue).nouns(" ".join(words))
+        return bool(kinds) and kinds[0].endswith(_ENCLOSING)
 
     def takes_state(self, words: tuple[str, ...], state: str) -> bool:
         """Whether words name what opens (``open``), or switches (``on``)."""

@@ -9,7 +9,7 @@ from mansion_editing.instructions.phrases.lexicon import Lexicon
 from mansion_editing.instructions.phrases.nouns import Noun, read_noun
 from mansion_editing.instructions.phrases.runs import ENDS_RUN, end_of_run
 from mansion_editing.instructions.phrases.storeys import read_storeys
-from mansion_editing.instructions.phrases.word_sets import BARE_PRONOUNS, PRINTED, TOPICS
+from mansion_editing.instructions.phrases.word_sets import BARE_PRONOUNS, PAIRED, PRINTED, TOPICS
 from mansion_editing.instructions.phrases.words import ADVERBS, DETERMINERS, STATE_WORDS, Word, text_at
 from mansion_editing.instructions.statements import JOINED, Amount, AmountKind, Place, Rooms, Things
 from mansion_language.colours import COLOUR_WORDS
@@ -40,6 +40,7 @@ class NounPhrase:
     end: int
     each: bool = False
     refers: Literal["", "last", "others"] = ""
+    bearing: Things | None = None
 
     @property
     def plural(self) -> bool:
@@ -64,6 +65,7 @@ class NounPhrase:
             hints=noun.hints if noun.kind != "room" else (),
             refers=self.refers,
             owned=noun.owned,
+            bearing=self.bearing,
             each=self.each,
             place=Place(rooms=Rooms(floors=noun.floors)) if noun.floors else None,
         )
@@ -138,7 +140,23 @@ def noun_phrase(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Sequen
             replace(found, floors=storeys), Amount(kind=kind, number=amount.number), False, start, end + 1
         )
     noun = replace(found, floors=storeys)
-    return _with_what_follows(words, NounPhrase(noun, amount, definite, start, end, each=each), lexicon)
+    phrase = _with_what_follows(words, NounPhrase(noun, amount, definite, start, end, each=each), lexicon)
+    return _with_what_it_bears(words, phrase, lexicon, floors)
+
+
+def _with_what_it_bears(
+    words: Sequence[Word], phrase: NounPhrase, lexicon: Lexicon, floors: Sequence[int]
+) -> NounPhrase:
+    """Read ``with the lamp on it`` after certain furniture, which tells one of several by what is on or in it."""
+    if text_at(words, phrase.end) != "with" or not phrase.definite or phrase.noun.kind == "room":
+        return phrase
+    borne = noun_phrase(words, phrase.end + 1, lexicon, floors)
+    if borne is None or borne.noun.kind not in ("object", "both") or borne.noun.unknown:
+        return phrase
+    held = (text_at(words, borne.end), text_at(words, borne.end + 1))
+    if held not in (("on", "it"), ("in", "it"), ("on", "them"), ("in", "them"), ("on", "top")):
+        return phrase
+    return replace(phrase, bearing=borne.things(), end=borne.end + 2)
 
 
 def _with_what_follows(words: Sequence[Word], phrase: NounPhrase, lexicon: Lexicon) -> NounPhrase:
@@ -154,6 +172,8 @@ def _with_what_follows(words: Sequence[Word], phrase: NounPhrase, lexicon: Lexic
         amount, definite, end = whole[0], True, whole[1]
     if amount.number == 0 and amount.kind == "some" and not definite and not found.plural:
         amount = Amount(number=1)
+    if definite and not amount.number and found.words[-1:] and found.words[-1] in PAIRED:
+        found = replace(found, plural=True)
     if amount.kind == "all":
         amount, definite, end = _all_but(words, end, lexicon, amount, definite=definite)
     end += text_at(words, end) in ("itself", "themselves")

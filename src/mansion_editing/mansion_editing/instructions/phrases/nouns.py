@@ -36,7 +36,7 @@ HOLDERS: Final = frozenset(
 _COLLECTIONS: Final = frozenset("loaf slice bunch stack pile pair piece set couple row group roll".split())
 
 
-_OPENING: Final = frozenset(["door", "lid"])
+_OPENING: Final = frozenset(["door", "lid", "drawer"])
 
 
 _Size: TypeAlias = Literal["", "largest", "smallest", "tallest", "shortest"]

@@ -6,6 +6,8 @@ from typing import Final
 
 import msgspec
 
+from mansion_editing.instructions.phrases.distances import read_distance, read_within
+from mansion_editing.instructions.phrases.each_other import EACH_OTHER, end_of_each_other
 from mansion_editing.instructions.phrases.lexicon import Lexicon
 from mansion_editing.instructions.phrases.noun_phrases import NounPhrase, noun_phrase
 from mansion_editing.instructions.phrases.relative_storeys import read_relative_storey
@@ -181,9 +183,15 @@ def _unbracketed(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Seque
     if text_at(words, at) == "inside" and text_at(words, at + 1) in _ENDS:
         last = Things(refers="last", definite=True, amount=Amount(number=0))
         return ReadPlace(Place(relation="in", anchor=last), at, at + 1)
-    near = _no_further(words, at, lexicon, floors) or _superlative(words, at, lexicon, floors)
-    if near is not None:
-        return near
+    end = end_of_each_other(words, at)
+    if end:
+        return ReadPlace(Place(relation="beside", anchor=EACH_OTHER), at, end)
+    measured = read_distance(words, at, lexicon, floors)
+    if measured is not None:
+        return ReadPlace(measured[0], at, measured[1])
+    which = _superlative(words, at, lexicon, floors)
+    if which is not None:
+        return which
     for phrase, relation in _PREPOSITIONS:
         if tuple(w.text for w in words[at : at + len(phrase)]) != phrase:
             continue
@@ -212,9 +220,9 @@ def _after_preposition(
 ) -> ReadPlace | None:
     goal, source = _direction(phrase)
     if phrase == ("within",):
-        near = _within(words, start, at, lexicon, floors)
+        near = read_within(words, at, lexicon, floors)
         if near is not None:
-            return near
+            return ReadPlace(near[0], start, near[1])
     if text_at(words, at) in ("there", "here"):
         held: Relation = relation if relation in ("on", "in") else ""
         return ReadPlace(Place(relation=held, rooms=Rooms(same=True)), start, at + 1, goal, source)
@@ -287,40 +295,6 @@ def _goes_on(words: Sequence[Word], at: int, lexicon: Lexicon) -> bool:
         and (words[at].text == "one" or lexicon.is_room((words[at].text,)) or lexicon.is_object((words[at].text,)))
         and (words[at].text not in ("on", "in"))
     )
-
-
-def _within(words: Sequence[Word], start: int, at: int, lexicon: Lexicon, floors: Sequence[int]) -> ReadPlace | None:
-    """Read ``within 0.5 metres of the sofa``."""
-    place = at
-    while text_at(words, place) in ("a", "about", "half"):
-        place += 1
-    half = text_at(words, place - 1) == "half"
-    if place >= len(words) or not (words[place].kind == "number" or half or words[place].text in ("reach", "metre")):
-        return None
-    value = words[place].value if words[place].kind == "number" else 0.5 if half else 1.0
-    place += words[place].kind == "number"
-    unit = text_at(words, place)
-    factor = {"m": 1.0, "metre": 1.0, "cm": 0.01, "centimetre": 0.01, "centimeter": 0.01, "ft": 0.3048}.get(unit)
-    if factor is None:
-        return None
-    place += 1
-    place += text_at(words, place) == "away"
-    if text_at(words, place) in ("of", "from"):
-        place += 1
-    target = noun_phrase(words, place, lexicon, floors)
-    if target is None:
-        return None
-    near = Place(relation="near", anchor=target.things(), within=round(value * factor, 3))
-    return ReadPlace(near, start, target.end)
-
-
-def _no_further(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Sequence[int]) -> ReadPlace | None:
-    """Read ``not further than 1 metre from the lectern``, ``no more than 50 cm away from the bed``."""
-    more = text_at(words, at) in ("not", "no") and text_at(words, at + 1) in ("further", "farther", "more")
-    if not more or text_at(words, at + 2) not in ("than", "away"):
-        return None
-    at_number = at + 3 + (text_at(words, at + 2) == "away")
-    return _within(words, at, at_number, lexicon, floors)
 
 
 _DISTANCES: Final[dict[str, Relation]] = {
@@ -509,6 +483,8 @@ def _at_noun(
     own: Relation = "" if phrase == ("from",) else relation or "on"
     if phrase == ("for",) and target.each and lexicon.lies_beside_others(noun.words):
         own = "beside"  # "a glass for every plate"
+    if phrase[-1] == "to" and own == "on" and goal and lexicon.encloses(noun.words):
+        own = "in"  # "move the milk to the fridge"
     outside = phrase == ("away", "from")
     place = Place(relation=own, anchor=target.things(), outside=outside)
     return ReadPlace(place, start, target.end, goal, source, each=target.each)
@@ -548,6 +524,7 @@ def merged(outer: Place, inner: Place) -> Place:
             spot=outer.spot or inner.spot,
             facing=outer.facing or inner.facing,
             within=outer.within or inner.within,
+            apart=outer.apart or inner.apart,
         )
     if outer.anchor is None:
         return msgspec.structs.replace(
@@ -570,13 +547,18 @@ def _merged_rooms(one: Rooms | None, other: Rooms | None) -> Rooms | None:
         every=one.every or (other.every and not other.words),
         same=one.same or (other.same and not here and not one.up and not (one.words and other.every)),
         number=one.number or other.number,
-        next_to=one.next_to or other.next_to or (other.words if one.words else ""),
+        next_to=one.next_to or other.next_to or ("" if _says_the_same(one, other) else other.words),
         up=one.up or other.up,
         base=one.base or other.base,
         over=one.over or other.over,
         others=one.others or other.others,
         but=one.but or other.but,
     )
+
+
+def _says_the_same(one: Rooms, other: Rooms) -> bool:
+    """Whether words for a room only repeat those for another: the director's, and the director's office."""
+    return not one.words or set(other.words.split()) <= set(one.words.split())
 
 
 def with_place(things: Things, place: Place) -> Things:

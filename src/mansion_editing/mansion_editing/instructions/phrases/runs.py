@@ -40,7 +40,7 @@ ENDS_RUN: Final = (
         "somewhere anywhere everywhere here now also as if so that facing exactly which upstairs downstairs each both "
         "all every "
         "ajar deleted reachable accessible where belong sit lie apart rather wherever whose whatever died broke fell "
-        "nearest closest furthest farthest short away does did come look seem feel "
+        "about nearest closest furthest farthest short away does did come look seem feel "
         "sound appear begin anew afresh want visible go disappear vanish put exceed trade untouched "
         "alone starting next either if unless half closer nearer further farther forward forwards backward backwards "
         "wobble squeak smell leak flicker rattle creak stink drip "

@@ -66,12 +66,14 @@ __all__ = [
     "LEFT_AS_IT_IS",
     "LEFT_SO",
     "LYING",
+    "MASSES",
     "NEAR_SPOTS",
     "NOT_MEANT",
     "NO_FRONTED_PLACES",
     "OPEN_QUESTIONS",
     "OPEN_TO_ALL",
     "OUTER_DOORS",
+    "PAIRED",
     "OPINIONS",
     "PAST_VERBS",
     "PEOPLE",
@@ -218,6 +220,11 @@ BEFORE_PLACES: Final = frozenset(
     "somewhere anywhere just right directly all still already currently straight exactly".split()
 )
 NEAR_SPOTS: Final = frozenset("over by at next near beside close to in opposite under right against".split())
+PAIRED: Final = frozenset("scissors pliers tongs tweezers headphones binoculars".split())
+MASSES: Final = frozenset(
+    "beer wine milk juice water cola alcohol coffee tea cheese butter bread food fruit medicine paper sugar salt "
+    "rubbish furniture stuff".split()
+)
 OUTER_DOORS: Final = frozenset("front main entrance outside outer exterior house street".split())
 DOOR_KINDS: Final = {
     "balcony": "balcony",

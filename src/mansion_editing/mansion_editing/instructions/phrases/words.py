@@ -150,7 +150,8 @@ FUNCTION_WORDS: Final = (
     DETERMINERS | PRONOUNS | BE | MODALS | HAVE | NEED | CONJUNCTIONS | REASONS | PREPOSITIONS | COURTESIES | ADVERBS
     | frozenset(["not", "there", "i", "we", "you", "he", "she", "do", "does", "did", "let", "how", "what", "where",
                  "which", "who", "many", "much", "none", "nothing", "everything", "anything", "something", "one",
-                 "most", "least", "nearest", "closest", "furthest", "farthest", "few", "half", "us", "me", "him", "make", "sure", "ensure", "remove", "want"])
+                 "most", "least", "nearest", "closest", "furthest", "farthest", "few", "half", "us", "me", "him",
+                 "make", "sure", "ensure", "remove", "want"])
 )  # fmt: skip
 
 _SHORT: Final = {

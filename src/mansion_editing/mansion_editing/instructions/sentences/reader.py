@@ -46,6 +46,7 @@ from mansion_editing.instructions.sentences.refinement import (
     of_none,
     on_each_side,
     one_more_there,
+    only_so_many_stay,
     sets_as_one,
     sparing_what_goes,
     turned_by_list,
@@ -157,7 +158,7 @@ class _Reader(
             about_its_room(s, self._words_of(s.quote), self.lexicon, self.floors) if isinstance(s, Mention) else s
             for s in statements
         ]
-        statements = [side for statement in statements for side in on_each_side(statement)]
+        statements = [side for one in only_so_many_stay(statements) for side in on_each_side(one)]
         return Instruction(
             statements=statements, not_understood=self.unknown, ignored=ignored, undecided=self.undecided
         )

@@ -5,6 +5,7 @@ from typing import Any, Final
 import msgspec
 
 from mansion_editing.instructions.phrases.places import with_place
+from mansion_editing.instructions.phrases.word_sets import MASSES
 from mansion_editing.instructions.sentences.progress import Progress
 from mansion_editing.instructions.sentences.refinement import counts_those_brought, held_there, so_many
 from mansion_editing.instructions.statements import (
@@ -197,6 +198,9 @@ class Referring(Progress):
                     return msgspec.structs.replace(topic, amount=value.amount, plural=several, definite=False)
                 if value.amount.kind in ("all_but", "half"):
                     return _share_of(topic, value.amount)
+                whole = value.amount == Amount(number=0) and not topic.definite and topic.noun in MASSES
+                if whole and not isinstance(statement, Add | Ensure):
+                    return msgspec.structs.replace(topic, amount=Amount(kind="all", number=0), definite=True)
                 where = value.place
                 told = topic.place is None and where is not None and where.anchor is None and not where.outside
                 return with_place(topic, where) if told and where is not None else topic

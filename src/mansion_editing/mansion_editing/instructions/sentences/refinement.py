@@ -13,6 +13,7 @@ from mansion_editing.instructions.phrases.places import SAME_FLOOR, merged, with
 from mansion_editing.instructions.statements import (
     Add,
     Amount,
+    Clear,
     Ensure,
     Furnish,
     Keep,
@@ -50,6 +51,7 @@ __all__ = [
     "narrowed",
     "of_none",
     "on_each_side",
+    "only_so_many_stay",
     "one_more_there",
     "only_brings_it",
     "placed_at_last",
@@ -338,6 +340,24 @@ def on_each_side(statement: Statement) -> list[Statement]:
         msgspec.structs.replace(statement, place=msgspec.structs.replace(statement.place, relation=side))
         for side in sides
     ]
+
+
+_ONLY: Final = re.compile(r"(?:(?:so|and|but) )?(?:only|just)\b", re.IGNORECASE)
+
+
+def only_so_many_stay(statements: Sequence[Statement]) -> list[Statement]:
+    """Return ``only four should stay`` as the rest going, where nothing else in the instruction takes any away."""
+    if any(isinstance(statement, Remove | Clear | Replace | Move | Ensure) for statement in statements):
+        return list(statements)
+    out: list[Statement] = []
+    for statement in statements:
+        kept = statement.things if isinstance(statement, Keep) and _ONLY.match(statement.quote) else None
+        if kept is not None and kept.noun and kept.amount.kind == "some" and kept.amount.number:
+            most = Amount(kind="at_most", number=kept.amount.number)
+            things = msgspec.structs.replace(kept, amount=most, definite=True, plural=True)
+            statement = Remove(things=things, quote=statement.quote)
+        out.append(statement)
+    return out
 
 
 def held_there(value: Any, holder: Things) -> Any:

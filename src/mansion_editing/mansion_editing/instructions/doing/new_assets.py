@@ -1,0 +1,79 @@
+"""Which assets new things are made of, and on which counters small ones come."""
+
+import math
+from collections.abc import Generator
+
+from mansion_assets.catalogue import Asset
+from mansion_editing.instructions.meaning.measured import compares
+from mansion_editing.instructions.meaning.nouns import is_among_counters
+from mansion_editing.instructions.statements import Place, Things
+from mansion_editing.provisioning.facts import ObjectDescription
+from mansion_editing.provisioning.new_objects import find_assets
+from mansion_editing.runs.policies import Action, Outcome, Unmet
+from mansion_editing.state import SceneState
+from mansion_editing.tools.relations import FLOOR_GAP, footprint_gap
+from mansion_editing.tools.tops import carries_on_top
+from mansion_msgs_py.editing.questions import AssetInfo
+from mansion_msgs_py.scene import SceneObject
+from mansion_msgs_py.shapes import Point3
+
+__all__ = ["assets_of", "compared", "counters_by"]
+
+
+def assets_of(things: Things, state: SceneState) -> Generator[Action, Outcome, list[AssetInfo]]:
+    """Return the assets that new things may be, those of the material that words ask for first.
+
+    Raises
+    ------
+    Unmet
+        Where the catalogue has none.
+    """
+    if not things.noun:
+        raise Unmet("say what to bring")
+    assets = yield from find_assets(ObjectDescription(things.noun, 1, things.colour), state)
+    if things.material:
+        kinds = {asset.category for asset in assets[:1]}
+        assets.sort(key=lambda a: (a.category not in kinds, things.material.lower() not in a.material))
+    return assets
+
+
+def compared(things: Things, assets: list[AssetInfo], before: Point3, state: SceneState) -> list[AssetInfo]:
+    """Return the assets of the kind that are larger, taller, ... than what was there, the least different first.
+
+    Raises
+    ------
+    Unmet
+        Where there is none.
+    """
+    kind = assets[0].category
+    sizes = {asset.key: asset.size for asset in state.catalogue.by_category(kind)}
+    known = {info.asset_id: info for info in assets}
+    fitting = [key for key, size in sizes.items() if compares(things.hints, size, before)]
+    if not fitting:
+        raise Unmet(f"the catalogue has no {' and '.join(things.hints)} {things.noun}")
+    fitting.sort(key=lambda key: (round(math.dist(sizes[key], before), 4), key))
+    return [known.get(key) or _info_of(state.catalogue.asset(key)) for key in fitting]
+
+
+def _info_of(asset: Asset) -> AssetInfo:
+    return AssetInfo(
+        asset_id=asset.key,
+        category=asset.category,
+        name=asset.name,
+        size=asset.size,
+        score=0.0,
+        material=asset.material,
+    )
+
+
+def counters_by(mark: SceneObject, place: Place, state: SceneState) -> list[str]:
+    """Return the ids of the furniture by a stove, a sink, ... that carries what is put beside that, counters first."""
+    if place.relation not in ("beside", "near", "left", "right") or not is_among_counters(mark):
+        return []
+    tops = [
+        (not item.category.endswith(("counter", "counter_top", "island")), round(footprint_gap(item, mark), 4), item.id)
+        for _, item in state.objects()
+        if item.room == mark.room and item.id != mark.id and item.mount == "floor"
+        if (asset := state.asset(item)) is not None and carries_on_top(asset)
+    ]
+    return [name for _, gap, name in sorted(tops) if gap <= FLOOR_GAP]

@@ -1,0 +1,29 @@
+"""Names of categories in one word or several, and with another word for their last one."""
+
+import pytest
+
+from mansion_assets.catalogue import load_catalogue
+from mansion_assets.catalogue.vocabulary import stems, vocabulary_of
+
+
+@pytest.mark.parametrize(
+    ("name", "category"),
+    [
+        ("houseplant", "house_plant"),
+        ("love seat", "loveseat"),
+        ("book shelf", "bookshelf"),
+        ("wall cupboard", "wall_cabinet"),
+        ("medicine cupboard", "medicine_cabinet"),
+        ("reading light", "reading_lamp"),
+        ("instrument cart", "instrument_trolley"),
+        ("cot", "crib"),
+        ("photo", "picture_frame"),
+    ],
+)
+def test_everyday_names_are_those_of_the_catalogue(name: str, category: str) -> None:
+    assert vocabulary_of(load_catalogue()).exact(stems(name)) == [category]
+
+
+@pytest.mark.parametrize("name", ["cupboard wall", "dragon cupboard", "light reading"])
+def test_other_compounds_name_nothing(name: str) -> None:
+    assert vocabulary_of(load_catalogue()).exact(stems(name)) == []
