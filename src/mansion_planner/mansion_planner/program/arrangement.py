@@ -160,8 +160,9 @@ def _unlit(sketch: Sketch, massing: Massing) -> int:
 _DEEP_FROM = 450.0
 """Least gross area of a storey that may get parallel corridors, square metres."""
 
-_LONG = 6.0
-"""From so many times its depth on, a bar of rooms may become a deeper rectangle where nobody asked for an outline."""
+_LONG, _LONG_PRICE = 3.3, 2.0
+"""From so many times its depth on, a bar of rooms may become a deeper rectangle where nobody asked for an outline, and
+what each time more counts for beside a room of a wrong form, which counts 1: the way to its ends is long."""
 
 _COMPACT = (1.3, 1.8)
 """Length to depth of the deeper rectangles."""
@@ -182,13 +183,17 @@ def _deep_where_it_suits(
     if (
         decisions.free_form or massing.hall or massing.wings
         or any(storey.setback or storey.extension for storey in layout.storeys)
-        or gross_area(massing) < _DEEP_FROM or not any(comes_out_as_strips(sketch) for sketch in own)
+        or gross_area(massing) < _DEEP_FROM
     ):  # fmt: skip
         return layout
-    best = _price(decisions, wish, layout), layout
+    free = decisions.outline is None and not facts.shapes
+    beyond = max(massing.length / massing.depth - _LONG, 0.0) if free else 0.0
+    if not beyond and not any(comes_out_as_strips(sketch) for sketch in own):
+        return layout
+    best = _price(decisions, wish, layout) + _LONG_PRICE * beyond, layout
     bare = [replace(storey, rooms=()) for storey in layout.storeys]
     rectangles = [(massing.length, massing.depth)]
-    if decisions.outline is None and not facts.shapes and massing.length > _LONG * massing.depth:
+    if beyond:
         rectangles += _compact(gross_area(massing))
     for candidate in (each for rectangle in rectangles for each in aisle_massings(wish, *rectangle)):
         generator = item_generator(decisions.seed, "aisles")
