@@ -1,4 +1,4 @@
-"""Goods in the compartments of shelves and trolleys: books, groceries, bottles, plants, toys, medicine, magazines."""
+"""Goods in the compartments of shelves and trolleys: books, groceries, bottles, plants, toys, medicine, letters."""
 
 import math
 from collections.abc import Callable
@@ -382,10 +382,59 @@ def _groceries(b: Builder, cell: Rect, depth: float, key: int) -> None:
     b.box((cell.x0, cell.x1), (rail[0], rail[1]), z, "plastic_white", "rails", solid=False)
 
 
+def _letters(b: Builder, cell: Rect, depth: float, key: int) -> None:
+    """Two rows of pigeonholes with envelopes, stamped or with their flap to the front, and a name below each."""
+    places, room = _places(cell, 0.22), (cell.top - cell.z) / 2
+    half = (cell.x1 - cell.x0) / len(places) / 2
+    b.box((cell.x0, cell.x1), (cell.y0, cell.y0 + 0.004), (cell.z, cell.top), "wood_5a4632", "backs", solid=False)
+    for x in [cell.x0 + 2 * half * k for k in range(1, len(places))]:
+        b.box((x - 0.006, x + 0.006), (cell.y0, cell.y1), (cell.z, cell.top), b.mat(), "partitions")
+    b.box((cell.x0, cell.x1), (cell.y0, cell.y1), (cell.z + room - 0.012, cell.z + room), b.mat(), "boards")
+    front = DrawnFace.front(b, cell.y1)
+    for row in range(2):
+        low = cell.z + row * room
+        for k, x in enumerate(places):
+            front.field((-x - half * 0.6, -x + half * 0.6), (low - 0.018, low + 0.01), "paper_white", "names", 0.008)
+            front.field((-x - half * 0.4, -x + half * 0.4), (low - 0.008, low), "plastic_black", "names", 0.0095)
+            mark = (k * 5 + row * 3 + key * 2) % 7
+            if mark != 2:
+                at = (x, cell.y1 - 0.05 - 0.01 * (mark % 3), low)
+                _envelope(b, at, (half * 0.74, room * (0.66 + 0.03 * (mark % 3))), mark)
+
+
+def _envelope(b: Builder, at: tuple[float, float, float], size: tuple[float, float], mark: int) -> None:
+    """An envelope of half a width and a height on its long edge, before others that lie flat."""
+    x, y, z = at
+    half, tall = size
+    paper = ("paper_white", "paper_d9b98a", "paper_white", "paper_cfe0f2")[mark % 4]
+    for k in range(mark % 3):
+        b.box(
+            (x - half, x + half), (y - 0.2, y + 0.04), (z + k * 0.008, z + k * 0.008 + 0.006), "paper_f4f1e8", "letters"
+        )
+    low = z + 0.008 * (mark % 3)
+    b.box((x - half, x + half), (y - 0.006, y), (low, low + tall), paper, "letters", solid=False)
+    face = DrawnFace.front(b, y)
+    if mark % 2:
+        flap = [(-x - half, low + tall), (-x, low + tall * 0.4), (-x + half, low + tall)]
+        face.line(flap, 0.004, "plastic_5a6470", "flaps", 0.001)
+        face.disc(-x, low + tall * 0.42, tall * 0.12, "paint_red", "seals", 0.004, 10)
+        return
+    face.field((-x + half * 0.5, -x + half * 0.9), (low + tall * 0.5, low + tall * 0.92), "paint_red", "stamps", 0.002)
+    for v in (0.2, 0.4):
+        face.field(
+            (-x - half * 0.5, -x + half * 0.3),
+            (low + tall * v, low + tall * (v + 0.09)),
+            "plastic_3a4f8a",
+            "addresses",
+            0.002,
+        )
+
+
 _OWN_GOODS: Final[dict[str, Goods]] = {
     "bags": _hung_bags,
     "bottles": _lying_bottles,
     "groceries": _groceries,
+    "letters": _letters,
     "magazines": _magazines,
     "medicine": _medicine,
     "plants": _potted_plants,

@@ -1,6 +1,7 @@
 """Office machines: printers, plotters, shredders."""
 
 import math
+from typing import Final
 
 from mansion_assets.builder import Builder
 from mansion_assets.drawn_faces import DrawnFace
@@ -128,3 +129,42 @@ def shredder_bin(b: Builder) -> None:
         v = high + (h - high) * (0.2 + 0.19 * k)
         sheet.field((-w * 0.24, w * (0.22 - 0.06 * (k % 2))), (v, v + h * 0.012), "paper_dark", "sheet", 0.001)
     DrawnFace.front(b, d / 2).disc(w * 0.34, (low + high) / 2, 0.018, "light_green", "switch", 0.004)
+
+
+@recipe("calculator")
+def calculator(b: Builder) -> None:
+    """A pocket calculator: a number in a pale display below a solar cell, and rows of keys with figures and signs."""
+    w, d, h = b.w, b.d, b.h
+    lid = h * 0.7
+    b.cushion((-w / 2, w / 2), (-d / 2, d / 2), (0, lid), b.mat(), "case", 0.3)
+    face = DrawnFace.top(b, lid)
+    face.field((-w * 0.46, w * 0.46), (-d * 0.47, d * 0.47), "plastic_3b4048", "plate", h * 0.04)
+    face.field((-w * 0.05, w * 0.4), (d * 0.38, d * 0.44), "plastic_4a2f2a", "solar_cell", h * 0.08)
+    face.field((-w * 0.42, w * 0.42), (d * 0.17, d * 0.35), "plastic_white", "bezel", h * 0.08)
+    face.field((-w * 0.39, w * 0.39), (d * 0.19, d * 0.33), "plastic_c5d6a8", "display", h * 0.12)
+    face.write("12345", (-w * 0.3, w * 0.37), (d * 0.2, d * 0.32), "plastic_black", "digits", h * 0.15)
+    across, up = w * 0.215, d * 0.145
+    for row, signs in enumerate(_CALCULATOR_KEYS):
+        for column, sign in enumerate(signs):
+            u, v = (column - 1.5) * across, d * 0.075 - row * up
+            color, ink = _calculator_key(sign)
+            face.field(
+                (u - across * 0.42, u + across * 0.42), (v - up * 0.4, v + up * 0.4), color, "keys", h - lid - 0.0005
+            )
+            mark = ((u - across * 0.3, u + across * 0.3), (v - up * 0.26, v + up * 0.26))
+            if sign == "=":
+                for low in (-0.2, 0.08):
+                    face.field(mark[0], (v + up * low, v + up * (low + 0.12)), ink, "signs", h - lid)
+            else:
+                face.write(sign, *mark, ink, "signs", h - lid)
+
+
+_CALCULATOR_KEYS: Final = ("C%:X", "789-", "456+", "123=")
+"""Keys of a calculator, row by row from above."""
+
+
+def _calculator_key(sign: str) -> tuple[str, str]:
+    """Return the colours of a key and of the sign on it."""
+    if sign.isdigit():
+        return "plastic_white", "plastic_black"
+    return {"C": "plastic_red", "=": "plastic_green"}.get(sign, "plastic_orange"), "plastic_white"

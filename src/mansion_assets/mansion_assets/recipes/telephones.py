@@ -10,7 +10,7 @@ __all__: list[str] = []
 
 @recipe("phone")
 def phone(b: Builder) -> None:
-    """Flat device: smartphone, tablet, remote control, card reader, calculator."""
+    """Flat device: smartphone, tablet, remote control, card reader."""
     w, d, h = b.w, b.d, b.h
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, h * 0.85), b.mat(), "case")
     if b.mat().startswith("glass"):
