@@ -1,6 +1,7 @@
 """Switches, sockets and boxes on walls."""
 
 from mansion_assets.builder import Builder
+from mansion_assets.drawn_faces import DrawnFace
 from mansion_assets.registry import recipe
 
 __all__: list[str] = []
@@ -88,3 +89,55 @@ def _slats(b: Builder) -> None:
 
 _FRONTS = {"cross": _cross}
 """What stands out on the front of a box, from the case to the asset's front at `y`."""
+
+
+@recipe("defibrillator")
+def defibrillator(b: Builder) -> None:
+    """A cabinet with the sign of defibrillators, a white heart with a flash on green, the letters AED and a handle."""
+    w, d, h = b.w, b.d, b.h
+    front = d * 0.36
+    b.box((-w / 2, w / 2), (-d / 2, front), (0, h), b.mat(), "case")
+    face = DrawnFace.front(b, front)
+    green = "plastic_118a45"
+    face.field((-w * 0.46, w * 0.46), (h * 0.36, h * 0.97), green, "sign", 0.004)
+    _heart_with_flash(b, (0.0, h * 0.66), w * 0.36, front + 0.004, green)
+    for wide, tall in ((0.03, 0.09), (0.09, 0.03)):
+        middle = (w * 0.37, h * 0.9)
+        face.field(
+            (middle[0] - w * wide * 0.7, middle[0] + w * wide * 0.7),
+            (middle[1] - w * tall * 0.7, middle[1] + w * tall * 0.7),
+            "plastic_white",
+            "cross",
+            0.006,
+        )
+    face.write("AED", (-w * 0.44, w * 0.44), (h * 0.1, h * 0.32), "plastic_c81e28", "letters", 0.006)
+    b.path(
+        [
+            (-w * 0.18, front, h * 0.05),
+            (-w * 0.18, d / 2 - 0.008, h * 0.05),
+            (w * 0.18, d / 2 - 0.008, h * 0.05),
+            (w * 0.18, front, h * 0.05),
+        ],
+        0.008,
+        "plastic_black",
+        "handle",
+    )
+
+
+def _heart_with_flash(b: Builder, middle: tuple[float, float], r: float, y: float, ground: str) -> None:
+    """A white heart as wide as twice `r` around (x, z), and a flash through it in the colour of the ground."""
+    x, z = middle
+    lobe, layer = r * 0.54, (y, y + 0.005)
+    for side in (-1, 1):
+        at = (x + side * r * 0.46, z + r * 0.32)
+        b.rod((at[0], layer[0], at[1]), (at[0], layer[1], at[1]), lobe, "plastic_white", "heart", 22)
+    point = [(-0.86, -0.04), (0.0, -0.92), (0.86, -0.04), (0.46, 0.5), (-0.46, 0.5)]
+    b.prism([(x + u * r, z + v * r) for u, v in point], layer, "plastic_white", "y", "heart", solid=False)
+    flash = (
+        [(-0.02, 0.56), (-0.38, -0.06), (0.04, -0.06), (0.22, 0.56)],
+        [(0.0, 0.12), (0.36, 0.12), (0.06, -0.62), (-0.12, -0.08)],
+    )
+    for bolt in flash:
+        b.prism(
+            [(x - u * r, z + v * r) for u, v in bolt], (layer[1], layer[1] + 0.003), ground, "y", "flash", solid=False
+        )
