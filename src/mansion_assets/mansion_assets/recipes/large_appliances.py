@@ -13,7 +13,7 @@ from mansion_msgs_py.shapes import Size3
 __all__: list[str] = []
 
 
-@receptacles("fridge")
+@receptacles("fridge", "freezer")
 def _fridge_shelves(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
     w, d, h = size
     count = int(p.get("shelves", max(1, round(h / 0.42))))
@@ -65,6 +65,42 @@ def _dispenser(b: Builder, z: tuple[float, float]) -> None:
         a = math.pi / 2 + k * math.pi / 3
         arm = (math.cos(a) * w * 0.07, math.sin(a) * w * 0.07)
         face.line([(-arm[0], top - arm[1]), (arm[0], top + arm[1])], w * 0.01, "plastic_3f8fe0", "flake")
+
+
+@recipe("freezer")
+def freezer(b: Builder) -> None:
+    """A fridge whose door shows -18 degrees above icicles, a large snowflake, and frosted drawers behind a pane."""
+    fridge(b)
+    w, h = b.w, b.h
+    face = DrawnFace.front(b, b.d / 2 - 0.03)
+    with b.fixed_to("door_1"):
+        face.field((-w * 0.46, w * 0.46), (h * 0.89, h * 0.975), "plastic_1c2a3a", "controls", 0.004)
+        face.write("-18", (-w * 0.1, w * 0.42), (h * 0.903, h * 0.962), "light_6fd8ff", "controls", 0.007)
+        for k in range(12):
+            u, tall = w * (-0.46 + 0.92 * k / 12), h * (0.03 + 0.016 * ((k * 5) % 4))
+            icicle = [(-u, h * 0.89), (-u - w * 0.077, h * 0.89), (-u - w * 0.038, h * 0.89 - tall)]
+            b.prism(icicle, (b.d / 2 - 0.03, b.d / 2 - 0.018), "plastic_a8dcf5", "y", "icicles", solid=False)
+        _snowflake(face, (w * 0.04, h * 0.66), w * 0.3)
+        face.field((-w * 0.32, w * 0.44), (h * 0.06, h * 0.46), "plastic_1c2a3a", "pane", 0.004)
+        for k in range(3):
+            low = h * (0.07 + 0.13 * k)
+            face.field((-w * 0.3, w * 0.42), (low, low + h * 0.12), "plastic_cfeaf8", "drawers", 0.008)
+            face.field((-w * 0.08, w * 0.2), (low + h * 0.075, low + h * 0.095), "plastic_3f8fd0", "grips", 0.014)
+
+
+def _snowflake(face: DrawnFace, middle: tuple[float, float], r: float) -> None:
+    """Six arms, each with two pairs of side arms."""
+    u, v = middle
+    for k in range(6):
+        a = math.pi / 2 + k * math.pi / 3
+        face.line([middle, (u + math.cos(a) * r, v + math.sin(a) * r)], r * 0.07, "plastic_1f7fe0", "snowflake")
+        for share in (0.45, 0.72):
+            root = (u + math.cos(a) * r * share, v + math.sin(a) * r * share)
+            tips = [
+                (root[0] + math.cos(a + turn) * r * 0.28, root[1] + math.sin(a + turn) * r * 0.28)
+                for turn in (-math.pi / 3.6, math.pi / 3.6)
+            ]
+            face.line([tips[0], root, tips[1]], r * 0.055, "plastic_1f7fe0", "snowflake")
 
 
 @recipe("display_fridge")
