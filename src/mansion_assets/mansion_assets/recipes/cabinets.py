@@ -262,43 +262,6 @@ def key_cabinet(b: Builder) -> None:
         b.rod((w * 0.475, door[1], h * 0.5), (w * 0.475, d / 2, h * 0.5), w * 0.024, "metal_brass", "lock", 12)
 
 
-@recipe("waiter_station")
-def waiter_station(b: Builder) -> None:
-    """A sideboard with a plate between knife and fork on its doors, and a steaming cup on its side."""
-    cabinet(b)
-    w, d, h = b.w, b.d, b.h
-    face = DrawnFace.front(b, d / 2 - 0.006)
-    for door, u in (("door_1", w * 0.25), ("door_2", -w * 0.25)):
-        with b.fixed_to(door):
-            r = w * 0.11
-            face.disc(u, h * 0.5, r, "ceramic_white", "plates", 0.004, 26)
-            face.disc(u, h * 0.5, r * 0.66, "ceramic_dfe6ea", "plates", 0.006, 24)
-            face.field((u + r * 1.2, u + r * 1.34), (h * 0.36, h * 0.5), "metal_chrome", "knives", 0.006)
-            face.field((u + r * 1.16, u + r * 1.44), (h * 0.5, h * 0.64), "metal_chrome", "knives", 0.006)
-            face.field((u - r * 1.36, u - r * 1.24), (h * 0.36, h * 0.54), "metal_chrome", "forks", 0.006)
-            for k in range(3):
-                v = u - r * (1.5 - 0.15 * k)
-                face.field((v, v + r * 0.08), (h * 0.53, h * 0.64), "metal_chrome", "forks", 0.006)
-            face.field((u - r * 1.5, u - r * 1.12), (h * 0.52, h * 0.55), "metal_chrome", "forks", 0.006)
-    side = DrawnFace.side(b, w / 2)
-    side.field((-d * 0.2, d * 0.16), (h * 0.4, h * 0.58), "ceramic_white", "cup", 0.004)
-    side.field((-d * 0.3, d * 0.26), (h * 0.36, h * 0.39), "ceramic_white", "cup", 0.004)
-    side.line(
-        [(d * 0.16, h * 0.55), (d * 0.27, h * 0.53), (d * 0.25, h * 0.46), (d * 0.16, h * 0.44)],
-        d * 0.025,
-        "ceramic_white",
-        "cup",
-    )
-    for k in range(3):
-        u = d * (-0.12 + 0.1 * k)
-        side.line(
-            [(u, h * 0.61), (u + d * 0.03, h * 0.66), (u - d * 0.02, h * 0.71), (u + d * 0.02, h * 0.76)],
-            d * 0.012,
-            "plastic_white",
-            "steam",
-        )
-
-
 @recipe("book_drop")
 def book_drop(b: Builder) -> None:
     """A cabinet with a chute that a book goes into, an open book as its sign, and the words BOOK RETURN."""
