@@ -2,6 +2,8 @@
 
 import math
 
+import numpy as np
+
 from mansion_assets.builder import Builder
 from mansion_assets.registry import recipe
 
@@ -150,3 +152,56 @@ def shoes(b: Builder) -> None:
         b.box((lo, hi), (-d / 2, d / 2), (0, h * (0.12 if low else 0.05)), "rubber_black", "soles")
         b.cushion((lo, hi), (-d / 2, d / 2), (0, h * (0.7 if low else 0.25)), b.mat(), "uppers", 0.8)
         b.cushion((lo + 0.004, hi - 0.004), (-d / 2, -d * 0.02), (0, h), b.mat(), "shafts", 0.6)
+
+
+@recipe("slippers")
+def slippers(b: Builder) -> None:
+    """A pair of mules to step into: an upper over the toes, open behind, a furry collar and a furry footbed."""
+    w, d, h = b.w, b.d, b.h
+    fur = "fabric_f6ecd6"
+    half, mouth = w * 0.225, -d * 0.02
+    for side in (-1, 1):
+        x = side * (w / 2 - half)
+        b.prism(_sole(x, half, d / 2), (0, h * 0.14), "rubber_7a4f2e", "z", "soles")
+        b.prism(_sole(x, half * 0.9, d * 0.475), (h * 0.14, h * 0.26), fur, "z", "footbeds")
+        _upper(b, x, (half * 0.98, h * 0.66), (mouth, -d / 2 + 0.004))
+        arch = [(math.cos(k * math.pi / 16), math.sin(k * math.pi / 16)) for k in range(17)]
+        hole = [(x + u * half * 0.8, h * 0.24 + v * h * 0.5) for u, v in arch]
+        b.prism(hole, (mouth, mouth + 0.001), "fabric_3a2f2a", "y", "openings", solid=False)
+        r = h * 0.13
+        for u, v in arch:
+            at = (x + u * (half - r), mouth, h * 0.2 + v * (h * 0.8 - r))
+            b.ball(at, (r, r, r), fur, "collars", 8, solid=False)
+
+
+def _sole(x: float, half: float, reach: float) -> list[tuple[float, float]]:
+    """Return the outline of a sole around `x`: an oval with broad ends, narrower at the heel in front."""
+    outline = []
+    for k in range(24):
+        across, along = math.cos(k * math.tau / 24), math.sin(k * math.tau / 24)
+        wide = half * (0.88 if along > 0 else 1.0) ** abs(along)
+        outline.append((x + math.copysign(abs(across) ** 0.6, across) * wide, along * reach))
+    return outline
+
+
+def _upper(b: Builder, x: float, mouth: tuple[float, float], y: tuple[float, float]) -> None:
+    """A vault of half a width and a height at its mouth, that runs out in the toes."""
+    rings, n = 7, 13
+    low = b.h * 0.13
+    points = []
+    for k in range(rings):
+        share = k / (rings - 1)
+        size = math.sqrt(1.0 - 0.97 * share**2.4)
+        for j in range(n):
+            a = j * math.pi / (n - 1)
+            points.append(
+                (x + math.cos(a) * mouth[0] * size, y[0] + share * (y[1] - y[0]), low + math.sin(a) * mouth[1] * size)
+            )
+    faces = []
+    for k in range(rings - 1):
+        for j in range(n - 1):
+            p, q = k * n + j, (k + 1) * n + j
+            faces += [(p, p + 1, q + 1), (p, q + 1, q)]
+    for first, order in ((0, -1), ((rings - 1) * n, 1)):
+        faces += [(first, first + j, first + j + 1)[::order] for j in range(1, n - 1)]
+    b.raw(np.array(points), np.array(faces), b.mat(), "uppers", solid=True)
