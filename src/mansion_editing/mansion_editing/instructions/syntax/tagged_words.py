@@ -245,6 +245,9 @@ def _as_verb(words: Sequence[TaggedWord], at: int, lexicon: Lexicon) -> TaggedWo
         object_follows = after is not None and after.tag in _BEGINNING_OBJECTS
         switched = word.text == "switch" and after is not None and after.text in _PARTICLES
         return None if named and not (object_follows or switched) else _formed(word, forms, "base")
+    each_one = before is not None and before.text == "one" and at > 1 and words[at - 2].text in _BEFORE_ONE
+    if each_one and "third" in kinds:
+        return _formed(word, forms, "third")
     if before is not None and _has_object(words, at, lexicon):
         several = singular(before.text) != before.text
         if "third" in kinds or ("base" in kinds and several):
