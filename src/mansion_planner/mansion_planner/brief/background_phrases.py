@@ -41,7 +41,7 @@ def _owns_building(reading: Reading, building: Phrase, owner: Phrase) -> bool:
 
 
 def _is_customer(reading: Reading, phrases: list[Phrase], number: int) -> bool:
-    """Whether a phrase names those that the building works for: "a laundry for hotels", "a caterer for schools and offices".
+    """Whether a phrase names those that the building works for: "a laundry for hotels", "... for schools and shops".
 
     It stands in the plural behind what the brief opens with, or behind another of them.
     """

@@ -161,8 +161,8 @@ _DEEP_FROM = 450.0
 """Least gross area of a storey that may get parallel corridors, square metres."""
 
 _LONG, _LONG_ALONE = 6.0, 3.3
-"""From so many times its depth on, a bar of rooms may become a deeper rectangle where nobody asked for an outline; where
-it has one storey, so that each corridor may end at a door to the outside, from the second on."""
+"""From so many times its depth on, a bar of rooms may become a deeper rectangle where nobody asked for an outline; from
+the second on where it has one storey, so that each corridor may end at a door to the outside."""
 
 _LONG_PRICE = 2.0
 """What each time more counts for beside a room of a wrong form, which counts 1: the way to the bar's ends is long."""
