@@ -42,7 +42,7 @@ def test_a_drawer_that_goes_into_the_body_is_a_fault(cabinet: Asset) -> None:
 
 def test_an_axis_that_is_no_unit_vector_is_a_fault(cabinet: Asset) -> None:
     long = msgspec.structs.replace(cabinet.joints[0], axis=(0.0, 2.0, 0.0))
-    assert "no unit vector" in asset_faults(msgspec.structs.replace(cabinet, joints=(long,)))[0].message
+    assert "not a unit vector" in asset_faults(msgspec.structs.replace(cabinet, joints=(long,)))[0].message
 
 
 def test_a_joint_of_a_part_that_is_not_there_is_a_fault(cabinet: Asset) -> None:
