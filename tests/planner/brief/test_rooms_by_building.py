@@ -22,7 +22,7 @@ def rooms(brief: str) -> dict[str, tuple[str, bool]]:
         ("A newspaper office with a newsroom. On top a studio for podcasts.", "studio", "recording_studio", True),
         ("A university with a lab and a student room where 18 desks are.", "student_room", "study_room", False),
         ("A dormitory with 20 student rooms and a kitchen.", "student_room", "dorm_room", True),
-        ("A birth centre with a waiting room and a midwives' station.", "midwive_station", "nurse_station", False),
+        ("A birth centre with a waiting room and a midwives' station.", "midwife_station", "nurse_station", False),
         ("A nursing home with a staff station and a laundry.", "staff_station", "nurse_station", True),
         ("A school with a library and an informatics laboratory.", "informatic_laboratory", "computer_lab", True),
         ("A hospital with a pharmacy and a reception hall.", "reception_hall", "lobby", True),

@@ -67,7 +67,7 @@ def read_bedrooms_of_building(reading: Reading, phrase: Phrase) -> None:
             reading.kind(index) == "number"
             and reading.word(index + 1) in ("bedroom", "bed", "br")
             and not reading.tokens[index + 1].spaced
-            and index not in reading.taken
+            and all(fact.span.start != reading.tokens[index].start for fact in reading.facts.occupants)
         ) and reading.sentence[index] == reading.sentence[phrase.begin]:
             _state(reading, "bedroom", index, inside=True)
 

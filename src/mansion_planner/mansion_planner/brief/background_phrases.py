@@ -25,7 +25,10 @@ def without_bystanders(reading: Reading, phrases: list[Phrase]) -> list[Phrase]:
     owner = phrases[1] if len(phrases) > 1 and _owns_building(reading, *phrases[:2]) else None
     return [
         replace(phrase, head="unknown", building="", room_type="")
-        if phrase is owner or _is_bystander(reading, phrase, sites) or _is_new_home(reading, phrases, number)
+        if phrase is owner
+        or _is_bystander(reading, phrase, sites)
+        or _is_new_home(reading, phrases, number)
+        or _is_customer(reading, phrases, number)
         else phrase
         for number, phrase in enumerate(phrases)
     ]
@@ -35,6 +38,34 @@ def _owns_building(reading: Reading, building: Phrase, owner: Phrase) -> bool:
     """Whether the second phrase only says whose building opens the brief: "Library of the faculty"."""
     opens = building.begin <= 2 and bool(building.building) and not owner.plural and not owner.counted
     return opens and reading.words(building.last, owner.begin) in (("of", "the"), ("of", "our"), ("of", "a"))
+
+
+def _is_customer(reading: Reading, phrases: list[Phrase], number: int) -> bool:
+    """Whether a phrase names those that the building works for: "a laundry for hotels", "... for schools and shops".
+
+    It stands in the plural behind what the brief opens with, or behind another of them.
+    """
+    phrase = phrases[number]
+    if not (phrase.building and phrase.plural) or phrase.counted or phrase.determiner:
+        return False
+    lead = reading.word(phrase.first - 1)
+    if lead in ("and", "or", ",") and number and phrases[number - 1].last == phrase.first - 1:
+        return _is_customer(reading, phrases, number - 1)
+    serving = reading.word(phrase.first - 2)
+    opens = 2 <= phrase.first <= _OPENING and reading.kind(phrase.first - 2) == "word"
+    return lead == "for" and opens and serving not in _PLANNED and not reading.plural(phrase.first - 2)
+
+
+_OPENING = 8
+"""Tokens before what a brief's building works for at most: "please design a new regional laundry plant for"."""
+
+_PLANNED = frozenset(
+    """
+    plan design building block concept layout model house tower space complex sketch place premises room idea storey
+    floor something one it structure centre center home me us
+    """.split()
+)
+"""What a brief wants "for offices" where it wants offices."""
 
 
 def _is_tried(reading: Reading, phrase: Phrase) -> bool:

@@ -303,7 +303,14 @@ class _Entry:
             return False
         if not self._measured and (not self._is_listed() or self._goes_on_furniture()):
             return False
+        if self._are_spoken_of():
+            return False
         return not self._is_content() and not self._is_no_name() and not self._is_where_it_stands()
+
+    def _are_spoken_of(self) -> bool:
+        """Whether they are things that everybody knows and the brief only speaks of: "the dust and the sparks"."""
+        single = self.end - self.begin == 1 and not self._measured
+        return single and self._plural and self._before == "the" and self.reading.word(self.begin) in common_words()
 
     def _is_where_it_stands(self) -> bool:
         """Whether they name the town of the building rather than a room: "a house in Berlin of 120 m2"."""

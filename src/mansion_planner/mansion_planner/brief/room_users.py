@@ -25,6 +25,8 @@ _USERS_BEFORE = PEOPLE_APART | _DISABLED | {"accessible", "unisex", "referee", "
 _TOILETS = frozenset({"toilet", "restroom", "bathroom"})
 _JOINTS = frozenset({"and", ",", "&", "/", "+", "plus"})
 _LEADS = frozenset({",", ":", "(", "-", "–"})
+_BESIDE_SEXES = frozenset({"family", "child", "kid", "adult", "baby", "swimmer", "player", "referee", "group", "team"})
+"""Those who have a room of their own beside men and women."""
 _PARTED = frozenset({"separated", "separate", "separately", "split", "divided", "each", "apart"})
 """Words between rooms and those who have one each."""
 _PERSONS = frozenset("people person user visitor guest one".split())
@@ -214,8 +216,8 @@ def _users(reading: Reading, phrase: Phrase) -> tuple[list[int], int]:
         word = reading.word(at)
         if word in _DISABLED:
             return True
-        several = apart or (bool(users) and reading.word(users[0]) in _SEXES)
-        return (word in PEOPLE_APART or (several and reading.plural(at))) if led else word in _SEXES
+        beside = word in _BESIDE_SEXES and bool(users) and reading.word(users[0]) in _SEXES
+        return (word in PEOPLE_APART or beside or (apart and reading.plural(at))) if led else word in _SEXES
 
     index = start + (led or reading.word(start) in _LEADS)
     end = index

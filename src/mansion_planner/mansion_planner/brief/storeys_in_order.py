@@ -100,7 +100,8 @@ class _List:
 
     def _tells_direction(self, words: Sequence[str]) -> bool:
         """Keep whether opening words lead upwards or downwards; whether they do either."""
-        alone = len(words) <= 2 and bool(set(words) & (_UP | _DOWN)) and not set(words) & {"floor", "storey"}
+        alone = len(words) == 2 or words[:1] in (["upwards"], ["downwards"], ["ascending"], ["descending"])
+        alone = alone and bool(set(words) & (_UP | _DOWN)) and not set(words) & {"floor", "storey"}
         if not (set(words) & _LINKS or alone) or words[:1] in (["the"], ["on"], ["each"], ["every"]):
             return False
         low = next((at for at, word in enumerate(words) if word in _LOW), None)

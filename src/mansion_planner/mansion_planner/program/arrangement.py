@@ -160,9 +160,12 @@ def _unlit(sketch: Sketch, massing: Massing) -> int:
 _DEEP_FROM = 450.0
 """Least gross area of a storey that may get parallel corridors, square metres."""
 
-_LONG, _LONG_PRICE = 3.3, 2.0
-"""From so many times its depth on, a bar of rooms may become a deeper rectangle where nobody asked for an outline, and
-what each time more counts for beside a room of a wrong form, which counts 1: the way to its ends is long."""
+_LONG, _LONG_ALONE = 6.0, 3.3
+"""From so many times its depth on, a bar of rooms may become a deeper rectangle where nobody asked for an outline; from
+the second on where it has one storey, so that each corridor may end at a door to the outside."""
+
+_LONG_PRICE = 2.0
+"""What each time more counts for beside a room of a wrong form, which counts 1: the way to the bar's ends is long."""
 
 _COMPACT = (1.3, 1.8)
 """Length to depth of the deeper rectangles."""
@@ -187,7 +190,8 @@ def _deep_where_it_suits(
     ):  # fmt: skip
         return layout
     free = decisions.outline is None and not facts.shapes
-    beyond = max(massing.length / massing.depth - _LONG, 0.0) if free else 0.0
+    long = _LONG_ALONE if len(layout.storeys) == 1 else _LONG
+    beyond = max(massing.length / massing.depth - long, 0.0) if free else 0.0
     if not beyond and not any(comes_out_as_strips(sketch) for sketch in own):
         return layout
     best = _price(decisions, wish, layout) + _LONG_PRICE * beyond, layout

@@ -17,6 +17,7 @@ from mansion_scene.structure.access import AccessPlan, Pair, pair_key, plan_acce
 from mansion_scene.structure.boundaries import BoundarySegment, boundary_segments
 from mansion_scene.structure.cores import scene_cores
 from mansion_scene.structure.dimensions import SLAB_THICKNESS
+from mansion_scene.structure.door_positions import Frontage
 from mansion_scene.structure.door_swings import hang_doors
 from mansion_scene.structure.exits import place_further_exits
 from mansion_scene.structure.given_openings import (
@@ -32,7 +33,6 @@ from mansion_scene.structure.held_openings import HeldAccess, held_openings, wit
 from mansion_scene.structure.interiors import Partition, partition_floor, usable_boundaries, walkable_parts
 from mansion_scene.structure.materials import facade_material
 from mansion_scene.structure.openings import (
-    Frontage,
     Opening,
     make_frontages,
     open_passages,

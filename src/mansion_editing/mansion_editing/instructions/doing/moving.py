@@ -41,6 +41,8 @@ _QUARTER: Final = 90.0
 _WAY_ROUND: Final = re.compile(r"clockwise|\b(left|right|counter|anti)", re.IGNORECASE)
 """Words that tell which way something turns; a quarter turn without them may be either way."""
 
+_WHOLE: Final = re.compile(r"\b(all|every|each|both|any|whatever|everything)\b", re.IGNORECASE)
+"""Words by which all of a kind are meant, wherever they are."""
 _OUT_OF_THERE: Final = re.compile(r"\bout of (there|here)\b", re.IGNORECASE)
 
 _STEPS_ASIDE: Final = 5
@@ -223,7 +225,7 @@ def _to_move(
         narrowed = away if len(away) == 1 else near if len(near) == 1 else []
         if narrowed:
             return narrowed
-    _refuse_scattered(state, things, away, here, context)
+    _refuse_scattered(state, statement, away, here, context)
     prefer = here if here else near
     alike = {item.id for item in prefer}
     chosen = things_meant(state, things, context, lambda item: item.id in alike)
@@ -235,7 +237,7 @@ def _to_move(
 
 
 def _refuse_scattered(
-    state: SceneState, things: Things, away: list[SceneObject], here: list[SceneObject], context: Context
+    state: SceneState, statement: Move, away: list[SceneObject], here: list[SceneObject], context: Context
 ) -> None:
     """Refuse to gather ``the boots`` from several rooms, none of which was mentioned or is the one they go to.
 
@@ -243,7 +245,9 @@ def _refuse_scattered(
     ------
     Ambiguous
     """
-    bare = things.definite and things.plural and things.amount.kind == "some" and not things.amount.number
+    things = statement.things
+    bare = things.definite and things.plural and things.amount.kind in ("some", "all") and not things.amount.number
+    bare = bare and not _WHOLE.search(statement.quote)
     told = things.place is not None or things.owned or things.refers or things.colour or things.material
     rooms = list(dict.fromkeys(item.room for item in away))
     if bare and not told and len(rooms) > 1 and not here and not set(rooms) & set(context.rooms):

@@ -82,7 +82,7 @@ def _is_clear(read: Instruction, text: str) -> bool:
         return False
     asked = next((one for one in read.statements if not isinstance(one, Mention)), None)
     things = getattr(asked, "things", None)
-    bare = isinstance(things, Things) and things.refers == "last" and not things.noun
+    bare = isinstance(things, Things) and things.refers in ("last", "others") and not things.noun
     return not (bare and isinstance(read.statements[0], Mention))
 
 

@@ -39,7 +39,7 @@ def opened_as_whole(words: Sequence[Word], before: Sequence[Word], lexicon: Lexi
     while at < len(words):
         word = words[at]
         lid = text_at(words, at + 1) in _LIDS and word.text in ("the", "its", "their")
-        if lid and text_at(words, at + 2) == "of" and _opens(words, at + 3, lexicon):
+        if lid and text_at(words, at + 2) == "of" and _opens(words, at + 3, lexicon) and not _room(words, at, lexicon):
             at += 3
             continue
         verb = out[-1].text if out else ""
@@ -51,6 +51,16 @@ def opened_as_whole(words: Sequence[Word], before: Sequence[Word], lexicon: Lexi
         out.append(word)
         at += 1
     return out
+
+
+def _room(words: Sequence[Word], at: int, lexicon: Lexicon) -> bool:
+    """Whether ``the door of`` at a place is followed by the name of a room, whose door it is."""
+    place = at + 3
+    while text_at(words, place) in DETERMINERS:
+        place += 1
+    texts = [word.text for word in words[place : place + _LONGEST]]
+    named = (tuple(texts[:length]) for length in range(1, len(texts) + 1))
+    return text_at(words, at + 1) == "door" and any(lexicon.is_own_room(name) for name in named)
 
 
 def _opened(words: Sequence[Word], at: int) -> Word:

@@ -48,6 +48,7 @@ from mansion_editing.instructions.sentences.refinement import (
     one_more_there,
     only_so_many_stay,
     sets_as_one,
+    sharing_as_told,
     sparing_what_goes,
     turned_by_list,
     with_noun_at,
@@ -158,7 +159,7 @@ class _Reader(
             about_its_room(s, self._words_of(s.quote), self.lexicon, self.floors) if isinstance(s, Mention) else s
             for s in statements
         ]
-        statements = [side for one in only_so_many_stay(statements) for side in on_each_side(one)]
+        statements = [side for one in only_so_many_stay(sharing_as_told(statements)) for side in on_each_side(one)]
         return Instruction(
             statements=statements, not_understood=self.unknown, ignored=ignored, undecided=self.undecided
         )

@@ -58,6 +58,7 @@ __all__ = [
     "removes_all_of_it",
     "removes_what_went",
     "sets_as_one",
+    "sharing_as_told",
     "so_many",
     "sparing_what_goes",
     "spared_of",
@@ -356,6 +357,22 @@ def only_so_many_stay(statements: Sequence[Statement]) -> list[Statement]:
             most = Amount(kind="at_most", number=kept.amount.number)
             things = msgspec.structs.replace(kept, amount=most, definite=True, plural=True)
             statement = Remove(things=things, quote=statement.quote)
+        out.append(statement)
+    return out
+
+
+_SHARE: Final = re.compile(r"\bone (?:per|for (?:each|every)) ", re.IGNORECASE)
+
+
+def sharing_as_told(statements: Sequence[Statement]) -> list[Statement]:
+    """Return ``four cups on the table, one per chair`` as four cups: the share only tells how they are counted."""
+    out: list[Statement] = []
+    for statement in statements:
+        last = out[-1] if out else None
+        if isinstance(statement, Add | Ensure) and isinstance(last, Add | Ensure):
+            same = last.quote == statement.quote and last.things.noun == statement.things.noun
+            if same and statement.each and last.things.amount.number > 1 and _SHARE.search(statement.quote):
+                continue
         out.append(statement)
     return out
 

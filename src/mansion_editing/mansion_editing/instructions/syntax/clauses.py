@@ -55,7 +55,6 @@ TURNING: Final = frozenset("turn rotate swivel spin twist point angle orient".sp
 _MARKS: Final = frozenset([",", "-", ":", "(", ")", "–", "—"])
 _IDLE: Final = frozenset(["interjection", "adverb"])
 _PLEAS: Final = frozenset(["can", "could", "would", "will"])
-_LETTING: Final = frozenset(["let"])
 
 
 def clauses_of(words: Sequence[TaggedWord]) -> list[Clause]:
@@ -120,7 +119,11 @@ def _end(words: Sequence[TaggedWord], at: int, form: Form) -> int:
             shared = form == "statement" and word.text != "-" and following < len(words)
             if shared and _goes_on(words, following, begins):
                 return k
-            if begins != "fragment" or word.text in ("-", "–", "—") or _is_vague(words[at + 1 : k]):
+            if (
+                begins != "fragment"
+                or word.text in ("-", "–", "—")
+                or (word.text == "," and _is_vague(words[at + 1 : k]))
+            ):
                 return k
             if following < len(words) and _adds_one_more(words, following):
                 return k

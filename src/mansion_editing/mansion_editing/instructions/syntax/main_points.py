@@ -59,6 +59,7 @@ def main_points(text: str, lexicon: Lexicon) -> Iterator[MainPoints]:
     told = [
         (tells and not _is_listed(clauses, words, number, lexicon))
         or _is_topic(clauses, words, number)
+        or _is_counted_before(clauses, words, number)
         or _repeats_swap(clauses, words, number)
         for number, tells in enumerate(told)
     ]
@@ -196,6 +197,10 @@ class _Points:
             ends = following is None or following.tag in ("preposition", "mark", "verb", "modal", "adverb", "to")
             if counted and ends and not (following is not None and following.text == "of"):
                 noun = self._noun_for("ones")
+                any_of_them = noun and before is not None and before.text == "other" and not self.asked
+                if any_of_them and at > 1 and said[at - 2].text == "the":
+                    of = replace(word, raw=f"of the {noun}", tag="noun")
+                    return [*said[: at - 2], word, of, *said[at + 1 :]]
                 return [*said[: at + 1], replace(word, raw=noun, tag="noun"), *said[at + 1 :]] if noun else said
         return said
 
@@ -336,6 +341,14 @@ def _moved(clause: Clause, by: int) -> Clause:
 
 
 _WERE: Final = frozenset("were was could would".split())
+
+
+def _is_counted_before(clauses: Sequence[Clause], words: Sequence[TaggedWord], number: int) -> bool:
+    """Whether a number of things is told of, as the next clause objects: ``five bikes but nobody uses more than two``."""
+    clause = clauses[number]
+    following = clauses[number + 1] if number + 1 < len(clauses) else None
+    objected = following is not None and following.after == "but" and following.form in ("statement", "existence")
+    return clause.form == "fragment" and words[clause.start].tag == "number" and objected
 
 
 def _is_listed(clauses: Sequence[Clause], words: Sequence[TaggedWord], number: int, lexicon: Lexicon) -> bool:

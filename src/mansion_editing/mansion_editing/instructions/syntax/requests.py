@@ -17,6 +17,7 @@ __all__ = ["is_person", "names_something", "only_tells"]
 
 _OBLIGING: Final = frozenset("must should shall ought".split())
 _WISHING: Final = frozenset("need want like prefer require wish fancy love appreciate miss lack deserve expect".split())
+_TASTES: Final = frozenset("like love prefer fancy appreciate".split())
 _PLACING: Final = frozenset(
     "belong go come stay remain become join get move keep leave replace make stand live sit hang lie face".split()
 )
@@ -136,7 +137,8 @@ def _wishes(rest: Sequence[TaggedWord]) -> bool:
     """Whether a predicate wishes or needs something: ``we want``, ``I'm going to need``, ``I would rather have``."""
     texts = [word.text for word in rest[:5]]
     modal = rest[0].tag == "modal"
-    wishing = any(word.verb in _WISHING for word in rest[:5]) and not {*texts[1:3]} & _DENYING
+    taste = rest[0].verb in _TASTES and rest[0].form == "third"  # "my back prefers the armchair"
+    wishing = not taste and any(word.verb in _WISHING for word in rest[:5]) and not {*texts[1:3]} & _DENYING
     return wishing or (modal and bool({"rather", "do", "use", "have"} & {*texts[1:3]}) and rest[0].text in _COULD)
 
 

@@ -97,6 +97,7 @@ _ADVERBS: Final = frozenset(
 _BETWEEN: Final = frozenset("all both also never always just even still only often really".split())
 """Words between a pronoun and its verb."""
 _AFTER_PRONOUNS: Final = frozenset("mark preposition be adverb".split())
+_BEFORE_ONE: Final = frozenset("this that each every any".split())
 _WHICH_PERIOD: Final = frozenset("last next this".split())
 _PERIODS: Final = frozenset(
     "week weekend month year night evening morning afternoon spring summer autumn winter time monday tuesday wednesday "
@@ -194,7 +195,7 @@ def _in_context(words: Sequence[TaggedWord], at: int, lexicon: Lexicon) -> Tagge
     if word.text in ("close", "next", "ready") and after is not None and after.tag == "to":
         return replace(word, tag="adverb")
     opens_phrase = after is not None and after.tag in ("noun", "adjective", "number")
-    opens_phrase = opens_phrase and (after is None or after.text != "one" or word.text in ("this", "that"))
+    opens_phrase = opens_phrase and (after is None or after.text != "one" or word.text in _BEFORE_ONE)
     if word.tag == "determiner" and word.text in _PRONOUNS and not opens_phrase:
         return _that(word, before, after) if word.text == "that" else replace(word, tag="pronoun")
     if word.text == "that" and before is not None and before.tag == "noun" and after is not None:
@@ -244,6 +245,9 @@ def _as_verb(words: Sequence[TaggedWord], at: int, lexicon: Lexicon) -> TaggedWo
         object_follows = after is not None and after.tag in _BEGINNING_OBJECTS
         switched = word.text == "switch" and after is not None and after.text in _PARTICLES
         return None if named and not (object_follows or switched) else _formed(word, forms, "base")
+    each_one = before is not None and before.text == "one" and at > 1 and words[at - 2].text in _BEFORE_ONE
+    if each_one and "third" in kinds:
+        return _formed(word, forms, "third")
     if before is not None and _has_object(words, at, lexicon):
         several = singular(before.text) != before.text
         if "third" in kinds or ("base" in kinds and several):
