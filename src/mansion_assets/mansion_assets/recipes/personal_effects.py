@@ -202,6 +202,7 @@ def _upper(b: Builder, x: float, mouth: tuple[float, float], y: tuple[float, flo
         for j in range(n - 1):
             p, q = k * n + j, (k + 1) * n + j
             faces += [(p, p + 1, q + 1), (p, q + 1, q)]
-    for first, order in ((0, -1), ((rings - 1) * n, 1)):
-        faces += [(first, first + j, first + j + 1)[::order] for j in range(1, n - 1)]
+    toes = (rings - 1) * n
+    for j in range(1, n - 1):
+        faces += [(0, j + 1, j), (toes, toes + j, toes + j + 1)]
     b.raw(np.array(points), np.array(faces), b.mat(), "uppers", solid=True)
