@@ -38,10 +38,9 @@ def with_rooms_of_staff(reading: Reading, phrases: list[Phrase]) -> list[Phrase]
     ]
 
 
-def _is_amid(rooms: list[Phrase], last: int, first: int) -> bool:
-    """Whether a room begins at token `first`, and another one ends shortly before token `last`."""
-    before = any(0 <= last - room.last <= _NEAR for room in rooms)
-    return before and any(room.first == first or room.begin == first for room in rooms)
+def _is_amid(rooms: list[Phrase], last: int) -> bool:
+    """Whether a room ends shortly before token `last`."""
+    return any(0 <= last - room.last <= _NEAR for room in rooms)
 
 
 def _room_of_staff(reading: Reading, phrases: list[Phrase], phrase: Phrase) -> Phrase:
@@ -60,7 +59,8 @@ def _room_of_staff(reading: Reading, phrases: list[Phrase], phrase: Phrase) -> P
     joined = before in ("and", "&") and any(p.last == lead for p in rooms)
     added = before in ("plus", "+", "additionally", "furthermore", "likewise") or joined
     plain = not phrase.determiner and word in _HAVE_ROOMS
-    amid = before == "," and after == "," and _is_amid(rooms, lead, phrase.last + 1)  # "an office, commander, armoury"
+    ends = after in (",", ";", ".", "and", "&", "+")
+    amid = before == "," and ends and not phrase.determiner and _is_amid(rooms, lead)  # "an office, commander, armoury"
     listed = closed and (added or amid or (plain and before in (",", ":", ";")))
     if not listed or not any(abs(reading.sentence[p.first] - sentence) <= 1 for p in rooms):
         return phrase
