@@ -213,7 +213,7 @@ def _taken_back(tokens: list[Token], before: list[Token], number: int, *, counts
 
 
 def _named_long_before(tokens: list[Token], before: list[Token], number: int) -> int | None:
-    """Return the last number before of the noun that a later one has: "... of 3 groups. ... Sorry, make that 4 groups"."""
+    """Return the last number before of the noun that a later one has: "3 groups. ... Sorry, make that 4 groups"."""
     noun = _word(tokens, number + 1)
     if noun in _ENDS or noun in AREA:
         return None

@@ -224,7 +224,7 @@ class _Walk:
         return pronoun in ("it", "this", "that") and verb in ("put", "place", "keep", "locate", "leave", "want", "have")
 
     def _follows(self, place: Place, left: list[int]) -> bool:
-        """Whether a storey follows from what is said of a clause's subject: "the bar far from the hall, so upstairs"."""
+        """Whether a storey follows from what is said of a subject: "the bar far from the hall, so upstairs"."""
         gap = self.reading.words(self.phrases[left[-1]].last, place.first)
         return gap in ((",", "so"), (",", "therefore"), (",", "hence"), (",", "thus")) and self._closes(place)
 
