@@ -109,8 +109,8 @@ class _Walk:
             end = max((i for i, s in enumerate(self.reading.sentence) if s == sentence), default=0)
             self.trailing = None
             carried = self._sentence(items, carried, sentence)
-            if carried is None and self.trailing is not None and self._contrasts(sentence):
-                carried = self.trailing
+            if carried is None and self._contrasts(sentence):
+                carried = self._place_behind()
             if self.reading.word(end) != ";":
                 carried = None
             blank = self.reading.word(end) == "\n" and self.reading.word(last_end) == "\n" and end == last_end + 1
@@ -121,6 +121,10 @@ class _Walk:
 
     def _in(self, index: int, sentence: int) -> bool:
         return index < len(self.reading.sentence) and self.reading.sentence[index] == sentence
+
+    def _place_behind(self) -> Place | None:
+        """Return the storey that stands behind what the sentence before tells."""
+        return self.trailing
 
     def _contrasts(self, sentence: int) -> bool:
         """Whether clauses without a storey follow, and then a sentence that opens with another one.
