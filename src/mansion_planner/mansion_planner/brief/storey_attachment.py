@@ -109,8 +109,9 @@ class _Walk:
             end = max((i for i, s in enumerate(self.reading.sentence) if s == sentence), default=0)
             self.trailing = None
             carried = self._sentence(items, carried, sentence)
-            if carried is None and self._contrasts(sentence):
-                carried = self._place_behind()
+            behind = self._place_behind()
+            if carried is None and behind is not None and self._contrasts(sentence):
+                carried = behind
             if self.reading.word(end) != ";":
                 carried = None
             blank = self.reading.word(end) == "\n" and self.reading.word(last_end) == "\n" and end == last_end + 1
