@@ -10,6 +10,7 @@ __all__ = ["OFFICE_HOLDERS", "with_rooms_of_staff"]
 
 _HAVE_ROOMS = frozenset("staff teacher nurse doctor consultant priest judge officer technician".split())
 """Who has a room of their own in a building."""
+_BESIDE = frozenset({"beside", "adjoining", "alongside"})
 _NEAR = 4
 """Words that may stand between a room and the comma after it: "an open office for 24 officers"."""
 _THE_ONE = frozenset({"", "the", "a", "an", "her", "his", "its", "their", "our", "one"})
@@ -57,7 +58,11 @@ def _room_of_staff(reading: Reading, phrases: list[Phrase], phrase: Phrase) -> P
     closed = after in (",", ";", ".", "\n", "", ")") or (after in ("and", "plus", "+", "&") and before != ":")
     rooms = [p for p in phrases if p.head == "room" or (p.head == "building" and p.counted and p.room_type)]
     joined = before in ("and", "&") and any(p.last == lead for p in rooms)
-    added = before in ("plus", "+", "additionally", "furthermore", "likewise") or joined
+    beside = reading.word(phrase.begin - 1) == "the" and reading.words(lead - 1, lead + 1) == ("next", "to")
+    beside = (beside or (before in _BESIDE and phrase.determiner == "the")) and not any(
+        room.name.startswith(f"{word}_") for room in rooms
+    )
+    added = beside or before in ("plus", "+", "additionally", "furthermore", "likewise") or joined
     plain = not phrase.determiner and word in _HAVE_ROOMS
     ends = after in (",", ";", ".", "and", "&", "+")
     amid = before == "," and ends and not phrase.determiner and _is_amid(rooms, lead)  # "an office, commander, armoury"
