@@ -17,7 +17,7 @@ _IRREGULAR = {
     "mice": "mouse", "teeth": "tooth", "oxen": "ox",
     "knives": "knife", "wives": "wife", "lives": "life", "shelves": "shelf", "bookshelves": "bookshelf",
     "loaves": "loaf", "leaves": "leaf", "halves": "half", "calves": "calf", "wolves": "wolf", "scarves": "scarf",
-    "midwives": "midwife", "thieves": "thief", "selves": "self",
+    "midwives": "midwife", "customs": "customs", "thieves": "thief", "selves": "self",
     "atria": "atrium", "auditoria": "auditorium", "gymnasia": "gymnasium", "aquaria": "aquarium", "cacti": "cactus",
     "radii": "radius", "foci": "focus", "criteria": "criterion", "analyses": "analysis", "axes": "axis",
     "bases": "base", "buses": "bus", "gases": "gas", "lenses": "lens", "canvases": "canvas", "campuses": "campus",

@@ -155,6 +155,8 @@ def _correction(tokens: list[Token], before: list[Token], index: int) -> tuple[i
         return None  # "Two bedrooms. No 3D cinema."
     spelt = tokens[at].text.isalpha() and _word(tokens, at + 1) not in AREA  # nobody spells an area without its unit
     earlier = _taken_back(tokens, before, at, counts=counts or spelt)
+    if earlier is None and signs > 1 and not weak:
+        earlier = _named_long_before(tokens, before, at)
     return None if earlier is None else (earlier, at, _end(tokens, before, earlier, at, opened=_word(tokens, index)))
 
 
@@ -208,6 +210,17 @@ def _taken_back(tokens: list[Token], before: list[Token], number: int, *, counts
         if any(before[noun].text == of for noun in range(at + 1, min(at + 4, len(before)))):
             return at
     return None
+
+
+def _named_long_before(tokens: list[Token], before: list[Token], number: int) -> int | None:
+    """Return the last number before of the noun that a later one has: "3 groups. ... Sorry, make that 4 groups"."""
+    noun = _word(tokens, number + 1)
+    if noun in _ENDS or noun in AREA:
+        return None
+    return next(
+        (at for at in range(len(before) - 1, -1, -1) if before[at].kind == "number" and _word(before, at + 1) == noun),
+        None,
+    )
 
 
 def _end(tokens: list[Token], before: list[Token], earlier: int, number: int, *, opened: str) -> int:

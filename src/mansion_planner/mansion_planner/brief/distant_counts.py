@@ -33,6 +33,8 @@ def read_late_counts(reading: Reading, phrases: list[Phrase]) -> None:
             phrases[following] = replace(phrases[following], count=int(token.value), counted=True)
             reading.take(index, index + 1)
             continue
+        if _counts_list(reading, phrases, index):
+            continue
         apiece = reading.word(index - 1) == "(" and reading.words(index + 1, index + 3) in (
             ("each", ")"),
             ("apiece", ")"),
@@ -48,6 +50,28 @@ def read_late_counts(reading: Reading, phrases: list[Phrase]) -> None:
         if several and phrases[before[-1]].counted == corrects:
             phrases[before[-1]] = replace(phrases[before[-1]], count=int(token.value), counted=True)
             reading.take(index, index + (3 if of_them else 1))
+
+
+def _counts_list(reading: Reading, phrases: list[Phrase], index: int) -> bool:
+    """Read "server halls, 2 each" and "offices on the mezzanine (5)" as so many rooms; whether it was so."""
+    before = [n for n, p in enumerate(phrases) if p.last <= index and p.head != "unknown"]
+    room = phrases[before[-1]] if before else None
+    if room is None or room.head not in ("room", "building") or room.counted or not (room.plural and room.room_type):
+        return False
+    if reading.sentence[room.first] != reading.sentence[index]:
+        return False
+    bracketed = reading.word(index - 1) == "(" and reading.word(index + 1) == ")" and index - room.last <= _NEAR
+    each = reading.word(index - 1) == "," and reading.word(index + 1) == "each" and room.last == index - 1
+    each = each and (reading.breaks(index + 2) or reading.word(index + 2) == ",")
+    if not (bracketed or each):
+        return False
+    phrases[before[-1]] = replace(room, count=int(reading.value(index)), counted=True)
+    reading.take(index, index + 1 + each)
+    return True
+
+
+_NEAR = 6
+"""Tokens between rooms and their number in a bracket behind their storey, at most."""
 
 
 def read_counts_by_room(reading: Reading, phrases: list[Phrase]) -> None:

@@ -75,13 +75,29 @@ def noun_phrases(reading: Reading) -> list[Phrase]:
     counted = {phrase.name: phrase.first for phrase in phrases[::-1] if phrase.counted and (phrase.count or 0) > 1}
     phrases = [part for phrase in phrases for part in with_designators(reading, phrase, numbered, counted)]
     phrases = _with_own_names(reading, phrases)
-    phrases = with_rooms_of_staff(reading, phrases)
+    phrases = [_room_of_goods(reading, phrases, phrase) for phrase in with_rooms_of_staff(reading, phrases)]
     phrases += _with_own_names(reading, listed_unknowns(reading, chunks, phrases))
     phrases = [room_by_its_contents(reading, phrases, phrase) for phrase in phrases]
     phrases += rooms_named_again(reading, chunks, phrases)
     phrases += further_ones(reading, phrases)
     phrases = with_users(reading, phrases)
     return sorted(by_own_name(reading, with_sizes(reading, phrases)), key=lambda phrase: phrase.first)
+
+
+def _room_of_goods(reading: Reading, phrases: list[Phrase], phrase: Phrase) -> Phrase:
+    """Return the store that a list of rooms names by its goods alone: "dirty utility, linen, relatives' lounge"."""
+    bare = phrase.head == "object" and not (phrase.counted or phrase.determiner or phrase.plural)
+    if not bare or reading.words(phrase.begin, phrase.noun_end) not in _GOODS or reading.word(phrase.begin - 1) != ",":
+        return phrase
+    before = any(p.head == "room" and p.last == phrase.begin - 1 for p in phrases)
+    after = any(p.head == "room" and p.begin == phrase.last + 1 for p in phrases)
+    if not (before and after and reading.word(phrase.last) in (",", "and")):
+        return phrase
+    return replace(phrase, head="room", room_type="storage", category="", known=False)
+
+
+_GOODS = frozenset({("linen",), ("luggage",), ("equipment",), ("mail",), ("wine",), ("medication",), ("archive",)})
+"""Things that a room is called after where they are kept."""
 
 
 def _with_own_names(reading: Reading, phrases: list[Phrase]) -> list[Phrase]:

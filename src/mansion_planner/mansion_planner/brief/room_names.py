@@ -360,7 +360,7 @@ class _Entry:
         lead = self.reading.word(self.begin - 2)
         marked = self._before in (":", ",", "and", "|", "-", "*", "&", "\n")
         article = self._before in ("a", "an", "the", "one") and lead in (",", "and", ":", "a", "|", "with", "has")
-        if self._is_foreign():
+        if self._is_foreign() or self._is_counted_behind:
             return True
         opens = marked or article or self._counted or self.begin - 1 in self.reading.taken
         return opens and (self._after in _LIST_ENDS or self._is_for_many)
@@ -381,6 +381,12 @@ class _Entry:
         )
         counted = self._counted and self._after in ("for", "with", "of", "on", "in") and not self._plural
         return beside or told or counted
+
+    @property
+    def _is_counted_behind(self) -> bool:
+        """Whether "x3" follows: "make-up x3, wardrobe"."""
+        marked = self._before in (",", ":", ";") or self.reading.starts(self.begin)
+        return marked and self._after == "x" and self.reading.kind(self.end + 1) == "number"
 
     @property
     def _is_for_many(self) -> bool:

@@ -10,6 +10,7 @@ __all__ = ["OFFICE_HOLDERS", "with_rooms_of_staff"]
 
 _HAVE_ROOMS = frozenset("staff teacher nurse doctor consultant priest judge officer technician".split())
 """Who has a room of their own in a building."""
+_BESIDE = frozenset({"beside", "adjoining", "alongside"})
 _NEAR = 4
 """Words that may stand between a room and the comma after it: "an open office for 24 officers"."""
 _THE_ONE = frozenset({"", "the", "a", "an", "her", "his", "its", "their", "our", "one"})
@@ -38,10 +39,9 @@ def with_rooms_of_staff(reading: Reading, phrases: list[Phrase]) -> list[Phrase]
     ]
 
 
-def _is_amid(rooms: list[Phrase], last: int, first: int) -> bool:
-    """Whether a room begins at token `first`, and another one ends shortly before token `last`."""
-    before = any(0 <= last - room.last <= _NEAR for room in rooms)
-    return before and any(room.first == first or room.begin == first for room in rooms)
+def _is_amid(rooms: list[Phrase], last: int) -> bool:
+    """Whether a room ends shortly before token `last`."""
+    return any(0 <= last - room.last <= _NEAR for room in rooms)
 
 
 def _room_of_staff(reading: Reading, phrases: list[Phrase], phrase: Phrase) -> Phrase:
@@ -58,9 +58,14 @@ def _room_of_staff(reading: Reading, phrases: list[Phrase], phrase: Phrase) -> P
     closed = after in (",", ";", ".", "\n", "", ")") or (after in ("and", "plus", "+", "&") and before != ":")
     rooms = [p for p in phrases if p.head == "room" or (p.head == "building" and p.counted and p.room_type)]
     joined = before in ("and", "&") and any(p.last == lead for p in rooms)
-    added = before in ("plus", "+", "additionally", "furthermore", "likewise") or joined
+    beside = reading.word(phrase.begin - 1) == "the" and reading.words(lead - 1, lead + 1) == ("next", "to")
+    beside = (beside or (before in _BESIDE and phrase.determiner == "the")) and not any(
+        room.name.startswith(f"{word}_") for room in rooms
+    )
+    added = beside or before in ("plus", "+", "additionally", "furthermore", "likewise") or joined
     plain = not phrase.determiner and word in _HAVE_ROOMS
-    amid = before == "," and after == "," and _is_amid(rooms, lead, phrase.last + 1)  # "an office, commander, armoury"
+    ends = after in (",", ";", ".", "and", "&", "+")
+    amid = before == "," and ends and not phrase.determiner and _is_amid(rooms, lead)  # "an office, commander, armoury"
     listed = closed and (added or amid or (plain and before in (",", ":", ";")))
     if not listed or not any(abs(reading.sentence[p.first] - sentence) <= 1 for p in rooms):
         return phrase

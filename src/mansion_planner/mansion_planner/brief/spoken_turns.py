@@ -149,17 +149,10 @@ _NO_LIST = _TO_STOREYS | frozenset(
 def _closes_list(tokens: list[Token], index: int) -> bool:
     """Whether "up" or "below" closes what is on a storey: "3 bedrooms + 1 bathroom up; kitchen, living room down"."""
     before = tokens[index - 1] if index else None
-    closes = tokens[index].text in _OPENING and _word(tokens, index + 1) in (
-        ";",
-        ".",
-        ",",
-        "\n",
-        "",
-        ")",
-        "and",
-        "-",
-        "–",
-    )
+    after = _word(tokens, index + 1)
+    also = after in ("too", "also") or (after == "as" and _word(tokens, index + 2) == "well")
+    ends = after in _ENDS | {",", "and", "-", "–"} - {"!"} or also
+    closes = tokens[index].text in _OPENING and ends
     return closes and before is not None and before.kind == "word" and before.text not in _NO_LIST
 
 

@@ -109,8 +109,9 @@ class _Walk:
             end = max((i for i, s in enumerate(self.reading.sentence) if s == sentence), default=0)
             self.trailing = None
             carried = self._sentence(items, carried, sentence)
-            if carried is None and self.trailing is not None and self._contrasts(sentence):
-                carried = self.trailing
+            behind = self._place_behind()
+            if carried is None and behind is not None and self._contrasts(sentence):
+                carried = behind
             if self.reading.word(end) != ";":
                 carried = None
             blank = self.reading.word(end) == "\n" and self.reading.word(last_end) == "\n" and end == last_end + 1
@@ -121,6 +122,10 @@ class _Walk:
 
     def _in(self, index: int, sentence: int) -> bool:
         return index < len(self.reading.sentence) and self.reading.sentence[index] == sentence
+
+    def _place_behind(self) -> Place | None:
+        """Return the storey that stands behind what the sentence before tells."""
+        return self.trailing
 
     def _contrasts(self, sentence: int) -> bool:
         """Whether clauses without a storey follow, and then a sentence that opens with another one.
@@ -175,6 +180,8 @@ class _Walk:
                 items[position + 1 :] = [item for item in items[position + 1 :] if item[:2] != ("phrase", rest[0])]
             elif left and self._puts_it(place):
                 self._give_all(left[-1:], place)
+            elif left and self._follows(place, left):
+                self._give_all(left[:1], place)
             elif self.reading.word(place.first - 1) == "both" and len(left) > 1:
                 self._give_all(left[-2:], place)  # "the sauna next to the gym, and both in the basement"
                 left = []
@@ -220,6 +227,11 @@ class _Walk:
         """Whether a room named before is put somewhere: "the laundry makes noise, so put it on the ground floor"."""
         verb, pronoun = self.reading.words(place.first - 2, place.first) if place.first > 1 else ("", "")
         return pronoun in ("it", "this", "that") and verb in ("put", "place", "keep", "locate", "leave", "want", "have")
+
+    def _follows(self, place: Place, left: list[int]) -> bool:
+        """Whether a storey follows from what is said of a subject: "the bar far from the hall, so upstairs"."""
+        gap = self.reading.words(self.phrases[left[-1]].last, place.first)
+        return gap in ((",", "so"), (",", "therefore"), (",", "hence"), (",", "thus")) and self._closes(place)
 
     def _is_served(self, place: Place, left: list[int]) -> bool:
         """Whether a place only says where a lift or stair goes: "a lift to all floors"."""

@@ -11,7 +11,7 @@ __all__ = ["storeys_in_order"]
 
 _LOW = frozenset("bottom ground base below street cellar basement lowest foot".split())
 _HIGH = frozenset("top roof above attic highest uppermost".split())
-_UP = frozenset("up upward upwards ascending bottom-up upper".split())
+_UP = frozenset("up upward upwards ascending".split())
 _DOWN = frozenset("down downward downwards descending".split())
 _LINKS = frozenset("from starting start beginning begin to order going go listed counted read stacked by".split())
 """Words one of which shows that an order is told, and not the name of a storey."""
@@ -24,6 +24,12 @@ _OPENING = (
         """.split()
     )
 )  # fmt: skip
+_ALONE = frozenset(
+    (first, way)
+    for first in ("going", "bottom", "ground", "street", "top")
+    for way in ("up", "upwards", "down", "downwards")
+)
+"""Openings without a word that links: "top down:", "going up:"."""
 _MARKS = frozenset({":", ",", "-", "–"})
 _LONGEST_OPENING = 14
 _ENDS = frozenset({".", "\n", "!", "?"})
@@ -100,8 +106,7 @@ class _List:
 
     def _tells_direction(self, words: Sequence[str]) -> bool:
         """Keep whether opening words lead upwards or downwards; whether they do either."""
-        alone = len(words) == 2 or words[:1] in (["upwards"], ["downwards"], ["ascending"], ["descending"])
-        alone = alone and bool(set(words) & (_UP | _DOWN)) and not set(words) & {"floor", "storey"}
+        alone = words[:1] in (["upwards"], ["downwards"], ["ascending"], ["descending"]) or tuple(words) in _ALONE
         if not (set(words) & _LINKS or alone) or words[:1] in (["the"], ["on"], ["each"], ["every"]):
             return False
         low = next((at for at, word in enumerate(words) if word in _LOW), None)

@@ -184,7 +184,8 @@ def _is_refused_thing(reading: Reading, index: int) -> bool:
         "anywhere",
     )
     refused = reading.word(index - 1) in ("no", "without", "nor") and ends
-    needless = reading.words(index + 1, index + 3) in (("not", "need"), *(("not", word) for word in _NEEDED))
+    plain = reading.kind(index - 1) != "number" and "but" not in reading.words(index + 3, index + 5)
+    needless = plain and reading.words(index + 1, index + 3) in (("not", "need"), *(("not", word) for word in _NEEDED))
     return (refused or needless) and index not in reading.mention_at
 
 

@@ -70,6 +70,8 @@ def _withdrawal(tokens: list[Token], index: int) -> int:
     if not (_is_clause(tokens, at) or _is_message(tokens, at)):
         return 0
     end = _end(tokens, at)
+    if "about" in [token.text for token in tokens[at:end]]:
+        return 0  # "forget what I said about the roof garden" takes back a part
     return end if len(tokens) - end >= _FEWEST else 0
 
 
