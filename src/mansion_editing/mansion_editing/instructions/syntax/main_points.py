@@ -344,7 +344,7 @@ _WERE: Final = frozenset("were was could would".split())
 
 
 def _is_counted_before(clauses: Sequence[Clause], words: Sequence[TaggedWord], number: int) -> bool:
-    """Whether a number of things is told of, as the next clause objects: ``five bikes but nobody uses more than two``."""
+    """Whether a number of things is told of, to which the next clause objects: ``five bikes but nobody uses two``."""
     clause = clauses[number]
     following = clauses[number + 1] if number + 1 < len(clauses) else None
     objected = following is not None and following.after == "but" and following.form in ("statement", "existence")

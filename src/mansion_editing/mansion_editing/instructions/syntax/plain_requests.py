@@ -145,7 +145,7 @@ def _as_obliged(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
     at = next((k for k in range(2, len(words) - 3) if words[k].text == "for"), 0)
     if words[0].text != "it" or not at or not {"would", "should", "is"} & {word.text for word in words[1:at]}:
         return words
-    end = end_of_noun_group(words, at + 1)
+    end = _end_of_place(words, end_of_noun_group(words, at + 1))
     if end >= len(words) - 1 or words[end].tag != "to":
         return words
     should = replace(words[end], text="should", raw="should", tag="modal")
