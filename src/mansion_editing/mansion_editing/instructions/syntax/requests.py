@@ -5,6 +5,7 @@ from itertools import pairwise
 from typing import Final
 
 from mansion_editing.instructions.phrases.lexicon import Lexicon
+from mansion_editing.instructions.phrases.verb_words import BY_WORDS
 from mansion_editing.instructions.phrases.word_sets import PEOPLE
 from mansion_editing.instructions.phrases.words import PERSONS
 from mansion_editing.instructions.syntax.clauses import Clause
@@ -68,6 +69,8 @@ def only_tells(clause: Clause, words: Sequence[TaggedWord], lexicon: Lexicon) ->
     )
     if named and (nothing or limiting or texts[-1] in _ALSO or {"too", "also"} & {*texts[:-1]}):
         return clause.form == "statement" and _tells_of_use(clause, words)
+    if said[0].tag == "noun" and (texts[0],) in BY_WORDS:
+        return False  # it may be an order: "plant ...", "light ..."
     if clause.form == "statement" and texts[0] == "what":
         return not any(word.verb in _WISHING or word.text in _MEASURING for word in said)
     if clause.form == "question":
