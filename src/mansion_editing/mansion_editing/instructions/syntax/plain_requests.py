@@ -376,7 +376,9 @@ def _with_plain_verb(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWo
         (k for k in range(end, len(words) - 2) if words[k].text in ("off", "from") and _is_wall(words, k + 2)), 0
     )
     if known == "take" and wall:
-        return [replace(verb, text="remove", raw="remove", verb="remove"), *words[1:wall], *words[wall + 3 :]]
+        on_it = [replace(words[wall], text="on", raw="on"), *words[wall + 1 : wall + 3]]
+        remove = replace(verb, text="remove", raw="remove", verb="remove")
+        return [remove, *words[1:end], *on_it, *words[end:wall], *words[wall + 3 :]]
     if carried and goal and (aside or particle in _PARTICLES) and not _leaves(words, end):
         rest = words[goal:] if particle in _PARTICLES else words[end:]
         put = known if known != "put" or words[goal].text != "to" else "move"
