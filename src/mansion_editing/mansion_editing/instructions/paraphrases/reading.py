@@ -55,7 +55,7 @@ def read_in_other_words(text: str, state: SceneState, brief: str = "") -> Instru
         if number >= _MOST_READINGS or (clear is not None and not remarks):
             break
         read = read_instruction(plain, state, brief)
-        if _is_clear(read, plain):
+        if _is_clear(read, plain) and not (remarks and _only_keeps(read)):
             left = [Mention(quote=remark, passed_over=True) for remark in remarks]
             found = msgspec.structs.replace(read, statements=[*read.statements, *left], read_as=plain)
             if remarks or not _acts_on(points, found):
@@ -65,6 +65,11 @@ def read_in_other_words(text: str, state: SceneState, brief: str = "") -> Instru
         return clear
     taken_back = "" if first.not_understood else _taken_back(first, text)
     return msgspec.structs.replace(first, not_understood=[taken_back]) if taken_back else first
+
+
+def _only_keeps(read: Instruction) -> bool:
+    """Whether all that was read is that things stay, so that what was left out would be all that is asked for."""
+    return all(isinstance(one, Mention | Keep) for one in read.statements)
 
 
 def _acts_on(points: Sequence[MainPoints], read: Instruction) -> bool:

@@ -172,7 +172,10 @@ def _tells_how_it_is(words: Sequence[TaggedWord], at: int) -> bool:
 
 def _is_aside(words: Sequence[TaggedWord], at: int) -> bool:
     """Whether words after a comma begin with neither a thing nor a place, and so go on with no list."""
-    return at < len(words) and words[at].tag in ("interjection", "relative")
+    if at >= len(words):
+        return False
+    leaving_open = words[at].text in _LEAVING_OPEN and at + 1 < len(words) and words[at + 1].tag == "somebody"
+    return leaving_open or words[at].tag in ("interjection", "relative")
 
 
 def _opening(words: Sequence[TaggedWord], at: int) -> tuple[Form, int, int]:
@@ -209,6 +212,7 @@ _ONLY_PAST: Final = frozenset(
     "went came broke fell gave took saw wore drove began was were did ate drank stole".split()
 )
 """Past forms that are no participles."""
+_LEAVING_OPEN: Final = frozenset("whichever whatever however".split())
 _GRANTED: Final = frozenset("seeing given considering granted now".split())
 _CONDITIONS: Final = frozenset("if unless whether".split())
 _ALSO_SUBORDINATE: Final = frozenset("since until before after".split())

@@ -57,7 +57,7 @@ def main_points(text: str, lexicon: Lexicon) -> Iterator[MainPoints]:
     clauses, words = _wished(clauses, words)
     told = [only_tells(clause, words, lexicon) for clause in clauses]
     told = [
-        (tells and not _is_listed(clauses, words, number, lexicon))
+        (tells and not (_is_listed(clauses, words, number, lexicon) or _asks_opinion(clauses, words, number)))
         or _is_topic(clauses, words, number)
         or _is_counted_before(clauses, words, number)
         or _repeats_swap(clauses, words, number)
@@ -343,8 +343,19 @@ def _moved(clause: Clause, by: int) -> Clause:
 _WERE: Final = frozenset("were was could would".split())
 
 
+def _asks_opinion(clauses: Sequence[Clause], words: Sequence[TaggedWord], number: int) -> bool:
+    """Whether a clause makes a question of the request beside it: ``could we fit a piano in, what do you think?``."""
+    clause = clauses[number]
+    beside = any(one.sentence == clause.sentence and one is not clause for one in clauses)
+    ended = next((word.text for word in words[clause.end :] if word.text in MARKS_BETWEEN_SENTENCES), "")
+    return beside and ended == "?" and words[clause.start].text in _ASKING
+
+
+_ASKING: Final = frozenset("what how why which who where when".split())
+
+
 def _is_counted_before(clauses: Sequence[Clause], words: Sequence[TaggedWord], number: int) -> bool:
-    """Whether a number of things is told of, as the next clause objects: ``five bikes but nobody uses more than two``."""
+    """Whether a number of things is told of, to which the next clause objects: ``five bikes but nobody uses two``."""
     clause = clauses[number]
     following = clauses[number + 1] if number + 1 < len(clauses) else None
     objected = following is not None and following.after == "but" and following.form in ("statement", "existence")

@@ -12,6 +12,7 @@ from mansion_editing.instructions.syntax.clauses import TURNING
 from mansion_editing.instructions.syntax.noun_groups import end_of_noun_group
 from mansion_editing.instructions.syntax.requests import names_something
 from mansion_editing.instructions.syntax.tagged_words import TaggedWord
+from mansion_language.inflection import plural, singular
 
 __all__ = ["plainly_asked"]
 
@@ -33,7 +34,7 @@ _WAYS: Final = frozenset("into onto to".split())
 def plainly_asked(words: Sequence[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
     """Return the words of a clause that asks for something in the words of a plain order, where that is known."""
     steps: tuple[Callable[[list[TaggedWord], Lexicon], list[TaggedWord]], ...] = (
-        _without_edges, _without_added_clause, _with_companions, _without_comparison, _with_part_after,
+        _without_edges, _without_added_clause, _with_companions, _without_comparison, _with_share, _with_part_after,
         _with_replaced_after, _as_obliged, _as_moved, _as_order, _as_new_things, _as_active, _without_relatives,
         _as_turned, _without_purpose, _with_plain_verb,
     )  # fmt: skip
@@ -94,6 +95,21 @@ def _without_comparison(words: list[TaggedWord], lexicon: Lexicon) -> list[Tagge
     return words
 
 
+def _with_share(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
+    """Return ``two more desks and two chairs`` for ``two more desks, each with a chair``."""
+    at = next((k for k in range(2, len(words) - 2) if [w.text for w in words[k : k + 2]] == ["each", "with"]), 0)
+    number = next((k for k in range(at) if words[k].tag == "number" and words[k - 1].text not in ("the", "of")), None)
+    end = end_of_noun_group(words, at + 2)
+    one = at and words[at + 2].text in ("a", "an", "one")
+    if not one or number is None or words[number].text == "one" or end < len(words) or words[end - 1].tag != "noun":
+        return words
+    last = replace(words[end - 1], raw=plural(singular(words[end - 1].text)))
+    joint = replace(words[at], text="and", raw="and", tag="joint")
+    named = end_of_noun_group(words, number)
+    where = words[named : at - (words[at - 1].text == ",")]
+    return [*words[:named], joint, words[number], *words[at + 3 : end - 1], last, *where]
+
+
 def _with_part_after(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
     """Return ``one of the three cabinets should be open`` for ``of the three cabinets one should be open``."""
     if words[0].text not in ("of", "from", "out") or len(words) < 4:
@@ -145,7 +161,7 @@ def _as_obliged(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWord]:
     at = next((k for k in range(2, len(words) - 3) if words[k].text == "for"), 0)
     if words[0].text != "it" or not at or not {"would", "should", "is"} & {word.text for word in words[1:at]}:
         return words
-    end = end_of_noun_group(words, at + 1)
+    end = _end_of_place(words, end_of_noun_group(words, at + 1))
     if end >= len(words) - 1 or words[end].tag != "to":
         return words
     should = replace(words[end], text="should", raw="should", tag="modal")
@@ -376,7 +392,9 @@ def _with_plain_verb(words: list[TaggedWord], lexicon: Lexicon) -> list[TaggedWo
         (k for k in range(end, len(words) - 2) if words[k].text in ("off", "from") and _is_wall(words, k + 2)), 0
     )
     if known == "take" and wall:
-        return [replace(verb, text="remove", raw="remove", verb="remove"), *words[1:wall], *words[wall + 3 :]]
+        on_it = [replace(words[wall], text="on", raw="on"), *words[wall + 1 : wall + 3]]
+        remove = replace(verb, text="remove", raw="remove", verb="remove")
+        return [remove, *words[1:end], *on_it, *words[end:wall], *words[wall + 3 :]]
     if carried and goal and (aside or particle in _PARTICLES) and not _leaves(words, end):
         rest = words[goal:] if particle in _PARTICLES else words[end:]
         put = known if known != "put" or words[goal].text != "to" else "move"

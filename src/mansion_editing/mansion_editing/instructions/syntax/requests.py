@@ -5,6 +5,7 @@ from itertools import pairwise
 from typing import Final
 
 from mansion_editing.instructions.phrases.lexicon import Lexicon
+from mansion_editing.instructions.phrases.verb_words import BY_WORDS
 from mansion_editing.instructions.phrases.word_sets import PEOPLE
 from mansion_editing.instructions.phrases.words import PERSONS
 from mansion_editing.instructions.syntax.clauses import Clause
@@ -21,6 +22,8 @@ _TASTES: Final = frozenset("like love prefer fancy appreciate".split())
 _PLACING: Final = frozenset(
     "belong go come stay remain become join get move keep leave replace make stand live sit hang lie face".split()
 )
+_RESTING: Final = frozenset("stand live sit hang lie face".split())
+"""Verbs that only say where something is, without a modal."""
 _STAYING: Final = frozenset(["stay", "remain"])
 _MEASURING: Final = frozenset(
     "enough plenty many much few fewer less more missing needed wanted required supposed meant due short surplus "
@@ -68,6 +71,8 @@ def only_tells(clause: Clause, words: Sequence[TaggedWord], lexicon: Lexicon) ->
     )
     if named and (nothing or limiting or texts[-1] in _ALSO or {"too", "also"} & {*texts[:-1]}):
         return clause.form == "statement" and _tells_of_use(clause, words)
+    if said[0].tag == "noun" and (texts[0],) in BY_WORDS:
+        return False  # it may be an order: "plant ...", "light ..."
     if clause.form == "statement" and texts[0] == "what":
         return not any(word.verb in _WISHING or word.text in _MEASURING for word in said)
     if clause.form == "question":
@@ -84,6 +89,8 @@ def only_tells(clause: Clause, words: Sequence[TaggedWord], lexicon: Lexicon) ->
         states = {texts[-1], *(text for text in texts if text not in ("on", "up", "down", "out"))} & _STATES
         counted = any(word.tag == "number" and word.text not in ORDINALS for word in said)
         return not (named or {*texts} & (_LIMITING | _WHOLES) or states or counted or _takes_up(said))
+    if clause.after == "but" and named and _takes_up(words[clause.subject : clause.subject + 1]):
+        return False  # "but tonight it sleeps on the sofa"
     if clause.after == "so" or (texts[0] == "that" and said[0].tag != "determiner"):
         return not (named or _counts(said) or {*texts} & _LIMITING) and not _asks(clause, words, lexicon)
     return not _asks(clause, words, lexicon)
@@ -118,6 +125,8 @@ def _asks(clause: Clause, words: Sequence[TaggedWord], lexicon: Lexicon) -> bool
         return True
     if verb.text in _OBLIGING or (verb.tag in ("be", "have") and _is_to(rest)) or texts[:2] in _NEEDING:
         return not somebody or aimed
+    if any(word.form == "gerund" and (word.verb,) in BY_WORDS for word in rest) and main.verb == "need":
+        return True  # "it needs emptying"
     if _wishes(rest):
         return aimed and not (somebody and _does_it_oneself(rest))
     fine = verb.tag == "be" and bool({*texts[1:3]} & _FINE)
@@ -126,7 +135,7 @@ def _asks(clause: Clause, words: Sequence[TaggedWord], lexicon: Lexicon) -> bool
     if verb.tag == "modal":
         denied = {*texts[1:3]} & _DENYING
         return not somebody and not denied and (main.verb in _PLACING or main.form == "participle" or _measures(texts))
-    if main.verb in _PLACING and main.form in ("third", "base") and not _goes_on_doing(rest):
+    if main.verb in _PLACING - _RESTING and main.form in ("third", "base") and not _goes_on_doing(rest):
         return not somebody or main.verb == "keep"
     if main.verb in ("suffice", "suggest", "insist", "ask", "propose", "recommend"):
         return True

@@ -111,7 +111,9 @@ _BEFORE_ORDERS: Final = frozenset(
 )
 _EXCHANGING: Final = frozenset("trade swap change exchange switch swop".split())
 _BEGINNING_OBJECTS: Final = frozenset("determiner possessive number pronoun somebody".split())
-_PARTICLES: Final = frozenset(["on", "off"])
+_PARTICLES: Final = frozenset("on off out up down away over back".split())
+_AWAY: Final = frozenset("out up down away back over".split())
+"""Particles of verbs that are nouns as well: ``throw out``, ``light up``; but ``light on in the hall``."""
 _PARTICIPLES: Final = ("participle", "gerund")
 
 
@@ -243,7 +245,7 @@ def _as_verb(words: Sequence[TaggedWord], at: int, lexicon: Lexicon) -> TaggedWo
         return replace(word, tag="verb", verb=word.text, form="base")
     if opens and "base" in kinds:
         object_follows = after is not None and after.tag in _BEGINNING_OBJECTS
-        switched = word.text == "switch" and after is not None and after.text in _PARTICLES
+        switched = after is not None and after.text in (_PARTICLES if word.text == "switch" else _AWAY)
         return None if named and not (object_follows or switched) else _formed(word, forms, "base")
     each_one = before is not None and before.text == "one" and at > 1 and words[at - 2].text in _BEFORE_ONE
     if each_one and "third" in kinds:
