@@ -67,9 +67,16 @@ def test_the_door_of_furniture_is_its_own(editor: SceneEditor, text: str) -> Non
     assert fridge is not None and fridge[1].states["open"]
 
 
-@pytest.mark.parametrize("text", ["Shut the door.", "Remove the mug from the kitchen and shut the door to the hall."])
-def test_the_door_of_a_room_is_not_shut(furnished_state: SceneState, text: str) -> None:
-    assert read_instruction(text, furnished_state).not_understood
+def test_the_door_is_asked_about_where_nothing_tells_which(editor: SceneEditor) -> None:
+    report = instruct(editor, "Shut the door.")
+    assert not report.done
+    assert len(report.candidates) > 1
+
+
+def test_the_door_is_one_of_the_room_that_was_mentioned(editor: SceneEditor) -> None:
+    assert instruct(editor, "Remove the mug from the kitchen and shut the door to the hall.").done
+    closed = [door.id for scene in editor.store.scenes().values() for door in scene.doors if not door.is_open]
+    assert closed == ["F1/door_1"]
 
 
 def test_furniture_is_left_open_with_something_in_it(furnished_state: SceneState) -> None:

@@ -69,7 +69,6 @@ class Vocabulary:
     def __init__(self, catalogue: Catalogue) -> None:
         self._names: dict[tuple[str, ...], dict[str, None]] = {}
         self._synonyms: dict[tuple[str, ...], dict[str, None]] = {}
-        self._joined: dict[str, dict[str, None]] = {}
         self._memory: dict[tuple[str, ...], frozenset[str]] = {}
         self.categories = catalogue.categories
         self._words_of = {name: frozenset(stems(name.replace("_", " "))) for name in catalogue.categories}
@@ -80,18 +79,14 @@ class Vocabulary:
                 self._names.setdefault(stems(asset.name), {})[category] = None
                 for synonym in asset.synonyms:
                     self._synonyms.setdefault(stems(synonym), {})[category] = None
-        for names in (self._names, self._synonyms):
-            for name, own in names.items():
-                self._joined.setdefault("".join(name), own)
 
     def exact(self, words: tuple[str, ...]) -> list[str]:
         """Return the categories called exactly so; by synonym where none has the name itself.
 
-        Compounds may be written in one word or in several (``houseplant``, ``love seat``), and end with another word
-        for the same (``wall cupboard`` of a wall cabinet) where nothing has their own name.
+        Compounds may end with another word for the same (``wall cupboard`` of a wall cabinet) where nothing has their
+        own name.
         """
-        found = self._names.get(words) or self._synonyms.get(words) or self._joined.get("".join(words))
-        return list(found or {}) or self._alike(words)
+        return list(self._names.get(words) or self._synonyms.get(words, {})) or self._alike(words)
 
     def _alike(self, words: tuple[str, ...]) -> list[str]:
         """Return the categories that a compound names with another word for its last one."""

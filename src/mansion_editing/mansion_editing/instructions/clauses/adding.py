@@ -179,7 +179,7 @@ class Adding(States, Colours):
         each = self.text(place) == "each"
         place += each
         main = said[-1]
-        if self.text(place) != "with" or not isinstance(main, Add | Ensure | Replace):
+        if self.text(place) != "with" or self.tells_of_door(place) or not isinstance(main, Add | Ensure | Replace):
             return said, end
         new = main.by if isinstance(main, Replace) else main.things
         near = Place(relation="beside", anchor=Things(refers="last", definite=True, amount=Amount(number=0)))

@@ -121,6 +121,11 @@ class Spans(ABC):
             return True
         return self._participle(at) is not None
 
+    def tells_of_door(self, at: int) -> bool:
+        """Whether ``with the door shut`` begins at a place, which tells how furniture is, not what comes with it."""
+        part = at + 1 + (self.text(at + 1) in ("the", "its", "their"))
+        return self.text(at) == "with" and self.text(part) in ("door", "lid")
+
     def is_preposition(self, at: int) -> bool:
         """Whether ``on`` or ``off`` begins a place, and is no state: ``on the desk``, ``on the upper floor``."""
         if self.text(at) not in ("on", "off"):

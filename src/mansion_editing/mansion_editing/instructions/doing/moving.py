@@ -54,6 +54,7 @@ def move(statement: Move, state: SceneState, context: Context) -> Work:
     if statement.place.anchor == EACH_OTHER:
         return (yield from gather(statement, state, context))
     statement = _of_another(statement, context)
+    statement = _of_those_before(_of_goal_room(statement, state, context), state, context)
     things, place = statement.things, statement.place
     found = things_of(state, things, context)
     if place == Place() or (place == Place(rooms=Rooms(same=True)) and _OUT_OF_THERE.search(statement.quote)):
@@ -83,8 +84,9 @@ def move(statement: Move, state: SceneState, context: Context) -> Work:
     single = not things.plural and things.amount.number <= 1 and things.amount.kind in ("some", "all")
     reached = {target.room for target in targets}
     elsewhere = bool(targets) and not any(item.room in reached for item in away)
+    mentioned = [item for item in away if item.room in context.rooms]
     if means_one(things) and there and elsewhere:
-        away = []
+        away = mentioned  # those there already are meant, unless there are some in the room that was told of
     if (found and not away) or (there and single and not means_one(things) and not statement.or_new):
         said = f"{listed(sorted(there))} {_is(there)} there already; nothing had to move"
         rooms = tuple(dict.fromkeys(item.room for item in found if item.id in there))
@@ -158,6 +160,30 @@ def _of_another(statement: Move, context: Context) -> Move:
     source = Place(rooms=Rooms(words=context.earlier[-1]))
     other = msgspec.structs.replace(things, amount=Amount(number=things.amount.number), place=source)
     return msgspec.structs.replace(statement, things=other)
+
+
+def _of_goal_room(statement: Move, state: SceneState, context: Context) -> Move:
+    """Return ``the smallest plant in the lounge on the table`` as the smallest of the lounge, not of the building."""
+    things, rooms = statement.things, statement.place.rooms
+    told = things.size or things.ordinal or things.hints
+    if rooms is None or not told or things.place is not None or things.owned or things.refers:
+        return statement
+    there = msgspec.structs.replace(things, place=Place(rooms=rooms))
+    return msgspec.structs.replace(statement, things=there) if things_of(state, there, context) else statement
+
+
+def _of_those_before(statement: Move, state: SceneState, context: Context) -> Move:
+    """Return ``the one in the store`` as the one that was there, not the one that was moved there just before."""
+    things = statement.things
+    named = things.place is not None and things.place.rooms is not None and things.place.anchor is None
+    if not (named and means_one(things) and not things.refers and context.earlier):
+        return statement
+    found = things_of(state, things, context)
+    before = [item for item in found if item.id not in context.things]
+    arrived = [item for item in found if item.id in context.things and item.room in context.rooms]
+    if len(before) != 1 or len(arrived) != 1:
+        return statement
+    return msgspec.structs.replace(statement, things=Things(noun=before[0].id, definite=True))
 
 
 def _of_own_room(item: SceneObject, statement: Move, targets: list[Target]) -> list[Target]:

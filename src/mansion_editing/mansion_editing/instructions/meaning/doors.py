@@ -66,6 +66,9 @@ def doors_meant(state: SceneState, things: Things, context: Context) -> list[Doo
         raise MansionError(ErrorCode.INFEASIBLE, f"there are {len(found)} such doors, not {number}: {_ids(found)}")
     if means_several(things) or len(found) == 1:
         return found
+    here = _of_rooms(found, context.rooms)
+    if len(here) == 1:
+        return here  # the door to the hall of the room that was mentioned last
     entries = [door for door in found if _leads_to_circulation(state, door)]
     if len(entries) == 1 and (things.owned or things.place is not None):
         return entries  # a bedroom's door, not the one of its bathroom

@@ -10,7 +10,7 @@ from mansion_editing.instructions.phrases.nouns import Noun, read_noun
 from mansion_editing.instructions.phrases.runs import ENDS_RUN, end_of_run
 from mansion_editing.instructions.phrases.storeys import read_storeys
 from mansion_editing.instructions.phrases.word_sets import BARE_PRONOUNS, PAIRED, PRINTED, TOPICS
-from mansion_editing.instructions.phrases.words import ADVERBS, DETERMINERS, STATE_WORDS, Word, text_at
+from mansion_editing.instructions.phrases.words import ADVERBS, DETERMINERS, PREPOSITIONS, STATE_WORDS, Word, text_at
 from mansion_editing.instructions.statements import JOINED, Amount, AmountKind, Place, Rooms, Things
 from mansion_language.colours import COLOUR_WORDS
 
@@ -239,6 +239,10 @@ def _pronoun(words: Sequence[Word], start: int, at: int, place: int, amount: Amo
     """Read ``it``, ``two of them``, ``these``; an amount was read up to `place`."""
     if text_at(words, place) in ("it", "them", "they", "those", "these") and place <= at + 2:
         noun = Noun((), "anything", plural=words[place].text != "it")
+        whole = text_at(words, place + 1) in ("all", "both") and text_at(words, place + 2) in PREPOSITIONS | {""}
+        if whole and noun.plural and not amount.number:  # "put them all in the box"
+            number = 2 if words[place + 1].text == "both" else 0
+            amount, place = Amount(kind="all", number=number, of=number), place + 1
         return NounPhrase(noun, amount, True, start, place + 1, refers="last")
     if place != at + 1 or words[at].text not in BARE_PRONOUNS:
         return None

@@ -142,7 +142,7 @@ def _split(
         return _modified(run[:of_room], tuple(texts[of_room:]), kind, number, lexicon, plural=run[-1].plural)
     for first in range(len(run)):
         span = tuple(texts[first:])
-        if len(span) > 1 and span[0] in COLOUR_WORDS and lexicon.is_object(span[1:]):
+        if len(span) > 1 and (span[-1] == "one" or (span[0] in COLOUR_WORDS and lexicon.is_object(span[1:]))):
             continue
         own, room, thing = lexicon.is_own_room(span), lexicon.is_room(span), lexicon.is_object(span)
         if span[-1] in PERSONS and not own:

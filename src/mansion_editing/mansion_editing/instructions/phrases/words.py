@@ -151,7 +151,7 @@ FUNCTION_WORDS: Final = (
     | frozenset(["not", "there", "i", "we", "you", "he", "she", "do", "does", "did", "let", "how", "what", "where",
                  "which", "who", "many", "much", "none", "nothing", "everything", "anything", "something", "one",
                  "most", "least", "nearest", "closest", "furthest", "farthest", "few", "half", "us", "me", "him",
-                 "make", "sure", "ensure", "remove", "want"])
+                 "largest", "biggest", "smallest", "tallest", "shortest", "make", "sure", "ensure", "remove", "want"])
 )  # fmt: skip
 
 _SHORT: Final = {
