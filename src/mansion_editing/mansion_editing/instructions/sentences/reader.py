@@ -10,9 +10,8 @@ import msgspec
 from mansion_assets.catalogue.descriptions import hypernyms_of
 from mansion_editing.instructions.clauses.items import NotUnderstood, TwoReadings, joined_places
 from mansion_editing.instructions.clauses.reader import ClauseReader, of_each_room
-from mansion_editing.instructions.meaning.measured import is_comparative
 from mansion_editing.instructions.phrases.lexicon import HYPERNYMS
-from mansion_editing.instructions.phrases.nouns import SIZE_HINTS
+from mansion_editing.instructions.phrases.nouns import SIZE_HINTS, is_comparative
 from mansion_editing.instructions.phrases.places import merged, read_place
 from mansion_editing.instructions.phrases.storeys import read_storeys
 from mansion_editing.instructions.phrases.verbs import verb_at
