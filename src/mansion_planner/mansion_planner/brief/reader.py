@@ -76,7 +76,7 @@ from mansion_planner.brief.suites import read_suites
 from mansion_planner.brief.told_by_size import told_by_size
 from mansion_planner.brief.trades import read_trade
 from mansion_planner.brief.unit_storeys import attach_units
-from mansion_planner.brief.units import are_units, is_type_of_flat
+from mansion_planner.brief.units import are_units, flats_that_open, is_type_of_flat
 from mansion_planner.brief.unread_words import leave_unread
 from mansion_planner.brief.vertical_facts import read_stairs_and_lifts
 from mansion_planner.brief.washing_and_resting import by_what_else_is_named
@@ -269,6 +269,10 @@ class _Reader:
 
     def _name_building(self, phrases: list[Phrase]) -> int | None:
         reading = self.reading
+        if (flats := flats_that_open(reading, phrases)) is not None:
+            self.facts.building.append(("apartment_building", reading.span(flats.begin, flats.noun_end)))
+            phrases.remove(flats)
+            return None
         number = building_phrase(reading, phrases, self.places)
         if number is not None and are_units(phrases[number]):
             number = None

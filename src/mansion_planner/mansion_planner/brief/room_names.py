@@ -246,7 +246,7 @@ def listed_unknowns(reading: Reading, chunks: list[tuple[int, int]], phrases: li
     named = _Named(
         sentences={reading.sentence[phrase.first] for phrase in rooms},
         begins={phrase.begin for phrase in rooms},
-        ends={phrase.last for phrase in rooms},
+        ends={phrase.last for phrase in phrases if phrase.head in ("room", "building")},
         things={phrase.last for phrase in phrases if phrase.head == "object"},
         furniture={phrase.begin for phrase in phrases if phrase.head == "object"},
     )
@@ -363,7 +363,13 @@ class _Entry:
         if self._is_foreign() or self._is_counted_behind:
             return True
         opens = marked or article or self._counted or self.begin - 1 in self.reading.taken
-        return opens and (self._after in _LIST_ENDS or self._is_for_many)
+        return opens and (self._after in _LIST_ENDS or self._is_for_many or self._is_kept_apart)
+
+    @property
+    def _is_kept_apart(self) -> bool:
+        """Whether "not next to" follows: "a cattery, quarantine not next to the cattery"."""
+        beside = {"next", "beside", "near", "adjacent", "touching", "close"}
+        return self._after == "not" and self.reading.word(self.end + 1) in beside
 
     def _is_foreign(self) -> bool:
         """Whether a word of another language stands where a room does: "beside the Stube", "one numaru for tea"."""
