@@ -203,8 +203,9 @@ def called(
 def _standing_synonyms(state: SceneState, alike: list[SceneObject], noun: str) -> list[SceneObject]:
     """Return the furniture that a noun is a name of, where all else that ends so is small or fixed: the bar."""
     kinds = vocabulary_of(state.catalogue).exact(stems(noun))
-    named = [item for item in alike if item.category in kinds and item.mount == "floor"]
-    return named if all(item in named or item.mount != "floor" for item in alike) else []
+    named = [item for item in alike if item.category in kinds]
+    stands = any(item.mount == "floor" for item in named)
+    return named if stands and all(item.category in kinds or item.mount != "floor" for item in alike) else []
 
 
 def _hangs_as_lamp(item: SceneObject) -> bool:

@@ -3,7 +3,7 @@
 import re
 from collections.abc import Sequence
 from itertools import pairwise
-from typing import Final, Literal
+from typing import Final, Literal, TypeGuard
 
 import msgspec
 
@@ -155,7 +155,7 @@ class _Reader(
         statements = turned_by_list(with_storeys(ordered), self.text)
         statements = sets_as_one(sparing_what_goes(statements), self.lexicon)
         statements = [
-            about_its_room(s, self._words_of(s.quote), self.lexicon, self.floors) if isinstance(s, Mention) else s
+            about_its_room(s, self._words_of(s.quote), self.lexicon, self.floors) if self._tells(s) else s
             for s in statements
         ]
         statements = [side for one in only_so_many_stay(sharing_as_told(statements)) for side in on_each_side(one)]
@@ -172,6 +172,13 @@ class _Reader(
             return []
         things = msgspec.structs.replace(topic, place=None)
         return [Add(things=things, place=topic.place, quote=self.statements[-1].quote)]
+
+    def _tells(self, statement: Statement) -> TypeGuard[Mention]:
+        """Whether a statement only tells something, in words that do not begin as a request does."""
+        if not isinstance(statement, Mention):
+            return False
+        first = next(iter(self._words_of(statement.quote)), None)
+        return first is not None and first.text not in ("go", "come") and not self._begins_with_order(statement.quote)
 
     def _introduces(self, statement: Statement, later: Sequence[Statement]) -> bool:
         """Whether things of a general name are told one by one later: ``something to eat with: two forks``."""
