@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import Final
 
 import msgspec
@@ -51,14 +52,15 @@ def read_in_other_words(text: str, state: SceneState, brief: str = "") -> Instru
     clear = first if _is_clear(first, text) else None
     if clear is not None and not _acts_on(points, clear):
         return clear
-    for number, (plain, remarks) in enumerate(_wordings(text, lexicon, points, tuple(state.floors))):
-        if number >= _MOST_READINGS or (clear is not None and not remarks):
+    for number, said in enumerate(_wordings(text, lexicon, points, tuple(state.floors))):
+        if number >= _MOST_READINGS or (clear is not None and not said.remarks):
             break
-        read = read_instruction(plain, state, brief)
-        if _is_clear(read, plain) and not (remarks and _only_keeps(read)):
-            left = [Mention(quote=remark, passed_over=True) for remark in remarks]
-            found = msgspec.structs.replace(read, statements=[*read.statements, *left], read_as=plain)
-            if remarks or not _acts_on(points, found):
+        read = read_instruction(said.text, state, brief)
+        doubtful = bool(said.remarks) and (_only_keeps(read) or _may_ask(said, state, brief))
+        if _is_clear(read, said.text) and not doubtful:
+            left = [Mention(quote=remark, passed_over=True) for remark in said.remarks]
+            found = msgspec.structs.replace(read, statements=[*read.statements, *left], read_as=said.text)
+            if said.remarks or not _acts_on(points, found):
                 return found
             clear = found
     if clear is not None:
@@ -67,18 +69,28 @@ def read_in_other_words(text: str, state: SceneState, brief: str = "") -> Instru
     return msgspec.structs.replace(first, not_understood=[taken_back]) if taken_back else first
 
 
+def _may_ask(said: MainPoints, state: SceneState, brief: str) -> bool:
+    """Whether a clause that was left out would be understood as a request if it stood alone."""
+    for remark in said.remarks:
+        if remark not in said.described:
+            alone = read_instruction(remark, state, brief)
+            if not alone.not_understood and not _only_keeps(alone):
+                return True
+    return False
+
+
 def _only_keeps(read: Instruction) -> bool:
     """Whether all that was read is that things stay, so that what was left out would be all that is asked for."""
     return all(isinstance(one, Mention | Keep) for one in read.statements)
 
 
 def _acts_on(points: Sequence[MainPoints], read: Instruction) -> bool:
-    """Whether something was read as asked for by a clause that only tells."""
+    """Whether something was read as asked for by a clause that only says what there is."""
     asked = [
         in_running_text(one.quote).strip(" .,!?") for one in read.statements if not isinstance(one, Mention | Keep)
     ]
-    remarks = points[0].remarks if points else ()
-    return any(quote and quote in remark for quote in asked for remark in remarks)
+    described = points[0].described if points else ()
+    return any(quote and quote in remark for quote in asked for remark in described)
 
 
 def _is_clear(read: Instruction, text: str) -> bool:
@@ -109,24 +121,25 @@ def reworded(text: str, lexicon: Lexicon) -> str:
 
 def _wordings(
     text: str, lexicon: Lexicon, points: Sequence[MainPoints], floors: tuple[int, ...]
-) -> Iterator[tuple[str, tuple[str, ...]]]:
+) -> Iterator[MainPoints]:
     """Yield an instruction in other words, then its main points, then also without one remark, and without two."""
     plain = reworded(text, lexicon)
     if plain != text:
-        yield plain, ()
+        yield MainPoints(plain, ())
     known = {text, plain}
-    own = [(reworded(said.text, lexicon), said.remarks) for said in points]
-    for said, remarks in (*own, *((again.text, again.remarks) for again in main_points(plain, lexicon))):
-        if said not in known:
-            known.add(said)
-            yield said, remarks
-    shorter: list[tuple[str, tuple[str, ...]]] = [(plain, ())]
+    own = (replace(said, text=reworded(said.text, lexicon)) for said in points)
+    for said in (*own, *main_points(plain, lexicon)):
+        if said.text not in known:
+            known.add(said.text)
+            yield said
+    shorter = [MainPoints(plain, ())]
     for _ in range(_MOST_REMARKS):
         longer, shorter = shorter, []
-        for said, remarks in longer[:_MOST_READINGS]:
-            for left in without_remarks(said, lexicon, floors):
+        for said in longer[:_MOST_READINGS]:
+            for left in without_remarks(said.text, lexicon, floors):
                 again = reworded(left.text, lexicon)
                 if again not in known:
                     known.add(again)
-                    shorter.append((again, (*remarks, left.remark)))
+                    remarks = (*said.remarks, left.remark)
+                    shorter.append(MainPoints(again, remarks, remarks))
                     yield shorter[-1]

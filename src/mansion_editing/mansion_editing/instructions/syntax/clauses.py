@@ -99,7 +99,8 @@ def _goes_on(words: Sequence[TaggedWord], at: int, form: Form) -> bool:
     """Whether a verb without a subject begins a clause, and no order."""
     if form not in ("fragment", "question") or not words[at].is_finite or words[at].form == "base":
         return False
-    return form == "fragment" or words[at].tag in ("be", "have")
+    subject = at + 1 < len(words) and words[at + 1].tag in ("determiner", "possessive", "somebody", "pronoun")
+    return form == "fragment" or (words[at].tag in ("be", "have") and not subject)
 
 
 def _end(words: Sequence[TaggedWord], at: int, form: Form) -> int:

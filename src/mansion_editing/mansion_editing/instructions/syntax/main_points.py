@@ -30,10 +30,17 @@ _FOREIGN: Final = frozenset('$ { } \\ / ~ & * _ = < > | # @ % ^ " “ ”'.split
 
 @dataclass(frozen=True)
 class MainPoints:
-    """What an instruction asks for, and the clauses that were left out."""
+    """What an instruction asks for, and the clauses that were left out.
+
+    Attributes
+    ----------
+    described : tuple of str
+        Those of the clauses that only say what there is, or what somebody or something has.
+    """
 
     text: str
     remarks: tuple[str, ...]
+    described: tuple[str, ...] = ()
 
 
 class _Uncertain(Exception):
@@ -50,11 +57,10 @@ def main_points(text: str, lexicon: Lexicon) -> Iterator[MainPoints]:
     text : str
         In running text, without contractions.
     """
-    words = tagged(text, lexicon)
+    words: Sequence[TaggedWord] = tagged(text, lexicon)
     if any(word.text in _FOREIGN for word in words):
         return
-    clauses = clauses_of(words)
-    clauses, words = _wished(clauses, words)
+    clauses, words = _wished(clauses_of(words), words)
     told = [only_tells(clause, words, lexicon) for clause in clauses]
     told = [
         (tells and not (_is_listed(clauses, words, number, lexicon) or _asks_opinion(clauses, words, number)))
@@ -72,7 +78,7 @@ def main_points(text: str, lexicon: Lexicon) -> Iterator[MainPoints]:
                 points.add(clause, tells=tells)
         except _Uncertain:
             return
-        yield MainPoints(points.said(), tuple(points.remarks))
+        yield MainPoints(points.said(), tuple(points.remarks), tuple(points.described))
 
 
 @dataclass
@@ -86,6 +92,7 @@ class _Points:
     mentions: list[list[Mentioned]] = field(default_factory=list)
     asked: list[tuple[Clause, list[TaggedWord]]] = field(default_factory=list)
     remarks: list[str] = field(default_factory=list)
+    described: list[str] = field(default_factory=list)
 
     def add(self, clause: Clause, *, tells: bool) -> None:
         """Add a clause.
@@ -96,7 +103,10 @@ class _Points:
         """
         mentions = mentioned_in(clause, self.words, self.text, self.lexicon, told=tells)
         if tells:
-            self.remarks.append(self.text[self.words[clause.start].start : self.words[clause.end - 1].end])
+            said_so = self.text[self.words[clause.start].start : self.words[clause.end - 1].end]
+            self.remarks.append(said_so)
+            if clause.form == "existence" or self.words[clause.verb].tag == "have":
+                self.described.append(said_so)
         elif self._makes_number(clause):
             pass
         else:

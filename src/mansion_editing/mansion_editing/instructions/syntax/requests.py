@@ -11,6 +11,7 @@ from mansion_editing.instructions.phrases.words import PERSONS
 from mansion_editing.instructions.syntax.clauses import Clause
 from mansion_editing.instructions.syntax.noun_groups import end_of_noun_group
 from mansion_editing.instructions.syntax.tagged_words import TaggedWord
+from mansion_editing.instructions.syntax.verb_forms import verb_forms
 from mansion_language.inflection import singular
 from mansion_language.numbers import ORDINALS
 
@@ -70,9 +71,9 @@ def only_tells(clause: Clause, words: Sequence[TaggedWord], lexicon: Lexicon) ->
         pair in (("nothing", "but"), ("nothing", "else")) for pair in pairwise(texts)
     )
     if named and (nothing or limiting or texts[-1] in _ALSO or {"too", "also"} & {*texts[:-1]}):
-        return clause.form == "statement" and _tells_of_use(clause, words)
-    if said[0].tag == "noun" and (texts[0],) in BY_WORDS:
-        return False  # it may be an order: "plant ...", "light ..."
+        return clause.form == "statement" and _tells_of_use(clause, words) and not _asks(clause, words, lexicon)
+    if (said[0].tag == "noun" and (texts[0],) in BY_WORDS) or _is_misspelt(said, lexicon):
+        return False  # it may be an order: "plant ...", "opn ..."
     if clause.form == "statement" and texts[0] == "what":
         return not any(word.verb in _WISHING or word.text in _MEASURING for word in said)
     if clause.form == "question":
@@ -94,6 +95,14 @@ def only_tells(clause: Clause, words: Sequence[TaggedWord], lexicon: Lexicon) ->
     if clause.after == "so" or (texts[0] == "that" and said[0].tag != "determiner"):
         return not (named or _counts(said) or {*texts} & _LIMITING) and not _asks(clause, words, lexicon)
     return not _asks(clause, words, lexicon)
+
+
+def _is_misspelt(words: Sequence[TaggedWord], lexicon: Lexicon) -> bool:
+    """Whether a word is no English one, but nearly one."""
+    plain = (word for word in words if word.raw.isalpha() and word.raw.islower() and word.tag == "noun")
+    names = (singular(word.text) for word in plain if not verb_forms(word.text) and word.text not in lexicon.kept)
+    unknown = (name for name in names if name not in lexicon.kept and not lexicon.is_object((name,)))
+    return any(lexicon.speller.nearest(name) != name for name in unknown)
 
 
 def _tells_of_use(clause: Clause, words: Sequence[TaggedWord]) -> bool:
@@ -123,8 +132,9 @@ def _asks(clause: Clause, words: Sequence[TaggedWord], lexicon: Lexicon) -> bool
         return not is_person(subject)
     if verb.tag == "modal" and any(word.tag == "number" for word in subject):
         return True
+    able = {"able", "reach", "get"} & {*texts}
     if verb.text in _OBLIGING or (verb.tag in ("be", "have") and _is_to(rest)) or texts[:2] in _NEEDING:
-        return not somebody or aimed
+        return not somebody or aimed or bool(able)
     if any(word.form == "gerund" and (word.verb,) in BY_WORDS for word in rest) and main.verb == "need":
         return True  # "it needs emptying"
     if _wishes(rest):
@@ -135,6 +145,9 @@ def _asks(clause: Clause, words: Sequence[TaggedWord], lexicon: Lexicon) -> bool
     if verb.tag == "modal":
         denied = {*texts[1:3]} & _DENYING
         return not somebody and not denied and (main.verb in _PLACING or main.form == "participle" or _measures(texts))
+    coming = {*texts} & {"out", "in", "away"} and any(word.verb in ("go", "come") for word in rest)
+    if coming and not is_person(subject):
+        return True  # "the desk and the chair go out"
     if main.verb in _PLACING - _RESTING and main.form in ("third", "base") and not _goes_on_doing(rest):
         return not somebody or main.verb == "keep"
     if main.verb in ("suffice", "suggest", "insist", "ask", "propose", "recommend"):
@@ -153,7 +166,8 @@ def _wishes(rest: Sequence[TaggedWord]) -> bool:
 
 def _goes_on_doing(rest: Sequence[TaggedWord]) -> bool:
     """Whether something keeps happening: ``keeps tripping me up``, ``gets knocked over``."""
-    return any(word.form in ("gerund", "participle") for word in rest[1:3]) and rest[0].verb in ("keep", "get", "go")
+    doing = any(word.form in ("gerund", "participle") and word.verb != "run" for word in rest[1:3])
+    return doing and rest[0].verb in ("keep", "get", "go")
 
 
 def _takes_up(words: Sequence[TaggedWord]) -> bool:

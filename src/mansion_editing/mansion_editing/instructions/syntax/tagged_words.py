@@ -250,6 +250,8 @@ def _as_verb(words: Sequence[TaggedWord], at: int, lexicon: Lexicon) -> TaggedWo
     each_one = before is not None and before.text == "one" and at > 1 and words[at - 2].text in _BEFORE_ONE
     if each_one and "third" in kinds:
         return _formed(word, forms, "third")
+    if before is not None and before.tag == "joint" and "third" in kinds and not named:
+        return _formed(word, forms, "third")  # "the shredder is broken and stays off"
     if before is not None and _has_object(words, at, lexicon):
         several = singular(before.text) != before.text
         if "third" in kinds or ("base" in kinds and several):
@@ -269,19 +271,31 @@ def _as_verb(words: Sequence[TaggedWord], at: int, lexicon: Lexicon) -> TaggedWo
             return _formed(word, forms, best)
     told = before.text == "," and "third" in kinds and after is not None and after.tag in ("preposition", "to")
     if told or before.tag in ("noun", "pronoun", "somebody", "adverb", "relative", "number"):
-        return _after_subject(word, forms, before, after)
+        return _after_subject(words, at, forms, before, after)
     return None
 
 
+def _since_mark(words: Sequence[TaggedWord], at: int) -> Sequence[TaggedWord]:
+    """Return the last few words before a place, since a mark or a verb."""
+    start = next((k + 1 for k in range(at - 1, max(-1, at - 6), -1) if words[k].tag == "mark" or words[k].is_finite), 0)
+    return words[max(start, at - 5) : at]
+
+
 def _after_subject(
-    word: TaggedWord, forms: Sequence[tuple[str, Form]], before: TaggedWord, after: TaggedWord | None
+    words: Sequence[TaggedWord],
+    at: int,
+    forms: Sequence[tuple[str, Form]],
+    before: TaggedWord,
+    after: TaggedWord | None,
 ) -> TaggedWord | None:
     """Return a word after a noun as a finite verb, or a participle that goes with the noun; None for a further noun."""
+    word = words[at]
     kinds = [form for _, form in forms]
     if "third" in kinds or "past" in kinds:
         return _formed(word, forms, "third" if "third" in kinds else "past")
     several = (
-        (before.tag == "number" and before.text != "one")
+        any(one.text == "and" for one in _since_mark(words, at))
+        or (before.tag == "number" and before.text != "one")
         or before.text in ("they", "these", "those", "both")
         or singular(before.text) != before.text
     )
