@@ -27,6 +27,8 @@ def rooms(brief: str) -> dict[str, tuple[str, bool]]:
         ("A school with a library and an informatics laboratory.", "informatic_laboratory", "computer_lab", True),
         ("A hospital with a pharmacy and a reception hall.", "reception_hall", "lobby", True),
         ("A house with a kitchen and a downstairs loo.", "loo", "toilet", True),
+        ("A shared house with six private rooms and a big kitchen.", "private_room", "bedroom", True),
+        ("A karaoke club with six private rooms and a bar.", "private_room", "vip_room", True),
         ("A university lab with a gowning room and an etching bay.", "etching_bay", "laboratory", True),
         ("A car workshop with a waiting room and a repair bay.", "repair_bay", "car_workshop", True),
         ("A school with a wood shop and four classrooms.", "wood_shop", "workshop", True),

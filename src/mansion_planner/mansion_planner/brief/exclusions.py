@@ -166,6 +166,7 @@ def negated_phrases(reading: Reading, phrases: list[Phrase]) -> dict[int, tuple[
             found.setdefault(number, (phrases[number].first, last))
             reading.take(index, last)
         elif length := _negation(reading, index):
+            length += reading.word(index + length) == ":"  # "please leave out: gym, bar and shop"
             _negate(reading, phrases, starts, found, index, length)
     return found
 
@@ -206,7 +207,8 @@ def _negate(
 ) -> None:
     """Add the phrases that a negation of so many tokens reaches; what it only compares or places is left out."""
     elsewhere = reading.word(index) == "never" and reading.word(index + length) in ("in", "on", "at", "inside")
-    for number in _reached(reading, phrases, starts, index + length):
+    whole = _orders_list(reading, starts, phrases, index, length)
+    for number in _reached(reading, phrases, starts, index + length, whole=whole):
         phrase = phrases[number]
         if elsewhere:  # "a television in the lounge, never in a bedroom"
             reading.taken.difference_update(range(phrase.begin, phrase.last))
@@ -219,6 +221,24 @@ def _negate(
             reading.take(phrase.last, time_end(reading, phrase.last))
     if any(first == index for first, _ in found.values()):
         reading.take(index, index + length)
+
+
+_ORDERS = frozenset("leave omit skip exclude drop forget scrap scratch cancel strike lose".split())
+_JOINTS = frozenset({",", "and", "or", "nor", "&", "/", "any", "also", "please", "too", "thanks"})
+
+
+def _orders_list(reading: Reading, starts: dict[int, int], phrases: list[Phrase], index: int, length: int) -> bool:
+    """Whether a sentence orders a list away and says nothing else: "leave out the gym, the bar and the shop"."""
+    opens = reading.starts(index) or reading.word(index - 1) in _CLAUSE_OPENERS
+    if not (opens and reading.word(index) in _ORDERS):
+        return False
+    at = index + length
+    while at < len(reading.tokens) and not reading.breaks(at):
+        number = starts.get(at)
+        if number is None and reading.word(at) not in _JOINTS:
+            return False
+        at = at + 1 if number is None else phrases[number].last
+    return True
 
 
 def _is_compared(reading: Reading, index: int) -> bool:
@@ -323,16 +343,19 @@ def _nothing_like(reading: Reading, index: int) -> int:
     return 0
 
 
-def _reached(reading: Reading, phrases: list[Phrase], starts: dict[int, int], index: int) -> list[int]:
-    """Return the phrases that a negation reaches from token `index` on."""
+def _reached(
+    reading: Reading, phrases: list[Phrase], starts: dict[int, int], index: int, *, whole: bool = False
+) -> list[int]:
+    """Return the phrases that a negation reaches from token `index` on, `whole` to the sentence's end."""
     reached: list[int] = []
-    steps, passed, headed = 0, False, reading.word(index - 1) == ":"  # "not needed: cafe, gym"
+    steps, passed, headed = 0, False, whole or reading.word(index - 1) == ":"  # "not needed: cafe, gym"
     while index < len(reading.tokens) and steps < 9:
         number = starts.get(index)
         if number is not None:
             phrase = phrases[number]
             if phrase.head in ("room", "building", "object", "stair", "elevator") and not (
                 reached
+                and not whole
                 and phrase.determiner in ("a", "the")
                 and not (reading.word(phrase.first - 1) in ("and", "or") and reading.breaks(phrase.last))
             ):
