@@ -3,6 +3,7 @@
 from collections.abc import Callable, Sequence
 from typing import Final
 
+from mansion_editing.instructions.phrases.nouns import COMPARATIVES
 from mansion_msgs_py.scene import SceneObject
 from mansion_msgs_py.shapes import Point3
 
@@ -28,18 +29,17 @@ _MEASURES: Final[dict[str, tuple[Callable[[Point3], float], float]]] = {
     "large": (_area, 1.0), "small": (_area, -1.0), "tall": (_height, 1.0), "low": (_height, -1.0),
     "long": (_length, 1.0),
 }  # fmt: skip
-_COMPARATIVES: Final = {"larger": "large", "smaller": "small", "taller": "tall", "lower": "low", "longer": "long"}
 
 
 def is_comparative(hint: str) -> bool:
     """Whether an adjective compares."""
-    return hint in _COMPARATIVES
+    return hint in COMPARATIVES
 
 
 def compares(hints: Sequence[str], new: Point3, old: Point3) -> bool:
     """Whether one size is to another as the comparatives among some adjectives say."""
     for hint in filter(is_comparative, hints):
-        measure, sign = _MEASURES[_COMPARATIVES[hint]]
+        measure, sign = _MEASURES[COMPARATIVES[hint]]
         small, great = (measure(old), measure(new)) if sign > 0 else (measure(new), measure(old))
         if great < small * _CLEARLY:
             return False
@@ -53,7 +53,7 @@ _CLEARLY: Final = 1.05
 def told_by_size(items: Sequence[SceneObject], hints: Sequence[str]) -> list[SceneObject]:
     """Return the one of several that adjectives of size plainly tell; all where they do not."""
     for hint in hints:
-        measure, sign = _MEASURES[_COMPARATIVES.get(hint, hint)]
+        measure, sign = _MEASURES[COMPARATIVES.get(hint, hint)]
         ordered = sorted(items, key=lambda item: (-sign * measure(item.size), item.id))
         if len(ordered) < 2:
             continue

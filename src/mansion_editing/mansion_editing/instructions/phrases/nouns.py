@@ -10,7 +10,7 @@ from mansion_editing.instructions.phrases.runs import SHADES, end_of_run
 from mansion_editing.instructions.phrases.words import ADVERBS, PERSONS, STATE_WORDS, VAGUE, Word
 from mansion_language.colours import COLOUR_WORDS
 
-__all__ = ["HOLDERS", "MATERIALS", "SIZE_HINTS", "Noun", "read_noun"]
+__all__ = ["COMPARATIVES", "HOLDERS", "MATERIALS", "SIZE_HINTS", "Noun", "read_noun"]
 
 MATERIALS: Final = {
     "wooden": "wood", "wood": "wood", "oak": "wood", "metal": "metal", "steel": "metal", "leather": "leather",
@@ -52,6 +52,9 @@ SIZE_HINTS: Final = {
     "shorter": "lower", "longer": "longer",
 }  # fmt: skip
 """Adjectives of size, by which one of several things is told."""
+
+COMPARATIVES: Final = {"larger": "large", "smaller": "small", "taller": "tall", "lower": "low", "longer": "long"}
+"""Adjectives of size that compare, and what they are the comparatives of."""
 
 
 @dataclass(frozen=True)
